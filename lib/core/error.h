@@ -1,0 +1,59 @@
+// What can go wrong, one type per exit status. Thrown where it is known, translated once, in tool::main.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace soilweave {
+
+/// Exit statuses (sysexits values); every man page lists them.
+enum class Exit : int {
+  done = 0,
+  not_reached = 1,     // ran to the end but the target was not reached
+  usage = 64,          // wrong usage
+  bad_data = 65,       // input data or scenario invalid
+  no_input = 66,       // input missing
+  internal = 70,       // a defect of ours, or broken physics (NaN, energy, lost grain)
+  cannot_create = 73,  // output cannot be created
+  io = 74,             // reading or writing failed
+  stopped = 75,        // stopped early, resumable
+};
+
+/// One line for the user: what is wrong, where (file, line, dataset), and what would mend it.
+class Error : public std::runtime_error {
+ public:
+  Error(Exit status, const std::string& message) : std::runtime_error(message), status_(status) {}
+  Exit status() const { return status_; }
+
+ private:
+  Exit status_;
+};
+
+struct TargetNotReached : Error {
+  explicit TargetNotReached(const std::string& m) : Error(Exit::not_reached, m) {}
+};
+struct UsageError : Error {
+  explicit UsageError(const std::string& m) : Error(Exit::usage, m) {}
+};
+struct DataError : Error {
+  explicit DataError(const std::string& m) : Error(Exit::bad_data, m) {}
+};
+struct MissingInput : Error {
+  explicit MissingInput(const std::string& m) : Error(Exit::no_input, m) {}
+};
+struct PhysicsError : Error {
+  explicit PhysicsError(const std::string& m) : Error(Exit::internal, m) {}
+};
+struct CannotCreate : Error {
+  explicit CannotCreate(const std::string& m) : Error(Exit::cannot_create, m) {}
+};
+struct IoError : Error {
+  explicit IoError(const std::string& m) : Error(Exit::io, m) {}
+};
+struct Stopped : Error {
+  explicit Stopped(const std::string& m) : Error(Exit::stopped, m) {}
+};
+
+}  // namespace soilweave

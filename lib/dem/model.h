@@ -1,0 +1,29 @@
+// What the grains are made of and how the steps are taken: the inputs of a simulation.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/tensor.h"
+#include "dem/laws.h"
+
+namespace soilweave::dem {
+
+/// The contact law and its material parameters; `materials` is indexed by material_id, planes included.
+/// One alternative per registered law (laws.h).
+struct Model {
+  AnyMaterials materials;  // std::variant<std::vector<HertzMindlin::Material>, std::vector<Linear::Material>>
+};
+
+struct Numerics {
+  double damping = 0.2;            // Cundall's local non-viscous damping, 0 to 1
+  double time_step_safety = 0.8;   // fraction of the stability limit from the present stiffness
+  std::optional<double> time_step; // s, fixed; overrides the estimate
+  Vec3 gravity = Vec3::Zero();     // m/s2
+  int threads = 1;
+};
+
+}  // namespace soilweave::dem

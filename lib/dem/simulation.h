@@ -1,0 +1,81 @@
+// A granular assembly in motion: grains, their contacts, the cell and the clock. A plain object; no global state.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "dem/model.h"
+#include "io/records.h"
+
+namespace soilweave::dem {
+
+/// What one sweep over the contacts and bodies measures. Stress compression positive.
+struct Measures {
+  Mat3 stress = Mat3::Zero();          // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
+  Vec3 axial_stiffness = Vec3::Zero(); // Pa, affine stiffness of the contact network along each cell axis
+  double unbalanced_force = 0;         // mean resultant on grains over mean contact force; 0/0 is 0
+  std::int64_t contacts = 0;
+  double largest_overlap = 0;          // m
+  double kinetic_energy = 0;           // J, of the fluctuation, translational and rotational
+};
+
+/// Work and energy since the start, J. boundary_work + gravity_work + initial = kinetic + elastic + dissipated parts
+/// + law_created (with its sign) + error.
+struct Energies {
+  double kinetic = 0, elastic_normal = 0, elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;
+  double frictional = 0;       // dissipated by sliding
+  double rolling_plastic = 0;  // dissipated at the rolling and twisting limits
+  double viscous = 0;          // dissipated by contact damping
+  double damping = 0;          // dissipated by local non-viscous damping
+  double boundary_work = 0;    // done on the assembly by the deforming cell and moving planes
+  double gravity_work = 0;
+  double law = 0;              // taken out (+) or created (-) by the incremental contact law itself
+  double initial = 0;          // kinetic and elastic at the start
+  double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting; }
+  double error() const {
+    return initial + boundary_work + gravity_work -
+           (kinetic + elastic() + frictional + rolling_plastic + viscous + damping + law);
+  }
+};
+
+class Simulation {
+ public:
+  /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
+  Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
+  Simulation(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// Advances one time step with the cell's velocity gradient as set. Throws PhysicsError when physics breaks.
+  void step();
+
+  const Measures& measures() const;    // of the last step
+  Energies energies() const;
+  double time_step() const;            // s, of the next step
+  double time() const;
+  std::int64_t steps() const;
+
+  const Mat3& cell_matrix() const;
+  const Mat3& deformation_gradient() const;
+  double volume() const;               // m3 (2D: m2)
+  double solid_volume() const;         // m3 (2D: m2), overlaps counted twice
+  double void_ratio() const;
+  /// Natural strains since the reference, compression positive: -ln of the principal stretches along the axes.
+  Vec3 strain() const;
+  void set_reference();                // the present cell becomes the reference of the strains
+  void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
+
+  void set_model(const Model& model);  // between stages: friction lowered, law parameters changed; history is kept
+  void set_damping(double damping);
+  void scale_radii(double factor);     // masses follow at constant density
+  void stop_motion();                  // zero fluctuation velocities and spins
+
+  io::Snapshot snapshot() const;       // complete: a Simulation made from it goes on bit by bit
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soilweave::dem

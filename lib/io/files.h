@@ -1,0 +1,76 @@
+// The file kinds the tools exchange, read and written whole. FORMAT.md is their specification; store.h the only door
+// to HDF5. A path "-" is an HDF5 file image on standard input or output.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/provenance.h"
+#include "io/records.h"
+
+namespace soilweave::io {
+
+/// A packing: one state, at rest or nearly so.
+struct PackingFile {
+  Snapshot state;
+  Source source;  // of the file this was read from
+};
+
+/// A run: series over all recorded states, snapshots at some of them; the last snapshot is the state to continue from.
+struct RunFile {
+  std::vector<Snapshot> snapshots;
+  Series series;
+  std::string scenario;  // resolved TOML
+  Source source;
+};
+
+/// A plain-text table or scenario with its digest.
+struct TextFile {
+  std::string text;
+  Source source;
+};
+
+/// Fields: the product of an analysis tool. Groups of columns ("global", "volumes", "grains", "rose", ...).
+struct FieldsFile {
+  struct Group {
+    std::string name, long_name;
+    Series table;
+  };
+  std::vector<Group> groups;
+  Source source;
+};
+
+/// Writes of every kind: atomically (temporary name, fsync, rename), equal content gives equal bytes.
+/// Throws CannotCreate, IoError.
+void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
+void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
+void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
+
+/// Readers reject an unknown kind or a newer major version. Throw MissingInput, DataError (truncated, wrong kind,
+/// NaN, overlapping array lengths that disagree ...), IoError. `role` names the input in provenance.
+PackingFile read_packing(const std::filesystem::path& path, std::string role = "packing");
+RunFile read_run(const std::filesystem::path& path, std::string role = "run");
+FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
+TextFile read_text(const std::filesystem::path& path, std::string role);
+
+/// A packing, or the last snapshot of a run: whatever a tool can start from.
+PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
+/// All states in a file: a packing gives one.
+RunFile read_states(const std::filesystem::path& path, std::string role = "states");
+/// The kind written in the file's root ("packing", "run", "fields"), its version, and its history alone.
+std::string read_kind(const std::filesystem::path& path);
+History read_history(const std::filesystem::path& path);
+
+/// Sphere packings as text: x y z r per line (blank, tab or comma separated, # comments), with or without YADE's first
+/// line "##PERIODIC:: Lx Ly Lz". Without it the cell must be given (or the packing is not periodic).
+PackingFile import_spheres(const std::filesystem::path& path, double density, const CellRecord* cell = nullptr);
+/// The inverse, in full precision, with the ##PERIODIC:: line for an upright periodic cell.
+std::string export_spheres(const Snapshot& state);
+
+/// Checks what every reader promises and every writer is given: equal lengths, finite numbers, positive radii, grains
+/// smaller than half the cell along periodic axes, contacts that name existing grains. Throws DataError naming `where`.
+void check(const Snapshot& state, const std::string& where);
+
+}  // namespace soilweave::io
