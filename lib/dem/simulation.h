@@ -17,8 +17,7 @@ struct Measures {
   Vec3 axial_stiffness = Vec3::Zero(); // Pa, affine stiffness of the contact network along each cell axis
   double unbalanced_force = 0;         // mean resultant on grains over mean contact force; 0/0 is 0
   std::int64_t contacts = 0;
-  double largest_overlap = 0;          // m
-  double kinetic_energy = 0;           // J, of the fluctuation, translational and rotational
+  double largest_overlap = 0;          // over the smaller radius
 };
 
 /// Work and energy since the start, J. boundary_work + gravity_work + initial = kinetic + elastic + dissipated parts
@@ -45,6 +44,7 @@ class Simulation {
   /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
   Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
   /// Advances one time step with the cell's velocity gradient as set. Throws PhysicsError when physics breaks.

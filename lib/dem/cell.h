@@ -1,0 +1,42 @@
+// The periodic cell: shape, velocity gradient, volume, nearest images. Axes that are not periodic only carry a length.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tensor.h"
+#include "io/records.h"
+
+namespace soilweave::dem {
+
+class Cell {
+ public:
+  Cell() = default;
+  Cell(const io::CellRecord& record, int dimension);
+
+  /// Advances shape and deformation gradient by one step of the velocity gradient (first order, dem-laws: H <- (I + L dt) H).
+  void advance(double dt);
+  void set_velocity_gradient(const Mat3& gradient) { velocity_gradient_ = gradient; }
+  void set_reference() { deformation_gradient_ = Mat3::Identity(); }
+
+  const Mat3& matrix() const { return matrix_; }  // columns are the cell vectors, m
+  const Mat3& velocity_gradient() const { return velocity_gradient_; }
+  const Mat3& deformation_gradient() const { return deformation_gradient_; }
+  bool periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
+  bool any_periodic() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
+  bool deforming() const { return deforming_; }
+
+  double volume() const;             // m3 (2D: m2)
+  Vec3 widths() const;               // m, distances between opposite faces
+  /// Integer offset of `to`'s image nearest to `from` (exact for grains smaller than half the cell), periodic axes only.
+  Vec3i nearest_image(const Vec3& from, const Vec3& to) const;
+  io::CellRecord record() const;
+
+ private:
+  int dimension_ = 3;
+  Mat3 matrix_ = Mat3::Identity();
+  Mat3 velocity_gradient_ = Mat3::Zero();
+  Mat3 deformation_gradient_ = Mat3::Identity();
+  std::array<bool, 3> periodic_ = {false, false, false};
+  bool deforming_ = false;
+};
+
+}  // namespace soilweave::dem

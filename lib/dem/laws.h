@@ -1,0 +1,34 @@
+// What a contact law must offer, and THE list of laws: one name in the list registers a new one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "dem/laws/hertz_mindlin.h"
+#include "dem/laws/linear.h"
+
+namespace soilweave::dem {
+
+/// A stateless law: materials mixed once per couple, then pure functions from kinematics and memory to forces.
+template <class L>
+concept ContactLaw = requires(const typename L::Material& material, const typename L::Couple& couple,
+                              const Kinematics<double>& kinematics, double dt, Memory<double>& memory,
+                              Books<double>& books) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::mix(material, material) } -> std::same_as<typename L::Couple>;
+  { L::respond(couple, kinematics, dt, memory, books) } -> std::same_as<Response<double>>;
+  requires std::same_as<typename L::Material::Law, L>;
+};
+
+template <ContactLaw... Law>
+struct LawList {
+  using Materials = std::variant<std::vector<typename Law::Material>...>;
+};
+
+using Laws = LawList<HertzMindlin, Linear>;
+using AnyMaterials = Laws::Materials;
+
+}  // namespace soilweave::dem

@@ -1,0 +1,78 @@
+// What every contact law keeps, returns and accounts for. Forces and moments are those on body 2. T is double or lanes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lanes.h"
+
+namespace soilweave::dem {
+
+/// History of one contact, already carried to the present normal.
+template <class T>
+struct Memory {
+  V3<T> shear;    // N
+  V3<T> rolling;  // N m, normal to the contact normal
+  T twisting;     // N m, about the contact normal
+};
+
+/// Forces are in Memory after the call; the rest is here.
+template <class T>
+struct Response {
+  T normal_force;  // N, compression positive, viscous part included
+  T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
+  T rolling_stiffness, twisting_stiffness;  // N m/rad
+  Mask<T> sliding;                          // the Coulomb limit holds the shear force
+};
+
+/// Energies of one contact, J: stored now; stored by the old memory at the present stiffness; dissipated in this step.
+template <class T>
+struct Books {
+  T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
+  T shear_before, rolling_before, twisting_before;
+  T frictional, rolling_plastic, viscous;
+};
+
+/// One spring of a contact, vector (shear, rolling) or scalar (twisting): force -= stiffness * increment, then cut back
+/// to the limit. Returns stored energies and the dissipation, which by the trapezoidal rule is what the cut removes.
+template <class T, class Quantity>
+struct SpringStep {
+  Quantity force;
+  T stored, before, dissipated;
+  Mask<T> limited;
+};
+
+template <class T>
+T squared(const T& a) {
+  return a * a;
+}
+template <class T>
+T squared(const V3<T>& a) {
+  return norm2(a);
+}
+template <class T>
+T product(const T& a, const T& b) {
+  return a * b;
+}
+template <class T>
+T product(const V3<T>& a, const V3<T>& b) {
+  return dot(a, b);
+}
+
+/// limit: the largest magnitude; a negative limit means none.
+template <class T, class Quantity>
+SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const Quantity& increment, const T& limit) {
+  SpringStep<T, Quantity> s;
+  const Quantity trial = old - stiffness * increment;
+  const T trial2 = squared(trial);
+  const T zero = all<T>(0), tiny = all<T>(1e-300);
+  s.limited = (limit >= zero) & (trial2 > limit * limit);
+  const T scale = select<T>(s.limited, limit / square_root(maximum(trial2, tiny)), all<T>(1));
+  s.force = scale * trial;
+  const T compliance = select<T>(stiffness > zero, 0.5 / maximum(stiffness, tiny), zero);
+  s.before = compliance * squared(old);
+  s.stored = compliance * squared(s.force);
+  const T work = -0.5 * product(old + s.force, increment);
+  s.dissipated = select<T>(s.limited, work - (s.stored - s.before), zero);
+  return s;
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,43 @@
+// What laws share beside the normal force: incremental shear with Coulomb's limit, rolling and twisting resistance.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/laws/contact.h"
+#include "dem/laws/resistance.h"
+
+namespace soilweave::dem {
+
+/// Of a couple of materials.
+struct Tangential {
+  double mu;  // tangent of the smaller friction angle
+  Resistance rolling, twisting;
+};
+
+template <class Material>
+Tangential mix_tangential(const Material& a, const Material& b) {
+  return {std::tan(std::min(a.friction_angle, b.friction_angle)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
+}
+
+/// Completes a response whose normal force and shear stiffness are known: memory becomes the present shear force and
+/// moments, books the energies of the three springs. Fs <- Fs - ks slip, |Fs| <= mu Fn (dem-laws §2, §3).
+template <class T>
+void tangential_step(const Tangential& c, const Kinematics<T>& k, Memory<T>& memory, Response<T>& r, Books<T>& books) {
+  const T pressing = maximum(r.normal_force, all<T>(0));
+  r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
+  r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
+  const auto shear = spring_step<T, V3<T>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
+  const auto roll =
+      spring_step<T, V3<T>>(memory.rolling, r.rolling_stiffness, k.roll, resistance_limit(c.rolling, k, pressing));
+  const auto twist = spring_step<T, T>(memory.twisting, r.twisting_stiffness, k.twist, resistance_limit(c.twisting, k, pressing));
+  memory = {shear.force, roll.force, twist.force};
+  r.sliding = shear.limited;
+  books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;
+  books.shear_before = shear.before, books.rolling_before = roll.before, books.twisting_before = twist.before;
+  books.frictional = shear.dissipated;
+  books.rolling_plastic = roll.dissipated + twist.dissipated;
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,156 @@
+// Neighbour list by a grid over the (possibly sheared) cell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/neighbours.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace soilweave::dem {
+namespace {
+
+struct Candidate {
+  std::int32_t second;
+  Vec3i image;
+};
+
+Vec3 to_vec3(const V3<double>& v) { return {v.x, v.y, v.z}; }
+
+// Bins in reduced coordinates, at least one interaction length wide along every axis.
+class Grid {
+ public:
+  Grid(const Bodies& bodies, const Cell& cell, double length) : bodies_(bodies), cell_(cell) {
+    frame(length);
+    bin_of_.resize(bodies.size());
+    wrap_.resize(bodies.size());
+    std::vector<std::int32_t> count(static_cast<std::size_t>(bins_.prod()) + 1, 0);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      place(i);
+      ++count[static_cast<std::size_t>(bin_of_[i]) + 1];
+    }
+    for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
+    start_ = count;
+    members_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      members_[static_cast<std::size_t>(count[static_cast<std::size_t>(bin_of_[i])]++)] = static_cast<std::int32_t>(i);
+  }
+
+  // Grains j > i whose gap to i is below the skin, ascending.
+  void near(std::size_t i, double skin, std::vector<Candidate>& found) const {
+    found.clear();
+    const Vec3i home = coordinates(bin_of_[i]);
+    const Vec3 xi = to_vec3(bodies_.position[i]);
+    const int reach_z = bodies_.dimension == 3 ? 1 : 0;
+    for (int dz = -reach_z; dz <= reach_z; ++dz)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          Vec3i bin = home + Vec3i(dx, dy, dz), turn;
+          if (!fold(bin, turn)) continue;
+          const std::size_t b = index(bin);
+          for (std::int32_t m = start_[b]; m < start_[b + 1]; ++m) {
+            const std::int32_t j = members_[static_cast<std::size_t>(m)];
+            if (static_cast<std::size_t>(j) <= i) continue;
+            const Vec3i image = turn + wrap_[i] - wrap_[static_cast<std::size_t>(j)];
+            const Vec3 d = to_vec3(bodies_.position[static_cast<std::size_t>(j)]) + cell_.matrix() * image.cast<double>() - xi;
+            const double reach = bodies_.radius[i] + bodies_.radius[static_cast<std::size_t>(j)] + skin;
+            if (d.squaredNorm() < reach * reach) found.push_back({j, image});
+          }
+        }
+    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.second < b.second; });
+  }
+
+ private:
+  // Periodic axes are binned over the cell, the others over the extent of the grains.
+  void frame(double length) {
+    inverse_ = cell_.matrix().inverse();
+    const Vec3 widths = cell_.widths();
+    for (int a = 0; a < 3; ++a) {
+      low_[a] = 0, span_[a] = 1;
+      double width = widths[a];
+      if (!cell_.periodic(a)) {
+        double low = 0, high = 0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+          const double s = inverse_.row(a).dot(to_vec3(bodies_.position[i]));
+          low = i == 0 ? s : std::min(low, s), high = i == 0 ? s : std::max(high, s);
+        }
+        low_[a] = low, span_[a] = std::max(high - low, 1e-300) * (1 + 1e-12);
+        width *= span_[a];
+      }
+      bins_[a] = std::clamp(static_cast<int>(std::floor(width / length)), 1, 256);
+    }
+  }
+  void place(std::size_t i) {
+    Vec3i bin;
+    wrap_[i].setZero();
+    for (int a = 0; a < 3; ++a) {
+      double s = (inverse_.row(a).dot(to_vec3(bodies_.position[i])) - low_[a]) / span_[a];
+      if (cell_.periodic(a)) {
+        wrap_[i][a] = static_cast<int>(std::floor(s));
+        s -= std::floor(s);
+      }
+      bin[a] = std::clamp(static_cast<int>(s * bins_[a]), 0, bins_[a] - 1);
+    }
+    bin_of_[i] = static_cast<std::int32_t>(index(bin));
+  }
+  bool fold(Vec3i& bin, Vec3i& turn) const {
+    turn.setZero();
+    for (int a = 0; a < 3; ++a) {
+      if (bin[a] >= 0 && bin[a] < bins_[a]) continue;
+      if (!cell_.periodic(a)) return false;
+      turn[a] = bin[a] < 0 ? -1 : 1;
+      bin[a] -= turn[a] * bins_[a];
+    }
+    return true;
+  }
+  std::size_t index(const Vec3i& bin) const {
+    return static_cast<std::size_t>((bin[2] * bins_[1] + bin[1]) * bins_[0] + bin[0]);
+  }
+  Vec3i coordinates(std::int32_t b) const {
+    return {b % bins_[0], (b / bins_[0]) % bins_[1], b / (bins_[0] * bins_[1])};
+  }
+
+  const Bodies& bodies_;
+  const Cell& cell_;
+  Mat3 inverse_;
+  Vec3 low_, span_;
+  Vec3i bins_;
+  std::vector<std::int32_t> bin_of_, start_, members_;
+  std::vector<Vec3i> wrap_;  // whole cells between a grain's unwrapped position and its bin
+};
+
+}  // namespace
+
+bool Neighbours::outdated(double largest_speed, const Mat3& velocity_gradient, double largest_radius, double dt) {
+  closed_ += dt * (2 * largest_speed + velocity_gradient.norm() * (2 * largest_radius + skin_));
+  return closed_ > skin_;
+}
+
+void Neighbours::rebuild(const Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
+  closed_ = 0;
+  const Grid grid(bodies, cell, 2 * bodies.largest_radius() + skin_);
+  Contacts fresh;
+  std::vector<Candidate> found;
+  std::size_t old = 0;
+  const auto add = [&](std::size_t i, std::int32_t second, const Vec3i& image) {
+    const auto key = std::pair(static_cast<std::int32_t>(i), second);
+    while (old < contacts.size() && std::pair(contacts.first[old], contacts.second[old]) < key) ++old;
+    const std::size_t k = fresh.size();
+    fresh.resize(k + 1);
+    fresh.clear(k);
+    fresh.first[k] = key.first, fresh.second[k] = second, fresh.image[k] = image;
+    if (old < contacts.size() && std::pair(contacts.first[old], contacts.second[old]) == key) fresh.copy(k, contacts, old);
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t p = planes.all.size(); p-- > 0;) {
+      const Plane& plane = planes.all[p];
+      const double gap = (to_vec3(bodies.position[i]) - plane.point).dot(plane.normal) - bodies.radius[i];
+      if (gap < skin_) add(i, -1 - static_cast<std::int32_t>(p), Vec3i::Zero());
+    }
+    grid.near(i, skin_, found);
+    for (const Candidate& c : found) add(i, c.second, c.image);
+  }
+  contacts = std::move(fresh);
+  contacts.index(bodies.size());
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,32 @@
+// Rigid planes as contact partners: a point, a unit normal towards the grains, a constant velocity.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/tensor.h"
+#include "io/records.h"
+
+namespace soilweave::dem {
+
+struct Plane {
+  Vec3 point, normal, velocity;
+  std::int32_t material;
+};
+
+struct Planes {
+  std::vector<Plane> all;
+
+  Planes() = default;
+  explicit Planes(const io::PlanesRecord& record);
+  void advance(double dt) {
+    for (Plane& p : all) p.point += dt * p.velocity;
+  }
+  io::PlanesRecord record() const;
+};
+
+/// Plane named by a contact's negative second index.
+inline std::size_t plane_number(std::int32_t second) { return static_cast<std::size_t>(-1 - second); }
+
+}  // namespace soilweave::dem
