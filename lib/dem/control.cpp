@@ -1,0 +1,60 @@
+// The servo of the periodic cell.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soilweave::dem {
+namespace {
+
+// Natural frequency of the servo times the step: fast against the loading, slow against the grains' own oscillation.
+constexpr double frequency_times_step = 0.05;
+constexpr double damping_ratio = 1.0;
+// While the contact network is too loose to have a stiffness, a stress goal counts as this fraction of one.
+constexpr double loosest_stiffness = 10.0;
+// A strain goal is met to this much.
+constexpr double strain_tolerance = 1e-9;
+
+}  // namespace
+
+void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation) {
+  const double dt = simulation.time_step();
+  const Measures& m = simulation.measures();
+  const Vec3 strain = simulation.strain();
+  Mat3 gradient = Mat3::Zero();
+  for (int a = 0; a < dimension; ++a) {
+    const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+    double rate = 0;
+    if (goal.kind == AxisGoal::Kind::strain) {
+      rate = -std::expm1(-(goal.value - strain[a])) / dt;
+    } else {
+      const double error = goal.value - m.stress(a, a);
+      const double stiffness = std::max(m.axial_stiffness[a], loosest_stiffness * std::abs(goal.value));
+      const double omega = frequency_times_step / dt;
+      if (stiffness > 0) {
+        rate_[a] += omega * omega * error * dt / stiffness;
+        rate_[a] = std::clamp(rate_[a], -goal.max_rate, goal.max_rate);
+        rate = rate_[a] + 2 * damping_ratio * omega * error / stiffness;
+      }
+    }
+    gradient(a, a) = -std::clamp(rate, -goal.max_rate, goal.max_rate);
+  }
+  simulation.set_velocity_gradient(gradient);
+}
+
+bool Servo::settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances, const Simulation& simulation) {
+  const Measures& m = simulation.measures();
+  if (!(m.unbalanced_force <= tolerances.unbalanced_force)) return false;
+  const Vec3 strain = simulation.strain();
+  for (int a = 0; a < dimension; ++a) {
+    const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+    if (goal.kind == AxisGoal::Kind::strain && std::abs(goal.value - strain[a]) > strain_tolerance) return false;
+    if (goal.kind == AxisGoal::Kind::stress &&
+        std::abs(goal.value - m.stress(a, a)) > tolerances.stress * std::abs(goal.value))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace soilweave::dem

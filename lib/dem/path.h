@@ -1,0 +1,51 @@
+// A loading path: stations to be reached one after the other, and what each axis is asked for on the way.
+// A new path is one file in paths/ and one line in the list of path.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/settings.h"
+#include "dem/control.h"
+
+namespace soilweave::dem {
+
+/// What a path may look at when it sets goals.
+struct PathState {
+  int dimension;
+  Mat3 stress;  // Pa, compression positive
+  Vec3 strain;  // natural, since the reference
+};
+
+class Path {
+ public:
+  virtual ~Path() = default;
+  virtual std::size_t stations() const = 0;
+  /// Goals on the way to a station (0 to stations() - 1).
+  virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
+};
+
+/// Loading axis: the last one of the space.
+inline int loading_axis(int dimension) { return dimension - 1; }
+
+/// Keys most paths share.
+struct StrainStations {
+  std::vector<double> strain;  // natural, compression positive, ascending in the loading's direction
+  double rate;                 // 1/s, largest
+};
+
+/// axial_strain, increment (or an explicit list `stations`), rate.
+StrainStations read_strain_stations(Settings& table);
+/// max_rate of the stress-controlled axes, 1/s.
+double read_max_rate(Settings& table);
+/// A pressure-like key.
+double read_stress(Settings& table, std::string_view key, std::string_view sentence);
+
+std::vector<std::string> path_names();
+/// Throws nothing itself: mistakes are collected in the table's document.
+std::unique_ptr<Path> read_path(const std::string& name, Settings& table);
+
+}  // namespace soilweave::dem
