@@ -5,10 +5,14 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
+
+#include "core/tensor.h"
 
 namespace soilweave {
 
-/// Four contacts at once: the width of the x86-64-v3 baseline.
+/// Four contacts at once: the width of the x86-64-v3 baseline. Equal bits in lane and scalar need -ffp-contract=off,
+/// since the compiler may fuse a multiplication with an addition in one of them only.
 using Lane4 = double __attribute__((vector_size(32)));
 
 template <class T>
@@ -23,15 +27,14 @@ T select(const Mask<T>& mask, const T& yes, const T& no) {
   return mask ? yes : no;
 }
 
-template <class T>
-T square_root(const T& x) {
-  if constexpr (is_lane<T>) {
-    T y = x;
-    for (std::size_t k = 0; k < sizeof(T) / sizeof(double); ++k) y[k] = std::sqrt(x[k]);
-    return y;
-  } else {
-    return std::sqrt(x);
-  }
+inline double square_root(double x) { return std::sqrt(x); }
+
+inline Lane4 square_root(const Lane4& x) {
+#ifdef __AVX__
+  return __builtin_ia32_sqrtpd256(x);
+#else
+  return Lane4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
 }
 
 /// The same number in every lane.
@@ -53,6 +56,11 @@ T maximum(const T& a, const T& b) {
 }
 
 template <class T>
+T absolute(const T& x) {
+  return select<T>(x < all<T>(0), -x, x);
+}
+
+template <class T>
 struct V3 {
   T x, y, z;
 };
@@ -70,6 +78,10 @@ V3<T> operator*(const T& s, const V3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 template <class T>
+V3<T> select(const Mask<T>& mask, const V3<T>& yes, const V3<T>& no) {
+  return {select<T>(mask, yes.x, no.x), select<T>(mask, yes.y, no.y), select<T>(mask, yes.z, no.z)};
+}
+template <class T>
 T dot(const V3<T>& a, const V3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -84,6 +96,17 @@ T norm2(const V3<T>& a) {
 template <class T>
 T norm(const V3<T>& a) {
   return square_root(norm2(a));
+}
+
+inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }
+
+/// One lane taken out, one lane put in.
+inline V3<double> lane(const V3<Lane4>& v, int i) { return {v.x[i], v.y[i], v.z[i]}; }
+inline void set_lane(V3<Lane4>& v, int i, const V3<double>& value) {
+  v.x[i] = value.x;
+  v.y[i] = value.y;
+  v.z[i] = value.z;
 }
 
 }  // namespace soilweave

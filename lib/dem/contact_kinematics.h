@@ -23,9 +23,9 @@ V3<T> tangential_velocity(const PairMotion<T>& m, const T& l1, const T& l2) {
   return v - dot(v, m.normal) * m.normal;
 }
 
-/// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a contact
-/// from ratcheting when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; dem-laws §1). Overlap, radii and
-/// mass are left to the caller.
+/// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a
+/// contact from ratcheting when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; dem-laws §1). Overlap, radii
+/// and mass are left to the caller.
 template <class T>
 Kinematics<T> pair_kinematics(const PairMotion<T>& m, const T& dt) {
   PairMotion<T> amplified = m;

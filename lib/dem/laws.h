@@ -12,14 +12,17 @@
 
 namespace soilweave::dem {
 
-/// A stateless law: materials mixed once per couple, then pure functions from kinematics and memory to forces.
+/// A stateless law: materials mixed once per couple, then pure functions from kinematics and memory to forces, for one
+/// contact and for four at once.
 template <class L>
 concept ContactLaw = requires(const typename L::Material& material, const typename L::Couple& couple,
                               const Kinematics<double>& kinematics, double dt, Memory<double>& memory,
-                              Books<double>& books) {
+                              Books<double>& books, const Kinematics<Lane4>& four, Memory<Lane4>& memories,
+                              Books<Lane4>& accounts) {
   { L::name } -> std::convertible_to<std::string_view>;
   { L::mix(material, material) } -> std::same_as<typename L::Couple>;
   { L::respond(couple, kinematics, dt, memory, books) } -> std::same_as<Response<double>>;
+  { L::respond(couple, four, Lane4{}, memories, accounts) } -> std::same_as<Response<Lane4>>;
   requires std::same_as<typename L::Material::Law, L>;
 };
 

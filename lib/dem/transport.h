@@ -8,8 +8,8 @@ namespace soilweave::dem {
 
 /// A vector fixed to the contact plane, carried from the old normal to the new one by the smallest rotation that maps
 /// one on the other, then turned about the new normal by spin_angle (rad, the grains' mean spin over the step). Length
-/// is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid while the normal
-/// turns by less than half a turn in a step.
+/// is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid while the
+/// normal turns by less than half a turn in a step.
 template <class T>
 V3<T> transport(const V3<T>& f, const V3<T>& old_normal, const V3<T>& normal, const T& spin_angle) {
   // Rodrigues with axis a = n0 x n1 (length sin) and cosine c: f' = c f + a x f + a (a.f)/(1 + c).

@@ -17,7 +17,7 @@ struct Memory {
 /// Forces are in Memory after the call; the rest is here.
 template <class T>
 struct Response {
-  T normal_force;  // N, compression positive, viscous part included
+  T normal_force;                           // N, compression positive, viscous part included
   T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
   T rolling_stiffness, twisting_stiffness;  // N m/rad
   Mask<T> sliding;                          // the Coulomb limit holds the shear force
@@ -59,7 +59,8 @@ T product(const V3<T>& a, const V3<T>& b) {
 
 /// limit: the largest magnitude; a negative limit means none.
 template <class T, class Quantity>
-SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const Quantity& increment, const T& limit) {
+SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
+                                    const T& limit) {
   SpringStep<T, Quantity> s;
   const Quantity trial = old - stiffness * increment;
   const T trial2 = squared(trial);
@@ -70,8 +71,8 @@ SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, con
   const T compliance = select<T>(stiffness > zero, 0.5 / maximum(stiffness, tiny), zero);
   s.before = compliance * squared(old);
   s.stored = compliance * squared(s.force);
-  const T work = -0.5 * product(old + s.force, increment);
-  s.dissipated = select<T>(s.limited, work - (s.stored - s.before), zero);
+  // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
+  s.dissipated = compliance * product(old + s.force, trial - s.force);
   return s;
 }
 

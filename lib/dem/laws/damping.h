@@ -1,4 +1,4 @@
-// Normal viscous damping from a coefficient of restitution.
+// Viscous damping of the normal force from a coefficient of restitution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,15 +7,50 @@
 #include <numbers>
 #include <optional>
 
+#include "core/lanes.h"
+
 namespace soilweave::dem {
 
-/// beta = -ln e/sqrt(pi^2 + ln^2 e): the fraction of critical damping that returns a grain with e times its speed, exact
-/// for a linear spring and, with the dashpot of Tsuji, Tanaka & Ishida (1992), for a Hertzian one, both with the dashpot's
-/// attraction at the end of the rebound allowed. The smaller e counts; none: no damping.
-inline double damping_ratio(std::optional<double> e1, std::optional<double> e2) {
-  if (!e1 && !e2) return 0;
-  const double l = std::log(std::min(e1.value_or(1), e2.value_or(1)));
-  return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
+/// Restitution (0 < e <= 1) of two bodies meeting through a spring and a dashpot of damping ratio beta, when the
+/// contact's force is cut at zero (attraction false) or may pull until the overlap is gone (true). Linear spring:
+/// Schwager & Poeschel 2007. Hertz with a dashpot ~ overlap^(1/4): the same, since overlap^(5/4) obeys the linear
+/// equation (Antypov & Elliott 2011); Thornton, Cummins & Cleary 2013 fit a polynomial to the inverse of this.
+inline double restitution(double beta, bool attraction) {
+  if (attraction) return beta < 1 ? std::exp(-std::numbers::pi * beta / std::sqrt((1 - beta) * (1 + beta))) : 0.0;
+  const double w2 = (1 - beta) * (1 + beta);
+  if (std::abs(w2) < 1e-12) return std::exp(-2.0);
+  return w2 > 0 ? std::exp(-2 * beta * std::acos(beta) / std::sqrt(w2))
+                : std::exp(-2 * beta * std::acosh(beta) / std::sqrt(-w2));
 }
+
+/// Damping ratio that gives this restitution. With attraction: beta = -ln e / sqrt(pi^2 + ln^2 e) (Tsuji et al. 1992).
+inline double damping_ratio(double e, bool attraction) {
+  if (e >= 1) return 0;
+  const double log_e = std::log(e);
+  if (attraction) return -log_e / std::hypot(std::numbers::pi, log_e);
+  double low = 0, high = 1 / e;  // restitution falls with beta; for large beta it is (2 beta)^-2
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (restitution(middle, false) > e ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Dashpot of a pair of materials. Unset restitution means none lost; of two the smaller holds.
+struct Damping {
+  double ratio = 0;         // beta
+  bool attraction = false;  // true: the dashpot may pull while the bodies part
+
+  static Damping mix(std::optional<double> e1, std::optional<double> e2, bool attraction) {
+    return {damping_ratio(std::min(e1.value_or(1.0), e2.value_or(1.0)), attraction), attraction};
+  }
+
+  /// Elastic force (N) and dashpot c (N s/m) at the approach speed (m/s), cut at zero unless attraction is allowed.
+  template <class T>
+  T force(const T& elastic, const T& c, const T& approach_speed) const {
+    const T sum = elastic + c * approach_speed;
+    return attraction ? sum : maximum(sum, all<T>(0));
+  }
+};
 
 }  // namespace soilweave::dem

@@ -1,6 +1,7 @@
 // Hertz-Mindlin: elastic spheres in contact without slip, with Coulomb's limit, rolling and twisting resistance.
 // The shear force is incremental with the present stiffness and is not rescaled when the overlap falls: a cycle of
-// shearing at varying overlap can create energy; the energy balance keeps that as a term of its own.
+// shearing at varying overlap can create energy (Elata & Berryman 1996); the energy balance keeps that as a term of its
+// own, and tests/property/laws_test.cpp measures it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,46 +19,59 @@ struct HertzMindlin {
 
   struct Material {
     using Law = HertzMindlin;
-    double young_modulus;                // Pa
+    double young_modulus;  // Pa
     double poisson_ratio;
-    double friction_angle;               // rad
-    std::optional<double> restitution;   // normal coefficient of restitution; none: no viscous damping
+    double friction_angle;              // rad
+    std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
     Resistance rolling, twisting;
+    bool attraction = false;  // whether the dashpot may pull while the grains part (damping.h)
   };
   struct Couple {
     double E_star, G_star;  // Pa
-    double beta;            // damping ratio of the normal dashpot; 0: none
+    Damping damping;
     Tangential tangential;
   };
 
-  static constexpr Parameter young_modulus{"young_modulus", "Pa", 1e3, 1e13, false, "Young's modulus of the grains",
+  static constexpr Parameter young_modulus{"young_modulus",
+                                           "Pa",
+                                           1e3,
+                                           1e13,
+                                           false,
+                                           "Young's modulus of the grains",
                                            "the contacts of stiffer grains cannot be resolved in double precision"};
-  static constexpr Parameter poisson_ratio{"poisson_ratio", "1", 0, 0.5, false, "Poisson's ratio of the grains",
+  static constexpr Parameter poisson_ratio{"poisson_ratio",
+                                           "1",
+                                           0,
+                                           0.5,
+                                           false,
+                                           "Poisson's ratio of the grains",
                                            "isotropic elastic solids of this field lie between 0 and 0.5"};
 
   /// 1/E* = sum (1 - nu^2)/E; G* as in thesis Eq. 3.3, 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
   static Couple mix(const Material& a, const Material& b) {
     const auto compliance = [](const Material& m) { return (1 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
-    const auto shear = [](const Material& m) { return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / m.young_modulus; };
+    const auto shear = [](const Material& m) {
+      return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / m.young_modulus;
+    };
     return {1 / (compliance(a) + compliance(b)), 1 / (shear(a) + shear(b)),
-            damping_ratio(a.restitution, b.restitution), mix_tangential(a, b)};
+            Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction), mix_tangential(a, b)};
   }
 
-  /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R* delta)).
+  /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R*
+  /// delta)).
   template <class T>
   static Response<T> respond(const Couple& c, const Kinematics<T>& k, const T& dt, Memory<T>& memory, Books<T>& books) {
     const T a = square_root(k.R_star * k.overlap);  // contact radius, m
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;
     // Tsuji, Tanaka & Ishida (1992): critical fraction beta gives a restitution independent of the speed.
-    const T dashpot = 2.0 * std::sqrt(5.0 / 6.0) * c.beta * square_root(k.m_star * kn);
-    const T viscous = dashpot * k.approach_speed;
+    const T dashpot = 2.0 * std::sqrt(5.0 / 6.0) * c.damping.ratio * square_root(k.m_star * kn);
     Response<T> r;
-    r.normal_force = elastic + viscous;
+    r.normal_force = c.damping.force(elastic, dashpot, k.approach_speed);
     r.normal_stiffness = kn;
     r.shear_stiffness = ks;
     books.elastic_normal = 0.4 * elastic * k.overlap;
-    books.viscous = viscous * k.approach_speed * dt;
+    books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
     tangential_step(c.tangential, k, memory, r, books);
     return r;
   }

@@ -1,5 +1,5 @@
-// Cundall's linear springs: stiffness from the grains' moduli and radii, Coulomb's limit, rolling and twisting resistance.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Cundall's linear springs: stiffness from the grains' moduli and radii, Coulomb's limit, rolling and twisting
+// resistance. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
@@ -20,23 +20,37 @@ struct Linear {
     double friction_angle;              // rad
     std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
     Resistance rolling, twisting;
+    bool attraction = false;  // whether the dashpot may pull while the grains part (damping.h)
   };
   struct Couple {
     double E1, E2;  // Pa
     double S1, S2;  // Pa, modulus times stiffness ratio
-    double beta;    // damping ratio of the normal dashpot; 0: none
+    Damping damping;
     Tangential tangential;
   };
 
-  static constexpr Parameter young_modulus{"young_modulus", "Pa", 1e2, 1e13, false, "contact modulus of the grains",
+  static constexpr Parameter young_modulus{"young_modulus",
+                                           "Pa",
+                                           1e2,
+                                           1e13,
+                                           false,
+                                           "contact modulus of the grains",
                                            "the contacts of stiffer grains cannot be resolved in double precision"};
-  static constexpr Parameter stiffness_ratio{"stiffness_ratio", "1", 0, 10, false,
+  static constexpr Parameter stiffness_ratio{"stiffness_ratio",
+                                             "1",
+                                             0,
+                                             10,
+                                             false,
                                              "shear stiffness over normal stiffness of a contact",
                                              "a contact much stiffer in shear than in compression is not a grain's"};
 
   static Couple mix(const Material& a, const Material& b) {
-    return {a.young_modulus, b.young_modulus, a.young_modulus * a.stiffness_ratio, b.young_modulus * b.stiffness_ratio,
-            damping_ratio(a.restitution, b.restitution), mix_tangential(a, b)};
+    return {a.young_modulus,
+            b.young_modulus,
+            a.young_modulus * a.stiffness_ratio,
+            b.young_modulus * b.stiffness_ratio,
+            Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction),
+            mix_tangential(a, b)};
   }
 
   /// Springs of the two grains in series, dem-laws §3: kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn = kn delta.
@@ -48,10 +62,10 @@ struct Linear {
     r.normal_stiffness = 2.0 * n1 * n2 / (n1 + n2);
     r.shear_stiffness = 2.0 * s1 * s2 / maximum(s1 + s2, tiny);
     const T elastic = r.normal_stiffness * k.overlap;
-    const T viscous = 2.0 * c.beta * square_root(k.m_star * r.normal_stiffness) * k.approach_speed;
-    r.normal_force = elastic + viscous;
+    const T dashpot = 2.0 * c.damping.ratio * square_root(k.m_star * r.normal_stiffness);
+    r.normal_force = c.damping.force(elastic, dashpot, k.approach_speed);
     books.elastic_normal = 0.5 * elastic * k.overlap;
-    books.viscous = viscous * k.approach_speed * dt;
+    books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
     tangential_step(c.tangential, k, memory, r, books);
     return r;
   }

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
+#include "core/error.h"
 #include "dem/kinematics.h"
 
 namespace soilweave::dem {
@@ -18,32 +20,47 @@ struct Resistance {
   Arm arm = Arm::mean_radius;
 };
 
-/// Two materials in contact: stiffnesses in series where the scale is the contact's (harmonic mean, dem-laws §3), the
-/// smaller one where it is absolute; the tighter of the two limits.
-inline Resistance mix(const Resistance& a, const Resistance& b) {
-  Resistance m = a;
-  const double sum = a.stiffness + b.stiffness;
-  if (a.scale == Resistance::Scale::absolute)
-    m.stiffness = std::min(a.stiffness, b.stiffness);
-  else
-    m.stiffness = sum > 0 ? 2 * a.stiffness * b.stiffness / sum : 0;
-  if (b.limit) m.limit = a.limit ? std::min(*a.limit, *b.limit) : *b.limit;
+/// The resistance of two materials in contact. Each side keeps its own limit, since the peer's linear law caps at
+/// min(eta1 r1, eta2 r2).
+struct PairResistance {
+  double stiffness = 0;
+  Resistance::Scale scale = Resistance::Scale::absolute;
+  Resistance::Arm arm = Resistance::Arm::mean_radius;
+  bool limited = false;
+  double limit_1 = 0, limit_2 = 0;  // infinite on a side that has none
+};
+
+/// Stiffnesses in series where the scale is the contact's (harmonic mean, dem-laws §3), the smaller one where it is
+/// absolute (a moment passes through both grains, so the softer one rules). A limit of 0 leaves no stiffness either.
+/// Throws DataError where the two differ in kind: there is no meaningful mean of N m/rad and a factor.
+inline PairResistance mix(const Resistance& a, const Resistance& b) {
+  if (a.stiffness > 0 && b.stiffness > 0 && (a.scale != b.scale || a.arm != b.arm))
+    throw DataError("rolling or twisting resistance: two materials in contact must have the same scale and arm");
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  PairResistance m;
+  m.scale = a.scale, m.arm = a.arm;
+  m.limited = a.limit || b.limit;
+  m.limit_1 = a.limit.value_or(unlimited), m.limit_2 = b.limit.value_or(unlimited);
+  if (std::min(a.stiffness, b.stiffness) == 0 || std::min(m.limit_1, m.limit_2) == 0) return m;
+  m.stiffness = a.scale == Resistance::Scale::absolute ? std::min(a.stiffness, b.stiffness)
+                                                       : 2 / (1 / a.stiffness + 1 / b.stiffness);
   return m;
 }
 
 /// N m/rad. shear_stiffness: the law's tangent ks, N/m.
 template <class T>
-T resistance_stiffness(const Resistance& r, const Kinematics<T>& k, const T& shear_stiffness) {
+T resistance_stiffness(const PairResistance& r, const Kinematics<T>& k, const T& shear_stiffness) {
   if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness);
   return r.stiffness * shear_stiffness * k.r1 * k.r2;
 }
 
-/// Largest moment, N m; negative: none.
+/// Largest moment, N m; negative: none. normal_force: N, not negative.
 template <class T>
-T resistance_limit(const Resistance& r, const Kinematics<T>& k, const T& normal_force) {
-  if (!r.limit) return all<T>(-1);
-  const T arm = r.arm == Resistance::Arm::mean_radius ? 0.5 * (k.r1 + k.r2) : minimum(k.r1, k.r2);
-  return *r.limit * arm * normal_force;
+T resistance_limit(const PairResistance& r, const Kinematics<T>& k, const T& normal_force) {
+  if (!r.limited) return all<T>(-1);
+  const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
+                                                      : minimum(T(r.limit_1 * k.r1), T(r.limit_2 * k.r2));
+  return arm * normal_force;
 }
 
 }  // namespace soilweave::dem

@@ -13,12 +13,13 @@ namespace soilweave::dem {
 /// Of a couple of materials.
 struct Tangential {
   double mu;  // tangent of the smaller friction angle
-  Resistance rolling, twisting;
+  PairResistance rolling, twisting;
 };
 
 template <class Material>
 Tangential mix_tangential(const Material& a, const Material& b) {
-  return {std::tan(std::min(a.friction_angle, b.friction_angle)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
+  return {std::tan(std::min(a.friction_angle, b.friction_angle)), mix(a.rolling, b.rolling),
+          mix(a.twisting, b.twisting)};
 }
 
 /// Completes a response whose normal force and shear stiffness are known: memory becomes the present shear force and
@@ -31,7 +32,8 @@ void tangential_step(const Tangential& c, const Kinematics<T>& k, Memory<T>& mem
   const auto shear = spring_step<T, V3<T>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
   const auto roll =
       spring_step<T, V3<T>>(memory.rolling, r.rolling_stiffness, k.roll, resistance_limit(c.rolling, k, pressing));
-  const auto twist = spring_step<T, T>(memory.twisting, r.twisting_stiffness, k.twist, resistance_limit(c.twisting, k, pressing));
+  const auto twist =
+      spring_step<T, T>(memory.twisting, r.twisting_stiffness, k.twist, resistance_limit(c.twisting, k, pressing));
   memory = {shear.force, roll.force, twist.force};
   r.sliding = shear.limited;
   books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;
