@@ -10,7 +10,7 @@ namespace {
 
 // Natural frequency of the servo times the step: fast against the loading, slow against the grains' own oscillation.
 constexpr double frequency_times_step = 0.05;
-constexpr double damping_ratio = 1.0;
+constexpr double servo_damping = 1.0;  // of critical
 // While the contact network is too loose to have a stiffness, a stress goal counts as this fraction of one.
 constexpr double loosest_stiffness = 10.0;
 // A strain goal is met to this much.
@@ -35,7 +35,7 @@ void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation)
       if (stiffness > 0) {
         rate_[a] += omega * omega * error * dt / stiffness;
         rate_[a] = std::clamp(rate_[a], -goal.max_rate, goal.max_rate);
-        rate = rate_[a] + 2 * damping_ratio * omega * error / stiffness;
+        rate = rate_[a] + 2 * servo_damping * omega * error / stiffness;
       }
     }
     gradient(a, a) = -std::clamp(rate, -goal.max_rate, goal.max_rate);
