@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -18,7 +19,8 @@ template <class L>
 concept ContactLaw = requires(const typename L::Material& material, const typename L::Couple& couple,
                               const Kinematics<double>& kinematics, double dt, Memory<double>& memory,
                               Books<double>& books, const Kinematics<Lane4>& four, Memory<Lane4>& memories,
-                              Books<Lane4>& accounts) {
+                              Books<Lane4>& accounts, Settings& table) {
+  { L::read(table) } -> std::same_as<typename L::Material>;
   { L::name } -> std::convertible_to<std::string_view>;
   { L::mix(material, material) } -> std::same_as<typename L::Couple>;
   { L::respond(couple, kinematics, dt, memory, books) } -> std::same_as<Response<double>>;
@@ -29,6 +31,20 @@ concept ContactLaw = requires(const typename L::Material& material, const typena
 template <ContactLaw... Law>
 struct LawList {
   using Materials = std::variant<std::vector<typename Law::Material>...>;
+
+  static std::vector<std::string> names() { return {std::string(Law::name)...}; }
+  /// Reads each table as a material of the law called `name`, which must be one of names().
+  static Materials read(std::string_view name, std::vector<Settings>& tables) {
+    Materials all;
+    const auto take = [&]<class L>() {
+      if (L::name != name) return;
+      std::vector<typename L::Material> materials;
+      for (Settings& table : tables) materials.push_back(L::read(table));
+      all = std::move(materials);
+    };
+    (take.template operator()<Law>(), ...);
+    return all;
+  }
 };
 
 using Laws = LawList<HertzMindlin, Linear>;

@@ -10,6 +10,7 @@
 
 #include "core/parameter.h"
 #include "dem/laws/damping.h"
+#include "dem/laws/read.h"
 #include "dem/laws/tangential.h"
 
 namespace soilweave::dem {
@@ -46,6 +47,12 @@ struct HertzMindlin {
                                            false,
                                            "Poisson's ratio of the grains",
                                            "isotropic elastic solids of this field lie between 0 and 0.5"};
+
+  static Material read(Settings& table) {
+    return {table.number(young_modulus),      table.number(poisson_ratio),       read_friction_angle(table),
+            read_restitution(table),          read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+            read_attraction(table)};
+  }
 
   /// 1/E* = sum (1 - nu^2)/E; G* as in thesis Eq. 3.3, 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
   static Couple mix(const Material& a, const Material& b) {

@@ -1,11 +1,12 @@
-// Cundall's linear springs: stiffness from the grains' moduli and radii, Coulomb's limit, rolling and twisting
-// resistance. SPDX-License-Identifier: GPL-3.0-or-later
+// Cundall's linear springs: stiffness from the grains' moduli and radii, Coulomb's limit, rolling, twisting resistance.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
 
 #include "core/parameter.h"
 #include "dem/laws/damping.h"
+#include "dem/laws/read.h"
 #include "dem/laws/tangential.h"
 
 namespace soilweave::dem {
@@ -43,6 +44,12 @@ struct Linear {
                                              false,
                                              "shear stiffness over normal stiffness of a contact",
                                              "a contact much stiffer in shear than in compression is not a grain's"};
+
+  static Material read(Settings& table) {
+    return {table.number(young_modulus),      table.number(stiffness_ratio),     read_friction_angle(table),
+            read_restitution(table),          read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+            read_attraction(table)};
+  }
 
   static Couple mix(const Material& a, const Material& b) {
     return {a.young_modulus,

@@ -1,0 +1,135 @@
+// Scenarios from TOML.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/scenario.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace soilweave::dem {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
+  static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true,
+                                        "mean resultant on grains over mean contact force, at every recorded state"};
+  static constexpr Parameter stress{"stress_tolerance", "1", 0, 1, true, "distance of stresses from their goals, relative"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e12, false, "steps after which a station counts as unreachable"};
+  Settings table = document.table("equilibrium");
+  largest_station = table.integer(steps, 2'000'000);
+  const double force = table.number(unbalanced, 1e-3);
+  return {table.number(stress, 1e-3), force};
+}
+
+SnapshotRule read_snapshots(Settings& document) {
+  static constexpr Parameter strains{"strains", "1", -2, 2, false, "axial strains whose stations get a snapshot"};
+  Settings table = document.table("record");
+  SnapshotRule rule;
+  const std::string which = table.choice("snapshots", {"ends", "stations", "list"}, "ends");
+  if (which == "stations") rule.which = SnapshotRule::Which::stations;
+  if (which == "list") {
+    rule.which = SnapshotRule::Which::list;
+    rule.strains = table.numbers(strains);
+  }
+  return rule;
+}
+
+Stage read_stage(Settings table) {
+  static constexpr Parameter friction{"friction_angle", "deg", 0, 89.9, false,
+                                      "friction angle of all materials from this stage on"};
+  static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
+  Stage stage;
+  const std::string path = table.choice("path", path_names());
+  stage.name = table.text("name", path);
+  stage.reset_strain = table.flag("reset_strain", false);
+  if (table.has("friction_angle")) stage.friction = table.number(friction) * degree;
+  if (table.has("damping")) stage.damping = table.number(damping);
+  stage.path = read_path(path, table);
+  return stage;
+}
+
+io::PlanesRecord read_planes(Settings& document, std::size_t materials) {
+  static constexpr Parameter point{"point", "m", -1e6, 1e6, false, "a point of the plane"};
+  static constexpr Parameter normal{"normal", "1", -1, 1, false, "normal towards the grains"};
+  static constexpr Parameter velocity{"velocity", "m/s", -1e6, 1e6, false, "constant velocity of the plane"};
+  static constexpr Parameter material{"material", "1", 0, 1e3, false, "0: [contact], 1 and on: the [[material]] tables"};
+  io::PlanesRecord planes;
+  for (Settings table : document.tables("plane")) {
+    planes.point.push_back(table.vector(point));
+    planes.normal.push_back(table.vector(normal));
+    if (planes.normal.back().norm() == 0) table.mistake("normal", "is zero: give the direction towards the grains");
+    planes.velocity.push_back(table.vector(velocity, Vec3::Zero()));
+    planes.material_id.push_back(static_cast<std::int32_t>(table.integer(material, 0)));
+    if (planes.material_id.back() >= static_cast<std::int32_t>(materials))
+      table.mistake("material", "names no material: 0 is [contact], 1 the first [[material]]");
+  }
+  return planes;
+}
+
+}  // namespace
+
+Model read_model(Settings& document) {
+  Settings contact = document.table("contact");
+  const std::string law = contact.choice("law", Laws::names());
+  std::vector<Settings> tables = {contact};
+  for (const Settings& table : document.tables("material")) tables.push_back(table);
+  return {Laws::read(law, tables)};
+}
+
+double read_density(Settings& document) {
+  static constexpr Parameter density{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included",
+                                     "grains without mass cannot be moved"};
+  Settings grains = document.table("grains");
+  return grains.has("density") ? grains.number(density) : 0.0;
+}
+
+Numerics read_numerics(Settings& document) {
+  static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "Cundall's local non-viscous damping",
+                                     "at 1 nothing would move"};
+  static constexpr Parameter safety{"time_step_safety", "1", 0, 1, true, "fraction of the stable time step",
+                                    "beyond 1 the integration is unstable"};
+  static constexpr Parameter step{"time_step", "s", 0, 1e6, true, "fixed time step instead of the stiffness-based one"};
+  static constexpr Parameter gravity{"gravity", "m/s2", -1e4, 1e4, false, "acceleration of gravity"};
+  Settings table = document.table("numerics");
+  Numerics n;
+  n.damping = table.number(damping, n.damping);
+  n.time_step_safety = table.number(safety, n.time_step_safety);
+  if (table.has("time_step")) n.time_step = table.number(step);
+  n.gravity = table.vector(gravity, n.gravity);
+  return n;
+}
+
+Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  Settings document = Settings::parse(text, name);
+  for (const std::string& assignment : overrides) document.set(assignment);
+  Scenario s;
+  s.model = read_model(document);
+  s.density = read_density(document);
+  s.numerics = read_numerics(document);
+  s.tolerances = read_tolerances(document, s.largest_station);
+  s.snapshots = read_snapshots(document);
+  s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials));
+  for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table));
+  if (s.stages.empty()) document.mistake("stage", "is missing: a scenario has at least one [[stage]] with a path");
+  document.finish();
+  s.resolved = document.resolved();
+  return s;
+}
+
+Model with_friction(const Model& model, double angle) {
+  Model changed = model;
+  std::visit([&](auto& materials) { for (auto& m : materials) m.friction_angle = angle; }, changed.materials);
+  return changed;
+}
+
+double friction(const Model& model) {
+  return std::visit(
+      [](const auto& materials) {
+        double least = materials.front().friction_angle;
+        for (const auto& m : materials) least = std::min(least, m.friction_angle);
+        return least;
+      },
+      model.materials);
+}
+
+}  // namespace soilweave::dem
