@@ -1,0 +1,163 @@
+// What to show of a table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/display_table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+#include "core/error.h"
+
+namespace soilweave::io {
+namespace {
+
+constexpr std::array<const char*, 3> prefixes = {"", "position_", "centre_"};
+constexpr std::string_view axes = "xyz";
+
+/// The columns x, y, z of the rows' places; z is null in 2D, all are null without places.
+std::array<const Column*, 3> position_columns(const Series& table) {
+  for (const std::string prefix : prefixes) {
+    const Column *x = table.find(prefix + "x"), *y = table.find(prefix + "y");
+    if (x && y) return {x, y, table.find(prefix + "z")};
+  }
+  return {};
+}
+
+/// "stress_xy" is component (0, 1) of the tensor stress, "velocity_z" component (2) of the vector velocity.
+struct Component {
+  std::string base;
+  int order = 0;  // 0 scalar, 1 vector, 2 tensor
+  std::size_t index = 0;
+};
+
+Component parsed(const std::string& name) {
+  const std::size_t underscore = name.rfind('_');
+  if (underscore == std::string::npos || underscore == 0) return {name, 0, 0};
+  const std::string_view suffix = std::string_view(name).substr(underscore + 1);
+  if (suffix.empty() || suffix.size() > 2 || suffix.find_first_not_of(axes) != std::string_view::npos)
+    return {name, 0, 0};
+  const std::size_t row = axes.find(suffix[0]);
+  const std::string base = name.substr(0, underscore);
+  if (suffix.size() == 1) return {base, 1, row};
+  return {base, 2, 3 * row + axes.find(suffix[1])};
+}
+
+/// The columns that make one array.
+struct Gathered {
+  int order = 0;
+  std::array<const Column*, 9> parts = {};
+};
+
+VtkArray array_of(const std::string& name, const Gathered& gathered, const std::vector<std::size_t>& rows) {
+  const int components = gathered.order == 0 ? 1 : gathered.order == 1 ? 3 : 9;
+  std::vector<double> values;
+  for (const std::size_t row : rows)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(components); ++k) {
+      const std::size_t mirrored = 3 * (k % 3) + k / 3;
+      const Column* column = gathered.parts[k]     ? gathered.parts[k]
+                             : gathered.order == 2 ? gathered.parts[mirrored]
+                                                   : nullptr;
+      values.push_back(column ? column->values[row] : 0.0);
+    }
+  return {name, components, std::move(values)};
+}
+
+std::string exact(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+}  // namespace
+
+std::vector<TableState> states_of(const Series& table) {
+  const Column *step = table.find("step"), *time = table.find("time");
+  const Column* key = step ? step : time;
+  std::vector<TableState> states;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (row == 0 || (key && key->values[row] != key->values[row - 1]))
+      states.push_back({time ? time->values[row] : 0.0, step ? std::llround(step->values[row]) : 0, {}});
+    states.back().rows.push_back(row);
+  }
+  return states;
+}
+
+bool has_positions(const Series& table) { return position_columns(table)[0] != nullptr; }
+
+std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size_t>& rows) {
+  const auto places = position_columns(table);
+  std::map<std::string, Gathered> gathered;
+  for (const Column& column : table.columns) {
+    if (column.name == "step" || column.name == "time") continue;
+    if (std::find(places.begin(), places.end(), &column) != places.end()) continue;
+    Component component = parsed(column.name);
+    // A lone component (fabric_zz) is a number, not a tensor that is zero elsewhere.
+    const bool partner = table.find(component.base + (component.order == 2 ? "_xx" : "_x")) &&
+                         table.find(component.base + (component.order == 2 ? "_yy" : "_y"));
+    if (component.order > 0 && (!partner || table.find(component.base))) component = {column.name, 0, 0};
+    Gathered& entry = gathered[component.base];
+    entry.order = component.order;
+    entry.parts[component.index] = &column;
+  }
+  std::vector<VtkArray> arrays;
+  for (const auto& [name, parts] : gathered) arrays.push_back(array_of(name, parts, rows));
+  return arrays;
+}
+
+VtkPicture show_rows(const Series& table, const TableState& state) {
+  const auto places = position_columns(table);
+  if (!places[0]) throw DataError("the table has no columns x and y: its rows have no place");
+  VtkPicture picture;
+  picture.time = state.time;
+  picture.step = state.step;
+  for (const std::size_t row : state.rows)
+    picture.points.emplace_back(places[0]->values[row], places[1]->values[row],
+                                places[2] ? places[2]->values[row] : 0.0);
+  picture.point_data = arrays_of(table, state.rows);
+  return picture;
+}
+
+void join_grains(VtkPicture& grains, const Series& table) {
+  const Column* ids = table.find("body_id");
+  if (!ids) throw DataError("the table of grains has no column body_id to tell them by");
+  const Column* step = table.find("step");
+  std::unordered_map<std::int64_t, std::size_t> row_of;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (!step || std::llround(step->values[row]) == grains.step) row_of[std::llround(ids->values[row])] = row;
+  if (row_of.empty()) throw DataError("the table of grains has no row for step " + std::to_string(grains.step));
+
+  const auto named = std::find_if(grains.point_data.begin(), grains.point_data.end(),
+                                  [](const VtkArray& array) { return array.name == "body_id"; });
+  const auto bodies = std::get<std::vector<std::int64_t>>(named->values);
+  std::vector<std::size_t> rows;
+  std::vector<bool> known;
+  for (const std::int64_t body : bodies) {
+    const auto found = row_of.find(body);
+    known.push_back(found != row_of.end());
+    rows.push_back(known.back() ? found->second : row_of.begin()->second);
+  }
+  for (VtkArray& array : arrays_of(table, rows)) {
+    if (array.name == "body_id") continue;
+    auto& values = std::get<std::vector<double>>(array.values);
+    const auto components = static_cast<std::size_t>(array.components);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (!known[k / components]) values[k] = std::numeric_limits<double>::quiet_NaN();
+    std::erase_if(grains.point_data, [&](const VtkArray& other) { return other.name == array.name; });
+    grains.point_data.push_back(std::move(array));
+  }
+}
+
+std::string to_csv(const Series& table) {
+  std::string text;
+  for (const Column& column : table.columns) text += (text.empty() ? "" : ",") + column.name;
+  text += '\n';
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    for (const Column& column : table.columns)
+      text += exact(column.values[row]) + (&column == &table.columns.back() ? '\n' : ',');
+  return text;
+}
+
+}  // namespace soilweave::io

@@ -1,0 +1,43 @@
+// A folder ParaView opens: numbered VTK files, one .pvd a group with the physical times, and a script that shows them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/vtk.h"
+
+namespace soilweave::io {
+
+/// Every file is written under a temporary name and renamed, the .pvd files last: a reader meets whole files only.
+class ParaviewFolder {
+ public:
+  /// Makes the folder. One that holds anything is refused without `force`; with it the frames, tables and .pvd files an
+  /// earlier call left are removed, other files are left alone. compress: zlib. Throws CannotCreate.
+  ParaviewFolder(std::filesystem::path folder, bool force, bool compress);
+
+  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron) and notes its time. The frames of a group come in order of time;
+  /// throws DataError where time does not advance.
+  void add(const std::string& group, std::size_t index, const VtkPicture& picture);
+  /// Writes NAME.csv: columns without a place in space.
+  void add_table(const std::string& name, const std::string& csv);
+  /// Writes one .pvd a group, and show.py: `paraview --script=show.py`.
+  void finish() const;
+
+ private:
+  struct Frame {
+    double time;  // s
+    std::string file;
+  };
+  std::filesystem::path folder_;
+  bool compress_;
+  std::map<std::string, std::vector<Frame>> groups_;
+};
+
+/// Writes bytes under a temporary name beside `path`, syncs and renames. Throws CannotCreate, IoError.
+void write_whole(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace soilweave::io

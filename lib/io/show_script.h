@@ -1,0 +1,95 @@
+// The ParaView script that to-vtk lays beside its files.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace soilweave::io {
+
+inline constexpr std::string_view show_script = R"script(# Shows the files beside it in ParaView: grains as spheres, contacts as tubes (thickness: normal force, colour: shear
+# force), the cell and rigid planes as outlines.
+#   paraview --script=show.py          interactive
+#   pvpython show.py picture.png       a picture of the last state
+import os
+import sys
+
+from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, Glyph, PVDReader, Render, ResetCamera,
+                             SaveScreenshot, Show, Tube)
+
+FOLDER = os.path.dirname(os.path.abspath(globals().get("__file__", "show.py")))
+
+
+def load(name):
+    path = os.path.join(FOLDER, name + ".pvd")
+    return PVDReader(registrationName=name, FileName=path) if os.path.exists(path) else None
+
+
+def colour(display, view, association, array):
+    ColorBy(display, (association, array))
+    display.RescaleTransferFunctionToDataRange(True, False)
+    display.SetScalarBarVisibility(view, True)
+
+
+def show_grains(view, faint):
+    grains = load("grains")
+    if grains is None:
+        return
+    spheres = Glyph(registrationName="spheres", Input=grains, GlyphType="Sphere")
+    spheres.OrientationArray = ["POINTS", "No orientation array"]
+    spheres.ScaleArray = ["POINTS", "radius"]
+    spheres.ScaleFactor = 2.0  # the source sphere has radius 0.5
+    spheres.GlyphMode = "All Points"
+    spheres.GlyphType.ThetaResolution = 16
+    spheres.GlyphType.PhiResolution = 16
+    display = Show(spheres, view)
+    display.Opacity = 0.25 if faint else 1.0
+    colour(display, view, "POINTS", "coordination")
+
+
+def show_contacts(view, contacts):
+    tubes = Tube(registrationName="force chains", Input=contacts)
+    tubes.Scalars = ["POINTS", "tube_radius"]
+    tubes.VaryRadius = "By Absolute Scalar"
+    tubes.NumberofSides = 8
+    colour(Show(tubes, view), view, "CELLS", "shear_force_magnitude")
+
+
+def show_outline(view, name, width):
+    outline = load(name)
+    if outline is None:
+        return
+    display = Show(outline, view)
+    display.Representation = "Wireframe"
+    display.LineWidth = width
+    ColorBy(display, None)
+    display.AmbientColor = display.DiffuseColor = [0.0, 0.0, 0.0]
+
+
+def main():
+    view = GetActiveViewOrCreate("RenderView")
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    contacts = load("contacts")
+    scene = GetAnimationScene()
+    show_grains(view, faint=contacts is not None)
+    if contacts is not None:
+        show_contacts(view, contacts)
+    show_outline(view, "cell", 2.0)
+    show_outline(view, "planes", 2.0)
+    known = {"grains", "contacts", "cell", "planes"}
+    for file in sorted(os.listdir(FOLDER)):
+        name, extension = os.path.splitext(file)
+        if extension == ".pvd" and name not in known:
+            load(name)
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.GoToLast()
+    ResetCamera(view)
+    Render(view)
+    if sys.argv[1:] and sys.argv[-1].endswith(".png"):
+        SaveScreenshot(sys.argv[-1], view, ImageResolution=[1600, 1200])
+
+
+main()
+)script";
+
+}  // namespace soilweave::io

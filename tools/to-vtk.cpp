@@ -1,0 +1,156 @@
+// to-vtk: what the other tools write, for ParaView; also a file's history, and packings as text.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/tool.h"
+#include "io/display.h"
+#include "io/display_table.h"
+#include "io/files.h"
+#include "io/paraview.h"
+#include "io/provenance.h"
+
+namespace soilweave {
+namespace {
+
+constexpr Parameter force_scale_parameter = {
+    .name = "force_scale",
+    .unit = "m/N",
+    .low = 0,
+    .sentence = "Tube radius of a contact per newton of normal force; default: the greatest force gets half a grain"};
+
+/// The value of --state as an index; nothing for "last" and "all".
+std::optional<std::size_t> index_in(const std::string& state) {
+  std::size_t index = 0;
+  const auto [end, failure] = std::from_chars(state.data(), state.data() + state.size(), index);
+  if (failure != std::errc() || end != state.data() + state.size()) return std::nullopt;
+  return index;
+}
+
+struct ToVtk {
+  std::filesystem::path input, output = "-", fields;
+  std::string state = "all";
+  std::optional<double> force_scale;
+  bool unwrapped = false, compress = false, history = false, text = false;
+
+  void options(tool::Table& table) {
+    table.about(
+        "to-vtk", "write packings, runs and fields as VTK files for ParaView",
+        "For each state of a packing or run: the grains, the contacts, the cell and the rigid planes as VTK XML "
+        "files, a .pvd a group with the physical times, and show.py, which shows them in ParaView at once. "
+        "Contacts through a periodic face are drawn half out at both sides. Groups of a fields file whose rows "
+        "have a place become points, the others .csv tables.");
+    table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
+    table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
+    table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
+    table.input(input, "INPUT", "packing, run or fields file");
+    table.output(output, "folder for the VTK files; with --history and --text a file, standard output by default");
+    table.option(state, "state", "last|all|N", "which states: the last, all, or number N, counted from 0");
+    table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
+    table.option(force_scale, force_scale_parameter);
+    table.flag(unwrapped, "unwrapped", "show grains where they have travelled to, not inside the periodic cell");
+    table.flag(compress, "compress", "compress the arrays with zlib");
+    table.flag(history, "history", "print how the file came to be, and stop");
+    table.flag(text, "text", "print the last state as text: x y z r, a grain a line, and stop");
+  }
+
+  void validate() const {
+    std::string mistakes;
+    if (history && text) mistakes += "; --history and --text exclude each other";
+    if (!history && !text && output == "-") mistakes += "; name a folder for the VTK files with -o";
+    if (state != "all" && state != "last" && !index_in(state))
+      mistakes += "; --state is last, all or a number counted from 0, not \"" + state + "\"";
+    if (!mistakes.empty()) throw UsageError(mistakes.substr(2));
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    if (history) return print(io::describe(io::read_history(input)));
+    if (text) return print(io::export_spheres(io::read_state(input).state));
+    if (input != "-" && io::read_kind(input) == "fields") return show_fields(invocation);
+    show_states(invocation);
+  }
+
+ private:
+  void print(const std::string& words) const {
+    if (output == "-")
+      std::cout << words;
+    else
+      io::write_whole(output, words);
+  }
+
+  /// Indices of the states asked for.
+  std::vector<std::size_t> chosen(std::size_t count) const {
+    if (count == 0) throw DataError(input.string() + " holds no state to show");
+    if (state == "last") return {count - 1};
+    if (const auto index = index_in(state)) {
+      if (*index >= count)
+        throw UsageError("--state " + state + ": " + input.string() + " holds " + std::to_string(count) +
+                         (count == 1 ? " state, number 0" : " states, 0 to " + std::to_string(count - 1)));
+      return {*index};
+    }
+    std::vector<std::size_t> all(count);
+    for (std::size_t i = 0; i < count; ++i) all[i] = i;
+    return all;
+  }
+
+  std::optional<io::Series> grain_fields() const {
+    if (fields.empty()) return std::nullopt;
+    for (auto& group : io::read_fields(fields).groups)
+      if (group.name == "grains") return group.table;
+    throw DataError(fields.string() + " has no group \"grains\" to join");
+  }
+
+  void show_states(const tool::Invocation& invocation) const {
+    const io::RunFile file = io::read_states(input);
+    const auto indices = chosen(file.snapshots.size());
+    const auto table = grain_fields();
+    std::vector<const io::Snapshot*> shown;
+    std::size_t contacts = 0;
+    for (const std::size_t index : indices) {
+      shown.push_back(&file.snapshots[index]);
+      contacts += shown.back()->contacts.size();
+    }
+    const double scale = force_scale.value_or(io::fitting_force_scale(shown));
+
+    io::ParaviewFolder folder(output, invocation.force, compress);
+    Progress progress("to-vtk", invocation.quiet);
+    if (contacts == 0) progress.note(input.string() + " holds no contacts: only grains and cell are written");
+    for (std::size_t s = 0; s < shown.size(); ++s) {
+      io::VtkPicture grains = io::show_grains(*shown[s], unwrapped);
+      if (table) io::join_grains(grains, *table);
+      folder.add("grains", indices[s], grains);
+      if (contacts > 0) folder.add("contacts", indices[s], io::show_contacts(*shown[s], unwrapped, scale));
+      folder.add("cell", indices[s], io::show_cell(*shown[s]));
+      if (!shown[s]->planes.point.empty()) folder.add("planes", indices[s], io::show_planes(*shown[s]));
+      progress.update(static_cast<double>(s + 1) / static_cast<double>(shown.size()));
+    }
+    folder.finish();
+  }
+
+  void show_fields(const tool::Invocation& invocation) const {
+    const io::FieldsFile file = io::read_fields(input);
+    io::ParaviewFolder folder(output, invocation.force, compress);
+    for (const auto& group : file.groups) {
+      if (!io::has_positions(group.table)) {
+        folder.add_table(group.name, io::to_csv(group.table));
+        continue;
+      }
+      const auto states = io::states_of(group.table);
+      for (const std::size_t index : chosen(states.size()))
+        folder.add(group.name, index, io::show_rows(group.table, states[index]));
+    }
+    folder.finish();
+  }
+};
+
+}  // namespace
+}  // namespace soilweave
+
+int main(int argc, char** argv) { return soilweave::tool::main<soilweave::ToVtk>(argc, argv); }
