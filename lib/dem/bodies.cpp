@@ -42,10 +42,13 @@ void Bodies::scale_radii(double factor) {
   }
 }
 
+double grain_volume(int dimension, double radius) {
+  return dimension == 3 ? 4.0 / 3.0 * std::numbers::pi * radius * radius * radius : std::numbers::pi * radius * radius;
+}
+
 double Bodies::solid_volume() const {
   double sum = 0;
-  for (const double r : radius)
-    sum += dimension == 3 ? 4.0 / 3.0 * std::numbers::pi * r * r * r : std::numbers::pi * r * r;
+  for (const double r : radius) sum += grain_volume(dimension, r);
   return sum;
 }
 

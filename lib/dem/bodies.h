@@ -11,6 +11,9 @@
 
 namespace soilweave::dem {
 
+/// Of a sphere, m3; of a disk, m2.
+double grain_volume(int dimension, double radius);
+
 struct Bodies {
   int dimension = 3;
   std::vector<V3<double>> position;          // m

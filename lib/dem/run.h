@@ -1,0 +1,29 @@
+// A scenario carried out: stage after stage, station after station, what is recorded on the way.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "dem/scenario.h"
+#include "io/files.h"
+
+namespace soilweave::dem {
+
+/// Called now and then: overall fraction done (0 to 1) and a line about the moment.
+using Report = std::function<void(double fraction, const std::string& detail)>;
+
+/// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
+/// Throws DataError where the packing names materials the scenario lacks.
+io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
+
+/// Positions moved at random by at most `fraction` of the radius along each axis: a twin that shows the scatter of a
+/// chaotic system. The same seed gives the same twin everywhere. Contacts keep their history.
+io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
+
+/// Runs all stages. The result holds the series (one row at the start and one per station), the snapshots asked for,
+/// first and last always, and the resolved scenario. Throws TargetNotReached when a station cannot be settled,
+/// PhysicsError when physics breaks.
+io::RunFile run(const io::Snapshot& start, const Scenario& scenario, const Report& report);
+
+}  // namespace soilweave::dem
