@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "dem/bodies.h"
 #include "dem/record.h"
 
 namespace soilweave::dem {
