@@ -16,6 +16,8 @@
 
 namespace soilweave::tool {
 
+inline constexpr std::string_view version = "0.1.0";
+
 /// How this process was called: what provenance records, and what only concerns the terminal.
 struct Invocation {
   std::string tool;
@@ -41,8 +43,11 @@ class Table {
   void inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_input(std::filesystem::path& field, std::string name, std::string sentence);
   /// -o/--output; "-" means standard output. An existing file is refused without --force (which this also declares).
+  /// Where the field is empty when bound, the user must give it.
   void output(std::filesystem::path& field, std::string sentence);
 
+  // A name of one letter ("n") is written -n, a longer one --with-hyphens, "pressure,p" both ways. Numbers may carry a
+  // unit ("100 kPa"). Out of the parameter's range: a usage mistake with range and reason.
   void option(double& field, const Parameter& parameter);
   void option(std::int64_t& field, const Parameter& parameter);
   void option(std::optional<double>& field, const Parameter& parameter);
@@ -52,6 +57,8 @@ class Table {
               std::string_view sentence);  // repeatable
   void choice(std::string& field, std::string_view name, std::vector<std::string> values, std::string_view sentence);
   void flag(bool& field, std::string_view name, std::string_view sentence);
+  /// The option cannot change the result (--resume): it stays out of Invocation::command.
+  void unrecorded(std::string_view name);
   void seed();     // --seed N, into Invocation::seed
   void threads();  // --threads N, into Invocation::threads
 
