@@ -1,9 +1,7 @@
 // to-vtk: what the other tools write, for ParaView; also a file's history, and packings as text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tool.h"
+#include "io/bytes.h"
 #include "io/display.h"
 #include "io/display_table.h"
 #include "io/files.h"
@@ -71,20 +70,13 @@ struct ToVtk {
   }
 
   void run(const tool::Invocation& invocation) const {
-    if (history) return print(io::describe(io::read_history(input)));
-    if (text) return print(io::export_spheres(io::read_state(input).state));
+    if (history) return io::write_bytes(output, io::describe(io::read_history(input)));
+    if (text) return io::write_bytes(output, io::export_spheres(io::read_state(input).state));
     if (input != "-" && io::read_kind(input) == "fields") return show_fields(invocation);
     show_states(invocation);
   }
 
  private:
-  void print(const std::string& words) const {
-    if (output == "-")
-      std::cout << words;
-    else
-      io::write_whole(output, words);
-  }
-
   /// Indices of the states asked for.
   std::vector<std::size_t> chosen(std::size_t count) const {
     if (count == 0) throw DataError(input.string() + " holds no state to show");

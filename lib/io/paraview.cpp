@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/paraview.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
 #include <regex>
 #include <system_error>
 
 #include "core/error.h"
+#include "io/bytes.h"
 #include "io/show_script.h"
 
 namespace soilweave::io {
@@ -45,53 +40,7 @@ std::string pvd_line(double time, const std::string& file) {
   return "    <DataSet timestep=\"" + exact(time) + "\" group=\"\" part=\"0\" file=\"" + file + "\"/>\n";
 }
 
-/// A file being written under a temporary name; removed again unless published.
-class Draft {
- public:
-  explicit Draft(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
-    descriptor_ = ::mkstemp(name_.data());
-    if (descriptor_ < 0) throw CannotCreate("cannot create " + target.string() + ": " + std::strerror(errno));
-  }
-  ~Draft() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!published_) ::unlink(name_.c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-  void publish() {
-    // mkstemp leaves the file to its owner alone; a result is as readable as the user's other files.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor_, 0666 & ~mask) != 0 || ::fsync(descriptor_) != 0) fail();
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
-    published_ = true;
-  }
-
- private:
-  [[noreturn]] void fail() const { throw IoError("cannot write " + target_.string() + ": " + std::strerror(errno)); }
-
-  fs::path target_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool published_ = false;
-};
-
 }  // namespace
-
-void write_whole(const fs::path& path, std::string_view bytes) {
-  Draft draft(path);
-  draft.write(bytes);
-  draft.publish();
-}
 
 ParaviewFolder::ParaviewFolder(fs::path folder, bool force, bool compress)
     : folder_(std::move(folder)), compress_(compress) {
@@ -116,12 +65,12 @@ void ParaviewFolder::add(const std::string& group, std::size_t index, const VtkP
   std::string number = std::to_string(index);
   if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
   const std::string file = group + "_" + number + (grid ? ".vtu" : ".vtp");
-  write_whole(folder_ / file, grid ? to_vtu(picture, compress_) : to_vtp(picture, compress_));
+  write_bytes(folder_ / file, grid ? to_vtu(picture, compress_) : to_vtp(picture, compress_));
   frames.push_back({picture.time, file});
 }
 
 void ParaviewFolder::add_table(const std::string& name, const std::string& csv) {
-  write_whole(folder_ / (name + ".csv"), csv);
+  write_bytes(folder_ / (name + ".csv"), csv);
 }
 
 void ParaviewFolder::finish() const {
@@ -130,9 +79,9 @@ void ParaviewFolder::finish() const {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n  <Collection>\n";
     for (const auto& [time, file] : frames) text += pvd_line(time, file);
-    write_whole(folder_ / (group + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+    write_bytes(folder_ / (group + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
   }
-  write_whole(folder_ / "show.py", show_script);
+  write_bytes(folder_ / "show.py", show_script);
 }
 
 }  // namespace soilweave::io

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/vtk.h"
@@ -36,8 +35,5 @@ class ParaviewFolder {
   bool compress_;
   std::map<std::string, std::vector<Frame>> groups_;
 };
-
-/// Writes bytes under a temporary name beside `path`, syncs and renames. Throws CannotCreate, IoError.
-void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace soilweave::io

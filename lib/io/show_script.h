@@ -13,10 +13,11 @@ inline constexpr std::string_view show_script = R"script(# Shows the files besid
 import os
 import sys
 
-from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, Glyph, PVDReader, Render, ResetCamera,
-                             SaveScreenshot, Show, Tube)
+from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar,
+                             Glyph, PVDReader, Render, ResetCamera, SaveScreenshot, Show, Tube)
 
 FOLDER = os.path.dirname(os.path.abspath(globals().get("__file__", "show.py")))
+BLACK = [0.0, 0.0, 0.0]
 
 
 def load(name):
@@ -24,13 +25,16 @@ def load(name):
     return PVDReader(registrationName=name, FileName=path) if os.path.exists(path) else None
 
 
-def colour(display, view, association, array):
+def colour(display, view, association, array, title):
     ColorBy(display, (association, array))
     display.RescaleTransferFunctionToDataRange(True, False)
     display.SetScalarBarVisibility(view, True)
+    bar = GetScalarBar(GetColorTransferFunction(array), view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = BLACK
 
 
-def show_grains(view, faint):
+def show_grains(view, among_contacts):
     grains = load("grains")
     if grains is None:
         return
@@ -42,8 +46,12 @@ def show_grains(view, faint):
     spheres.GlyphType.ThetaResolution = 16
     spheres.GlyphType.PhiResolution = 16
     display = Show(spheres, view)
-    display.Opacity = 0.25 if faint else 1.0
-    colour(display, view, "POINTS", "coordination")
+    if among_contacts:
+        display.Opacity = 0.2
+        display.ColorArrayName = ["POINTS", ""]
+        display.AmbientColor = display.DiffuseColor = [0.7, 0.65, 0.55]
+    else:
+        colour(display, view, "POINTS", "radius", "radius (m)")
 
 
 def show_contacts(view, contacts):
@@ -51,18 +59,21 @@ def show_contacts(view, contacts):
     tubes.Scalars = ["POINTS", "tube_radius"]
     tubes.VaryRadius = "By Absolute Scalar"
     tubes.NumberofSides = 8
-    colour(Show(tubes, view), view, "CELLS", "shear_force_magnitude")
+    colour(Show(tubes, view), view, "CELLS", "shear_force_magnitude", "shear force (N)")
 
 
-def show_outline(view, name, width):
+def show_outline(view, name):
+    """Returns whether the outline has a depth (it has none in 2D)."""
     outline = load(name)
     if outline is None:
-        return
+        return False
     display = Show(outline, view)
     display.Representation = "Wireframe"
-    display.LineWidth = width
-    ColorBy(display, None)
-    display.AmbientColor = display.DiffuseColor = [0.0, 0.0, 0.0]
+    display.LineWidth = 2.0
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = BLACK
+    low, high = outline.GetDataInformation().GetBounds()[4:]
+    return high > low
 
 
 def main():
@@ -70,19 +81,21 @@ def main():
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     contacts = load("contacts")
-    scene = GetAnimationScene()
-    show_grains(view, faint=contacts is not None)
+    show_grains(view, contacts is not None)
     if contacts is not None:
         show_contacts(view, contacts)
-    show_outline(view, "cell", 2.0)
-    show_outline(view, "planes", 2.0)
-    known = {"grains", "contacts", "cell", "planes"}
+    deep = show_outline(view, "cell")
+    show_outline(view, "planes")
     for file in sorted(os.listdir(FOLDER)):
         name, extension = os.path.splitext(file)
-        if extension == ".pvd" and name not in known:
-            load(name)
+        if extension == ".pvd" and name not in ("grains", "contacts", "cell", "planes"):
+            Show(load(name), view)
+    scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()
+    if deep:
+        view.CameraViewUp = [0.0, 0.0, 1.0]
+        view.CameraPosition, view.CameraFocalPoint = [-1.0, -2.5, 1.0], [0.0, 0.0, 0.0]
     ResetCamera(view)
     Render(view)
     if sys.argv[1:] and sys.argv[-1].endswith(".png"):
