@@ -18,9 +18,7 @@ struct Parameter {
   std::string_view sentence = "";  // what it is, in one sentence without a full stop
   std::string_view why = "";       // why the range is what it is; printed with a range error
 
-  bool contains(double value) const {
-    return open ? (value > low && value < high) : (value >= low && value <= high);
-  }
+  bool contains(double value) const { return open ? (value > low && value < high) : (value >= low && value <= high); }
 };
 
 }  // namespace soilweave

@@ -27,7 +27,8 @@ inline Mat3 deviator(const Mat3& t, int dimension = 3) {
   return d;
 }
 
-/// Deviatoric stress q = sqrt(3/2 s:s) of the symmetric part in 3D, sqrt(1/2 s:s) in 2D (half the principal difference).
+/// Deviatoric stress q = sqrt(3/2 s:s) of the symmetric part in 3D, sqrt(1/2 s:s) in 2D (half the principal
+/// difference).
 inline double deviatoric_stress(const Mat3& stress, int dimension = 3) {
   const Mat3 s = deviator(symmetric(stress), dimension);
   return std::sqrt((dimension == 3 ? 1.5 : 0.5) * s.squaredNorm());

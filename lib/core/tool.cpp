@@ -46,10 +46,12 @@ void check_input(const fs::path& path) {
     throw MissingInput(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
 }
 
-void check_output(const fs::path& path, bool force) {
+void check_output(const Table::Impl& table) {
+  const fs::path path = table.output->has_filename() ? *table.output : table.output->parent_path();
+  const bool force = table.invocation.force, may_be_folder = table.output_is_folder;
   if (path.empty() || path == "-") return;
   std::error_code failure;
-  if (fs::is_directory(path, failure))
+  if (!may_be_folder && fs::is_directory(path, failure))
     throw CannotCreate(fmt::format("{}: is a directory; name a file to be written", path.string()));
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, failure))
@@ -58,7 +60,7 @@ void check_output(const fs::path& path, bool force) {
   if (access(folder.c_str(), W_OK) != 0)
     throw CannotCreate(
         fmt::format("{}: cannot be created: {}: {}", path.string(), folder.string(), std::strerror(errno)));
-  if (!force && fs::exists(path, failure) && fs::is_regular_file(path, failure))
+  if (!force && (fs::is_regular_file(path, failure) || fs::is_directory(path, failure)))
     throw CannotCreate(fmt::format("{}: exists; give --force to overwrite it", path.string()));
 }
 
@@ -88,7 +90,7 @@ void prepare(Table::Impl& table, const Program& program, std::vector<std::string
   if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
   for (const Positional& place : table.inputs)
     for (const std::string& file : place.given) check_input(file);
-  if (table.output != nullptr) check_output(*table.output, table.invocation.force);
+  if (table.output != nullptr) check_output(table);
 }
 
 void run(Table::Impl& table, int argc, char** argv, const Program& program) {

@@ -45,6 +45,8 @@ class Table {
   /// -o/--output; "-" means standard output. An existing file is refused without --force (which this also declares).
   /// Where the field is empty when bound, the user must give it.
   void output(std::filesystem::path& field, std::string sentence);
+  /// The same for a tool that writes a folder of files.
+  void output_folder(std::filesystem::path& field, std::string sentence);
 
   // A name of one letter ("n") is written -n, a longer one --with-hyphens, "pressure,p" both ways. Numbers may carry a
   // unit ("100 kPa"). Out of the parameter's range: a usage mistake with range and reason.
@@ -72,7 +74,7 @@ class Table {
 /// What tool::main needs from a tool, type-erased.
 struct Program {
   std::function<void(Table&)> options;
-  std::function<void()> validate;                // throws UsageError with all mistakes; opens no data file
+  std::function<void()> validate;  // throws UsageError with all mistakes; opens no data file
   std::function<void(const Invocation&)> run;
 };
 
@@ -83,8 +85,9 @@ int main(int argc, char** argv, const Program& program);
 template <class Tool>
 int main(int argc, char** argv) {
   Tool t;
-  return main(argc, argv, {[&](Table& table) { t.options(table); }, [&] { t.validate(); },
-                           [&](const Invocation& invocation) { t.run(invocation); }});
+  return main(argc, argv,
+              {[&](Table& table) { t.options(table); }, [&] { t.validate(); },
+               [&](const Invocation& invocation) { t.run(invocation); }});
 }
 
 }  // namespace soilweave::tool

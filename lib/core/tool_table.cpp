@@ -135,6 +135,11 @@ void Table::output(std::filesystem::path& field, std::string sentence) {
   unrecorded("force");
 }
 
+void Table::output_folder(std::filesystem::path& field, std::string sentence) {
+  output(field, std::move(sentence));
+  impl_->output_is_folder = true;
+}
+
 void Table::option(double& field, const Parameter& parameter) {
   Entry& entry = impl_->add(parameter.name, Kind::value, parameter.sentence);
   entry.metavar = unit_metavar(parameter, "X");

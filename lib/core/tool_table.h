@@ -48,7 +48,7 @@ struct Table::Impl {
   std::vector<Positional> inputs;
   std::deque<Entry> options;  // a deque: references stay good while options are added
   std::filesystem::path* output = nullptr;
-  bool output_required = false;
+  bool output_required = false, output_is_folder = false;
   Invocation invocation;
 
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
