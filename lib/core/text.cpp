@@ -32,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view name, const std::vector<std::string>& known) {
   // A third of the letters wrong is a slip; more is another word.
-  std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t best = std::min(std::max<std::size_t>(1, name.size() / 3) + 1, name.size());
   std::string found;
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(name, candidate);

@@ -1,0 +1,202 @@
+// Scenario documents: conversion of units, and every mistake named with its line and remedy.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace soilweave {
+namespace {
+
+constexpr Parameter pressure{"pressure", "Pa", 0, 1e9, true, "mean stress of the cell", "no pressure, no stiffness"};
+constexpr Parameter size{"size", "m", 0, 10, true, "edge of the cell", ""};
+constexpr Parameter angle{"angle", "deg", 0, 90, false, "friction angle", ""};
+constexpr Parameter density{"density", "kg/m3", 0, 3e4, true, "density of the grains", ""};
+constexpr Parameter limit{"limit", "1", 0, 1, false, "rolling limit", ""};
+constexpr Parameter steps{"steps", "1", 1, 1e9, false, "number of steps", ""};
+
+std::string mistakes_of(const Settings& settings) {
+  try {
+    settings.finish();
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Settings, ConvertsQuantitiesWithUnitsToTheParametersUnit) {
+  Settings s = Settings::parse(
+      "pressure = '100 kPa'\nsize = '3 mm'\nangle = '0.5 rad'\ndensity = '2.65 g/cm3'\nlimit = '20 %'\n", "t.toml");
+  EXPECT_EQ(s.number(pressure), 1e5);
+  EXPECT_EQ(s.number(size), 3e-3);
+  EXPECT_DOUBLE_EQ(s.number(angle), 28.647889756541160);  // 0.5 * 180 / pi
+  EXPECT_DOUBLE_EQ(s.number(density), 2650);
+  EXPECT_DOUBLE_EQ(s.number(limit), 0.2);
+  EXPECT_EQ(mistakes_of(s), "");
+}
+
+TEST(Settings, BareNumbersAreInTheParametersUnitAndAbsentOnesFallBack) {
+  Settings s = Settings::parse("pressure = 5\nsteps = 1e3\n", "t.toml");
+  EXPECT_EQ(s.number(pressure), 5);
+  EXPECT_EQ(s.integer(steps), 1000);
+  EXPECT_EQ(s.number(size, 0.25), 0.25);
+  EXPECT_EQ(s.integer(limit, 7), 7);
+  EXPECT_EQ(mistakes_of(s), "");
+}
+
+TEST(Settings, ReadsListsVectorsWordsAndFlags) {
+  Settings s = Settings::parse("size = ['1 m', 2, 3.5]\nlimit = 'none'\nlaw = 'linear'\non = true\nname = 'x'\n", "t");
+  EXPECT_EQ(s.vector(size), Vec3(1, 2, 3.5));
+  EXPECT_EQ(s.numbers(size), (std::vector<double>{1, 2, 3.5}));
+  EXPECT_EQ(s.number_or(limit, "none"), std::nullopt);
+  EXPECT_EQ(s.choice("law", {"linear", "hertz-mindlin"}), "linear");
+  EXPECT_TRUE(s.flag("on", false));
+  EXPECT_EQ(s.text("name"), "x");
+  EXPECT_EQ(s.text("other", "y"), "y");
+  EXPECT_EQ(s.vector(pressure, Vec3(1, 1, 1)), Vec3(1, 1, 1));
+  EXPECT_EQ(mistakes_of(s), "");
+}
+
+TEST(Settings, NoneAndZeroAreDifferentLimits) {
+  Settings s = Settings::parse("limit = 0\n", "t");
+  EXPECT_EQ(s.number_or(limit, "none"), 0);
+}
+
+TEST(Settings, TellsEveryMistakeWithItsLineAndRemedy) {
+  Settings s = Settings::parse(
+      "presure = 1\nsize = 20\nangle = '3 m'\nlaw = 'hertz'\nlimit = true\n[stage]\nsteps = 1.5\n", "a.toml");
+  s.number(pressure);
+  s.number(size);
+  s.number(angle);
+  s.choice("law", {"linear", "hertz-mindlin"});
+  s.number(limit);
+  s.table("stage").integer(steps);
+  EXPECT_EQ(mistakes_of(s),
+            "a.toml:1: pressure: is missing; give between 0 and 1e9 Pa: mean stress of the cell\n"
+            "a.toml:1: unknown key 'presure'; did you mean 'pressure'?\n"
+            "a.toml:2: size: 20 is out of range: must be between 0 and 10 m\n"
+            "a.toml:3: angle: 'm' does not measure what 'deg' measures\n"
+            "a.toml:4: law: 'hertz' is not one of linear, hertz-mindlin; did you mean 'hertz-mindlin'?\n"
+            "a.toml:5: limit: true is not a number\n"
+            "a.toml:7: stage.steps: 1.5 is not a whole number");
+}
+
+TEST(Settings, RangeErrorsGiveTheReason) {
+  Settings s = Settings::parse("pressure = 0\n", "a.toml");
+  s.number(pressure);
+  EXPECT_EQ(mistakes_of(s),
+            "a.toml:1: pressure: 0 is out of range: must be between 0 and 1e9 Pa (no pressure, no stiffness)");
+}
+
+TEST(Settings, RefusesNanAndInfinity) {
+  Settings s = Settings::parse("pressure = nan\nsize = inf\n", "a.toml");
+  s.number(pressure);
+  s.number(size);
+  EXPECT_EQ(mistakes_of(s),
+            "a.toml:1: pressure: 'nan' is not a finite number\na.toml:2: size: 'inf' is not a finite number");
+}
+
+TEST(Settings, WrongKindsOfValueAreMistakes) {
+  Settings s = Settings::parse("size = 1\nname = 2\non = 3\ntable = 4\nstage = 5\nangle = [1, 2]\nlimit = [7]\n", "a");
+  s.vector(size);
+  s.text("name");
+  s.flag("on", false);
+  s.table("table");
+  s.tables("stage");
+  s.vector(angle);
+  s.numbers(limit);
+  s.text("absent");
+  s.choice("kind", {"one", "two"});
+  s.number_or(steps, "none");
+  s.numbers(density);
+  EXPECT_EQ(mistakes_of(s),
+            "a:1: size: 1 is not a list; write [1, ...]\n"
+            "a:1: absent: is missing; give a text\n"
+            "a:1: kind: is missing; give one of one, two\n"
+            "a:1: steps: is missing; give \"none\" or from 1 to 1e9: number of steps\n"
+            "a:1: density: is missing; give a list, each between 0 and 30000 kg/m3: density of the grains\n"
+            "a:2: name: 2 is not a text; write \"2\"\n"
+            "a:3: on: 3 is neither true nor false\n"
+            "a:4: table: 4 is not a table; write [table] on a line of its own\n"
+            "a:5: stage: is not a list of tables; write [[stage]] on a line of its own before each\n"
+            "a:6: angle: has 2 components; a vector has 3\n"
+            "a:7: limit: entry 1: 7 is out of range: must be from 0 to 1");
+}
+
+TEST(Settings, UnknownKeysAreFoundInsideTablesAndListsOfTables) {
+  Settings s = Settings::parse("[a]\nsize = 1\nsise = 2\n[[stage]]\nsteps = 3\n[[stage]]\nstep = 4\n[b]\nx = 1\n", "t");
+  s.table("a").number(size);
+  for (Settings& stage : s.tables("stage")) stage.integer(steps, 1);
+  EXPECT_EQ(mistakes_of(s),
+            "t:3: unknown key 'a.sise'; did you mean 'size'?\n"
+            "t:7: unknown key 'stage.1.step'; did you mean 'steps'?\n"
+            "t:8: unknown key 'b'; known: a, stage");
+}
+
+TEST(Settings, OwnMistakesOfTheReaderJoinTheOthers) {
+  Settings s = Settings::parse("\n[stage]\nsize = 1\n", "t");
+  Settings stage = s.table("stage");
+  stage.number(size);
+  stage.mistake("size", "is larger than the cell");
+  stage.mistake("", "has no goal");
+  s.mistake("", "has no laws");
+  EXPECT_EQ(mistakes_of(s), "t:1: has no laws\nt:2: stage: has no goal\nt:3: stage.size: is larger than the cell");
+}
+
+TEST(Settings, SyntaxErrorsNameLineAndColumn) {
+  try {
+    Settings::parse("a = 1\nb = = 2\n", "bad.toml");
+    FAIL() << "no error";
+  } catch (const DataError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("bad.toml:2:5: ")) << error.what();
+  }
+}
+
+TEST(Settings, SetOverridesReachesTablesAndListsAndMakesTables) {
+  Settings s = Settings::parse("size = 1\n[[stage]]\nsteps = 1\n[[stage]]\nsteps = 2\n", "t");
+  s.set("size=0.5 mm");
+  s.set("stage.1.steps=7");
+  s.set("grains.density=2650");
+  s.set("law=hertz-mindlin");
+  s.set("list=[1, 2]");
+  s.set("list.1=5");
+  EXPECT_EQ(s.number(size), 5e-4);
+  EXPECT_EQ(s.tables("stage")[1].integer(steps), 7);
+  EXPECT_EQ(s.table("grains").number(density), 2650);
+  EXPECT_EQ(s.text("law"), "hertz-mindlin");
+  EXPECT_EQ(s.numbers({"list", "1"}), (std::vector<double>{1, 5}));
+  for (Settings& stage : s.tables("stage")) stage.integer(steps);
+  EXPECT_EQ(mistakes_of(s), "");
+}
+
+TEST(Settings, MistakesInSetNameTheAssignment) {
+  Settings s = Settings::parse("size = 1\n", "t");
+  s.set("size=50");
+  s.set("siez=1");
+  s.number(size);
+  EXPECT_EQ(mistakes_of(s),
+            "--set size=50: size: 50 is out of range: must be between 0 and 10 m\n"
+            "--set siez=1: unknown key 'siez'; did you mean 'size'?");
+}
+
+TEST(Settings, ImpossibleSetsAreUsageErrors) {
+  Settings s = Settings::parse("size = 1\n[[stage]]\nsteps = 1\n", "t");
+  EXPECT_THROW(s.set("size"), UsageError);
+  EXPECT_THROW(s.set("=1"), UsageError);
+  EXPECT_THROW(s.set("stage.3.steps=1"), UsageError);
+  EXPECT_THROW(s.set("stage.x.steps=1"), UsageError);
+  EXPECT_THROW(s.set("size.x=1"), UsageError);
+}
+
+TEST(Settings, ResolvedIsTheSameForTheSameContentInAnyOrder) {
+  Settings one = Settings::parse("b = 2\na = 1\n[t]\ny = 'q'\nx = 1.5\n", "one");
+  Settings other = Settings::parse("# a remark\na = 5\nb = 2\n[t]\nx = 1.5\ny = 'q'\n", "other");
+  other.set("a=1");
+  EXPECT_EQ(one.resolved(), other.resolved());
+  Settings again = Settings::parse(one.resolved(), "again");
+  EXPECT_EQ(again.resolved(), one.resolved());
+}
+
+}  // namespace
+}  // namespace soilweave
