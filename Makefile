@@ -117,3 +117,154 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 
 # Kept objects: make would otherwise delete the tools' as intermediates and build them again next time.
 .SECONDARY:
+
+# ---- Dependencies ---------------------------------------------------------------------------------------------------
+DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
+  libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
+  python3-numpy hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff
+
+.PHONY: deps
+deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
+	@missing=$$(for p in $(DEBIAN); do \
+	    dpkg-query -W -f '$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed || echo $$p; done | xargs); \
+	[ -z "$$missing" ] && exit 0; \
+	line="apt-get install -y --no-install-recommends $$missing"; \
+	if [ "$$(id -u)" = 0 ]; then sudo=; \
+	elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then sudo=sudo; \
+	else echo "make deps: packages are missing and you are not root; run: sudo $$line" >&2; exit 1; fi; \
+	echo "make deps: $$line"; \
+	$$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$sudo $$line
+
+# ---- Checks ---------------------------------------------------------------------------------------------------------
+# A sub-make takes part in the job server of 'make -jN' and starts one of its own otherwise.
+AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS)),,-j$(JOBS))
+
+.PHONY: check
+check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
+	@$(AGAIN) deps
+	@$(AGAIN) programs
+	@$(AGAIN) format-check
+	@$(AGAIN) lint
+	@$(AGAIN) test
+	@$(AGAIN) SANITIZE=1 test-unit
+	@$(AGAIN) test-man
+	@$(AGAIN) test-tools
+	@echo "make check: everything passed"
+
+.PHONY: test
+test: $(TEST_PROGRAMS) ## unit, property and benchmark tests of the library
+	@set -e; for t in $(TEST_PROGRAMS); do echo "== $$t"; $$t --gtest_brief=1; done
+
+.PHONY: test-unit
+test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tests (SANITIZE=1: under the sanitizers)
+	@set -e; for t in $^; do echo "== $$t"; $$t --gtest_brief=1; done
+
+.PHONY: test-tools
+test-tools: $(TOOLS) ## the tools as a user meets them, with bats
+	@echo "== tests/tools"
+	@SOILWEAVE_BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) tests/tools
+
+.PHONY: golden
+golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them with git diff
+	@SOILWEAVE_BIN=$(CURDIR)/$(B)/bin SOILWEAVE_GOLDEN=write bats tests/tools
+
+.PHONY: bench
+bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
+	@$(B)/tests/bench $(BENCH_FLAGS)
+
+.PHONY: crosscheck
+crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, where one is installed
+	@if ! command -v yade yade-batch >/dev/null; then echo "make crosscheck: no yade here; skipped"; \
+	elif [ ! -f tests/crosscheck/run.sh ]; then echo "make crosscheck: no tests/crosscheck/run.sh; skipped"; \
+	else SOILWEAVE_BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh; fi
+
+# ---- Habits ---------------------------------------------------------------------------------------------------------
+.PHONY: format
+format: ## lay out every source with clang-format
+	@clang-format -i $(SOURCES) $(HEADERS)
+
+.PHONY: format-check
+format-check:
+	@clang-format --dry-run --Werror $(SOURCES) $(HEADERS) && echo "== format: clean"
+
+# clang-tidy leaves a stamp per source, so that only what changed, or what it includes, is looked at again.
+# -idirafter: clang has no omp.h of its own, the compiler's will do.
+TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -fopenmp -Wno-unknown-warning-option -idirafter $(shell $(CXX) -print-file-name=include)
+TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(filter-out $(VTK_ONLY),$(SOURCES)),$(SOURCES)))
+build/lint/%.tidy: %.cpp .clang-tidy
+	@mkdir -p $(@D)
+	@echo '  tidy  $<'
+	@clang-tidy --quiet $< -- $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
+	@$(CXX) -std=c++20 -march=x86-64-v3 -fopenmp $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests -MM -MP -MT $@ -MF $@.d $< && touch $@
+-include $(addsuffix .d,$(TIDY))
+
+.PHONY: lint
+lint: $(TIDY) build/lint/shellcheck ## clang-tidy, shellcheck, include direction, file sizes
+	@bash tests/layers.sh && echo "== lint: clean"
+
+build/lint/shellcheck: $(SCRIPTS)
+	@mkdir -p $(@D)
+	@$(if $(SCRIPTS),shellcheck -x $(SCRIPTS)) && touch $@
+
+.PHONY: coverage
+coverage: ## lines of lib/ that the tests run (report in build/coverage/report); fails under 90 %
+	@$(AGAIN) COVERAGE=1 programs
+	@find build/coverage -name '*.gcda' -delete
+	@$(AGAIN) COVERAGE=1 test
+	@$(AGAIN) COVERAGE=1 test-tools
+	@mkdir -p build/coverage/report
+	@gcovr --root . --filter lib/ --object-directory build/coverage/obj -j $(JOBS) --exclude-unreachable-branches \
+	  --print-summary --html-details build/coverage/report/index.html --txt build/coverage/report/lines.txt \
+	  --fail-under-line 90 build/coverage/obj; status=$$?; tail -3 build/coverage/report/lines.txt; exit $$status
+
+compile_commands.json: Makefile ## for editors and clang tools
+	@{ echo '['; first=1; for f in $(SOURCES); do [ $$first ] || echo ','; first=; \
+	  printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"}' '$(CURDIR)' "$$f" \
+	  '$(CXX) $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests $(CXXFLAGS)' "$$f"; done; echo; echo ']'; } > $@
+
+# ---- Manual pages and installation ----------------------------------------------------------------------------------
+MAN := $(patsubst tools/%.cpp,build/man/%.1,$(TOOL))
+COMPLETION := $(patsubst tools/%.cpp,build/completion/%,$(TOOL))
+
+.PHONY: man
+man: $(MAN) ## manual pages, from the option tables, into build/man
+build/man/%.1: $(B)/bin/%
+	@mkdir -p $(@D) && $< --man > $@
+build/completion/%: $(B)/bin/%
+	@mkdir -p $(@D) && $< --completion > $@
+
+.PHONY: test-man
+test-man: $(MAN)
+	@command -v man groff >/dev/null || { echo "== man pages: no man or groff here; skipped"; exit 0; }; \
+	for page in $(MAN); do \
+	  said=$$(LC_ALL=C.UTF-8 MANROFFSEQ= MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z $$page 2>&1 >/dev/null); \
+	  [ -z "$$said" ] || { echo "$$page: $$said" >&2; exit 1; }; done && echo "== man pages: clean"
+
+.PHONY: install
+install: all $(MAN) $(COMPLETION) ## tools, manual pages and completion into DESTDIR/PREFIX (/usr/local)
+	install -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(PREFIX)/share/man/man1' \
+	  '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
+	$(if $(TOOLS),install -m 755 $(TOOLS) '$(DESTDIR)$(PREFIX)/bin')
+	$(if $(MAN),install -m 644 $(MAN) '$(DESTDIR)$(PREFIX)/share/man/man1')
+	$(if $(MAN),install -m 644 $(COMPLETION) '$(DESTDIR)$(PREFIX)/share/bash-completion/completions')
+
+# ---- Studies --------------------------------------------------------------------------------------------------------
+# pipelines/study.mk adds each study to STUDIES and gives it a target of its name; report collects them.
+STUDIES :=
+-include pipelines/study.mk
+
+.PHONY: reproduce
+reproduce: ## install what is missing, build, run every study (PROFILE=quick) and write the report
+	@$(AGAIN) deps
+	@$(AGAIN) all
+	@$(AGAIN) $(STUDIES) report
+
+# ---- The rest -------------------------------------------------------------------------------------------------------
+.PHONY: clean
+clean: ## remove build/ and what was generated beside it
+	rm -rf build compile_commands.json
+
+.PHONY: help
+help: ## this list
+	@grep -hE '^[a-z_.-]+:.*## ' $(MAKEFILE_LIST) | grep -v '\.d:' | sort -u | \
+	  awk -F ':.*## ' '{ printf "  %-22s %s\n", $$1, $$2 }'
