@@ -50,7 +50,8 @@ struct ToVtk {
     table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run or fields file");
-    table.output(output, "folder for the VTK files; with --history and --text a file, standard output by default");
+    table.output_folder(output,
+                        "folder for the VTK files; with --history and --text a file, standard output by default");
     table.option(state, "state", "last|all|N", "which states: the last, all, or number N, counted from 0");
     table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
     table.option(force_scale, force_scale_parameter);
@@ -62,11 +63,11 @@ struct ToVtk {
 
   void validate() const {
     std::string mistakes;
-    if (history && text) mistakes += "; --history and --text exclude each other";
-    if (!history && !text && output == "-") mistakes += "; name a folder for the VTK files with -o";
+    if (history && text) mistakes += "\n--history and --text exclude each other";
+    if (!history && !text && output == "-") mistakes += "\nname a folder for the VTK files with -o";
     if (state != "all" && state != "last" && !index_in(state))
-      mistakes += "; --state is last, all or a number counted from 0, not \"" + state + "\"";
-    if (!mistakes.empty()) throw UsageError(mistakes.substr(2));
+      mistakes += "\n--state is last, all or a number counted from 0, not \"" + state + "\"";
+    if (!mistakes.empty()) throw UsageError(mistakes.substr(1));
   }
 
   void run(const tool::Invocation& invocation) const {

@@ -6,15 +6,15 @@
 
 namespace soilweave::io {
 
-inline constexpr std::string_view show_script = R"script(# Shows the files beside it in ParaView: grains as spheres, contacts as tubes (thickness: normal force, colour: shear
-# force), the cell and rigid planes as outlines.
+inline constexpr std::string_view show_script = R"script(# Shows the files beside it in ParaView.
+# Grains are spheres, contacts tubes (thickness: normal force, colour: shear force), cell and rigid planes outlines.
 #   paraview --script=show.py          interactive
 #   pvpython show.py picture.png       a picture of the last state
 import os
 import sys
 
 from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar,
-                             Glyph, PVDReader, Render, ResetCamera, SaveScreenshot, Show, Tube)
+                             Glyph, PVDReader, Render, ResetCamera, SaveScreenshot, Show, TensorGlyph, Tube)
 
 FOLDER = os.path.dirname(os.path.abspath(globals().get("__file__", "show.py")))
 BLACK = [0.0, 0.0, 0.0]
@@ -76,11 +76,27 @@ def show_outline(view, name):
     return high > low
 
 
+def show_places(view, places):
+    """Points with fields; where there is a stress, as ellipsoids along its principal directions."""
+    Show(places, view)
+    bounds = places.GetDataInformation().GetBounds()
+    stresses = [array.GetName() for array in places.PointData if array.GetNumberOfComponents() == 9]
+    if not stresses:
+        return
+    size = sum((high - low) ** 2 for low, high in zip(bounds[::2], bounds[1::2])) ** 0.5 or 1.0
+    greatest = max(map(abs, places.PointData[stresses[0]].GetRange(-1))) or 1.0
+    ellipsoids = TensorGlyph(registrationName=stresses[0], Input=places, GlyphType="Sphere")
+    ellipsoids.Tensors = ["POINTS", stresses[0]]
+    ellipsoids.ScaleFactor = 0.1 * size / greatest
+    Show(ellipsoids, view)
+
+
 def main():
     view = GetActiveViewOrCreate("RenderView")
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     contacts = load("contacts")
+    scene = GetAnimationScene()
     show_grains(view, contacts is not None)
     if contacts is not None:
         show_contacts(view, contacts)
@@ -89,8 +105,7 @@ def main():
     for file in sorted(os.listdir(FOLDER)):
         name, extension = os.path.splitext(file)
         if extension == ".pvd" and name not in ("grains", "contacts", "cell", "planes"):
-            Show(load(name), view)
-    scene = GetAnimationScene()
+            show_places(view, load(name))
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()
     if deep:

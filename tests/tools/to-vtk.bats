@@ -1,0 +1,192 @@
+#!/usr/bin/env bats
+# to-vtk: VTK's own readers open what it writes; histories, text, and every class of error.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+bats_require_minimum_version 1.5.0
+
+setup_file() {
+  local here=$BATS_TEST_DIRNAME
+  export BIN=${BIN:-$here/../../build/bin} PYTHON=/usr/bin/python3
+  export PATH="$BIN:$PATH" IN=$BATS_FILE_TMPDIR
+  command -v to-vtk > /dev/null || skip "to-vtk is not built (NO_VTK)"
+  "$PYTHON" -c 'import h5py, vtk' || skip "no Python with h5py and vtk"
+  local case
+  for case in sheared disks box bare fields; do
+    "$PYTHON" "$here/vtk_states.py" "$case" "$IN/$case.h5"
+  done
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+}
+
+readers() {
+  "$PYTHON" "$BATS_TEST_DIRNAME/vtk_readers.py" "$@"
+}
+
+# One line on standard error, this exit status, these words.
+refused() {
+  local status_wanted=$1 words=$2
+  shift 2
+  run --separate-stderr -"$status_wanted" to-vtk "$@"
+  # shellcheck disable=SC2154
+  [ "${#stderr_lines[@]}" -eq 1 ] || { printf '%s\n' "$stderr"; return 1; }
+  [[ $stderr == *"$words"* ]] || { printf '%s\n' "$stderr"; return 1; }
+}
+
+@test "a run in a sheared cell: grains, contacts split at the faces, cell, times" {
+  to-vtk --quiet "$IN/sheared.h5" -o out
+  run -0 readers "$IN/sheared.h5" out
+  [ "$output" = "3 states, 120 grains, $(contacts_in sheared) contacts, some through the faces" ]
+}
+
+contacts_in() {
+  "$PYTHON" -c 'import h5py, sys; print(len(h5py.File(sys.argv[1])["contacts/000002/bodies"]))' "$IN/$1.h5"
+}
+
+@test "disks, and grains in a box of planes" {
+  local case
+  for case in disks box; do
+    to-vtk --quiet "$IN/$case.h5" -o "$case"
+    readers "$IN/$case.h5" "$case"
+  done
+  [ ! -e disks/planes.pvd ]
+  [ -e box/planes.pvd ]
+  "$PYTHON" - <<'PY'
+from vtk import vtkXMLPolyDataReader
+reader = vtkXMLPolyDataReader()
+reader.SetFileName("box/planes_000000.vtp")
+reader.Update()
+assert reader.GetOutput().GetNumberOfPolys() == 2
+PY
+}
+
+@test "one state, the last state, grains where they have travelled to, compressed" {
+  to-vtk --quiet "$IN/sheared.h5" -o one --state 1
+  readers "$IN/sheared.h5" one --states 1
+  [ "$(ls one/grains_*)" = one/grains_000001.vtp ]
+  to-vtk --quiet "$IN/sheared.h5" -o last --state last --unwrapped
+  readers "$IN/sheared.h5" last --states 2 --unwrapped
+  to-vtk --quiet "$IN/sheared.h5" -o small --state last --compress
+  readers "$IN/sheared.h5" small --states 2
+  [ "$(stat -c %s small/grains_000002.vtp)" -lt "$(stat -c %s last/grains_000002.vtp)" ]
+}
+
+@test "files are raw appended VTK XML with 64-bit headers" {
+  to-vtk --quiet "$IN/bare.h5" -o out
+  grep -aq 'header_type="UInt64"' out/grains_000000.vtp
+  grep -aq 'AppendedData encoding="raw"' out/grains_000000.vtp
+  run -1 grep -aq compressor out/grains_000000.vtp
+}
+
+@test "the force scale sets the tubes" {
+  to-vtk --quiet "$IN/sheared.h5" -o out --state 0 --force-scale 1e-4
+  "$PYTHON" - <<'PY'
+from vtk import vtkXMLPolyDataReader
+reader = vtkXMLPolyDataReader()
+reader.SetFileName("out/contacts_000000.vtp")
+reader.Update()
+data = reader.GetOutput()
+for line in range(data.GetNumberOfCells()):
+    force = data.GetCellData().GetArray("normal_force").GetValue(line)
+    assert abs(data.GetPointData().GetArray("tube_radius").GetValue(2 * line) - 1e-4 * force) < 1e-15
+PY
+}
+
+@test "a packing without contacts says so and writes none" {
+  run -0 --separate-stderr to-vtk "$IN/bare.h5" -o out
+  [[ $stderr == *"holds no contacts"* ]]
+  [ "$(cd out && ls)" = $'cell.pvd\ncell_000000.vtu\ngrains.pvd\ngrains_000000.vtp\nshow.py' ]
+}
+
+@test "fields: rows with a place become points, the others tables; grain fields join the grains" {
+  to-vtk --quiet "$IN/fields.h5" -o fields
+  [ "$(head -2 fields/global.csv)" = $'step,mean_stress\n0,100000' ]
+  [ -e fields/volumes_000002.vtp ]
+  to-vtk --quiet "$IN/sheared.h5" --fields "$IN/fields.h5" -o joined
+  "$PYTHON" - <<'PY'
+from vtk import vtkXMLPolyDataReader
+from vtk.util.numpy_support import vtk_to_numpy
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+volume = read("fields/volumes_000002.vtp")
+assert volume.GetPoint(0) == (0.0, 1.0, 2.0)
+assert volume.GetFieldData().GetArray("TimeValue").GetValue(0) == 0.025
+stress = volume.GetPointData().GetArray("stress").GetTuple(0)
+assert stress == (500, 501, 503, 501, 502, 504, 503, 504, 505), stress
+grains = read("joined/grains_000001.vtp").GetPointData()
+ids, joined = (vtk_to_numpy(grains.GetArray(name)) for name in ("body_id", "void_ratio"))
+assert (joined == 120 + (ids - 1000)).all()
+PY
+}
+
+@test "two runs write the same bytes, whatever the number of threads" {
+  to-vtk --quiet "$IN/sheared.h5" -o one
+  OMP_NUM_THREADS=4 to-vtk --quiet "$IN/sheared.h5" -o two
+  diff -r one two
+}
+
+@test "the ParaView script compiles" {
+  to-vtk --quiet "$IN/bare.h5" -o out
+  "$PYTHON" -m py_compile out/show.py
+}
+
+@test "an output folder in use is refused, replaced with --force; files of others stay" {
+  to-vtk --quiet "$IN/sheared.h5" -o out
+  echo mine > out/notes.txt
+  refused 73 "--force" "$IN/sheared.h5" -o out
+  to-vtk --quiet --force "$IN/sheared.h5" -o out --state 1
+  [ "$(ls out/grains_*)" = out/grains_000001.vtp ]
+  [ "$(cat out/notes.txt)" = mine ]
+}
+
+@test "--history tells how a file came to be" {
+  run -0 to-vtk --history "$IN/sheared.h5"
+  [[ $output == *"vtk_states.py"* ]]
+}
+
+@test "--text writes x y z r of the last state" {
+  run -0 --separate-stderr to-vtk --text "$IN/bare.h5"
+  # shellcheck disable=SC2154
+  [[ ${lines[0]} == "##PERIODIC:: 0.1 0.1 0.1" ]]
+  [ "$(grep -vc '#' <<< "$output")" -eq 120 ]
+  to-vtk --text "$IN/bare.h5" -o packing.txt
+  diff packing.txt <(printf '%s\n' "$output")
+}
+
+@test "a packing comes through a pipe" {
+  to-vtk --quiet - -o out < "$IN/sheared.h5"
+  readers "$IN/sheared.h5" out
+}
+
+@test "errors: input missing, truncated, of another kind, a folder" {
+  refused 66 "none.h5" none.h5 -o out
+  head -c 5000 "$IN/sheared.h5" > half.h5
+  refused 65 "half.h5" half.h5 -o out
+  echo "no HDF5 at all" > words.h5
+  refused 65 "words.h5" words.h5 -o out
+  refused 65 "" . -o out
+  refused 65 "fields" "$IN/sheared.h5" --fields "$IN/bare.h5" -o out
+  refused 65 "" --text "$IN/fields.h5"
+  [ ! -e out ]
+}
+
+@test "errors: output that cannot be made" {
+  refused 73 "/proc/none" "$IN/bare.h5" -o /proc/none
+  : > file
+  refused 73 "file" "$IN/bare.h5" -o file
+  refused 73 "folder" "$IN/bare.h5" --force -o file
+}
+
+@test "errors: usage" {
+  refused 64 "-o" "$IN/bare.h5"
+  refused 64 "--state" "$IN/bare.h5" -o out --state none
+  refused 64 "1 state, number 0" "$IN/bare.h5" -o out --state 1
+  refused 64 "exclude" --history --text "$IN/bare.h5"
+  run -64 to-vtk "$IN/bare.h5" -o out --force-scale -1
+}
