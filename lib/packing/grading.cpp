@@ -1,0 +1,77 @@
+// A grading curve by mass, and the grains that follow it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/grading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "io/table.h"
+
+namespace soilweave::packing {
+namespace {
+
+// Slices of equal mass the curve is cut into to turn mass into number; the error falls with its square.
+constexpr std::size_t slices = 100'000;
+
+}  // namespace
+
+Grading Grading::from_tsv(std::string_view text, const std::string& where) {
+  const io::Series table = io::from_tsv(text, where);
+  const io::Column& size = table.at("diameter");
+  const io::Column& finer = table.at("finer_by_mass");
+  const double unit = size.unit == "mm" ? 1e-3 : 1.0;
+  if (size.unit != "mm" && size.unit != "m")
+    throw DataError(fmt::format("{}: diameter is in \"{}\": write [mm] or [m]", where, size.unit));
+  Grading g;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const double d = unit * size.values[k], f = finer.values[k];
+    if (!(d > 0) || (k > 0 && d <= g.diameter.back()))
+      throw DataError(fmt::format("{}: row {}: diameter {} is not above the one before: sort the sizes, all positive", where,
+                                  k + 1, size.values[k]));
+    if (!(f >= 0 && f <= 1) || (k > 0 && f < g.finer.back()))
+      throw DataError(fmt::format("{}: row {}: finer_by_mass {} must rise from 0 to 1", where, k + 1, f));
+    g.diameter.push_back(d);
+    g.finer.push_back(f);
+  }
+  if (g.finer.empty() || std::abs(g.finer.back() - 1) > 1e-12)
+    throw DataError(fmt::format("{}: the last finer_by_mass must be 1", where));
+  return g;
+}
+
+Grading Grading::toyoura() {
+  return {{5.75e-3, 6.85e-3, 8.16e-3, 9.69e-3, 11.50e-3, 13.69e-3, 16.26e-3},
+          {0.013, 0.021, 0.058, 0.174, 0.811, 0.927, 1.0}};
+}
+
+double Grading::quantile(double fraction) const {
+  const auto above = std::upper_bound(finer.begin(), finer.end(), fraction);
+  if (above == finer.begin()) return diameter.front();
+  if (above == finer.end()) return diameter.back();
+  const auto i = static_cast<std::size_t>(above - finer.begin());
+  const double share = (fraction - finer[i - 1]) / (finer[i] - finer[i - 1]);
+  return diameter[i - 1] + share * (diameter[i] - diameter[i - 1]);
+}
+
+std::vector<double> Grading::radii(std::size_t n, int dimension) const {
+  const auto number = [&](std::size_t k) {
+    const double d = quantile((static_cast<double>(k) + 0.5) / slices);
+    return std::pow(d, -dimension);
+  };
+  double total = 0;
+  for (std::size_t k = 0; k < slices; ++k) total += number(k);
+  std::vector<double> radius;
+  double below = 0;
+  std::size_t slice = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double goal = (static_cast<double>(i) + 0.5) / static_cast<double>(n) * total;
+    while (slice + 1 < slices && below + number(slice) < goal) below += number(slice++);
+    radius.push_back(0.5 * quantile((static_cast<double>(slice) + 0.5) / slices));
+  }
+  std::sort(radius.rbegin(), radius.rend());
+  return radius;
+}
+
+}  // namespace soilweave::packing

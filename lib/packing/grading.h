@@ -1,0 +1,29 @@
+// A grading curve by mass, and the grains that follow it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soilweave::packing {
+
+/// Fraction by mass finer than a diameter: ascending diameters (m), fractions ascending to 1. Linear between points; what
+/// is finer than the first point has its size.
+struct Grading {
+  std::vector<double> diameter;
+  std::vector<double> finer;
+
+  /// From a table with the columns diameter (m or mm) and finer_by_mass. Throws DataError naming document and row.
+  static Grading from_tsv(std::string_view text, const std::string& where);
+  /// The curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
+  static Grading toyoura();
+
+  /// Diameter below which a fraction by mass lies, m.
+  double quantile(double fraction) const;
+  /// n radii (m), largest first, at the mid-quantiles of the distribution by number that belongs to the curve in this
+  /// dimension (mass ~ d^3 for spheres, d^2 for disks): no sample of n grains follows the curve more closely.
+  std::vector<double> radii(std::size_t n, int dimension) const;
+};
+
+}  // namespace soilweave::packing

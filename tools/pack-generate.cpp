@@ -1,0 +1,164 @@
+// pack-generate: from a grading curve to a packing of given void ratio at given pressure.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/tool.h"
+#include "dem/scenario.h"
+#include "io/files.h"
+#include "packing/cloud.h"
+#include "packing/generate.h"
+#include "packing/grading.h"
+
+namespace {
+
+using namespace soilweave;
+
+constexpr Parameter grains_parameter{"grains", "1", 10, 1e8, false, "number of grains", "fewer cannot carry a load"};
+constexpr Parameter void_ratio_parameter{"void_ratio", "1", 0, 5, true, "void ratio to reach"};
+constexpr Parameter pressure_parameter{"pressure", "Pa", 0, 1e12, true, "isotropic pressure it holds at",
+                                       "a packing needs contacts, and contacts need a pressure"};
+constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean radius the grading is scaled to"};
+constexpr Parameter cloud_parameter{"cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud",
+                                    "grains placed at random jam below it"};
+constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
+constexpr Parameter dimension_parameter{"dimension", "1", 2, 3, false, "3 for spheres, 2 for disks"};
+constexpr Parameter density_parameter{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included"};
+constexpr Parameter rate_parameter{"max_rate", "1/s", 0, 1e3, true, "largest strain rate while compressing"};
+constexpr Parameter tolerance_parameter{"tolerance", "1", 0, 1, true, "unbalanced force of an equilibrium"};
+
+// Thesis Table 3.1, soil.
+constexpr std::string_view default_material =
+    "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
+    "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = \"none\"\n";
+
+// Solid volume of the thesis's representative volume, 46.2202 x 46.1205 x 92.1203 mm at a void ratio of 0.6798, m3: the
+// built-in curve is scaled so that the grains fill it, however many they are.
+constexpr double thesis_solids = 1.169e-4;
+
+struct PackGenerate {
+  std::filesystem::path output, material, import;
+  std::string grading = "toyoura", cell;
+  std::int64_t grains = 1000, dimension = 3;
+  std::optional<double> void_ratio, mean_radius;
+  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, density = 2650e3, max_rate = 1, tolerance = 1e-3;
+  bool as_is = false;
+
+  void options(tool::Table& table) {
+    table.about("pack-generate", "make a packing of grains from a grading curve, at a void ratio and a pressure",
+                "A random cloud in a periodic cell is compressed isotropically to the pressure; then the inter-particle "
+                "friction is lowered step by step until the void ratio is reached, and restored.");
+    table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5", "spheres, Toyoura grading");
+    table.example("pack-generate --import spheres.txt --as-is -o imported.h5", "a packing from another code");
+    table.option(grading, "grading", "NAME|FILE", "toyoura, or a TSV with diameter [mm] and finer_by_mass [1]");
+    table.option(grains, grains_parameter);
+    table.option(void_ratio, void_ratio_parameter);
+    table.option(pressure, pressure_parameter);
+    table.option(dimension, dimension_parameter);
+    table.option(mean_radius, radius_parameter);
+    table.option(aspect, aspect_parameter);
+    table.option(cloud_void_ratio, cloud_parameter);
+    table.option(material, "material", "FILE", "TOML with [contact] and [grains]; default: thesis Table 3.1");
+    table.option(density, density_parameter);
+    table.option(max_rate, rate_parameter);
+    table.option(tolerance, tolerance_parameter);
+    table.option(import, "import", "FILE", "start from this packing (x y z r text, or a packing file)");
+    table.option(cell, "cell", "LX,LY,LZ", "periodic cell of an imported text without a ##PERIODIC:: line, m");
+    table.flag(as_is, "as-is", "write the imported packing unchanged");
+    table.output(output, "packing to write, - for standard output");
+    table.seed();
+    table.threads();
+  }
+
+  void validate() const {
+    if (as_is && import.empty()) throw UsageError("--as-is needs --import FILE");
+    if (!cell.empty() && import.empty()) throw UsageError("--cell needs --import FILE");
+    if (!cell.empty()) parse_cell();
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    std::vector<io::Source> sources;
+    const io::TextFile text = material.empty() ? io::TextFile{std::string(default_material), {}}
+                                               : io::read_text(material, "material");
+    if (!material.empty()) sources.push_back(text.source);
+    Settings document = Settings::parse(text.text, material.empty() ? "default material" : material.string());
+    const dem::Model model = dem::read_model(document);
+    const double read_density = dem::read_density(document);
+    dem::Numerics numerics = dem::read_numerics(document);
+    document.finish();
+    numerics.threads = invocation.threads;
+    const double rho = read_density > 0 ? read_density : density;
+
+    io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
+    if (!as_is) {
+      packing::Recipe recipe;
+      recipe.pressure = pressure;
+      recipe.void_ratio = void_ratio;
+      recipe.max_rate = max_rate;
+      recipe.damping = numerics.damping;
+      recipe.tolerances.unbalanced_force = tolerance;
+      Progress progress("pack-generate", invocation.quiet);
+      state = packing::compact(state, model, numerics, recipe,
+                               [&](double f, const std::string& detail) { progress.update(f, detail); })
+                  .state;
+      state.step = 0;
+      state.time = 0;
+    }
+    io::write_packing(output, state, io::extend(sources, invocation, document.resolved()));
+  }
+
+  io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources) const {
+    packing::Grading curve;
+    if (grading == "toyoura") {
+      curve = packing::Grading::toyoura();
+    } else {
+      const io::TextFile table = io::read_text(grading, "grading");
+      sources.push_back(table.source);
+      curve = packing::Grading::from_tsv(table.text, grading);
+    }
+    const int d = static_cast<int>(dimension);
+    std::vector<double> radii = curve.radii(static_cast<std::size_t>(grains), d);
+    scale(radii);
+    return packing::cloud(radii, cloud_void_ratio, {1, d == 2 ? aspect : 1, aspect}, d, rho, seed);
+  }
+
+  void scale(std::vector<double>& radii) const {
+    double sum = 0, cubes = 0;
+    for (const double r : radii) sum += r, cubes += r * r * r;
+    double factor = 1;
+    if (mean_radius)
+      factor = *mean_radius * static_cast<double>(radii.size()) / sum;
+    else if (grading == "toyoura")
+      factor = std::cbrt(thesis_solids / (4.0 / 3.0 * 3.14159265358979323846 * cubes));
+    for (double& r : radii) r *= factor;
+  }
+
+  Vec3 parse_cell() const {
+    Vec3 size;
+    const char* at = cell.c_str();
+    for (int a = 0; a < 3; ++a) {
+      char* end = nullptr;
+      size[a] = std::strtod(at, &end);
+      if (end == at || !(size[a] > 0) || *end != (a < 2 ? ',' : '\0'))
+        throw UsageError("--cell " + cell + ": give three positive lengths in m, as in 0.0462,0.0461,0.0921");
+      at = end + 1;
+    }
+    return size;
+  }
+
+  io::Snapshot read_import(double rho, std::vector<io::Source>& sources) const {
+    io::CellRecord given;
+    if (!cell.empty()) given.matrix = parse_cell().asDiagonal();
+    const bool ours = import.extension() == ".h5";
+    io::PackingFile file = ours ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
+    sources.push_back(file.source);
+    return file.state;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return tool::main<PackGenerate>(argc, argv); }
