@@ -121,7 +121,7 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
   libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff
+  python3-numpy hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff-base
 
 .PHONY: deps
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
@@ -162,11 +162,11 @@ test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tes
 .PHONY: test-tools
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
-	@SOILWEAVE_BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) tests/tools
+	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) tests/tools
 
 .PHONY: golden
 golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them with git diff
-	@SOILWEAVE_BIN=$(CURDIR)/$(B)/bin SOILWEAVE_GOLDEN=write bats tests/tools
+	@BIN=$(CURDIR)/$(B)/bin SOILWEAVE_GOLDEN=write bats tests/tools
 
 .PHONY: bench
 bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
@@ -176,7 +176,7 @@ bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, where one is installed
 	@if ! command -v yade yade-batch >/dev/null; then echo "make crosscheck: no yade here; skipped"; \
 	elif [ ! -f tests/crosscheck/run.sh ]; then echo "make crosscheck: no tests/crosscheck/run.sh; skipped"; \
-	else SOILWEAVE_BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh; fi
+	else BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh; fi
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 .PHONY: format
