@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/error.h"
@@ -67,12 +68,17 @@ io::Snapshot cloud(const std::vector<double>& radii, double void_ratio, const Ve
   for (const double r : radii) solids += dem::grain_volume(dimension, r);
   const double volume = solids * (1 + void_ratio);
   Vec3 size = Vec3::Ones();
-  size.head(dimension) = proportions.head(dimension) * std::pow(volume / proportions.head(dimension).prod(), 1.0 / dimension);
+  double shape = 1, narrowest = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < dimension; ++a) shape *= proportions[a];
+  for (int a = 0; a < dimension; ++a) {
+    size[a] = proportions[a] * std::pow(volume / shape, 1.0 / dimension);
+    narrowest = std::min(narrowest, size[a]);
+  }
   const double largest = 2 * radii.front();
-  if (size.head(dimension).minCoeff() <= 2 * largest)
+  if (narrowest <= 2 * largest)
     throw DataError(fmt::format("{} grains make a cell {:.4g} m wide, and the largest grain is {:.4g} m across: more than half "
                                 "the cell; take more grains or a more even cell",
-                                radii.size(), size.head(dimension).minCoeff(), largest));
+                                radii.size(), narrowest, largest));
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
 
