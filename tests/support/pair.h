@@ -1,0 +1,96 @@
+// Two spheres on prescribed or free paths, with one contact between them: the least that a law needs to be tested.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "dem/contact_kinematics.h"
+#include "dem/laws.h"
+#include "dem/transport.h"
+
+namespace soilweave::dem::test {
+
+inline constexpr double degree = std::numbers::pi / 180;
+
+struct Body {
+  double radius = 3e-3, mass = 1e-4;
+  V3<double> x{0, 0, 0}, v{0, 0, 0}, w{0, 0, 0};  // positions; velocities that led there
+};
+
+/// The contact of two bodies; remembers what a simulation would.
+template <class Law>
+struct Pair {
+  typename Law::Couple couple;
+  Body one, two;
+  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+  bool touching = false;
+  V3<double> normal{};
+  Kinematics<double> kinematics{};
+  Response<double> response{};
+  Books<double> books{};
+
+  Kinematics<double> motion(double dt) const {
+    const V3<double> d = two.x - one.x;
+    PairMotion<double> m;
+    m.velocity = two.v - one.v;
+    m.spin_1 = one.w, m.spin_2 = two.w;
+    m.lever_1 = one.radius, m.lever_2 = two.radius;
+    m.distance = norm(d);
+    m.normal = (1.0 / m.distance) * d;
+    Kinematics<double> k = pair_kinematics(m, dt);
+    k.overlap = one.radius + two.radius - m.distance;
+    k.r1 = one.radius, k.r2 = two.radius;
+    k.R_star = k.r1 * k.r2 / (k.r1 + k.r2);
+    k.m_star = one.mass * two.mass / (one.mass + two.mass);
+    return k;
+  }
+
+  /// Evaluates the law at the present positions; without contact everything is zero and forgotten.
+  void update(double dt) {
+    kinematics = motion(dt);
+    if (kinematics.overlap < 0) {
+      memory = {{0, 0, 0}, {0, 0, 0}, 0};
+      response = {};
+      books = {};
+      touching = false;
+      return;
+    }
+    if (touching) {
+      const double angle = 0.5 * dt * dot(kinematics.normal, one.w + two.w);
+      memory.shear = transport(memory.shear, normal, kinematics.normal, angle);
+      memory.rolling = transport(memory.rolling, normal, kinematics.normal, angle);
+    }
+    response = Law::respond(couple, kinematics, dt, memory, books);
+    normal = kinematics.normal;
+    touching = true;
+  }
+
+  void advance(double dt) {
+    one.x = one.x + dt * one.v;
+    two.x = two.x + dt * two.v;
+    update(dt);
+  }
+
+  V3<double> force_on_two() const { return response.normal_force * kinematics.normal + memory.shear; }
+  V3<double> moment_on_two() const { return memory.rolling + memory.twisting * kinematics.normal; }
+  V3<double> torque_on_one() const {
+    return -1.0 * ((one.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, memory.shear) + moment_on_two());
+  }
+  V3<double> torque_on_two() const {
+    return moment_on_two() - (two.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, memory.shear);
+  }
+};
+
+/// Places body 1 at the origin and body 2 along `direction` (any length) with the given overlap.
+template <class Law>
+Pair<Law> touching_pair(const typename Law::Couple& couple, double r1, double r2, double overlap,
+                        V3<double> direction = {0, 0, 1}) {
+  Pair<Law> p;
+  p.couple = couple;
+  p.one.radius = r1, p.two.radius = r2;
+  p.two.x = ((r1 + r2 - overlap) / norm(direction)) * direction;
+  return p;
+}
+
+}  // namespace soilweave::dem::test
