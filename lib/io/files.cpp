@@ -1,0 +1,159 @@
+// Packings, runs and fields, each whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+#include "io/bytes.h"
+#include "io/file_head.h"
+
+namespace soilweave::io {
+namespace {
+
+const std::string series_group = "/series", fields_group = "/fields";
+
+std::string output_name(const std::filesystem::path& path) { return path == "-" ? "standard output" : path.string(); }
+
+/// Reads and checks every state; the file's history goes into its source.
+std::vector<Snapshot> states_in(OpenFile& file) {
+  file.demand_kind("packing run");
+  file.source.history = read_history(file.reader);
+  std::vector<Snapshot> states = read_frames(file.reader);
+  for (std::size_t f = 0; f < states.size(); ++f)
+    check(states[f], states.size() == 1 ? file.reader.where() : fmt::format("{}: state {}", file.reader.where(), f));
+  return states;
+}
+
+RunFile run_in(OpenFile& file) {
+  RunFile run;
+  run.snapshots = states_in(file);
+  if (file.kind == "run") {
+    run.series = read_columns(file.reader, series_group);
+    run.scenario = file.reader.read_text("/scenario");
+  }
+  run.source = std::move(file.source);
+  return run;
+}
+
+/// The series once more where H5MD looks for them, by links: no value is kept twice.
+void link_observables(Writer& file, const Series& series) {
+  if (!series.find("step") || !series.find("time")) return;
+  for (const Column& column : series.columns) {
+    if (column.name == "step" || column.name == "time") continue;
+    const std::string element = "/observables/" + column.name;
+    file.link(series_group + "/" + column.name, element + "/value");
+    file.link(series_group + "/step", element + "/step");
+    file.link(series_group + "/time", element + "/time");
+  }
+}
+
+/// Failures of a writer's input name the file that was to be written.
+template <class Build>
+void write_file(const std::filesystem::path& path, const std::string& kind, const History& history,
+                const Build& build) {
+  Writer file;
+  write_head(file, kind, history);
+  try {
+    build(file);
+  } catch (const DataError& error) {
+    throw DataError(output_name(path) + ": " + error.what());
+  }
+  write_bytes(path, file.image());
+}
+
+}  // namespace
+
+void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history) {
+  check(state, output_name(path));
+  write_file(path, "packing", history, [&](Writer& file) { write_states(file, {&state}, history); });
+}
+
+void write_run(const std::filesystem::path& path, const RunFile& run, const History& history) {
+  std::vector<const Snapshot*> states;
+  for (const Snapshot& state : run.snapshots) {
+    check(state, fmt::format("{}: state {}", output_name(path), states.size()));
+    states.push_back(&state);
+  }
+  write_file(path, "run", history, [&](Writer& file) {
+    write_states(file, states, history);
+    write_columns(file, series_group, run.series);
+    link_observables(file, run.series);
+    const Entry& e = entry("/scenario");
+    file.write_text("/scenario", run.scenario, {std::string(e.units), std::string(e.long_name)});
+  });
+}
+
+void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history) {
+  write_file(path, "fields", history, [&](Writer& file) {
+    file.group(fields_group);
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < fields.groups.size(); ++k) {
+      const FieldsFile::Group& group = fields.groups[k];
+      const std::string place = child_path(fields_group, group.name);
+      if (!names.insert(group.name).second) throw DataError(place + ": two groups of this name");
+      write_columns(file, place, group.table);
+      file.attribute(place, "long_name", group.long_name);
+      file.attribute(place, "order", static_cast<std::int64_t>(k));
+    }
+  });
+}
+
+PackingFile read_packing(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("packing");
+  std::vector<Snapshot> states = states_in(file);
+  if (states.size() != 1) file.reader.fail("/particles/grains", fmt::format("holds {} states, a packing one", states.size()));
+  return {std::move(states.front()), std::move(file.source)};
+}
+
+RunFile read_run(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("run");
+  return run_in(file);
+}
+
+RunFile read_states(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  return run_in(file);
+}
+
+PackingFile read_state(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  std::vector<Snapshot> states = states_in(file);
+  return {std::move(states.back()), std::move(file.source)};
+}
+
+FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("fields");
+  FieldsFile fields;
+  std::map<std::int64_t, FieldsFile::Group> ordered;
+  for (const std::string& name : file.reader.children(fields_group)) {
+    const std::string place = fields_group + "/" + name;
+    ordered[file.reader.integer_attribute(place, "order")] = {name, file.reader.text_attribute(place, "long_name"),
+                                                              read_columns(file.reader, place)};
+  }
+  for (auto& [order, group] : ordered) fields.groups.push_back(std::move(group));
+  fields.source = std::move(file.source);
+  fields.source.history = read_history(file.reader);
+  return fields;
+}
+
+TextFile read_text(const std::filesystem::path& path, std::string role) {
+  TextFile file;
+  file.text = read_bytes(path);
+  file.source = {std::move(role), sha256(file.text), {}};
+  return file;
+}
+
+std::string read_kind(const std::filesystem::path& path) { return OpenFile(path, "").kind; }
+
+History read_history(const std::filesystem::path& path) { return read_history(OpenFile(path, "").reader); }
+
+}  // namespace soilweave::io

@@ -1,0 +1,63 @@
+// Every file kind as a table: path, type, shape, unit, meaning. Writers take units and names from it, readers shapes and
+// types; FORMAT.md is its printed form.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soilweave::io {
+
+inline constexpr std::int64_t format_major = 1, format_minor = 0;
+
+enum class Type { float64, int64, int32, uint8, text };
+
+/// One dataset. Words in <> stand for names that vary. Shapes are letters and numbers, outermost dimension first:
+/// F frames, N grains, D space dimension, M contacts of that frame, P planes, R rows of the table; empty: a scalar.
+/// A leading (F) marks an H5MD element: a dataset without F where all frames are equal, else a group with
+/// step, time and value, and value has F.
+struct Entry {
+  std::string_view path;
+  Type type;
+  std::string_view shape;
+  std::string_view units;      // as H5MD writes them: "kg m-3"; "1" for pure numbers
+  std::string_view long_name;
+  bool optional = false;
+};
+
+/// One attribute of a group or of the root.
+struct AttributeEntry {
+  std::string_view path, name, value;  // value: type or the fixed text
+  std::string_view meaning;
+};
+
+/// A part of a file: what kinds have it, what is in it.
+struct Section {
+  std::string_view title;
+  std::string_view kinds;  // "packing run fields"
+  std::vector<Entry> entries;
+  std::vector<AttributeEntry> attributes;
+};
+
+const std::vector<Section>& schema();
+
+/// The entry of a path as it is written in the table. Throws std::out_of_range: a defect of ours.
+const Entry& entry(std::string_view path);
+
+/// Dimensions of an array, outermost first.
+using Extent = unsigned long long;  // as HDF5 counts
+using Shape = std::vector<Extent>;
+/// What the letters of shapes stand for in one file.
+using Extents = std::map<char, Extent>;
+
+/// The shape in numbers. with_frames: whether a leading (F) counts. Throws std::out_of_range for a letter unknown.
+Shape resolve(std::string_view shape, const Extents& extents, bool with_frames = true);
+
+/// "float64", ...
+std::string_view name(Type type);
+
+}  // namespace soilweave::io

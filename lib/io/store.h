@@ -1,0 +1,100 @@
+// HDF5 behind two plain classes: build a file in memory, read one from memory. store.cpp alone includes HDF5.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/schema.h"
+
+namespace soilweave::io {
+
+/// What every dataset says about itself.
+struct Label {
+  std::string units, long_name;
+};
+
+/// A file under construction, in memory. Equal calls give equal bytes: no time stamps, a fixed format (HDF5 1.10), and
+/// every byte of structure and of numeric arrays under one of HDF5's own checksums. Parent groups are made as needed.
+/// Throws IoError naming the object.
+class Writer {
+ public:
+  Writer();
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void group(const std::string& path);
+  /// T: double, int64, int32, uint8. values.size() is the product of the shape.
+  template <class T>
+  void write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label);
+  void write_text(const std::string& path, const std::string& text, const Label& label);
+
+  void attribute(const std::string& path, const std::string& name, const std::string& text);
+  void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
+  void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values);
+  void attribute(const std::string& path, const std::string& name, std::int64_t value);
+  void attribute(const std::string& path, const std::string& name, std::uint64_t value);
+  void attribute(const std::string& path, const std::string& name, double value);
+
+  /// A second name for an object (a hard link).
+  void link(const std::string& target, const std::string& path);
+
+  /// Ends the file and hands over its bytes.
+  std::string image();
+
+ private:
+  void make_parents(const std::string& path);
+  void describe(const std::string& path, const Label& label);
+  std::string bytes_;
+  std::int64_t file_ = -1;
+};
+
+/// A file read from its bytes. Every error is a DataError of one line: file, path within it, what is wrong.
+class Reader {
+ public:
+  /// where: what messages call the file. Rejects what is not HDF5, and truncated files.
+  Reader(std::string bytes, std::string where);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  const std::string& where() const { return where_; }
+  bool has(const std::string& path) const;
+  bool is_group(const std::string& path) const;
+  /// Names in a group, sorted.
+  std::vector<std::string> children(const std::string& path) const;
+
+  Shape shape(const std::string& path) const;
+  /// Whether a dataset holds integers.
+  bool is_integer(const std::string& path) const;
+  /// The whole array, row major. Rejects another shape, another class of type, wider integers.
+  template <class T>
+  std::vector<T> read(const std::string& path, const Shape& expected) const;
+  std::string read_text(const std::string& path) const;
+
+  bool has_attribute(const std::string& path, const std::string& name) const;
+  std::string text_attribute(const std::string& path, const std::string& name) const;
+  std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;
+  std::vector<std::int64_t> integer_attributes(const std::string& path, const std::string& name,
+                                               std::size_t length) const;
+  std::int64_t integer_attribute(const std::string& path, const std::string& name) const;
+  std::uint64_t unsigned_attribute(const std::string& path, const std::string& name) const;
+
+  /// Throws DataError: "FILE: PATH what".
+  [[noreturn]] void fail(const std::string& path, const std::string& what) const;
+
+ private:
+  template <class T>
+  std::vector<T> integers(const std::string& path, const std::string& name, const Shape& expected) const;
+  std::int64_t file_ = -1;
+  std::string bytes_, where_;
+};
+
+/// "3 x 100", or "a single value".
+std::string print(const Shape& shape);
+
+}  // namespace soilweave::io
