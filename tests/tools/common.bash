@@ -1,0 +1,66 @@
+# shellcheck shell=bash
+# What the tool tests share: the tools on PATH, a folder of its own for each test, and assertions that say what they saw.
+# SPDX-License-Identifier: GPL-3.0-or-later
+bats_require_minimum_version 1.5.0
+
+BIN=$(cd "${BIN:-${BASH_SOURCE[0]%/*}/../../build/bin}" && pwd)
+export BIN PATH="$BIN:$PATH" LC_ALL=C.UTF-8
+# Debian's own interpreter has the HDF5 and VTK modules that the tests use.
+export PYTHON=${PYTHON:-/usr/bin/python3}
+
+# call COMMAND...: runs it; afterwards $status, $output (standard output), $stderr are set.
+call() {
+  run --separate-stderr "$@"
+}
+
+show() {
+  printf 'status: %s\nstdout: %s\nstderr: %s\n' "${status:-}" "${output:-}" "${stderr:-}" >&2
+  printf '%s\n' "$@" >&2
+  return 1
+}
+
+# exits STATUS COMMAND...: runs the command and demands the exit status.
+exits() {
+  local wanted=$1
+  shift
+  call "$@"
+  # shellcheck disable=SC2154  # status, output and stderr are set by run
+  [[ $status -eq $wanted ]] || show "wanted exit status $wanted of: $*"
+}
+
+# complains STATUS TOOL MESSAGE ARGUMENTS...: exactly one line, "TOOL: MESSAGE", and nothing on standard output.
+complains() {
+  local wanted=$1 tool=$2 message=$3
+  shift 3
+  call "$tool" "$@"
+  [[ $status -eq $wanted ]] || { show "wanted exit status $wanted of: $tool $*"; return 1; }
+  [[ $stderr == "$tool: $message" ]] || { show "wanted: $tool: $message"; return 1; }
+  [[ -z $output ]] || show "wanted nothing on standard output"
+}
+
+# mentions STATUS TOOL WORDS ARGUMENTS...: one line that starts with the tool's name and holds the words.
+mentions() {
+  local wanted=$1 tool=$2 words=$3
+  shift 3
+  call "$tool" "$@"
+  [[ $status -eq $wanted ]] || { show "wanted exit status $wanted of: $tool $*"; return 1; }
+  [[ $stderr == "$tool: "* && $stderr == *"$words"* ]] || { show "wanted '$tool: ' and '$words'"; return 1; }
+  [[ $stderr != *$'\n'* ]] || show "wanted one line"
+}
+
+# same_bytes ONE OTHER
+same_bytes() {
+  cmp "$1" "$2" || show "$1 and $2 differ"
+}
+
+# needs_reference FILE: $reference is the path of this reference data; the test is skipped where there is none.
+needs_reference() {
+  [[ -n ${SOILWEAVE_REFERENCE:-} ]] || skip "SOILWEAVE_REFERENCE is not set"
+  reference=$SOILWEAVE_REFERENCE/$1
+  [[ -e $reference ]] || skip "no $1 in SOILWEAVE_REFERENCE"
+}
+
+every_tool() {
+  local tool
+  for tool in "$BIN"/*; do basename "$tool"; done
+}
