@@ -33,6 +33,12 @@ std::optional<std::size_t> index_in(const std::string& state) {
   return index;
 }
 
+struct Frame {
+  std::string group;
+  std::size_t index;
+  io::VtkPicture picture;
+};
+
 struct ToVtk {
   std::filesystem::path input, output = "-", fields;
   std::string state = "all";
@@ -112,13 +118,20 @@ struct ToVtk {
     }
     const double scale = force_scale.value_or(io::fitting_force_scale(shown));
 
+    const auto grains_of = [&](const io::Snapshot& snapshot) {
+      io::VtkPicture grains = io::show_grains(snapshot, unwrapped);
+      if (table) io::join_grains(grains, *table);
+      return grains;
+    };
+    // Fields that do not fit are found before anything is written.
+    if (table)
+      for (const io::Snapshot* snapshot : shown) grains_of(*snapshot);
+
     io::ParaviewFolder folder(output, invocation.force, compress);
     Progress progress("to-vtk", invocation.quiet);
     if (contacts == 0) progress.note(input.string() + " holds no contacts: only grains and cell are written");
     for (std::size_t s = 0; s < shown.size(); ++s) {
-      io::VtkPicture grains = io::show_grains(*shown[s], unwrapped);
-      if (table) io::join_grains(grains, *table);
-      folder.add("grains", indices[s], grains);
+      folder.add("grains", indices[s], grains_of(*shown[s]));
       if (contacts > 0) folder.add("contacts", indices[s], io::show_contacts(*shown[s], unwrapped, scale));
       folder.add("cell", indices[s], io::show_cell(*shown[s]));
       if (!shown[s]->planes.point.empty()) folder.add("planes", indices[s], io::show_planes(*shown[s]));
@@ -129,16 +142,17 @@ struct ToVtk {
 
   void show_fields(const tool::Invocation& invocation) const {
     const io::FieldsFile file = io::read_fields(input);
-    io::ParaviewFolder folder(output, invocation.force, compress);
+    std::vector<Frame> frames;
     for (const auto& group : file.groups) {
-      if (!io::has_positions(group.table)) {
-        folder.add_table(group.name, io::to_csv(group.table));
-        continue;
-      }
+      if (!io::has_positions(group.table)) continue;
       const auto states = io::states_of(group.table);
       for (const std::size_t index : chosen(states.size()))
-        folder.add(group.name, index, io::show_rows(group.table, states[index]));
+        frames.push_back({group.name, index, io::show_rows(group.table, states[index])});
     }
+    io::ParaviewFolder folder(output, invocation.force, compress);
+    for (const Frame& frame : frames) folder.add(frame.group, frame.index, frame.picture);
+    for (const auto& group : file.groups)
+      if (!io::has_positions(group.table)) folder.add_table(group.name, io::to_csv(group.table));
     folder.finish();
   }
 };

@@ -1,0 +1,62 @@
+// fabric: how contacts and forces are arranged. Reads a packing or a run, writes fabric tensors, rose and histogram.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <string>
+
+#include "analysis/tables.h"
+#include "core/error.h"
+#include "core/tool.h"
+#include "io/files.h"
+#include "io/table.h"
+
+namespace {
+
+using namespace soilweave;
+
+constexpr Parameter classes_parameter{"classes", "1", 8, 360, false, "classes of the full circle in the rose"};
+
+struct FabricTool {
+  std::filesystem::path input, output;
+  std::string state = "all", table = "fabric";
+  std::int64_t classes = 36;
+  bool tsv = false;
+
+  void options(tool::Table& t) {
+    t.about("fabric", "fabric tensors, anisotropies, coordination and contact orientation of a packing or a run",
+            "Contact-normal and force fabric tensors of thesis Eqs. 3.6-3.9 with a_c, a_n, a_t; q/p is compared with "
+            "2/5 (a_c + a_n + 3/2 a_t), a check on both.");
+    t.example("fabric run.h5 --tsv", "anisotropies and coordination, one row per snapshot");
+    t.example("fabric run.h5 --state first --table rose --tsv", "contact orientation before loading");
+    t.input(input, "INPUT", "packing or run, - for standard input");
+    t.choice(table, "table", {"fabric", "histogram", "rose"}, "what --tsv prints");
+    t.flag(tsv, "tsv", "print one table as tab-separated text");
+    t.option(state, "state", "WHICH", "all, first, last or a number from 0");
+    t.option(classes, classes_parameter);
+    t.output(output, "fields file to write, - for standard output");
+  }
+
+  void validate() const {
+    if (!tsv && output.empty()) throw UsageError("nothing to do: give --tsv or -o FILE");
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    const io::RunFile file = io::read_states(input);
+    io::FieldsFile fields;
+    fields.groups = {{"fabric", "fabric tensors and anisotropies, one row per state", {}},
+                     {"histogram", "grains by number of contacts", {}},
+                     {"rose", "contacts by orientation", {}}};
+    for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
+      const io::Snapshot& s = file.snapshots[n];
+      analysis::put_fabric(fields.groups[0].table, s);
+      analysis::put_histogram(fields.groups[1].table, s);
+      analysis::put_rose(fields.groups[2].table, s, static_cast<std::size_t>(classes));
+    }
+    for (const auto& group : fields.groups)
+      if (tsv && group.name == table) std::fputs(io::to_tsv(group.table).c_str(), stdout);
+    if (!output.empty()) io::write_fields(output, fields, io::extend({file.source}, invocation));
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return tool::main<FabricTool>(argc, argv); }

@@ -1,0 +1,106 @@
+// homogenize: from grains to continuum. Reads a packing or a run, writes stress, strain and void ratio.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "analysis/stress.h"
+#include "analysis/tables.h"
+#include "analysis/tessellation.h"
+#include "core/error.h"
+#include "core/tool.h"
+#include "io/files.h"
+#include "io/table.h"
+
+namespace {
+
+using namespace soilweave;
+
+struct Homogenize {
+  std::filesystem::path input, output;
+  std::string state = "all", table = "cell";
+  std::vector<std::string> boxes;
+  bool tsv = false, copies = false, grains = false, tessellation = false, series = false;
+
+  void options(tool::Table& t) {
+    t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
+            "Love-Weber stress over the cell, over volumes of interest and over each grain; compression positive.");
+    t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
+    t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
+    t.input(input, "INPUT", "packing or run, - for standard input");
+    t.choice(table, "table", {"cell", "volumes", "grains", "series"}, "what --tsv prints");
+    t.flag(tsv, "tsv", "print one table as tab-separated text");
+    t.option(state, "state", "WHICH", "all, first, last or a number from 0");
+    t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
+    t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
+    t.flag(grains, "grains", "one row per grain");
+    t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
+    t.output(output, "fields file to write, - for standard output");
+  }
+
+  void validate() const {
+    std::string wrong;
+    if (!tsv && output.empty()) wrong += "nothing to do: give --tsv or -o FILE";
+    for (const std::string& text : boxes)
+      if (parse(text).size() != 6) wrong += fmt::format("--box {}: give six numbers, as in 0,0.1,0,0.1,0,0.2", text);
+    if (!wrong.empty()) throw UsageError(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    const io::RunFile file = io::read_states(input);
+    io::FieldsFile fields;
+    fields.groups = {{"cell", "whole cell, one row per state", {}},
+                     {"volumes", "volumes of interest, one row per volume and state", {}},
+                     {"grains", "one row per grain and state", {}}};
+    for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
+      add(file.snapshots[n], fields);
+    if (file.series.rows() > 0) fields.groups.push_back({"series", "the run's own series", file.series});
+    if (tsv) print(fields);
+    if (!output.empty()) {
+      std::erase_if(fields.groups, [](const auto& group) { return group.table.rows() == 0; });
+      io::write_fields(output, fields, io::extend({file.source}, invocation));
+    }
+  }
+
+  void add(const io::Snapshot& s, io::FieldsFile& fields) const {
+    analysis::put_cell(fields.groups[0].table, s, tessellation);
+    if (boxes.empty() && !copies && !grains) return;
+    const std::vector<double> volumes = analysis::power_cell_volumes(s);
+    const std::vector<Mat3> dyads = analysis::grain_dyads(s);
+    std::vector<analysis::Volume> parts;
+    if (copies) parts = analysis::copies(s);
+    for (const std::string& text : boxes) {
+      const std::vector<double> b = parse(text);
+      parts.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      analysis::put_volume(fields.groups[1].table, s, static_cast<double>(k), parts[k], dyads, volumes);
+    if (grains) analysis::put_grains(fields.groups[2].table, s, dyads, volumes);
+  }
+
+  void print(const io::FieldsFile& fields) const {
+    for (const auto& group : fields.groups)
+      if (group.name == table) {
+        std::fputs(io::to_tsv(group.table).c_str(), stdout);
+        return;
+      }
+    throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));
+  }
+
+  static std::vector<double> parse(const std::string& text) {
+    std::vector<double> numbers;
+    for (const char* at = text.c_str(); *at;) {
+      char* end = nullptr;
+      numbers.push_back(std::strtod(at, &end));
+      if (end == at || (*end && *end != ',')) return {};
+      at = *end ? end + 1 : end;
+    }
+    return numbers;
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return tool::main<Homogenize>(argc, argv); }
