@@ -79,7 +79,11 @@ std::vector<TableState> states_of(const Series& table) {
   std::vector<TableState> states;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (row == 0 || (key && key->values[row] != key->values[row - 1]))
-      states.push_back({time ? time->values[row] : 0.0, step ? std::llround(step->values[row]) : 0, {}});
+      states.push_back({time   ? time->values[row]
+                        : step ? step->values[row]
+                               : 0.0,
+                        step ? std::llround(step->values[row]) : 0,
+                        {}});
     states.back().rows.push_back(row);
   }
   return states;

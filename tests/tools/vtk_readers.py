@@ -144,7 +144,7 @@ def check_ends(ends, index, copies, contacts, grain_points, size):
         first, second = contacts["bodies"][c]
         at_first = numpy.abs(start - grain_points[first]).max() < ROUNDING * size
         at_second = second < 0 or numpy.abs(end - grain_points[second]).max() < ROUNDING * size
-        assert at_first + at_second == (2 if number == 1 else 1), f"contact {c} hangs in the air"
+        assert int(at_first) + int(at_second) == (2 if number == 1 else 1), f"contact {c} hangs in the air"
 
 
 def check_images(ends, index, copies, state):

@@ -1,6 +1,6 @@
 # Writes small files with plain h5py, as lib/io/FORMAT.md specifies them: inputs for to-vtk that no tool of ours made.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""usage: vtk_states.py sheared|disks|box|bare|fields OUT.h5"""
+"""usage: vtk_states.py sheared|disks|box|bare|fields|one-step OUT.h5"""
 import sys
 
 import h5py
@@ -133,16 +133,17 @@ def write_states(path, case):
                 file["series/" + name].attrs["column"] = place
 
 
-def write_fields(path):
-    """Grain fields for the three states of `sheared`, a volume with a place, and a table without."""
-    count, steps = 120, numpy.array([0.0, 250, 500])
+def write_fields(path, states):
+    """Grain fields for some states of `sheared`, a table without places, one with places alone, one with both."""
+    count, steps = 120, 250.0 * numpy.arange(states)
     groups = {
         "global": {"step": steps, "mean_stress": steps + 1e5},
-        "volumes": {"step": steps, "time": 0.0125 * numpy.arange(3), "x": steps * 0, "y": steps * 0 + 1,
+        "places": {"x": steps, "y": steps},
+        "volumes": {"step": steps, "time": 0.0125 * numpy.arange(states), "x": steps * 0, "y": steps * 0 + 1,
                     "z": steps * 0 + 2, "stress_xx": steps, "stress_xy": steps + 1, "stress_yy": steps + 2,
                     "stress_xz": steps + 3, "stress_yz": steps + 4, "stress_zz": steps + 5},
-        "grains": {"step": numpy.repeat(steps, count), "body_id": numpy.tile(1000.0 + numpy.arange(count), 3),
-                   "void_ratio": numpy.arange(3.0 * count)},
+        "grains": {"step": numpy.repeat(steps, count), "body_id": numpy.tile(1000.0 + numpy.arange(count), states),
+                   "void_ratio": numpy.arange(float(states * count))},
     }
     with h5py.File(path, "w") as file:
         root(file, "fields")
@@ -154,7 +155,7 @@ def write_fields(path):
                 file[f"fields/{group}/{name}"].attrs["column"] = place
 
 
-if sys.argv[1] == "fields":
-    write_fields(sys.argv[2])
+if sys.argv[1] in ("fields", "one-step"):
+    write_fields(sys.argv[2], 3 if sys.argv[1] == "fields" else 1)
 else:
     write_states(sys.argv[2], sys.argv[1])

@@ -236,6 +236,18 @@ TEST(DisplayTable, ComponentsBecomeVectorsAndTensors) {
   EXPECT_EQ(values_of<double>(picture.point_data, "rate_zz"), (std::vector<double>{1, 1}));
 }
 
+TEST(DisplayTable, StatesAreStretchesOfOneStepAndWithoutTimesTheStepTellsThemApart) {
+  Series table;
+  table.columns = {column("step", {10, 10, 30}), column("x", {0, 1, 2}), column("y", {0, 0, 0})};
+  const auto states = states_of(table);
+  ASSERT_EQ(states.size(), 2u);
+  EXPECT_EQ(states[0].rows, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(states[1].step, 30);
+  EXPECT_EQ(states[1].time, 30);
+  table.columns.erase(table.columns.begin());
+  EXPECT_EQ(states_of(table).size(), 1u);
+}
+
 TEST(DisplayTable, RowsJoinTheGrainsOfTheirStepByBodyId) {
   Snapshot state;
   state.step = 20;
