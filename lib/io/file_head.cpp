@@ -44,12 +44,12 @@ ProvenanceRecord read_record(const Reader& file, const std::string& path, std::s
   record.tool = file.text_attribute(path, "tool");
   record.version = file.text_attribute(path, "version");
   record.command = file.text_attribute(path, "command");
-  record.seed = file.unsigned_attribute(path, "seed");
+  record.seed = file.integer<std::uint64_t>(path, "seed");
   if (file.has(path + "/scenario")) record.scenario = file.read_text(path + "/scenario");
   if (!file.has(path + "/inputs")) return record;
   for (const std::string& child : file.children(path + "/inputs")) {
     const std::string place = path + "/inputs/" + child;
-    const std::int64_t origin = file.integer_attribute(place, "origin");
+    const std::int64_t origin = file.integer<std::int64_t>(place, "origin");
     if (origin < -1 || origin >= static_cast<std::int64_t>(index))
       file.fail(place, fmt::format("names the record {} as its origin, which is not before it", origin));
     record.inputs.push_back(
@@ -93,7 +93,7 @@ OpenFile::OpenFile(std::string bytes, const std::string& where, std::string role
     : source{std::move(role), sha256(bytes), {}}, reader(std::move(bytes), where) {
   if (!reader.has_attribute("/", "format") || reader.text_attribute("/", "format") != "soilweave")
     throw DataError(where + ": an HDF5 file, but none of soilweave's; give a file that a soilweave tool wrote");
-  const std::vector<std::int64_t> version = reader.integer_attributes("/", "format_version", 2);
+  const std::vector<std::int64_t> version = reader.integers<std::int64_t>("/", "format_version", {2});
   if (version[0] > format_major)
     throw DataError(fmt::format("{}: has the format version {}.{}, this program reads {}.{} at most; use a newer one",
                                 where, version[0], version[1], format_major, format_minor));
@@ -151,7 +151,7 @@ Series read_columns(const Reader& file, const std::string& path) {
   const Shape rows = names.empty() ? Shape{} : file.shape(path + "/" + names.front());
   for (const std::string& name : names) {
     const std::string place = path + "/" + name;
-    const std::int64_t k = file.integer_attribute(place, "column");
+    const std::int64_t k = file.integer<std::int64_t>(place, "column");
     if (k < 0 || k >= static_cast<std::int64_t>(names.size()) || filled[static_cast<std::size_t>(k)])
       file.fail(place, fmt::format("says it is column {}, but the columns are 0 to {}, each once", k,
                                    names.size() - 1));

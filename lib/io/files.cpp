@@ -136,7 +136,7 @@ FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
   std::map<std::int64_t, FieldsFile::Group> ordered;
   for (const std::string& name : file.reader.children(fields_group)) {
     const std::string place = fields_group + "/" + name;
-    ordered[file.reader.integer_attribute(place, "order")] = {name, file.reader.text_attribute(place, "long_name"),
+    ordered[file.reader.integer<std::int64_t>(place, "order")] = {name, file.reader.text_attribute(place, "long_name"),
                                                               read_columns(file.reader, place)};
   }
   for (auto& [order, group] : ordered) fields.groups.push_back(std::move(group));

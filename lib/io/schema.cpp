@@ -3,6 +3,7 @@
 #include "io/schema.h"
 
 #include <cctype>
+#include <limits>
 #include <stdexcept>
 
 namespace soilweave::io {
@@ -140,6 +141,19 @@ Shape resolve(std::string_view shape, const Extents& extents, bool with_frames) 
       numbers.push_back(extents.at(c));
   }
   return numbers;
+}
+
+Extent count(const Shape& shape) {
+  Extent n = 1;
+  for (const Extent extent : shape)
+    if (__builtin_mul_overflow(n, extent, &n)) return std::numeric_limits<Extent>::max();
+  return n;
+}
+
+std::string print(const Shape& shape) {
+  std::string text;
+  for (const Extent extent : shape) text += (text.empty() ? "" : " x ") + std::to_string(extent);
+  return text.empty() ? "a single value" : text;
 }
 
 std::string_view name(Type type) {

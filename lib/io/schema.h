@@ -57,6 +57,12 @@ using Extents = std::map<char, Extent>;
 /// The shape in numbers. with_frames: whether a leading (F) counts. Throws std::out_of_range for a letter unknown.
 Shape resolve(std::string_view shape, const Extents& extents, bool with_frames = true);
 
+/// The product of the dimensions; the greatest number there is where it overflows.
+Extent count(const Shape& shape);
+
+/// "3 x 100", or "a single value".
+std::string print(const Shape& shape);
+
 /// "float64", ...
 std::string_view name(Type type);
 

@@ -17,7 +17,7 @@ class StatesReader {
  public:
   explicit StatesReader(const Reader& file) : file_(file) {
     const std::string box = grains + "/box", clock = grains + "/position";
-    dimension_ = static_cast<int>(file.integer_attribute(box, "dimension"));
+    dimension_ = static_cast<int>(file.integer<std::int64_t>(box, "dimension"));
     if (dimension_ != 2 && dimension_ != 3)
       file.fail(box, fmt::format("says the dimension is {}; 2 and 3 are known", dimension_));
     const Shape positions = file.shape(clock + "/value");

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "core/error.h"
+#include "io/superblock.h"
 
 namespace soilweave::io {
 namespace {
@@ -31,23 +32,11 @@ class Id {
 };
 
 template <class T>
-hid_t native();
-template <>
-hid_t native<double>() { return H5T_NATIVE_DOUBLE; }
-template <>
-hid_t native<std::int64_t>() { return H5T_NATIVE_INT64; }
-template <>
-hid_t native<std::int32_t>() { return H5T_NATIVE_INT32; }
-template <>
-hid_t native<std::uint8_t>() { return H5T_NATIVE_UINT8; }
-template <>
-hid_t native<std::uint64_t>() { return H5T_NATIVE_UINT64; }
-
-template <class T>
-constexpr Type type_of() {
-  if (std::is_same_v<T, double>) return Type::float64;
-  if (std::is_same_v<T, std::int64_t>) return Type::int64;
-  return std::is_same_v<T, std::int32_t> ? Type::int32 : Type::uint8;
+hid_t native() {
+  if (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+  if (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+  return std::is_same_v<T, std::int32_t> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT8;
 }
 
 Id string_type(std::size_t size) {
@@ -60,13 +49,6 @@ Id string_type(std::size_t size) {
 Id space_of(const Shape& shape) {
   if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose};
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
-}
-
-Extent count(const Shape& shape) {
-  Extent n = 1;
-  for (const Extent extent : shape)
-    if (__builtin_mul_overflow(n, extent, &n)) return std::numeric_limits<Extent>::max();
-  return n;
 }
 
 /// HDF5 prints a stack of its own on every failure unless told not to.
@@ -144,15 +126,6 @@ hid_t open_in_memory(std::string& bytes) {
   return H5Fopen("soilweave", H5F_ACC_RDONLY, access);
 }
 
-/// Where the file says it ends, from the superblock (versions 2 and 3, which Writer makes); 0 for other versions.
-std::uint64_t stated_end(const std::string& bytes) {
-  constexpr std::size_t version_at = 8, end_at = 28;
-  if (bytes.size() < end_at + 8 || (bytes[version_at] != 2 && bytes[version_at] != 3)) return 0;
-  std::uint64_t end = 0;
-  std::memcpy(&end, bytes.data() + end_at, sizeof end);
-  return end;
-}
-
 void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type, const Shape& shape,
                      const void* values) {
   const Id space = space_of(shape);
@@ -199,14 +172,12 @@ template <class T>
 void Writer::write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label) {
   make_parents(path);
   demand(values.size() == count(shape), path);
-  {
-    const Id space = space_of(shape);
-    const Id list = creation(shape, sizeof(T));
-    const Id dataset(H5Dcreate2(file_, path.c_str(), native<T>(), space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
-    demand(dataset >= 0, path);
-    if (!values.empty())
-      demand(H5Dwrite(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
-  }
+  const Id space = space_of(shape);
+  const Id list = creation(shape, sizeof(T));
+  const Id dataset(H5Dcreate2(file_, path.c_str(), native<T>(), space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
+  demand(dataset >= 0, path);
+  if (!values.empty())
+    demand(H5Dwrite(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
   describe(path, label);
 }
 template void Writer::write(const std::string&, std::span<const double>, const Shape&, const Label&);
@@ -218,15 +189,13 @@ void Writer::write_text(const std::string& path, const std::string& text, const 
   make_parents(path);
   // An object header holds at most 64 KiB.
   constexpr std::size_t compact_bytes = 32768;
-  {
-    const Id type = string_type(text.size() + 1);
-    const Id space = space_of({});
-    const Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_obj_track_times(list, false);
-    H5Pset_layout(list, text.size() < compact_bytes ? H5D_COMPACT : H5D_CONTIGUOUS);
-    const Id dataset(H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
-    demand(dataset >= 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, path);
-  }
+  const Id type = string_type(text.size() + 1);
+  const Id space = space_of({});
+  const Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(list, false);
+  H5Pset_layout(list, text.size() < compact_bytes ? H5D_COMPACT : H5D_CONTIGUOUS);
+  const Id dataset(H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
+  demand(dataset >= 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, path);
   describe(path, label);
 }
 
@@ -242,21 +211,17 @@ void Writer::attribute(const std::string& path, const std::string& name, const s
   write_attribute(file_, path, name, string_type(width), {texts.size()}, padded.data());
 }
 
-void Writer::attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values) {
+void Writer::attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values) {
   write_attribute(file_, path, name, H5T_NATIVE_INT64, {values.size()}, values.data());
 }
 
-void Writer::attribute(const std::string& path, const std::string& name, std::int64_t value) {
-  write_attribute(file_, path, name, H5T_NATIVE_INT64, {}, &value);
+template <class T>
+void Writer::attribute(const std::string& path, const std::string& name, T value) {
+  write_attribute(file_, path, name, native<T>(), {}, &value);
 }
-
-void Writer::attribute(const std::string& path, const std::string& name, std::uint64_t value) {
-  write_attribute(file_, path, name, H5T_NATIVE_UINT64, {}, &value);
-}
-
-void Writer::attribute(const std::string& path, const std::string& name, double value) {
-  write_attribute(file_, path, name, H5T_NATIVE_DOUBLE, {}, &value);
-}
+template void Writer::attribute(const std::string&, const std::string&, std::int64_t);
+template void Writer::attribute(const std::string&, const std::string&, std::uint64_t);
+template void Writer::attribute(const std::string&, const std::string&, double);
 
 void Writer::link(const std::string& target, const std::string& path) {
   make_parents(path);
@@ -273,6 +238,19 @@ std::string Writer::image() {
 
 namespace {
 
+/// A dataset, or an attribute of an object, with its space and type; negative identifiers where it is not there.
+struct Opened {
+  Opened(hid_t file, const std::string& path)
+      : id(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose),
+        space(id >= 0 ? H5Dget_space(id) : -1, H5Sclose),
+        type(id >= 0 ? H5Dget_type(id) : -1, H5Tclose) {}
+  Opened(hid_t file, const std::string& path, const std::string& name)
+      : id(H5Aopen_by_name(file, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
+        space(id >= 0 ? H5Aget_space(id) : -1, H5Sclose),
+        type(id >= 0 ? H5Aget_type(id) : -1, H5Tclose) {}
+  Id id, space, type;
+};
+
 Shape extents_of(hid_t space) {
   const int rank = H5Sget_simple_extent_ndims(space);
   Shape shape(static_cast<std::size_t>(std::max(rank, 0)));
@@ -280,25 +258,22 @@ Shape extents_of(hid_t space) {
   return shape;
 }
 
-/// Strings of fixed or variable length from a dataset or an attribute; read(type, buffer) does the reading.
+/// Strings of fixed or variable length; read(type, buffer) does the reading. most: bytes that can be there.
 template <class Read>
-bool read_texts(hid_t type, hid_t space, std::vector<std::string>& texts, const Read& read) {
-  const hssize_t n = H5Sget_simple_extent_npoints(space);
-  constexpr hssize_t sensible = 1 << 20;
-  if (type < 0 || H5Tget_class(type) != H5T_STRING || n < 0 || n > sensible) return false;
+bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>& texts, const Read& read) {
+  const hssize_t n = H5Sget_simple_extent_npoints(object.space);
+  const std::size_t width = H5Tget_size(object.type);
+  if (H5Tget_class(object.type) != H5T_STRING || n < 0 || width > most || static_cast<std::size_t>(n) > most / width)
+    return false;
   texts.resize(static_cast<std::size_t>(n));
-  if (H5Tis_variable_str(type) > 0) {
+  if (H5Tis_variable_str(object.type) > 0) {
     std::vector<char*> pointers(texts.size());
-    const Id memory = string_type(H5T_VARIABLE);
-    H5Tset_cset(memory, H5Tget_cset(type));
-    if (!read(memory, pointers.data())) return false;
+    if (!read(object.type, pointers.data())) return false;
     for (std::size_t k = 0; k < texts.size(); ++k) texts[k] = pointers[k] ? pointers[k] : "";
-    H5Dvlen_reclaim(memory, space, H5P_DEFAULT, pointers.data());
-    return true;
+    return H5Dvlen_reclaim(object.type, object.space, H5P_DEFAULT, pointers.data()) >= 0;
   }
-  const std::size_t width = H5Tget_size(type);
   std::string buffer(width * texts.size(), '\0');
-  if (!read(type, buffer.data())) return false;
+  if (!read(object.type, buffer.data())) return false;
   for (std::size_t k = 0; k < texts.size(); ++k)
     texts[k].assign(buffer.data() + k * width, strnlen(buffer.data() + k * width, width));
   return true;
@@ -306,22 +281,9 @@ bool read_texts(hid_t type, hid_t space, std::vector<std::string>& texts, const 
 
 }  // namespace
 
-std::string print(const Shape& shape) {
-  std::string text;
-  for (const Extent extent : shape) text += (text.empty() ? "" : " x ") + std::to_string(extent);
-  return text.empty() ? "a single value" : text;
-}
-
 Reader::Reader(std::string bytes, std::string where) : bytes_(std::move(bytes)), where_(std::move(where)) {
   silence();
-  static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
-  if (bytes_.empty()) throw DataError(where_ + ": empty; make the file again");
-  if (std::string_view(bytes_).substr(0, signature.size()) != signature.substr(0, bytes_.size()))
-    throw DataError(where_ + ": not an HDF5 file; give a file that a soilweave tool wrote");
-  const std::uint64_t end = stated_end(bytes_);
-  if (bytes_.size() < end || bytes_.size() < 48)
-    throw DataError(where_ + ": truncated: " + std::to_string(bytes_.size()) + " bytes of " +
-                    (end ? std::to_string(end) : "more") + "; copy or make the file again");
+  check_whole(bytes_, where_);
   file_ = open_in_memory(bytes_);
   if (file_ < 0) throw DataError(where_ + ": damaged: HDF5 cannot open it; copy or make the file again");
 }
@@ -362,32 +324,28 @@ std::vector<std::string> Reader::children(const std::string& path) const {
 
 Shape Reader::shape(const std::string& path) const {
   if (!has(path)) fail(path, "is missing; make the file again");
-  const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Id space(dataset >= 0 ? H5Dget_space(dataset) : -1, H5Sclose);
-  if (space < 0) fail(path, "is no dataset; make the file again");
-  return extents_of(space);
+  const Opened dataset(file_, path);
+  if (dataset.space < 0) fail(path, "is no dataset; make the file again");
+  return extents_of(dataset.space);
 }
 
 bool Reader::is_integer(const std::string& path) const {
-  const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Id type(dataset >= 0 ? H5Dget_type(dataset) : -1, H5Tclose);
-  return type >= 0 && H5Tget_class(type) == H5T_INTEGER;
+  return H5Tget_class(Opened(file_, path).type) == H5T_INTEGER;
 }
 
 template <class T>
 std::vector<T> Reader::read(const std::string& path, const Shape& expected) const {
   const Shape found = shape(path);
   if (found != expected) fail(path, "has the shape " + print(found) + " where " + print(expected) + " belongs");
-  const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Id type(H5Dget_type(dataset), H5Tclose);
-  if (H5Tget_class(type) != H5Tget_class(native<T>()) || H5Tget_size(type) > sizeof(T))
-    fail(path, "has another type of number than " + std::string(name(type_of<T>())));
+  const Opened dataset(file_, path);
+  if (H5Tget_class(dataset.type) != H5Tget_class(native<T>()) || H5Tget_size(dataset.type) > sizeof(T))
+    fail(path, "holds another type of value than belongs there");
   // Deflate packs zeros about a thousandfold at best: what claims more never was in this file.
   constexpr Extent most_packed = 2048;
   const Extent n = count(found);
   if (n / most_packed > bytes_.size()) fail(path, "claims " + print(found) + " values, more than the file can hold");
   std::vector<T> values(n);
-  if (n > 0 && H5Dread(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  if (n > 0 && H5Dread(dataset.id, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail(path, "is damaged: a checksum or a length is wrong; copy or make the file again");
   return values;
 }
@@ -398,14 +356,12 @@ template std::vector<std::uint8_t> Reader::read(const std::string&, const Shape&
 
 std::string Reader::read_text(const std::string& path) const {
   if (!has(path)) fail(path, "is missing; make the file again");
-  const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  const Id space(dataset >= 0 ? H5Dget_space(dataset) : -1, H5Sclose);
-  const Id type(dataset >= 0 ? H5Dget_type(dataset) : -1, H5Tclose);
+  const Opened dataset(file_, path);
   std::vector<std::string> texts;
   const auto read = [&](hid_t memory, void* buffer) {
-    return H5Tget_size(type) <= bytes_.size() + 8 && H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer) >= 0;
+    return H5Dread(dataset.id, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer) >= 0;
   };
-  if (!read_texts(type, space, texts, read) || texts.size() != 1) fail(path, "is no text");
+  if (!read_texts(dataset, bytes_.size(), texts, read) || texts.size() != 1) fail(path, "is no text");
   return texts.front();
 }
 
@@ -415,12 +371,10 @@ bool Reader::has_attribute(const std::string& path, const std::string& name) con
 
 std::vector<std::string> Reader::text_attributes(const std::string& path, const std::string& name) const {
   if (!has_attribute(path, name)) fail(path, "has no attribute " + name + "; make the file again");
-  const Id attribute(H5Aopen_by_name(file_, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const Id space(attribute >= 0 ? H5Aget_space(attribute) : -1, H5Sclose);
-  const Id type(attribute >= 0 ? H5Aget_type(attribute) : -1, H5Tclose);
+  const Opened attribute(file_, path, name);
   std::vector<std::string> texts;
-  const auto read = [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer) >= 0; };
-  if (!read_texts(type, space, texts, read)) fail(path, "has an attribute " + name + " that is no text");
+  const auto read = [&](hid_t memory, void* buffer) { return H5Aread(attribute.id, memory, buffer) >= 0; };
+  if (!read_texts(attribute, bytes_.size(), texts, read)) fail(path, "has an attribute " + name + " that is no text");
   return texts;
 }
 
@@ -433,25 +387,14 @@ std::string Reader::text_attribute(const std::string& path, const std::string& n
 template <class T>
 std::vector<T> Reader::integers(const std::string& path, const std::string& name, const Shape& expected) const {
   if (!has_attribute(path, name)) fail(path, "has no attribute " + name + "; make the file again");
-  const Id attribute(H5Aopen_by_name(file_, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const Id space(attribute >= 0 ? H5Aget_space(attribute) : -1, H5Sclose);
-  const Id type(attribute >= 0 ? H5Aget_type(attribute) : -1, H5Tclose);
-  if (H5Tget_class(type) != H5T_INTEGER || extents_of(space) != expected)
+  const Opened attribute(file_, path, name);
+  if (H5Tget_class(attribute.type) != H5T_INTEGER || extents_of(attribute.space) != expected)
     fail(path, "has an attribute " + name + " that is not " + print(expected) + " integer");
   std::vector<T> values(count(expected));
-  if (H5Aread(attribute, native<T>(), values.data()) < 0) fail(path, "has a damaged attribute " + name);
+  if (H5Aread(attribute.id, native<T>(), values.data()) < 0) fail(path, "has a damaged attribute " + name);
   return values;
 }
-
-std::vector<std::int64_t> Reader::integer_attributes(const std::string& path, const std::string& name,
-                                                     std::size_t length) const {
-  return integers<std::int64_t>(path, name, {length});
-}
-std::int64_t Reader::integer_attribute(const std::string& path, const std::string& name) const {
-  return integers<std::int64_t>(path, name, {}).front();
-}
-std::uint64_t Reader::unsigned_attribute(const std::string& path, const std::string& name) const {
-  return integers<std::uint64_t>(path, name, {}).front();
-}
+template std::vector<std::int64_t> Reader::integers(const std::string&, const std::string&, const Shape&) const;
+template std::vector<std::uint64_t> Reader::integers(const std::string&, const std::string&, const Shape&) const;
 
 }  // namespace soilweave::io

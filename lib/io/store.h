@@ -35,10 +35,10 @@ class Writer {
 
   void attribute(const std::string& path, const std::string& name, const std::string& text);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
-  void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> values);
-  void attribute(const std::string& path, const std::string& name, std::int64_t value);
-  void attribute(const std::string& path, const std::string& name, std::uint64_t value);
-  void attribute(const std::string& path, const std::string& name, double value);
+  void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
+  /// T: double, int64, uint64.
+  template <class T>
+  void attribute(const std::string& path, const std::string& name, T value);
 
   /// A second name for an object (a hard link).
   void link(const std::string& target, const std::string& path);
@@ -79,22 +79,20 @@ class Reader {
   bool has_attribute(const std::string& path, const std::string& name) const;
   std::string text_attribute(const std::string& path, const std::string& name) const;
   std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;
-  std::vector<std::int64_t> integer_attributes(const std::string& path, const std::string& name,
-                                               std::size_t length) const;
-  std::int64_t integer_attribute(const std::string& path, const std::string& name) const;
-  std::uint64_t unsigned_attribute(const std::string& path, const std::string& name) const;
+  /// Integer attributes; T: int64, uint64.
+  template <class T>
+  std::vector<T> integers(const std::string& path, const std::string& name, const Shape& expected) const;
+  template <class T>
+  T integer(const std::string& path, const std::string& name) const {
+    return integers<T>(path, name, {}).front();
+  }
 
   /// Throws DataError: "FILE: PATH what".
   [[noreturn]] void fail(const std::string& path, const std::string& what) const;
 
  private:
-  template <class T>
-  std::vector<T> integers(const std::string& path, const std::string& name, const Shape& expected) const;
   std::int64_t file_ = -1;
   std::string bytes_, where_;
 };
-
-/// "3 x 100", or "a single value".
-std::string print(const Shape& shape);
 
 }  // namespace soilweave::io

@@ -1,0 +1,31 @@
+// HDF5's signature and superblock.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/superblock.h"
+
+#include <cstring>
+
+#include "core/error.h"
+
+namespace soilweave::io {
+
+std::uint64_t stated_end(std::string_view bytes) {
+  constexpr std::size_t version_at = 8, end_at = 28;
+  if (bytes.size() < end_at + 8 || (bytes[version_at] != 2 && bytes[version_at] != 3)) return 0;
+  std::uint64_t end = 0;
+  std::memcpy(&end, bytes.data() + end_at, sizeof end);
+  return end;
+}
+
+void check_whole(std::string_view bytes, const std::string& where) {
+  static constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+  constexpr std::size_t smallest = 48;  // a superblock
+  if (bytes.empty()) throw DataError(where + ": empty; make the file again");
+  if (bytes.substr(0, signature.size()) != signature.substr(0, bytes.size()))
+    throw DataError(where + ": not an HDF5 file; give a file that a soilweave tool wrote");
+  const std::uint64_t end = stated_end(bytes);
+  if (bytes.size() < end || bytes.size() < smallest)
+    throw DataError(where + ": truncated: " + std::to_string(bytes.size()) + " bytes of " +
+                    (end ? std::to_string(end) : "more") + "; copy or make the file again");
+}
+
+}  // namespace soilweave::io
