@@ -116,7 +116,10 @@ void OpenFile::demand_kind(std::string_view kinds) const {
 
 History read_history(const Reader& file) {
   History history;
-  for (const std::string& child : file.children(provenance))
+  std::vector<std::string> numbers = file.children(provenance);
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
+  for (const std::string& child : numbers)
     history.push_back(read_record(file, provenance + "/" + child, history.size()));
   return history;
 }
@@ -153,8 +156,8 @@ Series read_columns(const Reader& file, const std::string& path) {
     const std::string place = path + "/" + name;
     const std::int64_t k = file.integer<std::int64_t>(place, "column");
     if (k < 0 || k >= static_cast<std::int64_t>(names.size()) || filled[static_cast<std::size_t>(k)])
-      file.fail(place, fmt::format("says it is column {}, but the columns are 0 to {}, each once", k,
-                                   names.size() - 1));
+      file.fail(place,
+                fmt::format("says it is column {}, but the columns are 0 to {}, each once", k, names.size() - 1));
     if (rows.size() != 1) file.fail(place, "is no column of values");
     filled[static_cast<std::size_t>(k)] = true;
     Column& column = table.columns[static_cast<std::size_t>(k)];

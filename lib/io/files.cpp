@@ -108,7 +108,8 @@ PackingFile read_packing(const std::filesystem::path& path, std::string role) {
   OpenFile file(path, std::move(role));
   file.demand_kind("packing");
   std::vector<Snapshot> states = states_in(file);
-  if (states.size() != 1) file.reader.fail("/particles/grains", fmt::format("holds {} states, a packing one", states.size()));
+  if (states.size() != 1)
+    file.reader.fail("/particles/grains", fmt::format("holds {} states, a packing one", states.size()));
   return {std::move(states.front()), std::move(file.source)};
 }
 
@@ -137,7 +138,7 @@ FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
   for (const std::string& name : file.reader.children(fields_group)) {
     const std::string place = fields_group + "/" + name;
     ordered[file.reader.integer<std::int64_t>(place, "order")] = {name, file.reader.text_attribute(place, "long_name"),
-                                                              read_columns(file.reader, place)};
+                                                                  read_columns(file.reader, place)};
   }
   for (auto& [order, group] : ordered) fields.groups.push_back(std::move(group));
   fields.source = std::move(file.source);

@@ -30,8 +30,8 @@ int merge(History& merged, const History& added) {
   for (ProvenanceRecord record : added) {
     for (InputRecord& input : record.inputs)
       if (input.origin >= 0) input.origin = place.at(static_cast<std::size_t>(input.origin));
-    const auto known = std::find_if(merged.begin(), merged.end(),
-                                    [&](const ProvenanceRecord& other) { return same(record, other); });
+    const auto known =
+        std::find_if(merged.begin(), merged.end(), [&](const ProvenanceRecord& other) { return same(record, other); });
     place.push_back(static_cast<int>(known - merged.begin()));
     if (known == merged.end()) merged.push_back(std::move(record));
   }

@@ -60,13 +60,13 @@ Section trajectory() {
 }
 
 Section cell() {
-  return {"The cell, beyond its edges",
-          "packing run",
-          {{"/cell/velocity_gradient", float64, "F 3 3", "s-1", "velocity gradient, extension positive"},
-           {"/cell/deformation_gradient", float64, "F 3 3", "1",
-            "deformation gradient since the reference of the strains"},
-           {"/cell/thickness", float64, "F", "m", "length of the third cell vector, 2D only", true}},
-          {}};
+  return {
+      "The cell, beyond its edges",
+      "packing run",
+      {{"/cell/velocity_gradient", float64, "F 3 3", "s-1", "velocity gradient, extension positive"},
+       {"/cell/deformation_gradient", float64, "F 3 3", "1", "deformation gradient since the reference of the strains"},
+       {"/cell/thickness", float64, "F", "m", "length of the third cell vector, 2D only", true}},
+      {}};
 }
 
 Section contacts() {
@@ -119,7 +119,7 @@ Section fields() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(), contacts(),
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),  contacts(),
                                                 planes(),     run(),        fields()};
   return sections;
 }
@@ -158,11 +158,16 @@ std::string print(const Shape& shape) {
 
 std::string_view name(Type type) {
   switch (type) {
-    case float64: return "float64";
-    case int64: return "int64";
-    case int32: return "int32";
-    case uint8: return "uint8";
-    case text: return "text";
+    case float64:
+      return "float64";
+    case int64:
+      return "int64";
+    case int32:
+      return "int32";
+    case uint8:
+      return "uint8";
+    case text:
+      return "text";
   }
   return "";
 }

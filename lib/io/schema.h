@@ -1,6 +1,5 @@
-// Every file kind as a table: path, type, shape, unit, meaning. Writers take units and names from it, readers shapes and
-// types; FORMAT.md is its printed form.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Every file kind as a table: path, type, shape, unit, meaning. Writers take units and names from it, readers shapes
+// and types; FORMAT.md is its printed form. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -24,7 +23,7 @@ struct Entry {
   std::string_view path;
   Type type;
   std::string_view shape;
-  std::string_view units;      // as H5MD writes them: "kg m-3"; "1" for pure numbers
+  std::string_view units;  // as H5MD writes them: "kg m-3"; "1" for pure numbers
   std::string_view long_name;
   bool optional = false;
 };

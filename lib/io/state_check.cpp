@@ -41,8 +41,8 @@ class Check {
     const GrainsRecord& g = state_.grains;
     if (g.dimension != 2 && g.dimension != 3) fail(fmt::format("the dimension is {}; give 2 or 3", g.dimension));
     if (g.size() == 0) fail("holds no grains");
-    equal("grains", g.size(), g.body_id, g.orientation, g.velocity, g.angular_velocity, g.radius, g.mass,
-          g.material_id, g.copy_id);
+    equal("grains", g.size(), g.body_id, g.orientation, g.velocity, g.angular_velocity, g.radius, g.mass, g.material_id,
+          g.copy_id);
     const ContactsRecord& c = state_.contacts;
     equal("contacts", c.size(), c.image, c.normal, c.branch_vector, c.overlap, c.normal_force, c.shear_force,
           c.rolling_moment, c.twisting_moment, c.sliding);
@@ -81,15 +81,17 @@ class Check {
     const Vec3 widths = state_.cell.matrix.inverse().rowwise().norm().cwiseInverse();
     for (int a = 0; a < state_.grains.dimension; ++a)
       if (state_.cell.periodic[static_cast<std::size_t>(a)] && 2 * largest >= widths[a] / 2)
-        fail(fmt::format("the largest grain ({} m across) is not smaller than half the cell along axis {} ({} m wide); "
-                         "use a larger cell",
-                         2 * largest, "xyz"[a], widths[a]));
+        fail(
+            fmt::format("the largest grain ({} m across) is not smaller than half the cell along axis {} ({} m wide); "
+                        "use a larger cell",
+                        2 * largest, "xyz"[a], widths[a]));
   }
 
   void plane(std::size_t k) const {
     const PlanesRecord& p = state_.planes;
     if (!p.point[k].allFinite() || !p.velocity[k].allFinite()) fail(fmt::format("plane {}: is not finite", k));
-    if (!(std::abs(p.normal[k].norm() - 1) <= unit_tolerance)) fail(fmt::format("plane {}: normal is no unit vector", k));
+    if (!(std::abs(p.normal[k].norm() - 1) <= unit_tolerance))
+      fail(fmt::format("plane {}: normal is no unit vector", k));
     if (p.material_id[k] < 0) fail(fmt::format("plane {}: material_id is negative", k));
   }
 
@@ -101,7 +103,8 @@ class Check {
     const auto [first, second] = c.bodies[k];
     const auto grains = static_cast<std::int64_t>(state_.grains.size());
     const auto planes = static_cast<std::int64_t>(state_.planes.point.size());
-    if (first < 0 || first >= grains || second >= grains || second < -planes) bad("names a grain or plane that is not there");
+    if (first < 0 || first >= grains || second >= grains || second < -planes)
+      bad("names a grain or plane that is not there");
     if (second >= 0 && second <= first) bad("the first grain must come before the second");
     if (k > 0 && c.bodies[k] < c.bodies[k - 1]) bad("is out of order; sort contacts by (first, second)");
     if (!(std::abs(c.normal[k].norm() - 1) <= unit_tolerance)) bad("normal is no unit vector");

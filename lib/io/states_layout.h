@@ -19,10 +19,12 @@ inline std::string contacts_of(std::size_t frame) { return fmt::format("/contact
 
 // Rows of arrays: `width` numbers of each item, in order.
 
-template <class T> void append(std::vector<T>& out, const std::vector<T>& items, Extent) {
+template <class T>
+void append(std::vector<T>& out, const std::vector<T>& items, Extent) {
   out.insert(out.end(), items.begin(), items.end());
 }
-template <class T, int Rows> void append(std::vector<T>& out, const std::vector<Eigen::Matrix<T, Rows, 1>>& items, Extent width) {
+template <class T, int Rows>
+void append(std::vector<T>& out, const std::vector<Eigen::Matrix<T, Rows, 1>>& items, Extent width) {
   for (const auto& item : items) out.insert(out.end(), item.data(), item.data() + width);
 }
 inline void append(std::vector<std::int32_t>& out, const std::vector<std::array<std::int32_t, 2>>& items, Extent) {
@@ -33,10 +35,12 @@ inline void append_rows(std::vector<double>& out, const Mat3& matrix, int dimens
     for (int j = 0; j < dimension; ++j) out.push_back(matrix(i, j));
 }
 
-template <class T> void assign(std::vector<T>& items, const T* numbers, Extent n, Extent) {
+template <class T>
+void assign(std::vector<T>& items, const T* numbers, Extent n, Extent) {
   items.assign(numbers, numbers + n);
 }
-template <class T, int Rows> void assign(std::vector<Eigen::Matrix<T, Rows, 1>>& items, const T* numbers, Extent n, Extent width) {
+template <class T, int Rows>
+void assign(std::vector<Eigen::Matrix<T, Rows, 1>>& items, const T* numbers, Extent n, Extent width) {
   items.assign(n, Eigen::Matrix<T, Rows, 1>::Zero());
   for (auto& item : items) {
     std::copy_n(numbers, width, item.data());

@@ -53,8 +53,8 @@ class StatesReader {
   }
 
   template <class Record, class Items>
-  void read_frames(const std::string& path, const std::string& in_schema, Record Snapshot::* record,
-                   Items Record::* member) {
+  void read_frames(const std::string& path, const std::string& in_schema, Record Snapshot::*record,
+                   Items Record::*member) {
     using T = typename NumberOf<Items>::type;
     const std::vector<T> values = get<T>(path, in_schema);
     const Shape shape = resolve(entry(in_schema).shape, extents_);
@@ -64,7 +64,7 @@ class StatesReader {
   }
 
   template <class T>
-  void read_element(const std::string& path, std::vector<T> GrainsRecord::* member) {
+  void read_element(const std::string& path, std::vector<T> GrainsRecord::*member) {
     if (file_.is_group(path)) return read_frames(path + "/value", path, &Snapshot::grains, member);
     const std::vector<T> values = get<T>(path, path, false);
     for (Snapshot& state : states_) state.grains.*member = values;

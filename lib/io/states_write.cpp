@@ -36,9 +36,7 @@ class StatesWriter {
     write_cell();
     for (std::size_t frame = 0; frame < states_.size(); ++frame) write_contacts(frame);
     if (extents_['P'] == 0) return;
-    of_planes([&](const std::string& path, auto member) {
-      write_frames(path, path, &Snapshot::planes, member);
-    });
+    of_planes([&](const std::string& path, auto member) { write_frames(path, path, &Snapshot::planes, member); });
   }
 
  private:
@@ -51,8 +49,8 @@ class StatesWriter {
   }
 
   template <class Record, class Items>
-  void write_frames(const std::string& path, const std::string& in_schema, Record Snapshot::* record,
-                    Items Record::* member) {
+  void write_frames(const std::string& path, const std::string& in_schema, Record Snapshot::*record,
+                    Items Record::*member) {
     const Shape shape = resolve(entry(in_schema).shape, extents_);
     std::vector<typename NumberOf<Items>::type> values;
     for (const Snapshot* state : states_) append(values, state->*record.*member, shape.back());
@@ -60,7 +58,7 @@ class StatesWriter {
   }
 
   template <class T>
-  void write_element(const std::string& path, std::vector<T> GrainsRecord::* member) {
+  void write_element(const std::string& path, std::vector<T> GrainsRecord::*member) {
     const std::vector<T>& first = states_.front()->grains.*member;
     const bool constant = std::all_of(states_.begin(), states_.end(), [&](const Snapshot* state) {
       return std::memcmp((state->grains.*member).data(), first.data(), first.size() * sizeof(T)) == 0;
@@ -142,13 +140,15 @@ void check_alike(const States& states) {
   for (std::size_t f = 1; f < states.size(); ++f) {
     const Snapshot& state = *states[f];
     const auto differ = [&](const char* what) {
-      throw DataError(fmt::format("state {} differs from state 0 in its {}; write them to files of their own", f, what));
+      throw DataError(
+          fmt::format("state {} differs from state 0 in its {}; write them to files of their own", f, what));
     };
     if (state.grains.size() != first.grains.size()) differ("number of grains");
     if (state.grains.dimension != first.grains.dimension) differ("dimension");
     if (state.planes.point.size() != first.planes.point.size()) differ("number of planes");
     if (state.cell.periodic != first.cell.periodic) differ("periodic axes");
-    if (state.step < states[f - 1]->step) throw DataError(fmt::format("state {} is of an earlier step than {}", f, f - 1));
+    if (state.step < states[f - 1]->step)
+      throw DataError(fmt::format("state {} is of an earlier step than {}", f, f - 1));
   }
 }
 

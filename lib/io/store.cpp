@@ -86,8 +86,8 @@ Id creation(const Shape& shape, std::size_t element_size) {
   return {list, H5Pclose};
 }
 
-// HDF5 keeps the file in the caller's string, by these: H5Fget_file_image would copy it, and leaves the checksum of this
-// format's superblock wrong (HDF5 1.10).
+// HDF5 keeps the file in the caller's string, by these: H5Fget_file_image would copy it, and leaves the checksum of
+// this format's superblock wrong (HDF5 1.10).
 void* grow(void*, size_t size, H5FD_file_image_op_t, void* bytes) {
   try {
     static_cast<std::string*>(bytes)->resize(size);
@@ -129,8 +129,9 @@ hid_t open_in_memory(std::string& bytes) {
 void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type, const Shape& shape,
                      const void* values) {
   const Id space = space_of(shape);
-  const Id attribute(H5Acreate_by_name(file, path.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT,
-                                       H5P_DEFAULT), H5Aclose);
+  const Id attribute(
+      H5Acreate_by_name(file, path.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
   demand(attribute >= 0 && H5Awrite(attribute, type, values) >= 0, path + "@" + name);
 }
 
@@ -176,8 +177,7 @@ void Writer::write(const std::string& path, std::span<const T> values, const Sha
   const Id list = creation(shape, sizeof(T));
   const Id dataset(H5Dcreate2(file_, path.c_str(), native<T>(), space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose);
   demand(dataset >= 0, path);
-  if (!values.empty())
-    demand(H5Dwrite(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
+  if (!values.empty()) demand(H5Dwrite(dataset, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, path);
   describe(path, label);
 }
 template void Writer::write(const std::string&, std::span<const double>, const Shape&, const Label&);
@@ -329,9 +329,7 @@ Shape Reader::shape(const std::string& path) const {
   return extents_of(dataset.space);
 }
 
-bool Reader::is_integer(const std::string& path) const {
-  return H5Tget_class(Opened(file_, path).type) == H5T_INTEGER;
-}
+bool Reader::is_integer(const std::string& path) const { return H5Tget_class(Opened(file_, path).type) == H5T_INTEGER; }
 
 template <class T>
 std::vector<T> Reader::read(const std::string& path, const Shape& expected) const {

@@ -54,7 +54,9 @@ Column headed(std::string_view cell) {
   const std::size_t bracket = cell.rfind('[');
   if (bracket == std::string_view::npos || !cell.ends_with(']')) return {std::string(cell), "", "", {}};
   return {std::string(trimmed(cell.substr(0, bracket))),
-          std::string(cell.substr(bracket + 1, cell.size() - bracket - 2)), "", {}};
+          std::string(cell.substr(bracket + 1, cell.size() - bracket - 2)),
+          "",
+          {}};
 }
 
 /// One line of the table; counts lines and columns for the messages.
@@ -80,7 +82,8 @@ class TableReader {
   void header(const std::vector<std::string_view>& names) {
     for (std::size_t k = 0; k < names.size(); ++k) {
       double ignored = 0;
-      if (number(names[k], ignored)) fail(k, "a number where the header belongs; begin with names such as \"time [s]\"");
+      if (number(names[k], ignored))
+        fail(k, "a number where the header belongs; begin with names such as \"time [s]\"");
       Column column = headed(names[k]);
       if (column.name.empty()) fail(k, "a column without a name");
       if (table_.find(column.name)) fail(k, "a second column named " + column.name);
