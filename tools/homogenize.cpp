@@ -37,7 +37,7 @@ struct Homogenize {
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
     t.flag(grains, "grains", "one row per grain");
     t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
-    t.output(output, "fields file to write, - for standard output");
+    t.optional_output(output, "fields file to write, - for standard output");
   }
 
   void validate() const {

@@ -83,7 +83,7 @@ std::string asked_text(const Table::Impl& table, Ask ask) {
 /// Everything that needs no data: usage, then inputs, then the output, so that hours of work are not lost at their end.
 void prepare(Table::Impl& table, const Program& program, std::vector<std::string>& mistakes) {
   try {
-    if (program.validate) program.validate();
+    if (table.understood && program.validate) program.validate();
   } catch (const UsageError& error) {
     for (std::string& line : lines_of(error.what())) mistakes.push_back(std::move(line));
   }

@@ -45,6 +45,8 @@ class Table {
   /// -o/--output; "-" means standard output. An existing file is refused without --force (which this also declares).
   /// Where the field is empty when bound, the user must give it.
   void output(std::filesystem::path& field, std::string sentence);
+  /// The same for a tool that can do without a file (because it prints).
+  void optional_output(std::filesystem::path& field, std::string sentence);
   /// The same for a tool that writes a folder of files.
   void output_folder(std::filesystem::path& field, std::string sentence);
 

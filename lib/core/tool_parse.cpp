@@ -114,7 +114,8 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   report_unknown(table, extras, mistakes);
   assign_options(table, mistakes);
   // What follows an unknown option may be its value, so files are not counted then.
-  if (extras.empty()) {
+  table.understood = extras.empty();
+  if (table.understood) {
     assign_inputs(table, files, mistakes);
     check_standard_input(table, mistakes);
     if (table.output_required && table.output->empty())

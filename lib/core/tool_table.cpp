@@ -135,6 +135,11 @@ void Table::output(std::filesystem::path& field, std::string sentence) {
   unrecorded("force");
 }
 
+void Table::optional_output(std::filesystem::path& field, std::string sentence) {
+  output(field, std::move(sentence));
+  impl_->output_required = false;
+}
+
 void Table::output_folder(std::filesystem::path& field, std::string sentence) {
   output(field, std::move(sentence));
   impl_->output_is_folder = true;

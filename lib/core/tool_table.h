@@ -49,6 +49,7 @@ struct Table::Impl {
   std::deque<Entry> options;  // a deque: references stay good while options are added
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
+  bool understood = true;  // false: an option is unknown, so what the user means is not known as a whole
   Invocation invocation;
 
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
