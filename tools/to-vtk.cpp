@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/stress.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/tool.h"
@@ -23,7 +24,7 @@ constexpr Parameter force_scale_parameter = {
     .name = "force_scale",
     .unit = "m/N",
     .low = 0,
-    .sentence = "Tube radius of a contact per newton of normal force; default: the greatest force gets half a grain"};
+    .sentence = "tube radius of a contact per newton of normal force; by default the greatest is half a grain"};
 
 /// The value of --state as an index; nothing for "last" and "all".
 std::optional<std::size_t> index_in(const std::string& state) {
@@ -56,8 +57,7 @@ struct ToVtk {
     table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run or fields file");
-    table.output_folder(output,
-                        "folder for the VTK files; with --history and --text a file, standard output by default");
+    table.output_folder(output, "folder for the VTK files; with --history and --text a file");
     table.option(state, "state", "last|all|N", "which states: the last, all, or number N, counted from 0");
     table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
     table.option(force_scale, force_scale_parameter);
@@ -119,8 +119,10 @@ struct ToVtk {
     const double scale = force_scale.value_or(io::fitting_force_scale(shown));
 
     const auto grains_of = [&](const io::Snapshot& snapshot) {
-      io::VtkPicture grains = io::show_grains(snapshot, unwrapped);
+      const auto dyads = contacts > 0 ? analysis::grain_dyads(snapshot) : std::vector<Mat3>();
+      io::VtkPicture grains = io::show_grains(snapshot, dyads, unwrapped);
       if (table) io::join_grains(grains, *table);
+      io::add_principal(grains);
       return grains;
     };
     // Fields that do not fit are found before anything is written.
@@ -146,8 +148,10 @@ struct ToVtk {
     for (const auto& group : file.groups) {
       if (!io::has_positions(group.table)) continue;
       const auto states = io::states_of(group.table);
-      for (const std::size_t index : chosen(states.size()))
+      for (const std::size_t index : chosen(states.size())) {
         frames.push_back({group.name, index, io::show_rows(group.table, states[index])});
+        io::add_principal(frames.back().picture);
+      }
     }
     io::ParaviewFolder folder(output, invocation.force, compress);
     for (const Frame& frame : frames) folder.add(frame.group, frame.index, frame.picture);

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace soilweave::io {
@@ -86,23 +87,6 @@ std::vector<std::int32_t> coordination(const Snapshot& state) {
   return number;
 }
 
-/// Principal values, greatest first, and the direction of the greatest with its largest component positive: the sign
-/// of an eigenvector is arbitrary, the bytes must not be.
-void add_principal(VtkPicture& picture, const std::vector<Mat3>& stress) {
-  std::vector<Vec3> values, directions;
-  for (const Mat3& tensor : stress) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric(tensor));
-    values.push_back(solver.eigenvalues().reverse());
-    Vec3 major = solver.eigenvectors().col(2);
-    Eigen::Index largest = 0;
-    major.cwiseAbs().maxCoeff(&largest);
-    directions.push_back(major[largest] < 0 ? Vec3(-major) : major);
-  }
-  picture.point_data.push_back(flat("stress", stress));
-  picture.point_data.push_back(flat("principal_stress", values));
-  picture.point_data.push_back(flat("major_direction", directions));
-}
-
 /// Where each line of show_contacts comes from.
 struct Lines {
   std::vector<std::size_t> contact;
@@ -164,23 +148,6 @@ Vec3i cell_index(const CellRecord& cell, const Vec3& position) {
   return index;
 }
 
-std::vector<Mat3> grain_stress(const Snapshot& state) {
-  const auto& grains = state.grains;
-  const auto& contacts = state.contacts;
-  std::vector<Mat3> stress(grains.size(), Mat3::Zero());
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto first = static_cast<std::size_t>(contacts.bodies[c][0]);
-    const double half = 0.5 * contacts.overlap[c];
-    const Mat3 force_normal = contacts.force(c) * contacts.normal[c].transpose();
-    stress[first] += (grains.radius[first] - half) * force_normal;
-    if (contacts.bodies[c][1] < 0) continue;
-    const auto second = static_cast<std::size_t>(contacts.bodies[c][1]);
-    stress[second] += (grains.radius[second] - half) * force_normal;
-  }
-  for (std::size_t g = 0; g < grains.size(); ++g) stress[g] /= solid_volume(grains.radius[g], grains.dimension);
-  return stress;
-}
-
 double fitting_force_scale(const std::vector<const Snapshot*>& states) {
   double greatest = 0, radii = 0;
   std::size_t grains = 0;
@@ -192,7 +159,7 @@ double fitting_force_scale(const std::vector<const Snapshot*>& states) {
   return greatest > 0 && grains > 0 ? 0.5 * radii / static_cast<double>(grains) / greatest : 1.0;
 }
 
-VtkPicture show_grains(const Snapshot& state, bool unwrapped) {
+VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bool unwrapped) {
   const auto& grains = state.grains;
   VtkPicture picture = picture_of(state, VtkShape::vertex);
   for (const Vec3& position : grains.position)
@@ -207,8 +174,42 @@ VtkPicture show_grains(const Snapshot& state, bool unwrapped) {
                         flat("angular_velocity", grains.angular_velocity),
                         flat("orientation", grains.orientation),
                         {"coordination", 1, coordination(state)}};
-  if (state.contacts.size() > 0) add_principal(picture, grain_stress(state));
+  if (!dyads.empty()) {
+    std::vector<Mat3> stress = dyads;
+    for (std::size_t g = 0; g < grains.size(); ++g) stress[g] /= solid_volume(grains.radius[g], grains.dimension);
+    picture.point_data.push_back(flat("stress", stress));
+    add_principal(picture);
+  }
   return picture;
+}
+
+void add_principal(VtkPicture& picture) {
+  const auto named = [](const std::string& name) {
+    return [name](const VtkArray& array) { return array.name == name; };
+  };
+  const auto stress = std::find_if(picture.point_data.begin(), picture.point_data.end(), named("stress"));
+  if (stress == picture.point_data.end() || stress->components != 9) return;
+  const auto tensors = std::get<std::vector<double>>(stress->values);
+  std::vector<Vec3> principal, directions;
+  for (std::size_t start = 0; start < tensors.size(); start += 9) {
+    const Eigen::Map<const Mat3> tensor(&tensors[start]);  // its transpose: the symmetric part is the same
+    if (!tensor.allFinite()) {                             // a grain that the joined fields do not name
+      principal.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+      directions.push_back(principal.back());
+      continue;
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric(tensor));
+    principal.push_back(solver.eigenvalues().reverse());
+    // The sign of an eigenvector is arbitrary, the bytes must not be: the largest component is positive.
+    Vec3 major = solver.eigenvectors().col(2);
+    Eigen::Index largest = 0;
+    major.cwiseAbs().maxCoeff(&largest);
+    directions.push_back(major[largest] < 0 ? Vec3(-major) : major);
+  }
+  std::erase_if(picture.point_data, named("principal_stress"));
+  std::erase_if(picture.point_data, named("major_direction"));
+  picture.point_data.push_back(flat("principal_stress", principal));
+  picture.point_data.push_back(flat("major_direction", directions));
 }
 
 VtkPicture show_contacts(const Snapshot& state, bool unwrapped, double force_scale) {

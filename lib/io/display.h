@@ -13,18 +13,18 @@ namespace soilweave::io {
 /// periodic).
 Vec3i cell_index(const CellRecord& cell, const Vec3& position);
 
-/// Love-Weber stress of each grain over its own solid volume (2D: area), Pa, compression positive:
-/// sum of f l^T over its contacts, the two levers of a contact meeting at the middle of the overlap. Asymmetric only
-/// as far as the grain is out of moment equilibrium.
-std::vector<Mat3> grain_stress(const Snapshot& state);
-
 /// m/N: makes the greatest normal force of all states a tube half as thick as the mean grain; 1 without any force.
 double fitting_force_scale(const std::vector<const Snapshot*>& states);
 
-/// One vertex a grain, inside the cell unless `unwrapped`. Arrays: body_id, material_id, copy_id, radius, velocity,
-/// angular_velocity, orientation (w x y z), coordination, and with contacts stress, principal_stress (greatest first)
-/// and major_direction (unit). `velocity` is the fluctuation about the cell's affine motion.
-VtkPicture show_grains(const Snapshot& state, bool unwrapped);
+/// One vertex a grain, inside the cell unless `unwrapped`. Arrays: body_id, material_id, copy_id, radius, mass,
+/// velocity (the fluctuation about the cell's affine motion), angular_velocity, orientation (w x y z), coordination;
+/// with dyads (N m, one a grain: sum of f l^T over its contacts) also stress = dyad over the grain's own solid volume
+/// (2D: area), Pa, compression positive, and add_principal's.
+VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bool unwrapped);
+
+/// principal_stress (greatest first) and major_direction (unit) of the tensors `stress`, if there are any; replaces
+/// earlier ones.
+void add_principal(VtkPicture& picture);
 
 /// Lines from centre to centre. A contact through a periodic face is drawn twice, half out at either side, and says so
 /// in `copies`; a contact with a plane ends at the plane. Cell data: contact (its index in the file), copies,

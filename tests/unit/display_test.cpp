@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "analysis/stress.h"
 #include "core/error.h"
 #include "io/display_table.h"
 
@@ -90,7 +91,7 @@ Column column(const char* name, std::vector<double> values) { return {name, "1",
 TEST(Display, GrainsLieInsideTheShearedCellAndAWholeNumberOfCellVectorsAway) {
   const Snapshot state = sheared_crowd();
   const Mat3 inverse = state.cell.matrix.inverse();
-  const VtkPicture picture = show_grains(state, false);
+  const VtkPicture picture = show_grains(state, {}, false);
   ASSERT_EQ(picture.points.size(), state.grains.size());
   for (std::size_t g = 0; g < picture.points.size(); ++g) {
     const Vec3 fraction = inverse * picture.points[g];
@@ -99,7 +100,7 @@ TEST(Display, GrainsLieInsideTheShearedCellAndAWholeNumberOfCellVectorsAway) {
     const Vec3 cells = inverse * (state.grains.position[g] - picture.points[g]);
     EXPECT_LT((cells - cells.array().round().matrix()).norm(), rounding);
   }
-  EXPECT_EQ(show_grains(state, true).points, state.grains.position);
+  EXPECT_EQ(show_grains(state, {}, true).points, state.grains.position);
 }
 
 TEST(Display, AxesThatAreNotPeriodicAreNotWrapped) {
@@ -110,7 +111,7 @@ TEST(Display, AxesThatAreNotPeriodicAreNotWrapped) {
 
 TEST(Display, EveryContactLineStartsOrEndsAtAShownGrainAndHasTheBranchVectorsLength) {
   const Snapshot state = sheared_crowd();
-  const VtkPicture grains = show_grains(state, false);
+  const VtkPicture grains = show_grains(state, {}, false);
   const VtkPicture lines = show_contacts(state, false, 1.0);
   const auto& contact = values_of<std::int64_t>(lines.cell_data, "contact");
   const auto& copies = values_of<std::uint8_t>(lines.cell_data, "copies");
@@ -150,32 +151,34 @@ TEST(Display, TubeRadiusIsTheForceScaleTimesTheCompressiveForce) {
   EXPECT_EQ(fitting_force_scale({&state}), 1.0);
 }
 
-TEST(Display, AGrainPressedEquallyFromSixSidesCarriesAnIsotropicCompressiveStress) {
-  // The grain is its own neighbour through three pairs of planes: sum of f l^T over six levers = 2 f r I.
+TEST(Display, AGrainPressedFromSixSidesCarriesPrincipalStressesAlongTheAxes) {
+  // Pairs of planes press with f along x, 2f along y, 3f along z: sum of f l^T over six levers = 2 r diag(f, 2f, 3f).
   Snapshot state;
   state.cell.periodic = {false, false, false};
   add_grain(state, {0, 0, 0}, 0.5);
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0})
-      add_contact(state, 0, -1 - axis, {0, 0, 0}, 2.0, {0, 0, 0}, 0.5 * side * Vec3::Unit(axis));
-  const double expected = 2 * 2.0 * 0.5 / (4.0 / 3.0 * std::numbers::pi * 0.125);
-  EXPECT_LT((grain_stress(state)[0] - expected * Mat3::Identity()).norm(), rounding);
-  const VtkPicture grains = show_grains(state, false);
+      add_contact(state, 0, -1 - axis, {0, 0, 0}, 2.0 * (1 + axis), {0, 0, 0}, 0.5 * side * Vec3::Unit(axis));
+  const VtkPicture grains = show_grains(state, analysis::grain_dyads(state), false);
   EXPECT_EQ(values_of<std::int32_t>(grains.point_data, "coordination")[0], 6);
+  const double unit = 2 * 2.0 * 0.5 / (4.0 / 3.0 * std::numbers::pi * 0.125);
+  const auto& stress = values_of<double>(grains.point_data, "stress");
   const auto& principal = values_of<double>(grains.point_data, "principal_stress");
-  EXPECT_NEAR(principal[0], expected, rounding);
-  EXPECT_NEAR(principal[2], expected, rounding);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(stress[4 * axis], unit * static_cast<double>(1 + axis), rounding);
+    EXPECT_NEAR(principal[axis], unit * static_cast<double>(3 - axis), rounding);
+  }
+  EXPECT_EQ(values_of<double>(grains.point_data, "major_direction"), (std::vector<double>{0, 0, 1}));
 }
 
-TEST(Display, GrainStressesTimesVolumesAddUpToTheLoveWeberSum) {
-  const Snapshot state = sheared_crowd();
-  Mat3 sum = Mat3::Zero(), total = Mat3::Zero();
-  const auto stress = grain_stress(state);
-  for (std::size_t g = 0; g < stress.size(); ++g)
-    total += 4.0 / 3.0 * std::numbers::pi * std::pow(state.grains.radius[g], 3) * stress[g];
-  for (std::size_t c = 0; c < state.contacts.size(); ++c)
-    sum += state.contacts.force(c) * state.contacts.branch_vector[c].transpose();
-  EXPECT_LT((total - sum).norm(), rounding * sum.norm());
+TEST(Display, TensorsAreRowMajor) {
+  Snapshot state;
+  add_grain(state, {0.5, 0.5, 0.5}, 0.5);
+  Mat3 dyad;
+  dyad << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  const auto picture = show_grains(state, {dyad}, false);
+  const auto& stress = values_of<double>(picture.point_data, "stress");
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(stress[k] / stress[0], static_cast<double>(k + 1), rounding);
 }
 
 TEST(Display, CellCornersSpanTheCellMatrix) {
@@ -200,7 +203,7 @@ TEST(Display, TheCellOfDisksIsAQuadAndReachesToTheGrainsWhereNotPeriodic) {
   ASSERT_EQ(picture.shape, VtkShape::quad);
   EXPECT_EQ(picture.points, (std::vector<Vec3>{{0, 2.75, 0}, {2, 2.75, 0}, {2, 5.5, 0}, {0, 5.5, 0}}));
   EXPECT_DOUBLE_EQ(values_of<double>(picture.cell_data, "volume")[0], 5.5);
-  EXPECT_EQ(show_grains(state, false).points[0], Vec3(0.5, 3, 0));
+  EXPECT_EQ(show_grains(state, {}, false).points[0], Vec3(0.5, 3, 0));
 }
 
 TEST(Display, PlanesAreDrawnInThePlaneAndCoverTheGrains) {
@@ -255,7 +258,7 @@ TEST(DisplayTable, RowsJoinTheGrainsOfTheirStepByBodyId) {
   Series table;
   table.columns = {column("step", {10, 20, 20}), column("body_id", {100, 102, 100}),
                    column("void_ratio", {0.9, 0.7, 0.5})};
-  VtkPicture grains = show_grains(state, false);
+  VtkPicture grains = show_grains(state, {}, false);
   join_grains(grains, table);
   const auto& joined = values_of<double>(grains.point_data, "void_ratio");
   EXPECT_EQ(joined[0], 0.5);
