@@ -70,7 +70,7 @@ Section cell() {
 }
 
 Section contacts() {
-  return {"Contacts, one group a frame (<frame>: six digits from 000000), sorted by bodies",
+  return {"Contacts: one group a frame, numbered from 000000, sorted by bodies",
           "packing run",
           {{"/contacts/<frame>/bodies", int32, "M 2", "1",
             "rows of the first and second grain in /particles/grains; -1 - k in second: plane k"},
@@ -103,14 +103,15 @@ Section run() {
           "run",
           {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
            {"/series/step", int64, "R", "1", "number of time steps taken", true},
-           {"/series/<column>", float64, "R", "<own>", "<own>", true}},
+           {"/series/<column>", float64, "R", "its own", "its own", true}},
           {{"/series/<column>", "column", "int64", "place among the columns, from 0"}}};
 }
 
 Section fields() {
   return {"Fields: the tables of an analysis",
           "fields",
-          {{"/fields/<group>/<column>", float64, "R", "<own>", "<own>", true}},
+          {{"/fields/<group>/step", int64, "R", "its own", "its own", true},
+           {"/fields/<group>/<column>", float64, "R", "its own", "its own", true}},
           {{"/fields/<group>", "long_name", "text", "what the table is of"},
            {"/fields/<group>", "order", "int64", "place among the groups, from 0"},
            {"/fields/<group>/<column>", "column", "int64", "place among the columns, from 0"}}};

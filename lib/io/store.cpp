@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -50,9 +51,6 @@ Id space_of(const Shape& shape) {
   if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose};
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
 }
-
-/// HDF5 prints a stack of its own on every failure unless told not to.
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 void demand(bool good, const std::string& path) {
   if (!good) throw IoError(path + ": HDF5 could not add it to the file in memory; is there memory left?");
@@ -105,6 +103,7 @@ void* share(void* bytes) { return bytes; }
 herr_t leave(void*) { return 0; }
 
 Id in_memory(std::string& bytes, void* (*obtain)(size_t, H5FD_file_image_op_t, void*)) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // or HDF5 prints a stack of its own on every failure
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, std::size_t{1} << 22, false);
   H5FD_file_image_callbacks_t callbacks = {obtain, already_there, grow, keep, share, leave, &bytes};
@@ -112,18 +111,23 @@ Id in_memory(std::string& bytes, void* (*obtain)(size_t, H5FD_file_image_op_t, v
   return {access, H5Pclose};
 }
 
+/// HDF5 takes files in memory with equal names for one file: each gets a name that no other has while it is open.
+std::string name_in_memory(const std::string& bytes) {
+  return "at " + std::to_string(std::bit_cast<std::size_t>(&bytes));
+}
+
 hid_t create_in_memory(std::string& bytes) {
   const Id access = in_memory(bytes, start);
   const Id create(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_obj_track_times(create, false);
-  return H5Fcreate("soilweave", H5F_ACC_TRUNC, create, access);
+  return H5Fcreate(name_in_memory(bytes).c_str(), H5F_ACC_TRUNC, create, access);
 }
 
 hid_t open_in_memory(std::string& bytes) {
   const Id access = in_memory(bytes, lend);
   H5Pset_file_image(access, bytes.data(), bytes.size());
-  return H5Fopen("soilweave", H5F_ACC_RDONLY, access);
+  return H5Fopen(name_in_memory(bytes).c_str(), H5F_ACC_RDONLY, access);
 }
 
 void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type, const Shape& shape,
@@ -140,7 +144,6 @@ void write_attribute(hid_t file, const std::string& path, const std::string& nam
 // ---- Writing --------------------------------------------------------------------------------------------------------
 
 Writer::Writer() {
-  silence();
   file_ = create_in_memory(bytes_);
   demand(file_ >= 0, "/");
 }
@@ -282,7 +285,6 @@ bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>
 }  // namespace
 
 Reader::Reader(std::string bytes, std::string where) : bytes_(std::move(bytes)), where_(std::move(where)) {
-  silence();
   check_whole(bytes_, where_);
   file_ = open_in_memory(bytes_);
   if (file_ < 0) throw DataError(where_ + ": damaged: HDF5 cannot open it; copy or make the file again");

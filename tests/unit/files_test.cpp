@@ -165,12 +165,12 @@ TEST_F(Files, every_truncation_is_told) {
 
 /// What is left of a file after flips: it reads as it was, or the damage is told. Never a crash, never other numbers.
 TEST_F(Files, damaged_bytes_never_give_other_states) {
-  const RunFile run = test::example_run(300);
+  const RunFile run = test::example_run(200);
   write_run(path, run, test::example_history());
   const std::string whole = test::bytes_of(path);
   std::uint64_t random = 1;
   int told = 0;
-  constexpr int trials = 1500;
+  constexpr int trials = 400;
   for (int k = 0; k < trials; ++k) {
     std::string damaged = whole;
     for (int flips = k % 3 + 1; flips > 0; --flips) {
