@@ -191,7 +191,7 @@ format-check:
 # clang-tidy leaves a stamp per source, so that only what changed, or what it includes, is looked at again.
 # -idirafter: clang has no omp.h of its own, the compiler's will do.
 TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -fopenmp -Wno-unknown-warning-option -idirafter $(shell $(CXX) -print-file-name=include)
-TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(filter-out $(VTK_ONLY),$(SOURCES)),$(SOURCES)))
+TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(LIB),$(LIB_ALL)) $(TOOL))
 build/lint/%.tidy: %.cpp .clang-tidy
 	@mkdir -p $(@D)
 	@echo '  tidy  $<'
@@ -218,7 +218,7 @@ coverage: ## lines of lib/ that the tests run (report in build/coverage/report);
 	  --print-summary --html-details build/coverage/report/index.html --txt build/coverage/report/lines.txt \
 	  --fail-under-line 90 build/coverage/obj; status=$$?; tail -3 build/coverage/report/lines.txt; exit $$status
 
-compile_commands.json: Makefile ## for editors and clang tools
+compile_commands.json: Makefile $(B)/sources ## for editors and clang tools
 	@{ echo '['; first=1; for f in $(SOURCES); do [ $$first ] || echo ','; first=; \
 	  printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"}' '$(CURDIR)' "$$f" \
 	  '$(CXX) $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests $(CXXFLAGS)' "$$f"; done; echo; echo ']'; } > $@
