@@ -34,10 +34,7 @@ def colour(display, view, association, array, title):
     bar.TitleColor = bar.LabelColor = BLACK
 
 
-def show_grains(view, among_contacts):
-    grains = load("grains")
-    if grains is None:
-        return
+def show_grains(view, grains, among_contacts):
     spheres = Glyph(registrationName="spheres", Input=grains, GlyphType="Sphere")
     spheres.OrientationArray = ["POINTS", "No orientation array"]
     spheres.ScaleArray = ["POINTS", "radius"]
@@ -78,7 +75,7 @@ def show_outline(view, name):
 
 def show_places(view, places):
     """Points with fields; where there is a stress, as ellipsoids along its principal directions."""
-    Show(places, view)
+    Show(places, view).ColorArrayName = ["POINTS", ""]
     bounds = places.GetDataInformation().GetBounds()
     stresses = [array.GetName() for array in places.PointData if array.GetNumberOfComponents() == 9]
     if not stresses:
@@ -88,7 +85,9 @@ def show_places(view, places):
     ellipsoids = TensorGlyph(registrationName=stresses[0], Input=places, GlyphType="Sphere")
     ellipsoids.Tensors = ["POINTS", stresses[0]]
     ellipsoids.ScaleFactor = 0.1 * size / greatest
-    Show(ellipsoids, view)
+    display = Show(ellipsoids, view)
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [0.7, 0.65, 0.55]
 
 
 def main():
@@ -97,7 +96,12 @@ def main():
     view.Background = [1.0, 1.0, 1.0]
     contacts = load("contacts")
     scene = GetAnimationScene()
-    show_grains(view, contacts is not None)
+    grains = load("grains")
+    if grains is not None:
+        if "radius" in grains.PointData.keys():
+            show_grains(view, grains, contacts is not None)
+        else:
+            show_places(view, grains)
     if contacts is not None:
         show_contacts(view, contacts)
     deep = show_outline(view, "cell")
