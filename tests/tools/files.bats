@@ -1,0 +1,118 @@
+#!/usr/bin/env bats
+# The files tools exchange: other programs open them, pipes carry them, damage is told, histories reach their origin.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  cd "$BATS_FILE_TMPDIR" || return
+  cat > short.toml << 'TOML'
+[contact]
+law = "hertz-mindlin"
+young_modulus = "4 GPa"
+poisson_ratio = 0.33
+friction_angle = 29
+
+[[stage]]
+path = "triaxial"
+confining_pressure = "100 kPa"
+axial_strain = 0.001
+increment = 0.0005
+rate = 0.5
+TOML
+  pack-generate --quiet --grains 120 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o packing.h5
+  pack-generate --quiet --grains 60 --dimension 2 --void-ratio 0.17 --pressure 1e5 -o disks.h5
+  pack-generate --quiet --import "$BATS_TEST_DIRNAME/examples/spheres.txt" --as-is -o imported.h5
+  run-dem --quiet packing.h5 short.toml -o run.h5
+  homogenize --quiet run.h5 --grains -o fields.h5
+  fabric --quiet run.h5 -o fabric.h5
+}
+
+setup() {
+  cd "$BATS_FILE_TMPDIR" || return
+}
+
+every_file() {
+  echo packing.h5 disks.h5 imported.h5 run.h5 fields.h5 fabric.h5
+}
+
+@test "H5MD 1.1 and its units; every dataset reads and says its units and long_name" {
+  "$PYTHON" -c 'import h5py' || skip "no Python with h5py"
+  # shellcheck disable=SC2046  # one word a file
+  run "$PYTHON" "$BATS_TEST_DIRNAME/h5md_conformance.py" $(every_file)
+  [[ $status -eq 0 ]] || show "not conforming"
+}
+
+@test "h5dump reads every byte of them" {
+  command -v h5dump > /dev/null || skip "no h5dump"
+  local file
+  for file in $(every_file); do
+    exits 0 h5dump "$file"
+    [[ -z $stderr ]] || show "h5dump $file"
+  done
+}
+
+@test "no time stamps: the same call gives the same bytes a second later" {
+  sleep 1.1
+  pack-generate --quiet --grains 120 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o "$BATS_TEST_TMPDIR/again.h5"
+  same_bytes packing.h5 "$BATS_TEST_TMPDIR/again.h5"
+}
+
+@test "a pipe carries the same bytes as a file" {
+  pack-generate --quiet --grains 120 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o - > "$BATS_TEST_TMPDIR/piped.h5"
+  same_bytes packing.h5 "$BATS_TEST_TMPDIR/piped.h5"
+  run-dem --quiet - short.toml -o - < packing.h5 > "$BATS_TEST_TMPDIR/run.h5"
+  same_bytes run.h5 "$BATS_TEST_TMPDIR/run.h5"
+}
+
+@test "every chain of records reaches pack-generate" {
+  command -v to-vtk > /dev/null || skip "to-vtk is not built (NO_VTK)"
+  local file
+  for file in $(every_file); do
+    exits 0 to-vtk --history "$file"
+    [[ $output == *"0. pack-generate "* ]] || show "$file does not reach pack-generate"
+  done
+  [[ $(to-vtk --history fields.h5 | grep -c '^[0-9]') -eq 3 ]]
+  # The digest in the chain is that of the file.
+  to-vtk --history run.h5 | grep -q "made by 0, sha256 $(sha256sum packing.h5 | cut -d ' ' -f 1)"
+}
+
+@test "a file that is missing, a folder, text, empty, cut short or damaged is told in one line" {
+  local cut=$BATS_TEST_TMPDIR/cut.h5
+  mentions 66 homogenize "no such file" none.h5 --tsv
+  mentions 65 homogenize "directory; name a file in" . --tsv
+  mentions 65 homogenize "short.toml: not an HDF5 file" short.toml --tsv
+  mentions 65 homogenize "/dev/null: empty" /dev/null --tsv
+  head -c 3000 packing.h5 > "$cut"
+  mentions 65 homogenize "truncated: 3000 bytes of $(stat -c %s packing.h5)" "$cut" --tsv
+  mentions 65 homogenize "fields.h5: holds fields, but packing or run is needed here" fields.h5 --tsv
+}
+
+@test "what h5py changed is read, or refused with the path" {
+  "$PYTHON" -c 'import h5py' || skip "no Python with h5py"
+  local edited=$BATS_TEST_TMPDIR/edited.h5
+  edit() {
+    cp packing.h5 "$edited"
+    "$PYTHON" -c "import h5py; f = h5py.File('$edited', 'r+'); g = f['particles/grains']; $1"
+  }
+  edit 'f.attrs["note"] = "mine"'
+  exits 0 homogenize "$edited" --tsv
+  edit 'f.attrs["format_version"] = [2, 1]'
+  mentions 65 homogenize "has the format version 2.1, this program reads 1.0 at most" "$edited" --tsv
+  edit 'del g["mass"]'
+  mentions 65 homogenize "/particles/grains/mass is missing" "$edited" --tsv
+  edit 'g["position/value"][0, 5, 1] = float("nan")'
+  mentions 65 homogenize "/particles/grains/position/value holds nan as value 16 of 360" "$edited" --tsv
+  edit 'v = g["radius"][:-1]; del g["radius"]; g["radius"] = v'
+  mentions 65 homogenize "/particles/grains/radius has the shape 119 where 120 belongs" "$edited" --tsv
+  edit 'del f["contacts/000000/overlap"]; f["contacts/000000/overlap"] = "word"'
+  mentions 65 homogenize "/contacts/000000/overlap" "$edited" --tsv
+}
+
+@test "output that fails is told with its status" {
+  mentions 73 pack-generate "cannot be created" --quiet --import packing.h5 --as-is -o "$BATS_TEST_TMPDIR/none/out.h5"
+  [[ -c /dev/full ]] || skip "no /dev/full"
+  call bash -c 'pack-generate --quiet --import packing.h5 --as-is -o - > /dev/full'
+  [[ $status -eq 74 ]] || show "wanted exit status 74"
+}
