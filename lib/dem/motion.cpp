@@ -8,16 +8,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace soilweave::dem {
 namespace {
 
 constexpr std::size_t chunk_size = 512;
 
+std::size_t chunks_of(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
+
 // Runs body(first, last, chunk) over fixed chunks of n.
 template <class Body>
 void chunked(std::size_t n, int threads, const Body& body) {
-  const std::size_t chunks = (n + chunk_size - 1) / chunk_size;
+  const std::size_t chunks = chunks_of(n);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (std::size_t c = 0; c < chunks; ++c) body(c * chunk_size, std::min(n, (c + 1) * chunk_size), c);
 }
@@ -49,8 +52,9 @@ V3<double> resultant(const Bodies& bodies, std::size_t i, const Vec3& gravity) {
 
 }  // namespace
 
-void gather(const Contacts& contacts, int threads, Bodies& bodies) {
-  chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t) {
+double gather(const Contacts& contacts, const Vec3& gravity, int threads, Bodies& bodies) {
+  std::vector<double> sums(chunks_of(bodies.size()), 0.0);
+  chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
     for (std::size_t i = begin; i < end; ++i) {
       V3<double> force{0, 0, 0}, torque{0, 0, 0};
       for (std::int32_t s = contacts.body_start[i]; s < contacts.body_start[i + 1]; ++s) {
@@ -61,12 +65,14 @@ void gather(const Contacts& contacts, int threads, Bodies& bodies) {
       }
       bodies.force[i] = force;
       bodies.torque[i] = torque;
+      sums[c] += norm(resultant(bodies, i, gravity));
     }
   });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, int threads, Bodies& bodies) {
-  std::vector<MotionSums> sums((bodies.size() + chunk_size - 1) / chunk_size);
+  std::vector<MotionSums> sums(chunks_of(bodies.size()));
   const Mat3& L = cell.velocity_gradient();
   chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
     MotionSums& s = sums[c];
@@ -81,7 +87,6 @@ MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double
                    kick(t.z, inertia, damping, dt, w.z);
       const V3<double> mean = 0.5 * (before + v);
       s.gravity_work += m * dt * (gravity.x() * mean.x + gravity.y() * mean.y + gravity.z() * mean.z);
-      s.force_magnitude += norm(f);
       s.fastest = std::max(s.fastest, norm2(v));
       V3<double>& x = bodies.position[i];
       const Vec3 affine = L * Vec3(x.x, x.y, x.z);
@@ -91,19 +96,12 @@ MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double
   });
   MotionSums total;
   for (const MotionSums& s : sums) {
-    total.force_magnitude += s.force_magnitude;
     total.damping += s.damping;
     total.gravity_work += s.gravity_work;
     total.fastest = std::max(total.fastest, s.fastest);
   }
   total.fastest = std::sqrt(total.fastest);
   return total;
-}
-
-double resultant_magnitude(const Bodies& bodies, const Vec3& gravity) {
-  double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) sum += norm(resultant(bodies, i, gravity));
-  return sum;
 }
 
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
@@ -118,7 +116,7 @@ double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
 }
 
 double stable_time_step(const Bodies& bodies, const Contacts& contacts, int threads) {
-  std::vector<double> ratio((bodies.size() + chunk_size - 1) / chunk_size, 0.0);
+  std::vector<double> ratio(chunks_of(bodies.size()), 0.0);
   chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
     for (std::size_t i = begin; i < end; ++i) {
       V3<double> k{0, 0, 0}, rotational{0, 0, 0};

@@ -10,21 +10,19 @@ namespace soilweave::dem {
 
 /// What a pass over the grains measures.
 struct MotionSums {
-  double force_magnitude = 0;   // N, sum over grains of |resultant|, gravity included
   double damping = 0;           // J, taken by local damping in this step
   double gravity_work = 0;      // J, in this step
   double fastest = 0;           // m/s, largest fluctuation speed
 };
 
-/// Contact forces and torques summed on every grain in the order of its pairs.
-void gather(const Contacts& contacts, int threads, Bodies& bodies);
+/// Contact forces and torques summed on every grain in the order of its pairs. Returns the sum over the grains of
+/// |resultant|, gravity included, N.
+double gather(const Contacts& contacts, const Vec3& gravity, int threads, Bodies& bodies);
 
 /// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
 /// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine motion.
 MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, int threads, Bodies& bodies);
 
-/// Sum of |resultant| over the grains, N.
-double resultant_magnitude(const Bodies& bodies, const Vec3& gravity);
 /// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt);
 

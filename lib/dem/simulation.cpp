@@ -42,8 +42,7 @@ struct Simulation::Impl {
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    gather(contacts, numerics.threads, bodies);
-    measure(resultant_magnitude(bodies, numerics.gravity));
+    measure(gather(contacts, numerics.gravity, numerics.threads, bodies));
     estimate_step();
     energy_of_contacts();
     energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + energies.elastic();
@@ -71,12 +70,12 @@ struct Simulation::Impl {
     if (neighbours.outdated(motion.fastest + fastest_plane(), gradient, bodies.largest_radius(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
-    gather(contacts, numerics.threads, bodies);
+    const double resultants = gather(contacts, numerics.gravity, numerics.threads, bodies);
     ++steps;
     time += dt;
 
     account(motion, dt, force_branch_before, gradient);
-    measure(motion.force_magnitude);
+    measure(resultants);
     guard();
     if (steps % stiffness_interval == 0) estimate_step();
     limit_move(motion.fastest);
@@ -121,8 +120,8 @@ struct Simulation::Impl {
       for (std::size_t k = 1; k < contacts.size(); ++k)
         if (contacts.overlap[k] > contacts.overlap[worst]) worst = k;
       throw PhysicsError(fmt::format(
-          "step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: soften nothing, but lower the time step "
-          "or the loading rate, or check the packing",
+          "step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
+          "the loading rate, or check the packing",
           steps, contacts.first[worst], contacts.second[worst], contacts.overlap[worst],
           100 * sums.largest_relative_overlap));
     }
@@ -226,7 +225,7 @@ void Simulation::scale_radii(double factor) {
   s.neighbours = Neighbours(relative_skin * s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  gather(s.contacts, s.numerics.threads, s.bodies);
+  s.measure(gather(s.contacts, s.numerics.gravity, s.numerics.threads, s.bodies));
   s.energy_of_contacts();
   s.energies.boundary_work += s.energies.elastic() - before;
   s.estimate_step();

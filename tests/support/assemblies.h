@@ -1,0 +1,40 @@
+// Small assemblies for tests of the engine: made by the product's own generator, fast.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/control.h"
+#include "packing/cloud.h"
+#include "packing/generate.h"
+#include "packing/grading.h"
+
+namespace soilweave::testing {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+/// Thesis Table 3.1, soil.
+inline dem::Model sand(double friction_angle = 29 * degree) {
+  const dem::Resistance moment{0.13, dem::Resistance::Scale::absolute, {}, dem::Resistance::Arm::mean_radius};
+  return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, friction_angle, {}, moment, moment}}};
+}
+
+/// Linear law with limited moments, thesis ch. 2.
+inline dem::Model linear_sand() {
+  const dem::Resistance moment{0.564, dem::Resistance::Scale::contact, 0.194, dem::Resistance::Arm::smaller_radius};
+  return {std::vector<dem::Linear::Material>{{5.449e8, 0.0803, 30.2 * degree, {}, moment, moment}}};
+}
+
+/// Grains of 3 mm mean radius at rest under a pressure, as dense as full friction makes them.
+inline io::Snapshot packed(const dem::Model& model, double pressure, std::size_t grains = 150, int dimension = 3,
+                           std::uint64_t seed = 1) {
+  std::vector<double> radii = packing::Grading::toyoura().radii(grains, dimension);
+  for (double& r : radii) r *= 0.58;
+  packing::Recipe recipe;
+  recipe.pressure = pressure;
+  const io::Snapshot cloud = packing::cloud(radii, 2.0, {1, 1, 1}, dimension, 2650e3, seed);
+  io::Snapshot state = packing::compact(cloud, model, {}, recipe).state;
+  state.step = 0;
+  state.time = 0;
+  return state;
+}
+
+}  // namespace soilweave::testing
