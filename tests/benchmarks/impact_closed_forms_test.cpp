@@ -16,7 +16,7 @@ Linear::Material linear(double mu, std::optional<double> e = {}, Resistance roll
 Model three(const Linear::Material& m) { return {std::vector<Linear::Material>{m, m, m}}; }
 
 // A sphere whose contact with the plane carries its weight from the start: kn = E R for equal materials.
-Sphere resting(double vx = 0, Vec3 spin = Vec3::Zero()) {
+Sphere resting(double vx = 0, const Vec3& spin = Vec3::Zero()) {
   Sphere s{R, density, Vec3(0.1, 0.1, R), Vec3(vx, 0, 0), spin};
   s.position.z() -= s.mass() * g / (1e8 * R);
   return s;

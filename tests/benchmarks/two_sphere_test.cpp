@@ -1,5 +1,6 @@
 // One contact on prescribed paths against closed forms, and against the paths a peer code recorded.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -349,7 +350,7 @@ TYPED_TEST(TwoSpheres, FollowsThePeersRecordedPaths) {
     for (const std::string path : {"a_normal", "b_shear_cyclic", "b2_shear_cyclic_elastic", "d_roll_noplast",
                                    "d_roll_eta", "d_roll_etazero", "e_twist_noplast", "e_twist_eta"}) {
       if (path == "d_roll_etazero" && std::is_same_v<TypeParam, HertzCase>) continue;  // the peer recorded none
-      const Recorded data = read_recorded(folder + path + "_" + size + ".csv");
+      const Recorded data = read_recorded(fmt::format("{}{}_{}.csv", folder, path, size));
       ASSERT_GT(data.rows.size(), 100u) << folder << path;
       std::optional<double> limit = TypeParam::limit;
       if (path.ends_with("noplast")) limit.reset();

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <random>
 
 #include "support/law_examples.h"
@@ -256,10 +257,9 @@ TYPED_TEST(EveryLaw, TheEnergyOfASlipCycleAtChangingOverlapIsMeasuredNotHidden) 
 }
 
 // Four contacts in lanes, from four single ones, and back.
-template <class Field>
-void expect_same_bits(Field one, double four, const char* what) {
-  const double d = one;
-  EXPECT_EQ(std::memcmp(&d, &four, sizeof d), 0) << what << ": " << d << " and " << four;
+void expect_same_bits(double one, double four, const char* what) {
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(one), std::bit_cast<std::uint64_t>(four))
+      << what << ": " << one << " and " << four;
 }
 
 TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
