@@ -1,7 +1,10 @@
 // fabric: how contacts and forces are arranged. Reads a packing or a run, writes fabric tensors, rose and histogram.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "analysis/tables.h"
 #include "core/error.h"
@@ -28,7 +31,7 @@ struct FabricTool {
     t.example("fabric run.h5 --tsv", "anisotropies and coordination, one row per snapshot");
     t.example("fabric run.h5 --state first --table rose --tsv", "contact orientation before loading");
     t.input(input, "INPUT", "packing or run, - for standard input");
-    t.choice(table, "table", {"fabric", "histogram", "rose"}, "what --tsv prints");
+    t.choice(table, "table", {"fabric", "histogram", "rose", "chains"}, "what --tsv prints");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(classes, classes_parameter);
@@ -36,7 +39,12 @@ struct FabricTool {
   }
 
   void validate() const {
-    if (!tsv && output.empty()) throw UsageError("nothing to do: give --tsv or -o FILE");
+    std::vector<std::string> wrong;
+    if (!tsv && output.empty()) wrong.emplace_back("nothing to do: give --tsv or -o FILE");
+    if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
+    if (!analysis::names_states(state))
+      wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
+    if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
   }
 
   void run(const tool::Invocation& invocation) const {
@@ -44,12 +52,14 @@ struct FabricTool {
     io::FieldsFile fields;
     fields.groups = {{"fabric", "fabric tensors and anisotropies, one row per state", {}},
                      {"histogram", "grains by number of contacts", {}},
-                     {"rose", "contacts by orientation", {}}};
+                     {"rose", "contacts by orientation", {}},
+                     {"chains", "contacts of the force chains", {}}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
       const io::Snapshot& s = file.snapshots[n];
       analysis::put_fabric(fields.groups[0].table, s);
       analysis::put_histogram(fields.groups[1].table, s);
       analysis::put_rose(fields.groups[2].table, s, static_cast<std::size_t>(classes));
+      analysis::put_chains(fields.groups[3].table, s);
     }
     for (const auto& group : fields.groups)
       if (tsv && group.name == table) std::fputs(io::to_tsv(group.table).c_str(), stdout);

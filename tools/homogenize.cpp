@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/stress.h"
 #include "analysis/tables.h"
-#include "analysis/tessellation.h"
 #include "core/error.h"
 #include "core/tool.h"
 #include "io/files.h"
@@ -22,7 +20,7 @@ struct Homogenize {
   std::filesystem::path input, output;
   std::string state = "all", table = "cell";
   std::vector<std::string> boxes;
-  bool tsv = false, copies = false, grains = false, tessellation = false, series = false;
+  bool tsv = false, copies = false, grains = false, tessellation = false;
 
   void options(tool::Table& t) {
     t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
@@ -41,11 +39,19 @@ struct Homogenize {
   }
 
   void validate() const {
-    std::string wrong;
-    if (!tsv && output.empty()) wrong += "nothing to do: give --tsv or -o FILE";
-    for (const std::string& text : boxes)
-      if (parse(text).size() != 6) wrong += fmt::format("--box {}: give six numbers, as in 0,0.1,0,0.1,0,0.2", text);
-    if (!wrong.empty()) throw UsageError(wrong);
+    std::vector<std::string> wrong;
+    if (!tsv && output.empty()) wrong.emplace_back("nothing to do: give --tsv or -o FILE");
+    if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
+    if (!analysis::names_states(state))
+      wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
+    for (const std::string& text : boxes) {
+      const std::vector<double> b = parse(text);
+      if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
+        wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
+    }
+    if (table == "volumes" && boxes.empty() && !copies) wrong.emplace_back("--table volumes needs --box or --copies");
+    if (table == "grains" && !grains) wrong.emplace_back("--table grains needs --grains");
+    if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
   }
 
   void run(const tool::Invocation& invocation) const {
@@ -55,7 +61,7 @@ struct Homogenize {
                      {"volumes", "volumes of interest, one row per volume and state", {}},
                      {"grains", "one row per grain and state", {}}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
-      add(file.snapshots[n], fields);
+      add(file.snapshots.front(), file.snapshots[n], fields);
     if (file.series.rows() > 0) fields.groups.push_back({"series", "the run's own series", file.series});
     if (tsv) print(fields);
     if (!output.empty()) {
@@ -64,11 +70,10 @@ struct Homogenize {
     }
   }
 
-  void add(const io::Snapshot& s, io::FieldsFile& fields) const {
+  void add(const io::Snapshot& first, const io::Snapshot& s, io::FieldsFile& fields) const {
     analysis::put_cell(fields.groups[0].table, s, tessellation);
     if (boxes.empty() && !copies && !grains) return;
-    const std::vector<double> volumes = analysis::power_cell_volumes(s);
-    const std::vector<Mat3> dyads = analysis::grain_dyads(s);
+    const analysis::Local local = analysis::local(first, s);
     std::vector<analysis::Volume> parts;
     if (copies) parts = analysis::copies(s);
     for (const std::string& text : boxes) {
@@ -76,8 +81,8 @@ struct Homogenize {
       parts.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
     }
     for (std::size_t k = 0; k < parts.size(); ++k)
-      analysis::put_volume(fields.groups[1].table, s, static_cast<double>(k), parts[k], dyads, volumes);
-    if (grains) analysis::put_grains(fields.groups[2].table, s, dyads, volumes);
+      analysis::put_volume(fields.groups[1].table, first, s, static_cast<double>(k), parts[k], local);
+    if (grains) analysis::put_grains(fields.groups[2].table, s, local);
   }
 
   void print(const io::FieldsFile& fields) const {

@@ -83,7 +83,10 @@ Coordination coordination(const io::Snapshot& state) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < count.size(); ++i)
-      if (!out[i] && count[i] < least) out[i] = 1, changed = true;
+      if (!out[i] && count[i] < least) {
+        out[i] = 1;
+        changed = true;
+      }
     for (std::size_t c = 0; c < state.contacts.size(); ++c) {
       const auto [a, b] = state.contacts.bodies[c];
       const bool lost = out[static_cast<std::size_t>(a)] || (b >= 0 && out[static_cast<std::size_t>(b)]);
@@ -94,7 +97,11 @@ Coordination coordination(const io::Snapshot& state) {
     }
   }
   double left = 0, held = 0;
-  for (std::size_t i = 0; i < count.size(); ++i) out[i] ? ++z.rattlers : (left += 1, held += count[i], std::size_t{0});
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    z.rattlers += out[i] ? 1 : 0;
+    left += out[i] ? 0 : 1;
+    held += out[i] ? 0 : count[i];
+  }
   z.backbone = left > 0 ? held / left : 0;
   return z;
 }
@@ -131,7 +138,8 @@ Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes) {
     if (std::hypot(n[a], n[b]) < cos45) continue;
     for (const double side : {1.0, -1.0}) {
       const double angle = std::atan2(side * n[b], side * n[a]);
-      const std::size_t k = std::min(classes - 1, static_cast<std::size_t>((angle < 0 ? angle + 2 * pi : angle) / width));
+      const std::size_t k =
+          std::min(classes - 1, static_cast<std::size_t>((angle < 0 ? angle + 2 * pi : angle) / width));
       rose.density[k] += 1;
       rose.normal_force[k] += state.contacts.normal_force[c];
       total += 1;

@@ -1,15 +1,11 @@
-// Love-Weber stress and what goes with it.
+// Sums of force (x) branch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stress.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
-#include <map>
 
-#include "dem/bodies.h"
+#include "analysis/volume_of_interest.h"
 
 namespace soilweave::analysis {
 
@@ -53,65 +49,6 @@ Principal principal(const Mat3& stress, int dimension) {
     if (p.directions(largest, k) < 0) p.directions.col(k) *= -1;
   }
   return p;
-}
-
-Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
-  Volume volume{fmt::format("box {:g} {:g} {:g} {:g} {:g} {:g}", low.x(), high.x(), low.y(), high.y(), low.z(), high.z()), {}};
-  const Mat3 inverse = state.cell.matrix.inverse();
-  for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    Vec3 reduced = inverse * state.grains.position[i];
-    for (int a = 0; a < state.grains.dimension; ++a)
-      if (state.cell.periodic[static_cast<std::size_t>(a)]) reduced[a] -= std::floor(reduced[a]);
-    const Vec3 at = state.cell.matrix * reduced;
-    bool inside = true;
-    for (int a = 0; a < state.grains.dimension; ++a) inside = inside && at[a] >= low[a] && at[a] < high[a];
-    if (inside) volume.grains.push_back(i);
-  }
-  return volume;
-}
-
-std::vector<Volume> copies(const io::Snapshot& state) {
-  std::map<std::int32_t, Volume> by_copy;
-  for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    Volume& v = by_copy[state.grains.copy_id[i]];
-    v.name = fmt::format("copy {}", state.grains.copy_id[i]);
-    v.grains.push_back(i);
-  }
-  std::vector<Volume> all;
-  for (auto& [id, v] : by_copy) all.push_back(std::move(v));
-  return all;
-}
-
-VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
-                         const std::vector<double>& cell_volumes) {
-  VolumeState v;
-  double solids = 0;
-  for (const std::size_t i : volume.grains) {
-    v.volume += cell_volumes[i];
-    v.stress += dyads[i];
-    solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);
-  }
-  if (v.volume > 0) v.stress /= v.volume;
-  v.void_ratio = solids > 0 ? v.volume / solids - 1 : 0;
-  return v;
-}
-
-Mat3 cell_strain(const io::CellRecord& cell) {
-  const Mat3& f = cell.deformation_gradient;
-  const Eigen::SelfAdjointEigenSolver<Mat3> stretch(Mat3(f * f.transpose()));
-  const Vec3 logs = -0.5 * stretch.eigenvalues().array().log();
-  return stretch.eigenvectors() * logs.asDiagonal() * stretch.eigenvectors().transpose();
-}
-
-double cell_volume(const io::Snapshot& state) {
-  const int d = state.grains.dimension;
-  return d == 3 ? state.cell.matrix.determinant() : state.cell.matrix.topLeftCorner<2, 2>().determinant();
-}
-
-double void_ratio(const io::Snapshot& state) {
-  double solids = 0;
-  for (const double r : state.grains.radius) solids += dem::grain_volume(state.grains.dimension, r);
-  return cell_volume(state) / solids - 1;
 }
 
 }  // namespace soilweave::analysis

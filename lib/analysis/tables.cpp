@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "analysis/fabric.h"
+#include "analysis/strain.h"
+#include "analysis/stress.h"
 #include "analysis/tessellation.h"
 #include "core/error.h"
 
@@ -25,9 +28,22 @@ void put_stress(io::Series& table, const Mat3& stress, int d) {
   put(table, "stress_obliquity", "1", "q/p", p != 0 ? q / p : 0);
 }
 
+void put_strain(io::Series& table, const Mat3& strain, int d) {
+  put(table, "strain", "1", "natural strain, compression positive", strain, d);
+  put(table, "strain_volumetric", "1", "sum of the natural strains, contraction positive",
+      volumetric_strain(strain, d));
+  put(table, "strain_deviatoric", "1", "deviatoric strain", deviatoric_strain(strain, d));
+}
+
+void put_step(io::Series& table, const io::Snapshot& state) {
+  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+  put(table, "time", "s", "time since the start", state.time);
+}
+
 }  // namespace
 
-void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name, double value) {
+void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
+         double value) {
   for (io::Column& column : table.columns)
     if (column.name == name) {
       column.values.push_back(value);
@@ -45,12 +61,8 @@ void put(io::Series& table, const std::string& prefix, const std::string& unit, 
 
 void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
   const int d = state.grains.dimension;
-  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
-  put(table, "time", "s", "time since the start", state.time);
-  const Mat3 strain = cell_strain(state.cell);
-  put(table, "strain", "1", "natural strain of the cell, compression positive", strain, d);
-  put(table, "strain_volumetric", "1", "sum of the natural strains, contraction positive", d * mean(strain, d));
-  put(table, "strain_deviatoric", "1", "deviatoric strain", (d == 3 ? 2.0 / 3.0 : 2.0) * deviatoric_stress(strain, d));
+  put_step(table, state);
+  put_strain(table, cell_strain(state.cell), d);
   const Mat3 stress = cell_stress(state);
   put_stress(table, stress, d);
   const Principal p = principal(stress, d);
@@ -63,45 +75,59 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
   put(table, "void_ratio", "1", "void ratio of the cell, overlaps counted twice", void_ratio(state));
   if (tessellate) {
     const std::vector<double> volumes = power_cell_volumes(state);
-    Volume all;
-    all.grains.resize(volumes.size());
-    std::iota(all.grains.begin(), all.grains.end(), std::size_t{0});
-    const VolumeState whole = volume_state(state, all, grain_dyads(state), volumes);
-    put(table, "void_ratio_tessellation", "1", "void ratio from the sum of the power cells", whole.void_ratio);
+    const VolumeState filled = volume_state(state, whole(state), grain_dyads(state), volumes);
+    put(table, "void_ratio_tessellation", "1", "void ratio from the sum of the power cells", filled.void_ratio);
   }
   put(table, "coordination_number", "1", "2 Nc/N", coordination(state).all);
 }
 
-void put_volume(io::Series& table, const io::Snapshot& state, double number, const Volume& volume,
-                const std::vector<Mat3>& dyads, const std::vector<double>& cell_volumes) {
-  const VolumeState v = volume_state(state, volume, dyads, cell_volumes);
-  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
-  put(table, "volume_of_interest", "1", "number of the volume, from 0", number);
-  put(table, "grains", "1", "grains in it", static_cast<double>(volume.grains.size()));
-  put(table, "volume", state.grains.dimension == 3 ? "m3" : "m2", "sum of its grains' power cells", v.volume);
-  put(table, "void_ratio", "1", "void ratio from the power cells", v.void_ratio);
-  put_stress(table, v.stress, state.grains.dimension);
+Local local(const io::Snapshot& reference, const io::Snapshot& state) {
+  Local l{grain_dyads(state), power_cell_volumes(state), std::vector<Mat3>(state.grains.size(), Mat3::Identity())};
+  if (&reference == &state) return l;
+  const std::vector<Simplex> simplices = delaunay(reference);
+  l.deformation = grain_gradients(reference, state, simplices, simplex_gradients(reference, state, simplices));
+  return l;
 }
 
-void put_grains(io::Series& table, const io::Snapshot& state, const std::vector<Mat3>& dyads,
-                const std::vector<double>& cell_volumes) {
+void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
+                const Volume& volume, const Local& local) {
+  const int d = state.grains.dimension;
+  if (volume.grains.empty())
+    throw DataError(
+        fmt::format("step {}: no grain lies in {}; give coordinates inside the cell, m", state.step, volume.name));
+  const VolumeState v = volume_state(state, volume, local.dyads, local.cell_volumes);
+  put_step(table, state);
+  put(table, "volume_of_interest", "1", "number of the volume, from 0", number);
+  put(table, "grains", "1", "grains in it", static_cast<double>(volume.grains.size()));
+  put(table, "volume", d == 3 ? "m3" : "m2", "sum of its grains' power cells", v.volume);
+  put(table, "void_ratio", "1", "void ratio from the power cells", v.void_ratio);
+  put_stress(table, v.stress, d);
+  // A gradient needs one grain more than the space has axes.
+  const bool enough = volume.grains.size() > static_cast<std::size_t>(d);
+  const Mat3 strain = enough ? natural_strain(best_fit_gradient(reference, state, volume.grains))
+                             : Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
+  put_strain(table, strain, d);
+}
+
+void put_grains(io::Series& table, const io::Snapshot& state, const Local& local) {
   const int d = state.grains.dimension;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put_step(table, state);
     put(table, "body_id", "1", "identity of the grain", static_cast<double>(state.grains.body_id[i]));
     for (int a = 0; a < d; ++a)
       put(table, fmt::format("position_{}", axes[a]), "m", "position, not wrapped", state.grains.position[i][a]);
-    put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", cell_volumes[i]);
-    put_stress(table, dyads[i] / cell_volumes[i], d);
+    put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
+    put_stress(table, local.dyads[i] / local.cell_volumes[i], d);
+    put_strain(table, natural_strain(local.deformation[i]), d);
   }
 }
 
 void put_fabric(io::Series& table, const io::Snapshot& state) {
   const int d = state.grains.dimension;
   const Fabric f = fabric(state);
-  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
-  put(table, "time", "s", "time since the start", state.time);
-  put(table, "strain_axial", "1", "natural strain of the cell along the loading axis", cell_strain(state.cell)(d - 1, d - 1));
+  put_step(table, state);
+  put(table, "strain_axial", "1", "natural strain of the cell along the loading axis",
+      cell_strain(state.cell)(d - 1, d - 1));
   put(table, "contact_normal", "1", "fabric tensor of the contact normals, thesis Eq. 3.6", f.normals, d);
   put(table, "normal_force", "N", "fabric tensor of the normal forces, thesis Eq. 3.7", f.normal_force, d);
   put(table, "tangential_force", "N", "fabric tensor of the tangential forces, symmetric part, thesis Eq. 3.8",
@@ -111,8 +137,8 @@ void put_fabric(io::Series& table, const io::Snapshot& state) {
   put(table, "a_t", "1", "anisotropy of the tangential forces", f.a_t);
   const StressForceFabric s = stress_force_fabric(state, f);
   put(table, "stress_obliquity", "1", "q/p from the stress", s.stress);
-  put(table, "stress_obliquity_from_fabric", "1", "q/p from the anisotropies: 2/5 (a_c + a_n + 3/2 a_t), in 2D 1/2 (a_c + a_n + a_t)",
-      s.fabric);
+  put(table, "stress_obliquity_from_fabric", "1",
+      "q/p from the anisotropies: 2/5 (a_c + a_n + 3/2 a_t), in 2D 1/2 (a_c + a_n + a_t)", s.fabric);
   const Coordination z = coordination(state);
   put(table, "coordination_number", "1", "2 Nc/N", z.all);
   put(table, "mechanical_coordination_number", "1", "(2 Nc - N1)/(N - N0 - N1), Thornton (2000)", z.mechanical);
@@ -127,7 +153,7 @@ void put_fabric(io::Series& table, const io::Snapshot& state) {
 void put_histogram(io::Series& table, const io::Snapshot& state) {
   const Coordination z = coordination(state);
   for (std::size_t k = 0; k < z.histogram.size(); ++k) {
-    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put_step(table, state);
     put(table, "contacts", "1", "contacts of a grain", static_cast<double>(k));
     put(table, "grains", "1", "grains with so many contacts", static_cast<double>(z.histogram[k]));
   }
@@ -136,7 +162,7 @@ void put_histogram(io::Series& table, const io::Snapshot& state) {
 void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes) {
   const auto rows = [&](double plane, const Rose& rose) {
     for (std::size_t k = 0; k < rose.angle.size(); ++k) {
-      put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+      put_step(table, state);
       put(table, "plane", "1", "0: angle from the loading axis; 1: in the xy plane; 2: in the xz plane", plane);
       put(table, "angle", "deg", "middle of the class", rose.angle[k] * 180 / std::numbers::pi);
       put(table, "density", "1", "contacts in the class over those of an isotropic packing", rose.density[k]);
@@ -148,21 +174,41 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
   if (state.grains.dimension == 3) rows(2, plane_rose(state, 0, 2, classes));
 }
 
+void put_chains(io::Series& table, const io::Snapshot& state) {
+  const ForceChains chains = force_chains(state);
+  const io::ContactsRecord& c = state.contacts;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    if (chains.chain[k] < 0) continue;
+    const auto id = [&](int side) {
+      const auto grain = static_cast<std::size_t>(c.bodies[k][static_cast<std::size_t>(side)]);
+      return static_cast<double>(state.grains.body_id[grain]);
+    };
+    put_step(table, state);
+    put(table, "chain", "1", "number of the chain, from 0", chains.chain[k]);
+    put(table, "first", "1", "body_id of the first grain", id(0));
+    put(table, "second", "1", "body_id of the second grain", id(1));
+    put(table, "normal_force", "N", "normal force, compression positive", c.normal_force[k]);
+  }
+}
+
+bool names_states(const std::string& which) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(which.data(), which.data() + which.size(), number);
+  const bool whole_number = error == std::errc{} && end == which.data() + which.size();
+  return whole_number || which == "all" || which == "first" || which == "last";
+}
+
 std::vector<std::size_t> chosen_states(const std::string& which, std::size_t count, const std::string& where) {
+  const auto n = static_cast<std::int64_t>(count);
   std::vector<std::size_t> chosen;
   if (which == "all") {
     chosen.resize(count);
     std::iota(chosen.begin(), chosen.end(), std::size_t{0});
     return chosen;
   }
-  const auto n = static_cast<std::int64_t>(count);
   std::int64_t number = which == "last" ? n - 1 : 0;
-  if (which != "last" && which != "first") {
-    const auto [end, error] = std::from_chars(which.data(), which.data() + which.size(), number);
-    if (error != std::errc{} || end != which.data() + which.size())
-      throw UsageError(fmt::format("--state {}: give all, first, last or a number", which));
-    if (number < 0) number += n;
-  }
+  if (which != "last") std::from_chars(which.data(), which.data() + which.size(), number);
+  if (number < 0) number += n;
   if (number < 0 || number >= n)
     throw DataError(fmt::format("{}: there is no state {}: the file holds {}, numbered from 0", where, which, n));
   chosen.push_back(static_cast<std::size_t>(number));

@@ -1,20 +1,34 @@
-// The space that belongs to each grain: power (radical Voronoi) cells in the periodic, possibly sheared cell, by CGAL.
+// The space between grains: power (radical Voronoi) cells and Delaunay tetrahedra, by CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "io/records.h"
 
 namespace soilweave::analysis {
 
-/// Volume of every grain's power cell, m3 (2D: area, m2). The cell must be periodic along every axis of the space; its
-/// images are laid around it and triangulated. Throws PhysicsError unless the cells fill the cell to 1e-9: a grain that
-/// was lost or counted twice would show there.
+/// Volume of every grain's power cell, m3 (2D: area, m2). The cell must be periodic along every axis of the space, and
+/// may be sheared; images are laid around it and triangulated. Throws DataError for another cell, and PhysicsError
+/// unless every grain has a cell and they fill the periodic cell to 1e-10: a grain lost or counted twice shows there.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
-/// Volume of the Delaunay tetrahedra of the grain centres, m3 (2D: triangles, m2): the measure of an assembly without a
-/// cell (thesis §3.2.3).
+/// A tetrahedron of grain centres (2D: a triangle, the fourth vertex unused). A vertex lies at position + cell * image.
+struct Simplex {
+  struct Vertex {
+    std::size_t grain = 0;
+    Vec3i image = Vec3i::Zero();
+  };
+  std::array<Vertex, 4> vertices;
+  double volume = 0;  // m3 (2D: m2)
+};
+
+/// Delaunay tetrahedra of the grain centres. Through periodic faces each is given once, and together they fill the
+/// cell to 1e-10 where all axes are periodic (else PhysicsError).
+std::vector<Simplex> delaunay(const io::Snapshot& state);
+
+/// Their total volume, m3 (2D: m2): the measure of an assembly without a cell (thesis, section 3.2.3).
 double delaunay_volume(const io::Snapshot& state);
 
 }  // namespace soilweave::analysis

@@ -1,0 +1,38 @@
+// Parts of an assembly to average over: boxes, and the copies of a tiled representative volume.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/records.h"
+
+namespace soilweave::analysis {
+
+/// A part of the assembly: its grains, each counted with the volume of its power cell.
+struct Volume {
+  std::string name;
+  std::vector<std::size_t> grains;
+};
+
+/// Grains whose wrapped centre lies in an axis-parallel box (m); the upper faces are outside.
+Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
+/// One volume per copy of a tiled representative volume, in the order of copy_id.
+std::vector<Volume> copies(const io::Snapshot& state);
+/// Every grain.
+Volume whole(const io::Snapshot& state);
+
+/// Stress (Pa; 2D: N/m) and void ratio of a volume from the dyads (N m) and power-cell volumes of its grains.
+struct VolumeState {
+  double volume = 0;  // m3 (2D: m2)
+  double void_ratio = 0;
+  Mat3 stress = Mat3::Zero();
+};
+VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
+                         const std::vector<double>& cell_volumes);
+
+/// Cell volume, m3 (2D: m2), and void ratio with overlaps counted twice.
+double cell_volume(const io::Snapshot& state);
+double void_ratio(const io::Snapshot& state);
+
+}  // namespace soilweave::analysis

@@ -1,0 +1,105 @@
+// Stress of lattices whose contact forces give it in closed form; sums, rotations, parts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stress.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "analysis/tessellation.h"
+#include "analysis/volume_of_interest.h"
+#include "support/assembly.h"
+
+namespace soilweave::analysis {
+namespace {
+
+using test::random_cell;
+using test::simple_cubic;
+
+// Random contacts between the first grains of a random cell: the identities need no equilibrium.
+io::Snapshot loaded() {
+  io::Snapshot s = random_cell(60);
+  for (int k = 0; k < 59; ++k)
+    test::add_contact(s, k, k + 1, Vec3i(k % 2, 0, -(k % 3)), 1 + 0.1 * k, Vec3(0.3, -0.2 * k, 0.1));
+  return s;
+}
+
+TEST(Stress, OfASimpleCubicLatticeIsForceOverArea) {
+  const Vec3 force(3, 5, 7);  // each contact holds one unit square
+  const Mat3 stress = cell_stress(simple_cubic(4, force));
+  EXPECT_LT((stress - Mat3(force.asDiagonal())).norm(), 1e-13);
+  const Mat3 disks = cell_stress(simple_cubic(4, force, 2));
+  EXPECT_LT((disks - Mat3(Vec3(3, 5, 0).asDiagonal())).norm(), 1e-13);
+}
+
+TEST(Stress, GrainsHoldAllOfIt) {
+  const io::Snapshot s = loaded();
+  Mat3 sum = Mat3::Zero();
+  for (const Mat3& dyad : grain_dyads(s)) sum += dyad;
+  const Mat3 stress = cell_stress(s);
+  EXPECT_LT((sum / cell_volume(s) - stress).norm(), 1e-12 * stress.norm());
+  const VolumeState all = volume_state(s, whole(s), grain_dyads(s), power_cell_volumes(s));
+  EXPECT_LT((all.stress - stress).norm(), 1e-9 * stress.norm());
+  EXPECT_NEAR(all.void_ratio, void_ratio(s), 1e-9);
+}
+
+TEST(Stress, ADyadIsSplitAtTheContactPoint) {
+  io::Snapshot s;
+  test::add_grain(s, Vec3(0, 0, 0), 1);
+  test::add_grain(s, Vec3(4, 0, 0), 3);
+  test::add_contact(s, 0, 1, Vec3i::Zero(), 2);
+  const std::vector<Mat3> dyads = grain_dyads(s);
+  EXPECT_DOUBLE_EQ(dyads[0](0, 0), 2 * 1);
+  EXPECT_DOUBLE_EQ(dyads[1](0, 0), 2 * 3);
+}
+
+TEST(Stress, TurnsWithTheAssembly) {
+  const io::Snapshot s = loaded();
+  const Mat3 q = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  io::Snapshot turned = s;
+  turned.cell.matrix = q * s.cell.matrix;
+  for (Vec3& f : turned.contacts.shear_force) f = q * f;
+  for (Vec3& n : turned.contacts.normal) n = q * n;
+  for (Vec3& l : turned.contacts.branch_vector) l = q * l;
+  const Mat3 expected = q * cell_stress(s) * q.transpose();
+  EXPECT_LT((cell_stress(turned) - expected).norm(), 1e-12 * expected.norm());
+}
+
+TEST(Stress, PrincipalValuesAreOrderedAndRebuildIt) {
+  const Mat3 q = Eigen::AngleAxisd(1.1, Vec3(1, 1, 3).normalized()).toRotationMatrix();
+  const Mat3 stress = q * Vec3(1, 3, 2).asDiagonal() * q.transpose();
+  const Principal p = principal(stress, 3);
+  EXPECT_LT((p.values - Vec3(3, 2, 1)).norm(), 1e-14);
+  EXPECT_LT((p.directions * p.values.asDiagonal() * p.directions.transpose() - stress).norm(), 1e-14);
+  Mat3 plane = Mat3::Zero();
+  plane.topLeftCorner<2, 2>() << 2, 1, 1, 2;
+  const Principal flat = principal(plane, 2);
+  EXPECT_LT((flat.values - Vec3(3, 1, 0)).norm(), 1e-14);
+  EXPECT_NEAR(flat.directions(0, 0), std::numbers::sqrt2 / 2, 1e-14);
+}
+
+TEST(VolumeOfInterest, BoxesTakeWrappedGrainsOnce) {
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  s.grains.position[0] += 4 * Vec3(1, -2, 0);  // the same place, two cells on
+  const Volume left = box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4}), right = box(s, {1.5, -0.5, -0.5}, {4, 4, 4});
+  EXPECT_EQ(left.grains.size(), 32U);
+  EXPECT_EQ(right.grains.size(), 32U);
+  EXPECT_EQ(left.grains[0], 0U);
+  const VolumeState v = volume_state(s, left, grain_dyads(s), power_cell_volumes(s));
+  EXPECT_NEAR(v.volume, 32, 1e-10);
+  EXPECT_LT((v.stress - Mat3(Vec3(3, 5, 7).asDiagonal())).norm(), 1e-10);
+  EXPECT_NEAR(v.void_ratio, 6 / std::numbers::pi - 1, 1e-10);
+}
+
+TEST(VolumeOfInterest, CopiesComeInOrder) {
+  io::Snapshot s = simple_cubic(2, Vec3(1, 1, 1));
+  s.grains.copy_id = {1, 1, 0, 0, 1, 1, 0, 2};
+  const std::vector<Volume> v = copies(s);
+  ASSERT_EQ(v.size(), 3U);
+  EXPECT_EQ(v[0].name, "copy 0");
+  EXPECT_EQ(v[0].grains, (std::vector<std::size_t>{2, 3, 6}));
+  EXPECT_EQ(v[2].grains, (std::vector<std::size_t>{7}));
+}
+
+}  // namespace
+}  // namespace soilweave::analysis
