@@ -19,11 +19,16 @@ using namespace soilweave;
 
 constexpr Parameter grains_parameter{"grains", "1", 10, 1e8, false, "number of grains", "fewer cannot carry a load"};
 constexpr Parameter void_ratio_parameter{"void_ratio", "1", 0, 5, true, "void ratio to reach"};
-constexpr Parameter pressure_parameter{"pressure", "Pa", 0, 1e12, true, "isotropic pressure it holds at",
+constexpr Parameter pressure_parameter{"pressure",
+                                       "Pa",
+                                       0,
+                                       1e12,
+                                       true,
+                                       "isotropic pressure it holds at",
                                        "a packing needs contacts, and contacts need a pressure"};
 constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean radius the grading is scaled to"};
-constexpr Parameter cloud_parameter{"cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud",
-                                    "grains placed at random jam below it"};
+constexpr Parameter cloud_parameter{
+    "cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud", "grains placed at random jam below it"};
 constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
 constexpr Parameter dimension_parameter{"dimension", "1", 2, 3, false, "3 for spheres, 2 for disks"};
 constexpr Parameter density_parameter{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included"};
@@ -48,10 +53,12 @@ struct PackGenerate {
   bool as_is = false;
 
   void options(tool::Table& table) {
-    table.about("pack-generate", "make a packing of grains from a grading curve, at a void ratio and a pressure",
-                "A random cloud in a periodic cell is compressed isotropically to the pressure; then the inter-particle "
-                "friction is lowered step by step until the void ratio is reached, and restored.");
-    table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5", "spheres, Toyoura grading");
+    table.about(
+        "pack-generate", "make a packing of grains from a grading curve, at a void ratio and a pressure",
+        "A random cloud in a periodic cell is compressed isotropically to the pressure; then the inter-particle "
+        "friction is lowered step by step until the void ratio is reached, and restored.");
+    table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5",
+                  "spheres, Toyoura grading");
     table.example("pack-generate --import spheres.txt --as-is -o imported.h5", "a packing from another code");
     table.option(grading, "grading", "NAME|FILE", "toyoura, or a TSV with diameter [mm] and finer_by_mass [1]");
     table.option(grains, grains_parameter);
@@ -81,8 +88,8 @@ struct PackGenerate {
 
   void run(const tool::Invocation& invocation) const {
     std::vector<io::Source> sources;
-    const io::TextFile text = material.empty() ? io::TextFile{std::string(default_material), {}}
-                                               : io::read_text(material, "material");
+    const io::TextFile text =
+        material.empty() ? io::TextFile{std::string(default_material), {}} : io::read_text(material, "material");
     if (!material.empty()) sources.push_back(text.source);
     Settings document = Settings::parse(text.text, material.empty() ? "default material" : material.string());
     const dem::Model model = dem::read_model(document);
@@ -101,9 +108,9 @@ struct PackGenerate {
       recipe.damping = numerics.damping;
       recipe.tolerances.unbalanced_force = tolerance;
       Progress progress("pack-generate", invocation.quiet);
-      state = packing::compact(state, model, numerics, recipe,
-                               [&](double f, const std::string& detail) { progress.update(f, detail); })
-                  .state;
+      state = packing::compact(state, model, numerics, recipe, [&](double f, const std::string& detail) {
+                progress.update(f, detail);
+              }).state;
       state.step = 0;
       state.time = 0;
     }
@@ -122,7 +129,7 @@ struct PackGenerate {
     const int d = static_cast<int>(dimension);
     std::vector<double> radii = curve.radii(static_cast<std::size_t>(grains), d);
     scale(radii);
-    return packing::cloud(radii, cloud_void_ratio, {1, d == 2 ? aspect : 1, aspect}, d, rho, seed);
+    return packing::cloud(radii, cloud_void_ratio, {1, d == 2 ? aspect : 1.0, aspect}, d, rho, seed);
   }
 
   void scale(std::vector<double>& radii) const {
@@ -153,7 +160,8 @@ struct PackGenerate {
     io::CellRecord given;
     if (!cell.empty()) given.matrix = parse_cell().asDiagonal();
     const bool ours = import.extension() == ".h5";
-    io::PackingFile file = ours ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
+    io::PackingFile file =
+        ours ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
     sources.push_back(file.source);
     return file.state;
   }

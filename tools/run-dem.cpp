@@ -13,7 +13,12 @@ namespace {
 
 using namespace soilweave;
 
-constexpr Parameter perturb{"perturb", "1", 0, 1, false, "move the grains at random by up to this fraction of the radius",
+constexpr Parameter perturb{"perturb",
+                            "1",
+                            0,
+                            1,
+                            false,
+                            "move the grains at random by up to this fraction of the radius",
                             "more would make another packing"};
 
 struct RunDem {
@@ -22,10 +27,11 @@ struct RunDem {
   double perturbation = 0;
 
   void options(tool::Table& table) {
-    table.about("run-dem", "load a packing of grains along the stages of a scenario",
-                "Reads a packing (or the last state of a run), applies the contact law and the loading stages of a TOML "
-                "scenario, and writes a run: a series with one row per station, snapshots with all contacts, and the "
-                "state to go on from.");
+    table.about(
+        "run-dem", "load a packing of grains along the stages of a scenario",
+        "Reads a packing (or the last state of a run), applies the contact law and the loading stages of a TOML "
+        "scenario, and writes a run: a series with one row per station, snapshots with all contacts, and the "
+        "state to go on from.");
     table.example("run-dem packing.h5 triaxial.toml -o run.h5", "drained triaxial compression");
     table.example("run-dem packing.h5 triaxial.toml --set stage.0.pressure=0.5e6 -o run.h5", "at another pressure");
     table.input(packing, "PACKING", "packing or run to start from, - for standard input");
@@ -47,8 +53,8 @@ struct RunDem {
     io::Snapshot state = dem::prepare(start.state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
     Progress progress("run-dem", invocation.quiet);
-    const io::RunFile result = dem::run(
-        state, plan, [&](double fraction, const std::string& detail) { progress.update(fraction, detail); });
+    const io::RunFile result =
+        dem::run(state, plan, [&](double fraction, const std::string& detail) { progress.update(fraction, detail); });
     io::write_run(output, result, io::extend({start.source, text.source}, invocation, plan.resolved));
   }
 };

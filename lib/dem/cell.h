@@ -12,7 +12,8 @@ class Cell {
   Cell() = default;
   Cell(const io::CellRecord& record, int dimension);
 
-  /// Advances shape and deformation gradient by one step of the velocity gradient (first order, dem-laws: H <- (I + L dt) H).
+  /// Advances shape and deformation gradient by one step of the velocity gradient (first order, dem-laws: H <- (I + L
+  /// dt) H).
   void advance(double dt);
   void set_velocity_gradient(const Mat3& gradient) { velocity_gradient_ = gradient; }
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
@@ -24,9 +25,10 @@ class Cell {
   bool any_periodic() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
   bool deforming() const { return deforming_; }
 
-  double volume() const;             // m3 (2D: m2)
-  Vec3 widths() const;               // m, distances between opposite faces
-  /// Integer offset of `to`'s image nearest to `from` (exact for grains smaller than half the cell), periodic axes only.
+  double volume() const;  // m3 (2D: m2)
+  Vec3 widths() const;    // m, distances between opposite faces
+  /// Integer offset of `to`'s image nearest to `from` (exact for grains smaller than half the cell), periodic axes
+  /// only.
   Vec3i nearest_image(const Vec3& from, const Vec3& to) const;
   io::CellRecord record() const;
 

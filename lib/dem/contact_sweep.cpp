@@ -92,8 +92,8 @@ class LawSweep final : public ContactSweep {
     kin.R_star = kin.r1 * kin.r2 / reach;
     kin.m_star = bodies.mass[i] * bodies.mass[j] / (bodies.mass[i] + bodies.mass[j]);
     contacts.branch[k] = d;
-    respond(couple(bodies.material[i], bodies.material[j]), kin, motion, kin.r1 - 0.5 * overlap, kin.r2 - 0.5 * overlap, dt,
-            contacts, k, sums);
+    respond(couple(bodies.material[i], bodies.material[j]), kin, motion, kin.r1 - 0.5 * overlap, kin.r2 - 0.5 * overlap,
+            dt, contacts, k, sums);
   }
 
   // Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the benchmarks.
@@ -161,9 +161,9 @@ class LawSweep final : public ContactSweep {
     tally(kin, motion, arm_1, arm_2, dt, shear_before, books, contacts, k, sums);
   }
 
-  static void tally(const Kinematics<double>& kin, const PairMotion<double>& motion, double arm_1, double arm_2, double dt,
-                    const V3<double>& shear_before, const Books<double>& books, const Contacts& contacts, std::size_t k,
-                    SweepSums& sums) {
+  static void tally(const Kinematics<double>& kin, const PairMotion<double>& motion, double arm_1, double arm_2,
+                    double dt, const V3<double>& shear_before, const Books<double>& books, const Contacts& contacts,
+                    std::size_t k, SweepSums& sums) {
     const V3<double>& f = contacts.force[k];
     const V3<double>& l = contacts.branch[k];
     sums.force_branch += Vec3(f.x, f.y, f.z) * Vec3(l.x, l.y, l.z).transpose();

@@ -15,15 +15,15 @@ namespace soilweave::dem {
 
 /// Sums over the contacts of one sweep. Energies J; the work terms are of the step that led to the present positions.
 struct SweepSums {
-  Mat3 force_branch = Mat3::Zero();        // sum of f (x) l, N m; over the volume: the stress, compression positive
-  Vec3 axial_stiffness = Vec3::Zero();     // sum of affine stiffness times squared branch, N m
-  double force_magnitude = 0;              // N, sum of |f|
-  double largest_relative_overlap = 0;     // overlap over the smaller radius
+  Mat3 force_branch = Mat3::Zero();     // sum of f (x) l, N m; over the volume: the stress, compression positive
+  Vec3 axial_stiffness = Vec3::Zero();  // sum of affine stiffness times squared branch, N m
+  double force_magnitude = 0;           // N, sum of |f|
+  double largest_relative_overlap = 0;  // overlap over the smaller radius
   double elastic_normal = 0, elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;
   double shear_before = 0, rolling_before = 0, twisting_before = 0;  // old memory at the present stiffness
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double kinematic = 0;                    // shear work on the grains' true slip minus that on the law's slip
-  double plane_work = 0;                   // done on the grains by moving planes
+  double kinematic = 0;   // shear work on the grains' true slip minus that on the law's slip
+  double plane_work = 0;  // done on the grains by moving planes
   std::int64_t contacts = 0;
 
   void add(const SweepSums& other);
@@ -36,7 +36,8 @@ class ContactSweep {
   /// as it is (the first sweep of a simulation).
   virtual SweepSums run(const Bodies& bodies, const Cell& cell, const Planes& planes, double dt, int threads,
                         Contacts& contacts) const = 0;
-  /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts form.
+  /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts
+  /// form.
   virtual double stiffness(double radius, double overlap) const = 0;
 };
 

@@ -24,7 +24,8 @@ void Contacts::index(std::size_t n) {
   std::vector<std::int32_t> next(body_start.begin(), body_start.end() - 1);
   for (std::size_t k = 0; k < size(); ++k)
     for (const std::int32_t body : {first[k], second[k]})
-      if (body >= 0) body_pairs[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = static_cast<std::int32_t>(k);
+      if (body >= 0)
+        body_pairs[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = static_cast<std::int32_t>(k);
 }
 
 }  // namespace soilweave::dem

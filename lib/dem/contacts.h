@@ -13,19 +13,20 @@
 namespace soilweave::dem {
 
 struct Contacts {
-  std::vector<std::int32_t> first, second;   // grain indices, first < second; a plane k is -1 - k in second
-  std::vector<Vec3i> image;                  // cell offset of the second grain
+  std::vector<std::int32_t> first, second;  // grain indices, first < second; a plane k is -1 - k in second
+  std::vector<Vec3i> image;                 // cell offset of the second grain
   std::vector<std::uint8_t> touching;
-  std::vector<V3<double>> normal;            // of the last sweep: part of the history
-  std::vector<Memory<double>> memory;        // N, N m
-  std::vector<double> overlap, normal_force; // m, N
+  std::vector<V3<double>> normal;             // of the last sweep: part of the history
+  std::vector<Memory<double>> memory;         // N, N m
+  std::vector<double> overlap, normal_force;  // m, N
   std::vector<std::uint8_t> sliding;
-  std::vector<V3<double>> branch;            // m, centre to centre
-  std::vector<V3<double>> force;             // N, on the second body
+  std::vector<V3<double>> branch;                       // m, centre to centre
+  std::vector<V3<double>> force;                        // N, on the second body
   std::vector<V3<double>> torque_first, torque_second;  // N m
   std::vector<double> normal_stiffness, shear_stiffness, rolling_stiffness, twisting_stiffness;
 
-  // Grain b's pairs are body_pairs[body_start[b] .. body_start[b+1]), ascending: the fixed order of every per-grain sum.
+  // Grain b's pairs are body_pairs[body_start[b] .. body_start[b+1]), ascending: the fixed order of every per-grain
+  // sum.
   std::vector<std::int32_t> body_start, body_pairs;
 
   std::size_t size() const { return first.size(); }

@@ -30,7 +30,8 @@ class Servo {
   /// Sets the velocity gradient of the next step; axes beyond the space's dimension stay at rest.
   void drive(const AxisGoals& goals, int dimension, Simulation& simulation);
   /// All goals met within the tolerances and the unbalanced force below its own.
-  static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances, const Simulation& simulation);
+  static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances,
+                      const Simulation& simulation);
 
  private:
   Vec3 rate_ = Vec3::Zero();  // 1/s, the integral part, compression positive

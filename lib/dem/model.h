@@ -19,10 +19,10 @@ struct Model {
 };
 
 struct Numerics {
-  double damping = 0.2;            // Cundall's local non-viscous damping, 0 to 1
-  double time_step_safety = 0.8;   // fraction of the stability limit from the present stiffness
-  std::optional<double> time_step; // s, fixed; overrides the estimate
-  Vec3 gravity = Vec3::Zero();     // m/s2
+  double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
+  double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness
+  std::optional<double> time_step;  // s, fixed; overrides the estimate
+  Vec3 gravity = Vec3::Zero();      // m/s2
   int threads = 1;
 };
 

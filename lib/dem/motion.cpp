@@ -3,7 +3,6 @@
 #include "dem/motion.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

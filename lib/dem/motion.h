@@ -10,9 +10,9 @@ namespace soilweave::dem {
 
 /// What a pass over the grains measures.
 struct MotionSums {
-  double damping = 0;           // J, taken by local damping in this step
-  double gravity_work = 0;      // J, in this step
-  double fastest = 0;           // m/s, largest fluctuation speed
+  double damping = 0;       // J, taken by local damping in this step
+  double gravity_work = 0;  // J, in this step
+  double fastest = 0;       // m/s, largest fluctuation speed
 };
 
 /// Contact forces and torques summed on every grain in the order of its pairs. Returns the sum over the grains of

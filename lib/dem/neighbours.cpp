@@ -51,7 +51,8 @@ class Grid {
             const std::int32_t j = members_[static_cast<std::size_t>(m)];
             if (static_cast<std::size_t>(j) <= i) continue;
             const Vec3i image = turn + wrap_[i] - wrap_[static_cast<std::size_t>(j)];
-            const Vec3 d = to_vec3(bodies_.position[static_cast<std::size_t>(j)]) + cell_.matrix() * image.cast<double>() - xi;
+            const Vec3 d =
+                to_vec3(bodies_.position[static_cast<std::size_t>(j)]) + cell_.matrix() * image.cast<double>() - xi;
             const double reach = bodies_.radius[i] + bodies_.radius[static_cast<std::size_t>(j)] + skin;
             if (d.squaredNorm() < reach * reach) found.push_back({j, image});
           }
@@ -138,7 +139,8 @@ void Neighbours::rebuild(const Bodies& bodies, const Cell& cell, const Planes& p
     fresh.resize(k + 1);
     fresh.clear(k);
     fresh.first[k] = key.first, fresh.second[k] = second, fresh.image[k] = image;
-    if (old < contacts.size() && std::pair(contacts.first[old], contacts.second[old]) == key) fresh.copy(k, contacts, old);
+    if (old < contacts.size() && std::pair(contacts.first[old], contacts.second[old]) == key)
+      fresh.copy(k, contacts, old);
   };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t p = planes.all.size(); p-- > 0;) {

@@ -25,8 +25,8 @@ constexpr Entry entry() {
   return {P::name, [](Settings& table) -> std::unique_ptr<Path> { return std::make_unique<P>(P::read(table)); }};
 }
 
-constexpr std::array list = {entry<Isotropic>(), entry<K0>(),       entry<Triaxial>(),
-                             entry<ConstantP>(), entry<ConstantVolume>(), entry<Free>()};
+constexpr std::array list = {entry<Isotropic>(),      entry<K0>(),  entry<Triaxial>(), entry<ConstantP>(),
+                             entry<ConstantVolume>(), entry<Free>()};
 
 }  // namespace
 
@@ -43,10 +43,16 @@ std::unique_ptr<Path> read_path(const std::string& name, Settings& table) {
 }
 
 StrainStations read_strain_stations(Settings& table) {
-  static constexpr Parameter axial{"axial_strain", "1", -2, 2, false, "natural axial strain at the end, compression positive",
+  static constexpr Parameter axial{"axial_strain",
+                                   "1",
+                                   -2,
+                                   2,
+                                   false,
+                                   "natural axial strain at the end, compression positive",
                                    "beyond it the cell has changed by more than a factor of seven"};
   static constexpr Parameter increment{"increment", "1", 0, 1, true, "axial strain between recorded stations"};
-  static constexpr Parameter list_key{"stations", "1", -2, 2, false, "axial strains to record at, instead of axial_strain"};
+  static constexpr Parameter list_key{"stations", "1",   -2,
+                                      2,          false, "axial strains to record at, instead of axial_strain"};
   static constexpr Parameter rate{"rate", "1/s", 0, 1e3, true, "largest axial strain rate"};
   StrainStations s;
   s.rate = table.number(rate, 0.1);
@@ -63,7 +69,8 @@ StrainStations read_strain_stations(Settings& table) {
 }
 
 double read_max_rate(Settings& table) {
-  static constexpr Parameter max_rate{"max_rate", "1/s", 0, 1e3, true, "largest strain rate of the stress-controlled axes"};
+  static constexpr Parameter max_rate{"max_rate", "1/s", 0,
+                                      1e3,        true,  "largest strain rate of the stress-controlled axes"};
   return table.number(max_rate, 1.0);
 }
 

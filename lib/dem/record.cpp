@@ -102,7 +102,8 @@ constexpr std::array quantities = {
     Quantity{"frictional_dissipation", "J", "dissipated by sliding", [](const M& m) { return m.energies.frictional; }},
     Quantity{"rolling_dissipation", "J", "dissipated at the rolling and twisting limits",
              [](const M& m) { return m.energies.rolling_plastic; }},
-    Quantity{"viscous_dissipation", "J", "dissipated by contact damping", [](const M& m) { return m.energies.viscous; }},
+    Quantity{"viscous_dissipation", "J", "dissipated by contact damping",
+             [](const M& m) { return m.energies.viscous; }},
     Quantity{"damping_dissipation", "J", "dissipated by local damping", [](const M& m) { return m.energies.damping; }},
     Quantity{"boundary_work", "J", "work done on the grains by the cell and moving planes",
              [](const M& m) { return m.energies.boundary_work; }},
@@ -121,10 +122,14 @@ io::Series empty_series() {
 }
 
 void record(const Simulation& simulation, int dimension, int stage, io::Series& series) {
-  const Moment moment{simulation,           dimension,           stage, simulation.measures(), simulation.energies(),
-                      simulation.strain(), coordination(simulation.snapshot())};
-  for (std::size_t c = 0; c < quantities.size(); ++c)
-    series.columns[c].values.push_back(quantities[c].value(moment));
+  const Moment moment{simulation,
+                      dimension,
+                      stage,
+                      simulation.measures(),
+                      simulation.energies(),
+                      simulation.strain(),
+                      coordination(simulation.snapshot())};
+  for (std::size_t c = 0; c < quantities.size(); ++c) series.columns[c].values.push_back(quantities[c].value(moment));
 }
 
 }  // namespace soilweave::dem

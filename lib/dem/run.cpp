@@ -27,8 +27,7 @@ bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int 
   if (rule.which == SnapshotRule::Which::stations) return true;
   if (rule.which == SnapshotRule::Which::ends) return false;
   const double strain = simulation.strain()[axis];
-  return std::any_of(rule.strains.begin(), rule.strains.end(),
-                     [&](double s) { return std::abs(s - strain) < 1e-7; });
+  return std::any_of(rule.strains.begin(), rule.strains.end(), [&](double s) { return std::abs(s - strain) < 1e-7; });
 }
 
 class Runner {
@@ -73,7 +72,8 @@ class Runner {
   void travel(const Stage& stage, std::size_t station) {
     const std::int64_t first = simulation_.steps();
     for (;;) {
-      const AxisGoals goals = stage.path->goals(station, {dimension_, simulation_.measures().stress, simulation_.strain()});
+      const AxisGoals goals =
+          stage.path->goals(station, {dimension_, simulation_.measures().stress, simulation_.strain()});
       servo_.drive(goals, dimension_, simulation_);
       simulation_.step();
       if (Servo::settled(goals, dimension_, scenario_.tolerances, simulation_)) break;
@@ -89,8 +89,8 @@ class Runner {
     const Measures& m = simulation_.measures();
     report_(static_cast<double>(done_) / static_cast<double>(total_),
             fmt::format("{} {}/{}, step {}, p {:.4g} Pa, e {:.4f}, unbalanced {:.1e}", stage.name, station + 1,
-                        stage.path->stations(), simulation_.steps(), mean(m.stress, dimension_), simulation_.void_ratio(),
-                        m.unbalanced_force));
+                        stage.path->stations(), simulation_.steps(), mean(m.stress, dimension_),
+                        simulation_.void_ratio(), m.unbalanced_force));
   }
 
   [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {
@@ -131,8 +131,8 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   const auto materials = std::visit([](const auto& m) { return m.size(); }, scenario.model.materials);
   for (const std::int32_t id : state.grains.material_id)
     if (id < 0 || static_cast<std::size_t>(id) >= materials)
-      throw DataError(fmt::format("the packing has grains of material {}, the scenario describes {}: add [[material]] tables",
-                                  id, materials));
+      throw DataError(fmt::format(
+          "the packing has grains of material {}, the scenario describes {}: add [[material]] tables", id, materials));
   if (scenario.density > 0) {
     for (std::size_t i = 0; i < state.grains.size(); ++i) {
       state.grains.mass[i] = scenario.density * grain_volume(state.grains.dimension, state.grains.radius[i]);

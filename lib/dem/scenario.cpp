@@ -11,9 +11,10 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
-  static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true,
-                                        "mean resultant on grains over mean contact force, at every recorded state"};
-  static constexpr Parameter stress{"stress_tolerance", "1", 0, 1, true, "distance of stresses from their goals, relative"};
+  static constexpr Parameter unbalanced{
+      "unbalanced_force", "1", 0, 1, true, "mean resultant on grains over mean contact force, at every recorded state"};
+  static constexpr Parameter stress{
+      "stress_tolerance", "1", 0, 1, true, "distance of stresses from their goals, relative"};
   static constexpr Parameter steps{"steps", "1", 1, 1e12, false, "steps after which a station counts as unreachable"};
   Settings table = document.table("equilibrium");
   largest_station = table.integer(steps, 2'000'000);
@@ -35,8 +36,8 @@ SnapshotRule read_snapshots(Settings& document) {
 }
 
 Stage read_stage(Settings table) {
-  static constexpr Parameter friction{"friction_angle", "deg", 0, 89.9, false,
-                                      "friction angle of all materials from this stage on"};
+  static constexpr Parameter friction{
+      "friction_angle", "deg", 0, 89.9, false, "friction angle of all materials from this stage on"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
   Stage stage;
   const std::string path = table.choice("path", path_names());
@@ -52,7 +53,8 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials) {
   static constexpr Parameter point{"point", "m", -1e6, 1e6, false, "a point of the plane"};
   static constexpr Parameter normal{"normal", "1", -1, 1, false, "normal towards the grains"};
   static constexpr Parameter velocity{"velocity", "m/s", -1e6, 1e6, false, "constant velocity of the plane"};
-  static constexpr Parameter material{"material", "1", 0, 1e3, false, "0: [contact], 1 and on: the [[material]] tables"};
+  static constexpr Parameter material{"material", "1",   0,
+                                      1e3,        false, "0: [contact], 1 and on: the [[material]] tables"};
   io::PlanesRecord planes;
   for (Settings table : document.tables("plane")) {
     planes.point.push_back(table.vector(point));
@@ -77,17 +79,22 @@ Model read_model(Settings& document) {
 }
 
 double read_density(Settings& document) {
-  static constexpr Parameter density{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included",
+  static constexpr Parameter density{"density",
+                                     "kg/m3",
+                                     0,
+                                     1e12,
+                                     true,
+                                     "density of the grains, scaling included",
                                      "grains without mass cannot be moved"};
   Settings grains = document.table("grains");
   return grains.has("density") ? grains.number(density) : 0.0;
 }
 
 Numerics read_numerics(Settings& document) {
-  static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "Cundall's local non-viscous damping",
-                                     "at 1 nothing would move"};
-  static constexpr Parameter safety{"time_step_safety", "1", 0, 1, true, "fraction of the stable time step",
-                                    "beyond 1 the integration is unstable"};
+  static constexpr Parameter damping{
+      "damping", "1", 0, 0.999, false, "Cundall's local non-viscous damping", "at 1 nothing would move"};
+  static constexpr Parameter safety{
+      "time_step_safety", "1", 0, 1, true, "fraction of the stable time step", "beyond 1 the integration is unstable"};
   static constexpr Parameter step{"time_step", "s", 0, 1e6, true, "fixed time step instead of the stiffness-based one"};
   static constexpr Parameter gravity{"gravity", "m/s2", -1e4, 1e4, false, "acceleration of gravity"};
   Settings table = document.table("numerics");
@@ -118,7 +125,11 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
 
 Model with_friction(const Model& model, double angle) {
   Model changed = model;
-  std::visit([&](auto& materials) { for (auto& m : materials) m.friction_angle = angle; }, changed.materials);
+  std::visit(
+      [&](auto& materials) {
+        for (auto& m : materials) m.friction_angle = angle;
+      },
+      changed.materials);
   return changed;
 }
 

@@ -14,9 +14,9 @@ namespace soilweave::dem {
 struct Stage {
   std::string name;
   std::unique_ptr<Path> path;
-  bool reset_strain = false;        // the state at its start becomes the reference of the strains
-  std::optional<double> friction;   // rad, of all materials from here on
-  std::optional<double> damping;    // local damping during this stage
+  bool reset_strain = false;       // the state at its start becomes the reference of the strains
+  std::optional<double> friction;  // rad, of all materials from here on
+  std::optional<double> damping;   // local damping during this stage
 };
 
 /// Which recorded stations get a full snapshot beside their row in the series.

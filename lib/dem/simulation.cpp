@@ -15,7 +15,8 @@
 namespace soilweave::dem {
 namespace {
 
-// The list's skin over the largest radius: rebuilds against candidates (measured flat between 0.03 and 0.1 at 1000 grains).
+// The list's skin over the largest radius: rebuilds against candidates (measured flat between 0.03 and 0.1 at 1000
+// grains).
 constexpr double relative_skin = 0.05;
 // A pair overlapping by more than this fraction of the smaller radius is no longer a contact of stiff grains.
 constexpr double overlap_guard = 0.5;
@@ -114,16 +115,17 @@ struct Simulation::Impl {
   void guard() const {
     if (!std::isfinite(sums.force_magnitude) || !std::isfinite(energies.elastic_normal))
       throw PhysicsError(fmt::format(
-          "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps", steps));
+          "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps",
+          steps));
     if (sums.largest_relative_overlap > overlap_guard) {
       std::size_t worst = 0;
       for (std::size_t k = 1; k < contacts.size(); ++k)
         if (contacts.overlap[k] > contacts.overlap[worst]) worst = k;
-      throw PhysicsError(fmt::format(
-          "step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
-          "the loading rate, or check the packing",
-          steps, contacts.first[worst], contacts.second[worst], contacts.overlap[worst],
-          100 * sums.largest_relative_overlap));
+      throw PhysicsError(
+          fmt::format("step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
+                      "the loading rate, or check the packing",
+                      steps, contacts.first[worst], contacts.second[worst], contacts.overlap[worst],
+                      100 * sums.largest_relative_overlap));
     }
   }
 

@@ -13,11 +13,11 @@ namespace soilweave::dem {
 
 /// What one sweep over the contacts and bodies measures. Stress compression positive.
 struct Measures {
-  Mat3 stress = Mat3::Zero();          // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
-  Vec3 axial_stiffness = Vec3::Zero(); // Pa, affine stiffness of the contact network along each cell axis
-  double unbalanced_force = 0;         // mean resultant on grains over mean contact force; 0/0 is 0
+  Mat3 stress = Mat3::Zero();           // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
+  Vec3 axial_stiffness = Vec3::Zero();  // Pa, affine stiffness of the contact network along each cell axis
+  double unbalanced_force = 0;          // mean resultant on grains over mean contact force; 0/0 is 0
   std::int64_t contacts = 0;
-  double largest_overlap = 0;          // over the smaller radius
+  double largest_overlap = 0;  // over the smaller radius
 };
 
 /// Work and energy since the start, J. boundary_work + gravity_work + initial = kinetic + elastic + dissipated parts
@@ -30,8 +30,8 @@ struct Energies {
   double damping = 0;          // dissipated by local non-viscous damping
   double boundary_work = 0;    // done on the assembly by the deforming cell and moving planes
   double gravity_work = 0;
-  double law = 0;              // taken out (+) or created (-) by the incremental contact law itself
-  double initial = 0;          // kinetic and elastic at the start
+  double law = 0;      // taken out (+) or created (-) by the incremental contact law itself
+  double initial = 0;  // kinetic and elastic at the start
   double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting; }
   double error() const {
     return initial + boundary_work + gravity_work -
@@ -50,28 +50,28 @@ class Simulation {
   /// Advances one time step with the cell's velocity gradient as set. Throws PhysicsError when physics breaks.
   void step();
 
-  const Measures& measures() const;    // of the last step
+  const Measures& measures() const;  // of the last step
   Energies energies() const;
-  double time_step() const;            // s, of the next step
+  double time_step() const;  // s, of the next step
   double time() const;
   std::int64_t steps() const;
 
   const Mat3& cell_matrix() const;
   const Mat3& deformation_gradient() const;
-  double volume() const;               // m3 (2D: m2)
-  double solid_volume() const;         // m3 (2D: m2), overlaps counted twice
+  double volume() const;        // m3 (2D: m2)
+  double solid_volume() const;  // m3 (2D: m2), overlaps counted twice
   double void_ratio() const;
   /// Natural strains since the reference, compression positive: -ln of the principal stretches along the axes.
   Vec3 strain() const;
-  void set_reference();                // the present cell becomes the reference of the strains
+  void set_reference();                              // the present cell becomes the reference of the strains
   void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
 
   void set_model(const Model& model);  // between stages: friction lowered, law parameters changed; history is kept
   void set_damping(double damping);
-  void scale_radii(double factor);     // masses follow at constant density
-  void stop_motion();                  // zero fluctuation velocities and spins
+  void scale_radii(double factor);  // masses follow at constant density
+  void stop_motion();               // zero fluctuation velocities and spins
 
-  io::Snapshot snapshot() const;       // complete: a Simulation made from it goes on bit by bit
+  io::Snapshot snapshot() const;  // complete: a Simulation made from it goes on bit by bit
 
  private:
   struct Impl;

@@ -76,9 +76,10 @@ io::Snapshot cloud(const std::vector<double>& radii, double void_ratio, const Ve
   }
   const double largest = 2 * radii.front();
   if (narrowest <= 2 * largest)
-    throw DataError(fmt::format("{} grains make a cell {:.4g} m wide, and the largest grain is {:.4g} m across: more than half "
-                                "the cell; take more grains or a more even cell",
-                                radii.size(), narrowest, largest));
+    throw DataError(
+        fmt::format("{} grains make a cell {:.4g} m wide, and the largest grain is {:.4g} m across: more than half "
+                    "the cell; take more grains or a more even cell",
+                    radii.size(), narrowest, largest));
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
 
@@ -94,9 +95,10 @@ io::Snapshot cloud(const std::vector<double>& radii, double void_ratio, const Ve
     do {
       for (int a = 0; a < dimension; ++a) at[a] = uniform() * size[a];
       if (++tries > most_tries)
-        throw DataError(fmt::format("grain {} of {} found no place after {} tries at a void ratio of {}: start from a looser "
-                                    "cloud",
-                                    g.size() + 1, radii.size(), most_tries, void_ratio));
+        throw DataError(
+            fmt::format("grain {} of {} found no place after {} tries at a void ratio of {}: start from a looser "
+                        "cloud",
+                        g.size() + 1, radii.size(), most_tries, void_ratio));
     } while (!placed.fits(at, r));
     placed.add(at, r);
     g.body_id.push_back(static_cast<std::int64_t>(g.size()));

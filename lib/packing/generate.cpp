@@ -50,7 +50,8 @@ class Compaction {
     const double loosest = simulation_.void_ratio();
     if (loosest < target - tolerance)
       throw TargetNotReached(fmt::format(
-          "void ratio {:.4f} is not reached at {:.4g} Pa: at the full friction angle of {:.4g} deg the packing is already at "
+          "void ratio {:.4f} is not reached at {:.4g} Pa: at the full friction angle of {:.4g} deg the packing is "
+          "already at "
           "{:.4f}; raise the friction angle or the rolling stiffness, lower the pressure, or ask for a denser packing",
           target, recipe_.pressure, angle_ / degree, loosest));
     // The void ratio goes on falling a little after friction is restored: that much is left for it, learnt on the way.
@@ -59,10 +60,11 @@ class Compaction {
     while (simulation_.void_ratio() > target + tolerance) {
       lowered *= recipe_.friction_factor;
       if (lowered < lowest_friction)
-        throw TargetNotReached(fmt::format(
-            "void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}; raise the pressure, "
-            "lower the rolling stiffness, or widen the grading",
-            target, recipe_.pressure, simulation_.void_ratio()));
+        throw TargetNotReached(
+            fmt::format("void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}; "
+                        "raise the pressure, "
+                        "lower the rolling stiffness, or widen the grading",
+                        target, recipe_.pressure, simulation_.void_ratio()));
       lowest_ = lowered;
       set_friction(lowered);
       const double aim = target + std::min(lead, 0.5 * (simulation_.void_ratio() - target));
@@ -78,10 +80,10 @@ class Compaction {
       settle("friction restored", 0);
     }
     if (std::abs(simulation_.void_ratio() - target) > 4 * tolerance)
-      throw TargetNotReached(
-          fmt::format("void ratio {:.4f} is not held at {:.4g} Pa: the packing settled at {:.4f} as friction was restored; "
-                      "lower the rate (--max-rate) or raise the damping",
-                      target, recipe_.pressure, simulation_.void_ratio()));
+      throw TargetNotReached(fmt::format(
+          "void ratio {:.4f} is not held at {:.4g} Pa: the packing settled at {:.4f} as friction was restored; "
+          "lower the rate (--max-rate) or raise the damping",
+          target, recipe_.pressure, simulation_.void_ratio()));
   }
 
   void set_friction(double angle) { simulation_.set_model(dem::with_friction(model_, angle)); }
@@ -100,11 +102,12 @@ class Compaction {
       const std::int64_t steps = simulation_.steps() - first;
       if (report_ && steps % report_interval == 0) tell(stage);
       if (steps > recipe_.largest_stage)
-        throw TargetNotReached(fmt::format(
-            "{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio {:.4f}): raise the "
-            "damping or loosen the tolerance",
-            stage, recipe_.pressure, steps, simulation_.measures().unbalanced_force, recipe_.tolerances.unbalanced_force,
-            simulation_.void_ratio()));
+        throw TargetNotReached(
+            fmt::format("{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio "
+                        "{:.4f}): raise the "
+                        "damping or loosen the tolerance",
+                        stage, recipe_.pressure, steps, simulation_.measures().unbalanced_force,
+                        recipe_.tolerances.unbalanced_force, simulation_.void_ratio()));
     }
   }
 
@@ -123,7 +126,7 @@ class Compaction {
   dem::Simulation simulation_;
   dem::Servo servo_;
   dem::AxisGoals goals_;
-  double angle_;        // rad, full friction
+  double angle_;  // rad, full friction
   double lowest_ = 0;
 };
 

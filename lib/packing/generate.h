@@ -1,5 +1,5 @@
-// From a cloud to a packing with a given void ratio at a given pressure: compression, then friction lowered step by step.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// From a cloud to a packing with a given void ratio at a given pressure: compression, then friction lowered step by
+// step. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <functional>
@@ -13,14 +13,14 @@
 namespace soilweave::packing {
 
 struct Recipe {
-  double pressure = 1e3;                  // Pa
-  std::optional<double> void_ratio;       // none: whatever full friction gives
+  double pressure = 1e3;             // Pa
+  std::optional<double> void_ratio;  // none: whatever full friction gives
   double void_ratio_tolerance = 5e-4;
   dem::Tolerances tolerances;
-  double max_rate = 1.0;                  // 1/s, while compressing
-  double damping = 0.2;                   // Cundall's, throughout
-  double friction_factor = 0.8;           // of the friction angle, each time equilibrium is reached
-  std::int64_t largest_stage = 2'000'000; // steps after which an equilibrium counts as unreachable
+  double max_rate = 1.0;                   // 1/s, while compressing
+  double damping = 0.2;                    // Cundall's, throughout
+  double friction_factor = 0.8;            // of the friction angle, each time equilibrium is reached
+  std::int64_t largest_stage = 2'000'000;  // steps after which an equilibrium counts as unreachable
 };
 
 struct Result {

@@ -29,8 +29,8 @@ Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const double d = unit * size.values[k], f = finer.values[k];
     if (!(d > 0) || (k > 0 && d <= g.diameter.back()))
-      throw DataError(fmt::format("{}: row {}: diameter {} is not above the one before: sort the sizes, all positive", where,
-                                  k + 1, size.values[k]));
+      throw DataError(fmt::format("{}: row {}: diameter {} is not above the one before: sort the sizes, all positive",
+                                  where, k + 1, size.values[k]));
     if (!(f >= 0 && f <= 1) || (k > 0 && f < g.finer.back()))
       throw DataError(fmt::format("{}: row {}: finer_by_mass {} must rise from 0 to 1", where, k + 1, f));
     g.diameter.push_back(d);

@@ -8,8 +8,8 @@
 
 namespace soilweave::packing {
 
-/// Fraction by mass finer than a diameter: ascending diameters (m), fractions ascending to 1. Linear between points; what
-/// is finer than the first point has its size.
+/// Fraction by mass finer than a diameter: ascending diameters (m), fractions ascending to 1. Linear between points;
+/// what is finer than the first point has its size.
 struct Grading {
   std::vector<double> diameter;
   std::vector<double> finer;

@@ -36,7 +36,6 @@ Mat3 shearing() {
   return gradient;
 }
 
-
 TEST(Simulation, GivesTheSameBitsOnAnyNumberOfThreads) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5, 700);
   Numerics many;
@@ -82,7 +81,8 @@ TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
   }
 }
 
-// Frictionless: the elastic energy is a potential of the positions, so the work of a small affine stretch is its change.
+// Frictionless: the elastic energy is a potential of the positions, so the work of a small affine stretch is its
+// change.
 TEST(Simulation, StressIsTheDerivativeOfTheElasticEnergy) {
   const io::Snapshot start = testing::packed(testing::sand(0), 1e5);
   const auto energy_and_stress = [&](double strain, int axis) {
@@ -127,8 +127,8 @@ TEST(Simulation, RigidRotationOfTheCellStrainsNothing) {
   const double angle = 0.7;
   Mat3 turn = Mat3::Identity();
   turn.topLeftCorner<2, 2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  for (auto* field : {&start.grains.position, &start.grains.velocity, &start.grains.angular_velocity, &start.contacts.normal,
-                      &start.contacts.shear_force, &start.contacts.rolling_moment})
+  for (auto* field : {&start.grains.position, &start.grains.velocity, &start.grains.angular_velocity,
+                      &start.contacts.normal, &start.contacts.shear_force, &start.contacts.rolling_moment})
     for (Vec3& v : *field) v = (turn * v).eval();
   start.cell.matrix = (turn * start.cell.matrix).eval();
   const Simulation after(start, testing::sand(), {});
@@ -190,7 +190,8 @@ TEST(Servo, HoldsStressesAndVolume) {
   EXPECT_LE(s.measures().unbalanced_force, 1e-3);
 }
 
-// The servo's own period is 126 steps (control.cpp), whatever the number of grains: four of them reach a doubled pressure.
+// The servo's own period is 126 steps (control.cpp), whatever the number of grains: four of them reach a doubled
+// pressure.
 TEST(Servo, NeedsNoMoreStepsForMoreGrains) {
   for (const std::size_t grains : {125U, 1000U}) {
     Simulation s(testing::packed(testing::sand(), 1e5, grains), testing::sand(), {});

@@ -49,8 +49,8 @@ struct HertzMindlin {
                                            "isotropic elastic solids of this field lie between 0 and 0.5"};
 
   static Material read(Settings& table) {
-    return {table.number(young_modulus),      table.number(poisson_ratio),       read_friction_angle(table),
-            read_restitution(table),          read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+    return {table.number(young_modulus), table.number(poisson_ratio),       read_friction_angle(table),
+            read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),
             read_attraction(table)};
   }
 

@@ -46,8 +46,8 @@ struct Linear {
                                              "a contact much stiffer in shear than in compression is not a grain's"};
 
   static Material read(Settings& table) {
-    return {table.number(young_modulus),      table.number(stiffness_ratio),     read_friction_angle(table),
-            read_restitution(table),          read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+    return {table.number(young_modulus), table.number(stiffness_ratio),     read_friction_angle(table),
+            read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),
             read_attraction(table)};
   }
 

@@ -12,13 +12,23 @@ namespace soilweave::dem {
 
 /// Degrees in the scenario, radians inside.
 inline double read_friction_angle(Settings& table) {
-  static constexpr Parameter friction_angle{"friction_angle", "deg", 0, 89.9, false, "inter-particle friction angle",
+  static constexpr Parameter friction_angle{"friction_angle",
+                                            "deg",
+                                            0,
+                                            89.9,
+                                            false,
+                                            "inter-particle friction angle",
                                             "the tangent of a right angle is infinite"};
   return table.number(friction_angle) * std::numbers::pi / 180;
 }
 
 inline std::optional<double> read_restitution(Settings& table) {
-  static constexpr Parameter restitution{"restitution", "1", 0, 1, true, "normal coefficient of restitution",
+  static constexpr Parameter restitution{"restitution",
+                                         "1",
+                                         0,
+                                         1,
+                                         true,
+                                         "normal coefficient of restitution",
                                          "1 means no viscous damping: leave the key out"};
   if (!table.has("restitution")) return std::nullopt;
   return table.number(restitution);
@@ -27,10 +37,12 @@ inline std::optional<double> read_restitution(Settings& table) {
 /// Whether the dashpot may pull while the grains part.
 inline bool read_attraction(Settings& table) { return table.flag("attraction", false); }
 
-/// [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at all), arm.
+/// [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at all),
+/// arm.
 inline Resistance read_resistance(Settings& table, std::string_view key) {
-  static constexpr Parameter stiffness{"stiffness", "1", 0, 1e12, false,
-                                       "stiffness: N m/rad where scale is \"absolute\", a factor on ks r1 r2 where \"contact\""};
+  static constexpr Parameter stiffness{
+      "stiffness", "1",   0,
+      1e12,        false, "stiffness: N m/rad where scale is \"absolute\", a factor on ks r1 r2 where \"contact\""};
   static constexpr Parameter limit{"limit", "1", 0, 1e6, false, "plastic limit: moment over normal force and arm"};
   Resistance r;
   if (!table.has(key)) return r;

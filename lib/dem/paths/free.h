@@ -44,8 +44,8 @@ class Free final : public Path {
     AxisGoals goals;
     for (std::size_t a = 0; a < 3; ++a) {
       goals[a] = axes_[a].end;
-      goals[a].value = station + 1 == parts_ ? axes_[a].end.value
-                                             : axes_[a].start + share * (axes_[a].end.value - axes_[a].start);
+      goals[a].value =
+          station + 1 == parts_ ? axes_[a].end.value : axes_[a].start + share * (axes_[a].end.value - axes_[a].start);
     }
     return goals;
   }

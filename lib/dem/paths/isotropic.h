@@ -9,7 +9,9 @@ namespace soilweave::dem {
 class Isotropic final : public Path {
  public:
   static constexpr std::string_view name = "isotropic";
-  static Isotropic read(Settings& table) { return {read_stress(table, "pressure", "mean stress"), read_max_rate(table)}; }
+  static Isotropic read(Settings& table) {
+    return {read_stress(table, "pressure", "mean stress"), read_max_rate(table)};
+  }
 
   Isotropic(double pressure, double max_rate) : pressure_(pressure), max_rate_(max_rate) {}
   std::size_t stations() const override { return 1; }

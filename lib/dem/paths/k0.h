@@ -12,7 +12,12 @@ class K0 final : public Path {
  public:
   static constexpr std::string_view name = "k0";
   static K0 read(Settings& table) {
-    static constexpr Parameter stresses{"axial_stress", "Pa", 0, 1e12, true, "axial stresses to reach, one after the other",
+    static constexpr Parameter stresses{"axial_stress",
+                                        "Pa",
+                                        0,
+                                        1e12,
+                                        true,
+                                        "axial stresses to reach, one after the other",
                                         "a packing of dry grains carries no tension"};
     return {table.numbers(stresses), read_max_rate(table)};
   }

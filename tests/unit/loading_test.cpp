@@ -1,0 +1,154 @@
+// Loading paths and whole runs: what each path holds, what is recorded, and what is refused.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/error.h"
+#include "dem/run.h"
+#include "support/assemblies.h"
+
+namespace soilweave::dem {
+namespace {
+
+const std::string sand_toml = R"(
+[contact]
+law = "hertz-mindlin"
+young_modulus = "4 GPa"
+poisson_ratio = 0.33
+friction_angle = 29
+[contact.rolling]
+stiffness = 0.13
+limit = "none"
+[contact.twisting]
+stiffness = 0.13
+limit = "none"
+)";
+
+Scenario scenario(const std::string& stages, const std::vector<std::string>& overrides = {}) {
+  return read_scenario(sand_toml + stages, "test.toml", overrides);
+}
+
+io::RunFile loaded(const std::string& stages) {
+  const Scenario plan = scenario(stages);
+  return run(prepare(testing::packed(plan.model, 1e5), plan), plan, {});
+}
+
+double last(const io::RunFile& run, std::string_view column) { return run.series.at(column).values.back(); }
+
+TEST(Path, TriaxialHoldsTheLateralStressAtEveryStation) {
+  const io::RunFile run = loaded(
+      "[[stage]]\npath = \"triaxial\"\nconfining_pressure = \"100 kPa\"\naxial_strain = 0.02\nincrement = 0.005\n"
+      "[record]\nsnapshots = \"stations\"\n");
+  ASSERT_EQ(run.series.rows(), 5U);
+  ASSERT_EQ(run.snapshots.size(), 5U);
+  for (std::size_t k = 1; k < 5; ++k) {
+    EXPECT_NEAR(run.series.at("strain_axial").values[k], 0.005 * static_cast<double>(k), 1e-9);
+    EXPECT_NEAR(run.series.at("stress_xx").values[k], 1e5, 1e2);
+    EXPECT_NEAR(run.series.at("stress_yy").values[k], 1e5, 1e2);
+    EXPECT_LE(run.series.at("unbalanced_force").values[k], 1e-3);
+  }
+  EXPECT_GT(last(run, "stress_ratio"), 1.5);
+}
+
+TEST(Path, ConstantVolumeKeepsTheVoidRatio) {
+  const io::RunFile run = loaded("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.02\nincrement = 0.01\n");
+  EXPECT_NEAR(last(run, "void_ratio"), run.series.at("void_ratio").values.front(), 1e-9);
+  EXPECT_NEAR(last(run, "strain_axial"), 0.02, 1e-9);
+}
+
+TEST(Path, ConstantPHoldsTheMeanStress) {
+  const io::RunFile run =
+      loaded("[[stage]]\npath = \"constant-p\"\nmean_stress = 1e5\naxial_strain = 0.02\nincrement = 0.01\n");
+  EXPECT_NEAR(last(run, "mean_stress"), 1e5, 3e2);
+  EXPECT_GT(last(run, "deviatoric_stress"), 2e4);
+}
+
+TEST(Path, K0AllowsNoLateralStrain) {
+  const io::RunFile run = loaded("[[stage]]\npath = \"k0\"\naxial_stress = [1.5e5, 3e5]\n");
+  EXPECT_NEAR(last(run, "stress_zz"), 3e5, 3e2);
+  EXPECT_NEAR(last(run, "strain_xx"), 0, 1e-9);
+  EXPECT_NEAR(last(run, "strain_yy"), 0, 1e-9);
+  EXPECT_LT(last(run, "stress_xx"), 3e5);
+}
+
+TEST(Path, FreeCombinesGoalsAxisByAxis) {
+  const io::RunFile run = loaded(
+      "[[stage]]\npath = \"free\"\nparts = 2\n[stage.x]\nstress = 1.2e5\n[stage.y]\nstrain = -0.002\nmax_rate = 0.1\n"
+      "[stage.z]\nstress = 2e5\nstress_from = 1e5\n");
+  EXPECT_NEAR(last(run, "stress_xx"), 1.2e5, 1.3e2);
+  EXPECT_NEAR(last(run, "strain_yy"), -0.002, 1e-9);
+  EXPECT_NEAR(last(run, "stress_zz"), 2e5, 2.1e2);
+}
+
+TEST(Run, AStageMayChangeFrictionAndDamping) {
+  const io::RunFile run =
+      loaded("[[stage]]\npath = \"isotropic\"\npressure = 1.1e5\nfriction_angle = 5\ndamping = 0.5\n");
+  EXPECT_LT(last(run, "void_ratio"), run.series.at("void_ratio").values.front());
+}
+
+TEST(Run, SaysWhichStationCannotBeReached) {
+  const Scenario plan =
+      scenario("[equilibrium]\nsteps = 50\n[[stage]]\nname = \"far\"\npath = \"isotropic\"\npressure = 1e6\n");
+  try {
+    run(prepare(testing::packed(plan.model, 1e5), plan), plan, {});
+    FAIL() << "reached";
+  } catch (const TargetNotReached& e) {
+    EXPECT_NE(std::string(e.what()).find("stage \"far\", station 1: not settled after 50 steps"), std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(Run, TwinsDifferByTheSeedAndByNoMoreThanAsked) {
+  const io::Snapshot packing = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot one = perturbed(packing, 1e-6, 1), again = perturbed(packing, 1e-6, 1),
+                     two = perturbed(packing, 1e-6, 2);
+  double largest = 0;
+  for (std::size_t i = 0; i < packing.grains.size(); ++i) {
+    EXPECT_EQ(one.grains.position[i], again.grains.position[i]);
+    largest = std::max(largest, (one.grains.position[i] - packing.grains.position[i]).cwiseAbs().maxCoeff() /
+                                    packing.grains.radius[i]);
+  }
+  EXPECT_NE(one.grains.position[0], two.grains.position[0]);
+  EXPECT_LE(largest, 1.001e-6);
+  EXPECT_GT(largest, 0.9e-6);
+}
+
+TEST(Scenario, TellsAllMistakesAtOnceWithTheNearestKey) {
+  try {
+    scenario("[[stage]]\npath = \"triaxial\"\nconfinig_pressure = 1e5\naxial_strain = 5\n[numerics]\ndamping = 1.5\n");
+    FAIL() << "accepted";
+  } catch (const DataError& e) {
+    const std::string what = e.what();
+    for (const char* part : {"confinig_pressure", "confining_pressure", "axial_strain", "damping"})
+      EXPECT_NE(what.find(part), std::string::npos) << part << " in: " << what;
+  }
+}
+
+TEST(Scenario, OverridesReplaceValuesBeforeTheyAreChecked) {
+  const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n",
+                                 {"numerics.damping=0.35", "stage.0.pressure=2e5", "contact.friction_angle=20"});
+  EXPECT_EQ(plan.numerics.damping, 0.35);
+  EXPECT_NEAR(friction(plan.model), 20 * testing::degree, 1e-12);
+}
+
+TEST(Scenario, NoLimitAndALimitOfZeroAreDifferentThings) {
+  const auto rolling = [](const std::string& limit) {
+    const Scenario plan =
+        scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n", {"contact.rolling.limit=" + limit});
+    return std::get<std::vector<HertzMindlin::Material>>(plan.model.materials)[0].rolling.limit;
+  };
+  EXPECT_FALSE(rolling("\"none\"").has_value());
+  EXPECT_EQ(rolling("0").value(), 0);
+}
+
+TEST(Prepare, RefusesMaterialsTheScenarioLacks) {
+  const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n");
+  io::Snapshot packing = testing::packed(plan.model, 1e5);
+  packing.grains.material_id[3] = 2;
+  EXPECT_THROW(prepare(packing, plan), DataError);
+}
+
+}  // namespace
+}  // namespace soilweave::dem

@@ -1,0 +1,125 @@
+// Gradings, clouds and packings.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.h"
+#include "dem/bodies.h"
+#include "support/assemblies.h"
+
+namespace soilweave::packing {
+namespace {
+
+TEST(Grading, BuiltInCurveIsTheOneInTheDataFolder) {
+  std::ifstream file("data/gradings/toyoura.tsv");
+  ASSERT_TRUE(file) << "run the tests from the top folder";
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const Grading read = Grading::from_tsv(text, "toyoura.tsv"), built_in = Grading::toyoura();
+  ASSERT_EQ(read.diameter.size(), built_in.diameter.size());
+  for (std::size_t k = 0; k < read.diameter.size(); ++k) {
+    EXPECT_NEAR(read.diameter[k], built_in.diameter[k], 1e-15);
+    EXPECT_EQ(read.finer[k], built_in.finer[k]);
+  }
+}
+
+// n grains at the mid-quantiles by number follow the curve by mass to about the mass of one large grain.
+TEST(Grading, GrainsFollowTheCurveByMass) {
+  for (const int d : {2, 3}) {
+    const Grading curve = Grading::toyoura();
+    const std::vector<double> radii = curve.radii(2000, d);
+    double total = 0;
+    for (const double r : radii) total += std::pow(r, d);
+    for (std::size_t k = 1; k + 1 < curve.diameter.size(); ++k) {
+      double finer = 0;
+      for (const double r : radii)
+        if (2 * r <= curve.diameter[k]) finer += std::pow(r, d);
+      EXPECT_NEAR(finer / total, curve.finer[k], 2 * std::pow(radii.front(), d) / total) << "diameter " << k;
+    }
+    EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  }
+}
+
+TEST(Grading, TellsWhatIsWrongWithATable) {
+  const std::string head = "diameter [mm]\tfiner_by_mass [1]\n";
+  EXPECT_THROW(Grading::from_tsv(head + "1\t0.2\n0.5\t1\n", "g"), DataError);
+  EXPECT_THROW(Grading::from_tsv(head + "1\t0.2\n2\t0.1\n3\t1\n", "g"), DataError);
+  EXPECT_THROW(Grading::from_tsv(head + "1\t0.2\n2\t0.9\n", "g"), DataError);
+  EXPECT_THROW(Grading::from_tsv("diameter [inch]\tfiner_by_mass [1]\n1\t1\n", "g"), DataError);
+}
+
+TEST(Cloud, HasTheVoidRatioAndNoOverlap) {
+  for (const int d : {2, 3}) {
+    const std::vector<double> radii = Grading::toyoura().radii(300, d);
+    const io::Snapshot s = cloud(radii, 2.0, {1, d == 2 ? 2.0 : 1.0, 2}, d, 2650, 7);
+    double solids = 0;
+    for (const double r : s.grains.radius) solids += dem::grain_volume(d, r);
+    EXPECT_NEAR(s.cell.matrix.diagonal().prod() / solids, 3.0, 1e-12);
+    for (std::size_t i = 0; i < s.grains.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Vec3 gap = s.grains.position[i] - s.grains.position[j];
+        for (int a = 0; a < d; ++a) gap[a] -= s.cell.matrix(a, a) * std::round(gap[a] / s.cell.matrix(a, a));
+        EXPECT_GE(gap.norm(), s.grains.radius[i] + s.grains.radius[j]);
+      }
+  }
+}
+
+TEST(Cloud, IsTheSeeds) {
+  const std::vector<double> radii = Grading::toyoura().radii(50, 3);
+  EXPECT_EQ(cloud(radii, 3, {1, 1, 1}, 3, 1, 5).grains.position, cloud(radii, 3, {1, 1, 1}, 3, 1, 5).grains.position);
+  EXPECT_NE(cloud(radii, 3, {1, 1, 1}, 3, 1, 5).grains.position, cloud(radii, 3, {1, 1, 1}, 3, 1, 6).grains.position);
+}
+
+TEST(Cloud, RefusesACellTooSmallForItsGrains) {
+  EXPECT_THROW(cloud(Grading::toyoura().radii(3, 3), 1, {1, 1, 4}, 3, 1, 0), DataError);
+  EXPECT_THROW(cloud(Grading::toyoura().radii(300, 3), 0.5, {1, 1, 1}, 3, 1, 0), DataError);
+}
+
+io::Snapshot loose(int dimension) {
+  std::vector<double> radii = Grading::toyoura().radii(200, dimension);
+  for (double& r : radii) r *= 0.58;
+  return cloud(radii, 2.0, {1, 1, 1}, dimension, 2650e3, 3);
+}
+
+TEST(Compact, HoldsVoidRatioAndPressureAtFullFriction) {
+  Recipe recipe;
+  recipe.pressure = 1e5;
+  recipe.void_ratio = 0.70;
+  const Result result = compact(loose(3), testing::sand(), {}, recipe);
+  const dem::Simulation s(result.state, testing::sand(), {});
+  EXPECT_NEAR(s.void_ratio(), 0.70, 0.002);
+  EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 1e2);
+  EXPECT_LE(s.measures().unbalanced_force, 1e-3);
+  EXPECT_LT(result.friction_angle, 29 * testing::degree);
+  EXPECT_EQ(s.strain(), Vec3(Vec3::Zero()));
+}
+
+TEST(Compact, MakesDisksByTheSamePath) {
+  Recipe recipe;
+  recipe.pressure = 1e3;
+  const dem::Model model = testing::linear_sand();
+  const double loosest = compact(loose(2), model, {}, recipe).void_ratio;
+  recipe.void_ratio = loosest - 0.01;
+  EXPECT_NEAR(compact(loose(2), model, {}, recipe).void_ratio, loosest - 0.01, 0.002);
+}
+
+TEST(Compact, SaysWhyAVoidRatioCannotBeReached) {
+  Recipe recipe;
+  recipe.pressure = 1e5;
+  for (const auto& [target, reason] :
+       {std::pair(1.2, "at the full friction angle"), std::pair(0.3, "without friction")}) {
+    recipe.void_ratio = target;
+    try {
+      compact(loose(3), testing::sand(), {}, recipe);
+      FAIL() << target << " was reached";
+    } catch (const TargetNotReached& e) {
+      EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace soilweave::packing
