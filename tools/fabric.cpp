@@ -63,7 +63,9 @@ struct FabricTool {
     }
     for (const auto& group : fields.groups)
       if (tsv && group.name == table) std::fputs(io::to_tsv(group.table).c_str(), stdout);
-    if (!output.empty()) io::write_fields(output, fields, io::extend({file.source}, invocation));
+    if (output.empty()) return;
+    std::erase_if(fields.groups, [](const auto& group) { return group.table.rows() == 0; });
+    io::write_fields(output, fields, io::extend({file.source}, invocation));
   }
 };
 

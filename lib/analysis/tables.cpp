@@ -210,7 +210,8 @@ std::vector<std::size_t> chosen_states(const std::string& which, std::size_t cou
   if (which != "last") std::from_chars(which.data(), which.data() + which.size(), number);
   if (number < 0) number += n;
   if (number < 0 || number >= n)
-    throw DataError(fmt::format("{}: there is no state {}: the file holds {}, numbered from 0", where, which, n));
+    throw UsageError(fmt::format("--state {}: {} holds {}", which, where,
+                                 n == 1 ? "1 state, number 0" : fmt::format("{} states, 0 to {}", n, n - 1)));
   chosen.push_back(static_cast<std::size_t>(number));
   return chosen;
 }

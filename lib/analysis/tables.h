@@ -44,7 +44,8 @@ void put_chains(io::Series& table, const io::Snapshot& state);
 
 /// Whether the text can name states: all, first, last or a whole number.
 bool names_states(const std::string& which);
-/// The states it names (numbered from 0, or from the end where negative). Throws DataError where there are not so many.
+/// The states it names (numbered from 0, or from the end where negative). Throws UsageError where there are not so
+/// many.
 std::vector<std::size_t> chosen_states(const std::string& which, std::size_t count, const std::string& where);
 
 }  // namespace soilweave::analysis

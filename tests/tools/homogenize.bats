@@ -1,0 +1,160 @@
+#!/usr/bin/env bats
+# homogenize: the same numbers as numpy sums, parts that add up to the whole, pipes, and every class of error.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  local case
+  export IN=$BATS_FILE_TMPDIR
+  for case in sheared disks box bare fields; do
+    "$PYTHON" "$BATS_TEST_DIRNAME/vtk_states.py" "$case" "$IN/$case.h5"
+  done
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+}
+
+# value FILE COLUMN ROW: one number of a table; rows count from 1.
+value() {
+  awk -F '\t' -v name="$2" -v row="$3" '
+    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } }
+    NR == row + 1 { print $column }' "$1"
+}
+
+# near ONE OTHER TOLERANCE (relative)
+near() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
+    show "$1 is not $2 to $3"
+}
+
+@test "the cell's stress, invariants and void ratio are numpy's, in space and in the plane" {
+  local case
+  for case in sheared disks; do
+    exits 0 homogenize --quiet --tsv "$IN/$case.h5"
+    printf '%s\n' "$output" > "$case.tsv"
+    exits 0 "$PYTHON" "$BATS_TEST_DIRNAME/analysis_reference.py" "$IN/$case.h5" "$case.tsv"
+    [[ $output == "3 states, "* ]] || show "compared too little"
+  done
+}
+
+@test "the power cells fill the cell, its copies add up to it" {
+  homogenize --quiet --tsv --tessellation "$IN/sheared.h5" > cell.tsv
+  near "$(value cell.tsv void_ratio_tessellation 3)" "$(value cell.tsv void_ratio 3)" 1e-9
+  homogenize --quiet --tsv --copies --table volumes --state last "$IN/sheared.h5" > copies.tsv
+  [[ $(wc -l < copies.tsv) -eq 3 ]] || show "$(cat copies.tsv)"
+  local one other stress
+  one=$(value copies.tsv volume 1) other=$(value copies.tsv volume 2)
+  stress=$(awk -v v="$one" -v w="$other" -v s="$(value copies.tsv mean_stress 1)" -v t="$(value copies.tsv mean_stress 2)" \
+    'BEGIN { printf "%.15g", (v * s + w * t) / (v + w) }')
+  near "$stress" "$(value cell.tsv mean_stress 3)" 1e-9
+  near "$(awk -v v="$one" -v w="$other" 'BEGIN { printf "%.15g", v + w }')" 1e-3 1e-9
+}
+
+@test "a box around everything is the cell, two halves hold each grain once" {
+  homogenize --quiet --tsv --state 0 "$IN/sheared.h5" > cell.tsv
+  homogenize --quiet --tsv --state 0 --table volumes --box 0,0.1,0,0.1,0,0.1 --box 0,0.05,0,0.1,0,0.1 \
+    --box 0.05,0.1,0,0.1,0,0.1 "$IN/sheared.h5" > boxes.tsv
+  near "$(value boxes.tsv mean_stress 1)" "$(value cell.tsv mean_stress 1)" 1e-9
+  near "$(value boxes.tsv void_ratio 1)" "$(value cell.tsv void_ratio 1)" 1e-9
+  [[ $(($(value boxes.tsv grains 2) + $(value boxes.tsv grains 3))) -eq 120 ]] || show "$(cat boxes.tsv)"
+}
+
+@test "grains: their stress, weighted by their cells, is the cell's; their strain is the motion's" {
+  homogenize --quiet --tsv --state last "$IN/sheared.h5" > cell.tsv
+  homogenize --quiet --tsv --state last --grains --table grains "$IN/sheared.h5" > grains.tsv
+  [[ $(wc -l < grains.tsv) -eq 121 ]] || show "rows"
+  near "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[substr($i, 1, index($i, " [") - 1)] = i }
+    NR > 1 { v = $at["cell_volume"]; sum += v * $at["stress_zz"]; all += v } END { printf "%.15g", sum / all }' grains.tsv)" \
+    "$(value cell.tsv stress_zz 1)" 1e-9
+  # The grains of this file move with the cell: x += 0.4 y, y += 0.3 z; every grain has the same strain.
+  exits 0 "$PYTHON" - <<'PY'
+import numpy
+gradient = numpy.array([[1, 0.4, 0], [0, 1, 0.3], [0, 0, 1.0]])
+values, vectors = numpy.linalg.eigh(gradient @ gradient.T)
+strain = -0.5 * vectors @ numpy.diag(numpy.log(values)) @ vectors.T
+names = [name.split(" [")[0] for name in open("grains.tsv").readline().rstrip("\n").split("\t")]
+rows = numpy.loadtxt("grains.tsv", skiprows=1)
+for i in range(3):
+    for j in range(i, 3):
+        column = rows[:, names.index("strain_" + "xyz"[i] + "xyz"[j])]
+        assert abs(column - strain[i, j]).max() < 1e-9, (i, j, column, strain[i, j])
+PY
+}
+
+@test "standard input, a file and a written file say the same" {
+  homogenize --quiet --tsv "$IN/sheared.h5" > file.tsv
+  homogenize --quiet --tsv - < "$IN/sheared.h5" > pipe.tsv
+  same_bytes file.tsv pipe.tsv
+  homogenize --quiet --grains -o one.h5 "$IN/sheared.h5"
+  homogenize --quiet --grains -o - "$IN/sheared.h5" > two.h5
+  same_bytes one.h5 two.h5
+  exits 0 "$PYTHON" - <<'PY'
+import h5py
+lines = [line.rstrip("\n").split("\t") for line in open("file.tsv")]
+with h5py.File("one.h5") as file:
+    for place, head in enumerate(lines[0]):
+        name, unit = head[:-1].split(" [")
+        column = file["fields/cell/" + name]
+        assert column.attrs["units"] == unit.encode() or column.attrs["units"] == unit, (head, column.attrs["units"])
+        assert column[()].tolist() == [float(line[place]) for line in lines[1:]], head
+    assert file["fields/grains/body_id"].shape == (360,)
+PY
+  exits 0 to-vtk --history one.h5
+  [[ $output == *"homogenize --grains"* && $output == *"by hand"* ]] || show "history"
+}
+
+@test "the run's own series" {
+  exits 0 homogenize --quiet --tsv --table series "$IN/sheared.h5"
+  [[ $output == "step ["*$'\n'"0"*$'\n'"250"*$'\n'"500"* ]] || show "series"
+}
+
+@test "errors: usage" {
+  complains 64 homogenize "nothing to do: give --tsv or -o FILE" "$IN/sheared.h5"
+  mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"
+  mentions 64 homogenize "all, first, last or a number" --tsv --state middle "$IN/sheared.h5"
+  mentions 64 homogenize "3 states, 0 to 2" --tsv --state 3 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1,1,0 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,x,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "needs --box or --copies" --tsv --table volumes "$IN/sheared.h5"
+  mentions 64 homogenize "needs --grains" --tsv --table grains "$IN/sheared.h5"
+  mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"
+}
+
+@test "errors: input missing, truncated, of another kind, without what was asked" {
+  mentions 66 homogenize "none.h5" --tsv none.h5
+  head -c 5000 "$IN/sheared.h5" > half.h5
+  mentions 65 homogenize "half.h5" --tsv half.h5
+  echo words > words.h5
+  mentions 65 homogenize "words.h5" --tsv words.h5
+  mentions 65 homogenize "fields" --tsv "$IN/fields.h5"
+  mentions 65 homogenize "series" --tsv --table series "$IN/bare.h5"
+  mentions 65 homogenize "periodic along every axis" --grains -o out.h5 "$IN/box.h5"
+  mentions 65 homogenize "no grain lies in box" --box 5,6,5,6,5,6 -o out.h5 "$IN/sheared.h5"
+  [[ ! -e out.h5 ]]
+}
+
+@test "errors: a grain inside another is told by its number" {
+  cp "$IN/sheared.h5" hidden.h5
+  "$PYTHON" - <<'PY'
+import h5py
+with h5py.File("hidden.h5", "r+") as file:
+    position, radius = file["particles/grains/position/value"], file["particles/grains/radius"]
+    position[:, 5] = position[:, 9] + [1e-4, 0, 0]
+    radius[5] = 1e-3
+PY
+  mentions 70 homogenize "grain 1114" --grains -o out.h5 hidden.h5
+}
+
+@test "errors: output that cannot be made or written" {
+  mentions 73 homogenize "none/out.h5" -o none/out.h5 "$IN/sheared.h5"
+  echo mine > out.h5
+  mentions 73 homogenize "--force" -o out.h5 "$IN/sheared.h5"
+  [[ $(cat out.h5) == mine ]] || show "the file was touched"
+  exits 0 homogenize --quiet --force -o out.h5 "$IN/sheared.h5"
+  exits 74 bash -c "homogenize --quiet --tsv '$IN/sheared.h5' > /dev/full"
+  exits 74 bash -c "homogenize --quiet -o - '$IN/sheared.h5' > /dev/full"
+}
