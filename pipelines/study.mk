@@ -1,18 +1,25 @@
-# What every study shares: where results go, how big they are, how the report is collected.
+# What all studies share: where results go, the profile, the report. A study is a folder with a study.mk that adds its
+# name to STUDIES, gives a target of that name, and makes out/NAME/page.html, its section of the report.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-OUT := out
 PROFILE ?= quick
-TOOL_BIN := $(CURDIR)/$(B)/bin
-export PATH := $(TOOL_BIN):$(PATH)
+ifeq ($(filter $(PROFILE),quick thesis),)
+$(error PROFILE=$(PROFILE): choose quick or thesis)
+endif
+OUT := out
+BIN := $(B)/bin
 
-# A study adds its name to STUDIES and its page to PAGES.
-PAGES :=
+# Changes only when the profile does; whatever the profile decides depends on it.
+$(OUT)/profile: always
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(PROFILE)' | cmp -s - $@ || printf '%s\n' '$(PROFILE)' > $@
+
 include $(sort $(wildcard pipelines/*/study.mk))
 
 .PHONY: report
-report: $(OUT)/report.html ## collect every study's page in out/report.html
+report: $(OUT)/report.html ## collect the pages of all studies in out/report.html
 
-$(OUT)/report.html: pipelines/report.sh $(PAGES)
-	@bash pipelines/report.sh $(PAGES) > $@.tmp && mv $@.tmp $@
+PAGES := $(foreach study,$(STUDIES),$(OUT)/$(study)/page.html)
+$(OUT)/report.html: pipelines/report.sh pipelines/report.css $(PAGES)
+	@pipelines/report.sh pipelines/report.css $(PAGES) > $@.part && mv $@.part $@
 	@echo "report: $@"

@@ -1,79 +1,45 @@
-#!/bin/bash
-# Ensemble curves, fabric tables and the numbers of the report, from the runs. Usage: measure.sh DIRECTORY PRESSURES TWINS
+#!/bin/sh
+# The quickstart's numbers, from its runs alone: name, value, standard deviation over the twins where there is one.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-directory=$1 pressures=$2 twins=$3
-first_twin=${twins%% *}
+# usage: OUT=out/quickstart measure.sh > measured.tsv
+set -eu
 
-# Rows of the triaxial stage: axial strain %, then mean and standard deviation over the twins of each column asked for.
-ensemble() {
-  awk -F '\t' '
-    FNR == 1 { for (i = 1; i <= NF; ++i) { name = $i; sub(/ \[.*/, "", name); at[name] = i } ; station = 0; next }
-    $at["stage"] == 1 {
-      ++station; if (station > last) last = station
-      strain[station] = 100 * $at["strain_axial"]; ++n[station]
-      add("r", $at["stress_ratio"]); add("v", 100 * $at["strain_volumetric"])
-      add("z", $at["mechanical_coordination_number"]); add("e", $at["void_ratio"])
-    }
-    function add(q, x) { sum[q, station] += x; square[q, station] += x * x }
-    function average(q, k) { return sum[q, k] / n[k] }
-    function deviation(q, k,  m) { m = average(q, k); d = square[q, k] / n[k] - m * m; return d > 0 && n[k] > 1 ? sqrt(d * n[k] / (n[k] - 1)) : 0 }
-    END {
-      print "strain_axial [%]\tstress_ratio [1]\tsd [1]\tstrain_volumetric [%]\tsd [%]\tcoordination [1]\tsd [1]\tvoid_ratio [1]\tsd [1]"
-      for (k = 1; k <= last; ++k) {
-        line = sprintf("%.4f", strain[k])
-        for (i = 1; i <= 4; ++i) { q = substr("rvze", i, 1); line = line sprintf("\t%.6g\t%.3g", average(q, k), deviation(q, k)) }
-        print line
-      }
-    }' "$@"
-}
+# Every program below reads tables by column name.
+# shellcheck disable=SC2016 # awk's fields, not the shell's
+columns='FNR == 1 || /^strain_axial \[%\]/ { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }'
 
-metric() { printf '%s\t%s\n' "$1" "$2"; }
+printf 'name\tvalue\tdeviation\n'
 
-for p in $pressures; do
-  files=()
-  for t in $twins; do files+=("$directory/run_${p}_$t.tsv"); done
-  ensemble "${files[@]}" > "$directory/ensemble_$p.tsv"
+awk -F '\t' "$columns"' { printf "void_ratio\t%s\t\n", $at["void_ratio"] }' "$OUT/packing_cell.tsv"
+awk -F '\t' "$columns"' { printf "coordination_number\t%s\t\n", $at["coordination_number"] }' "$OUT/packing_fabric.tsv"
+awk '/^##PERIODIC/ { printf "cell_width\t%.6g\t\ncell_height\t%.6g\t\n", 500 * ($2 + $3), 1000 * $4; next }
+  /^#/ { next } { sum += $4; ++n } END { printf "mean_radius\t%.6g\t\n", 1000 * sum / n }' "$OUT/grains.txt"
+
+for pressure in 0.2 0.5 1.0; do
+  awk -F '\t' -v p="$pressure" "$columns"'
+    $at["stress_ratio"] > peak { peak = $at["stress_ratio"]; scatter = $at["stress_ratio_deviation"] }
+    $at["strain_volumetric"] > most { most = $at["strain_volumetric"]; spread = $at["strain_volumetric_deviation"] }
+    ($1 - 8.5) ^ 2 < 1e-6 { v = $at["strain_volumetric"]; d = $at["strain_volumetric_deviation"] }
+    END { printf "peak_ratio_%s\t%.6g\t%.3g\ncontraction_%s\t%.6g\t%.3g\nvolumetric_%s\t%.6g\t%.3g\n",
+      p, peak, scatter, p, most, spread, p, v, d }' "$OUT/ensemble_${pressure}MPa.tsv"
 done
 
-homogenize "$directory/packing.h5" --tsv > "$directory/packing.tsv"
-for table in rose histogram; do
-  fabric "$directory/packing.h5" --table $table --tsv > "$directory/$table.tsv"
-done
-fabric "$directory/run_0.2_$first_twin.h5" --tsv > "$directory/fabric.tsv"
-cp "$directory/run_0.2_$first_twin.tsv" "$directory/energy.tsv"
+# Root mean square of the relative difference from the laboratory's stress ratio, at its own strains.
+awk -F '\t' '/^#/ || /^strain_axial/ { next }
+  FILENAME == ARGV[1] { strain[++n] = $1; ratio[n] = $2; next }
+  { while (k < n - 2 && strain[k + 2] <= $1) ++k
+    model = ratio[k + 1] + (ratio[k + 2] - ratio[k + 1]) * ($1 - strain[k + 1]) / (strain[k + 2] - strain[k + 1])
+    sum += (model / $3 - 1) ^ 2; ++m }
+  END { printf "misfit_0.2\t%.6g\t\n", 100 * sqrt(sum / m) }' \
+  "$OUT/ensemble_0.2MPa.tsv" data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv
 
-column() { awk -F '\t' -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) { c = $i; sub(/ \[.*/, "", c); if (c == name) at = i } next } { print $at }' "$1"; }
+awk -F '\t' "$columns"' $at["strain_axial"] > 0.005 {
+    d = $at["stress_obliquity_from_fabric"] / $at["stress_obliquity"] - 1; if (d < 0) d = -d; if (d > most) most = d }
+  END { printf "stress_force_fabric\t%.6g\t\n", 100 * most }' "$OUT"/runs/*/shear_fabric.tsv
 
-# RMS of the relative difference of the mean stress ratio from a laboratory curve, %.
-misfit() {
-  awk -F '\t' '
-    /^#/ { next }
-    FNR == 1 { ++file; next }
-    /^strain/ { next }
-    file == 1 { x[++n] = $1; y[n] = $2; next }
-    { while (k < n - 1 && x[k + 2] <= $1) ++k; if ($1 > x[n]) next
-      r = k ? y[k] + (y[k + 1] - y[k]) * ($1 - x[k]) / (x[k + 1] - x[k]) : y[1]; s += (r / $3 - 1) ^ 2; ++m }
-    END { printf "%.2f\n", 100 * sqrt(s / m) }' "$1" "$2"
-}
-peak() { awk -F '\t' 'NR > 1 && $2 > p { p = $2 } END { printf "%.3f\n", p }' "$1"; }
-at_strain() { awk -F '\t' -v e="$2" -v c="$3" 'NR > 1 && ($1 - e) ^ 2 < 1e-6 { printf "%.4g\n", $c }' "$1"; }
-
-{
-  printf 'quantity\tvalue\n'
-  metric void_ratio "$(column "$directory/packing.tsv" void_ratio | tail -n 1)"
-  metric packing_pressure "$(column "$directory/packing.tsv" mean_stress | tail -n 1)"
-  for p in $pressures; do
-    metric "peak_stress_ratio_$p" "$(peak "$directory/ensemble_$p.tsv")"
-    metric "volumetric_strain_8.5_$p" "$(at_strain "$directory/ensemble_$p.tsv" 8.5 4)"
-  done
-  for p in 0.2 0.5; do
-    metric "misfit_stress_ratio_$p" "$(misfit "$directory/ensemble_$p.tsv" "data/laboratory/toyoura_drained_triaxial_${p}MPa.tsv")"
-  done
-  metric energy_error "$(paste <(column "$directory/energy.tsv" energy_error) <(column "$directory/energy.tsv" boundary_work) |
-    tail -n 1 | awk '{ e = $1 / $2; printf "%.2e\n", e < 0 ? -e : e }')"
-  metric stress_force_fabric "$(paste <(column "$directory/fabric.tsv" stress_obliquity) \
-    <(column "$directory/fabric.tsv" stress_obliquity_from_fabric) | tail -n 1 | awk '{ printf "%.4f\n", $2 / $1 }')"
-  metric largest_unbalanced_force "$(column "$directory/energy.tsv" unbalanced_force | tail -n +2 | sort -g | tail -n 1)"
-} > "$directory/metrics.tsv.tmp"
-mv "$directory/metrics.tsv.tmp" "$directory/metrics.tsv"
+awk -F '\t' "$columns"'
+  { if ($at["unbalanced_force"] > force) force = $at["unbalanced_force"]
+    work = $at["boundary_work"]; error = $at["energy_error"]; if (error < 0) error = -error
+    # Shares of next to no work mean nothing: count from 1 % axial strain.
+    if ($at["strain_axial"] > 0.01 && error / work > share) share = error / work }
+  END { printf "unbalanced_force\t%.6g\t\nenergy_error\t%.6g\t\n", force, share }' "$OUT"/runs/*/shear.tsv

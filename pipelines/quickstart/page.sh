@@ -1,40 +1,38 @@
-#!/bin/bash
-# The quickstart's section of the report, on standard output. Usage: page.sh DIRECTORY EXPECTED
+#!/bin/sh
+# The quickstart's section of the report, on standard output.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set -euo pipefail
-directory=$1 expected=$2
+# usage: OUT=out/quickstart page.sh > page.html
+set -eu
 
-figure() {  # NAME CAPTION
-  echo '<figure>'
-  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/gnuplot_plot_/$1_plot_/g" "$directory/$1.svg"
-  echo "<figcaption>$2</figcaption></figure>"
+# Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
+figure() { # NAME CAPTION
+  printf '<figure>\n'
+  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='$1_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"$1_\1\"/g" \
+    -e "s/href='#\([^']*\)'/href='#$1_\1'/g" -e "s/url(#\([^)]*\))/url(#$1_\1)/g" "$OUT/$1.svg"
+  printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
 }
+runs=$(awk 'NR > 1' "$OUT/runs.tsv" | wc -l)
 
-echo '<section><h2 id="quickstart">Toyoura sand: from a grading curve to triaxial tests</h2>'
-echo '<p>1000 spheres follow the Toyoura grading, are brought to a void ratio of 0.68 nearly free of force, compressed isotropically
-and sheared in drained triaxial compression with the Hertz–Mindlin parameters of thesis Table 3.1. Each curve is the mean of twins
-whose grains start 10<sup>-6</sup> of a radius apart; the band is their standard deviation: a granular assembly is chaotic, and one run
-is not a measurement.</p>'
-
-echo '<h3>Measured beside published</h3>'
-echo '<table><tr><th>Quantity</th><th>Run</th><th>Published</th><th>Difference</th><th>Tolerance</th><th></th><th>Source</th></tr>'
-awk -F '\t' '
-  /^#/ || $1 == "quantity" { next }
-  NR == FNR { value[$1] = $2; next }
-  { met = value[$1] != "" && (value[$1] - $2) ^ 2 <= $3 ^ 2
-    printf "<tr><td>%s</td><td class=\"number\">%.4g</td><td class=\"number\">%s</td><td class=\"number\">%+.3g</td><td class=\"number\">±%s</td><td class=\"%s\">%s</td><td>%s</td></tr>\n",
-      $4, value[$1], $2, value[$1] - $2, $3, met ? "met" : "missed", met ? "met" : "not met", $5 }' "$directory/metrics.tsv" "$expected"
-echo '</table>'
-echo '<p>For 1.0 MPa no laboratory curve is public, only the stress ratio at failure.</p>'
-
-figure stress_ratio 'Stress ratio against axial strain (base of thesis Figs. 2.4 and 3.2b). Points: Sun et al. 2007.'
-figure volumetric_strain 'Volumetric strain against axial strain, contraction positive (downwards). Points: Sun et al. 2007.'
-figure rose 'Contact-orientation diagram before loading (thesis Fig. 3.2a), over the isotropic value.'
-figure histogram 'Grains by number of contacts before loading (thesis Fig. 3.2a).'
-figure anisotropy 'Fabric anisotropies during shearing at 0.2 MPa, and the stress–force–fabric relation.'
-figure coordination 'Coordination number during shearing, rattlers apart.'
-figure energy 'Energy balance of one twin at 0.2 MPa. The dashed term is what the incremental Hertz–Mindlin law takes out or creates.'
-
-echo '<h3>How it came to be</h3><pre>'
-to-vtk --history "$directory/run_0.2_1.h5" | sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g'
-echo '</pre></section>'
+cat <<PAGE
+<section id="quickstart">
+<h2>Toyoura sand, from a grading curve to triaxial tests</h2>
+<p>1000 spheres follow the grading of Toyoura sand, are brought to a void ratio of 0.68 at 1 kPa, nearly free of force, compressed
+isotropically to 0.2, 0.5 and 1.0 MPa and sheared in drained triaxial compression with the Hertz–Mindlin parameters of thesis
+Table 3.1: $runs runs, twins whose grains start 10<sup>−6</sup> of a radius apart. Curves are means of the twins, bands their
+standard deviation: a granular assembly is chaotic, and the scatter of one run is not known from the run.</p>
+<h3>Measured beside published</h3>
+PAGE
+awk -f pipelines/table.awk "$OUT/comparison.tsv"
+cat <<'PAGE'
+<p>No laboratory curve at 1.0 MPa is public, only the stress ratio at failure. The laboratory curves are smoothed and not
+kinematically consistent (data/SOURCES.md).</p>
+<h3>Figures</h3>
+PAGE
+figure packing 'Before loading (thesis Fig. 3.2a): density of contact normals in the x–z plane over the isotropic one (circle at 1), and grains by number of contacts.'
+figure response 'Drained triaxial compression (thesis Fig. 3.2b, base of Fig. 2.4): stress ratio and volumetric strain, contraction positive. Points: laboratory, Sun et al. 2007.'
+figure fabric 'Fabric anisotropies a<sub>c</sub>, a<sub>n</sub>, a<sub>t</sub> (thesis Eq. 3.9), and q/p from the stress (lines) against q/p from the fabric (points).'
+figure state 'Void ratio, and coordination number 2N<sub>c</sub>/N; dashed: without grains of less than two contacts.'
+figure energy 'Energy of one run at 0.2 MPa. The incremental Hertz–Mindlin law itself takes out or creates energy; what is left over after it is the error of the balance.'
+printf '<h3>How it came to be</h3>\n<p>History of the first run at 0.2 MPa, as its file tells it; the other runs differ in pressure and seed.</p>\n<pre>'
+sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' "$OUT/provenance.txt"
+printf '</pre>\n</section>\n'

@@ -1,0 +1,37 @@
+#!/usr/bin/env bats
+# The data that studies read are the ones described, and the report's comparison can fail.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+setup() { cd "$BATS_TEST_DIRNAME/../.."; }
+
+@test "every file under data/ has its digest and line in SOURCES.md" {
+  run sh tests/data.sh
+  [ "$status" -eq 0 ]
+  [ "$output" = "== data: as described" ]
+}
+
+compare() {
+  printf 'name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n%s\n' "$1" > "$BATS_TEST_TMPDIR/expected.tsv"
+  printf 'name\tvalue\tdeviation\n%s\n' "$2" > "$BATS_TEST_TMPDIR/measured.tsv"
+  run awk -f pipelines/compare.awk "$BATS_TEST_TMPDIR/expected.tsv" "$BATS_TEST_TMPDIR/measured.tsv"
+}
+
+@test "a measured value is met inside the tolerance and not met outside it" {
+  compare $'e\twithin\t0.68\t0.002\t1\tthesis\tvoid ratio' $'e\t0.6815\t'
+  [ "$(cut -f 7 <<< "${lines[1]}")" = "met" ]
+  compare $'e\twithin\t0.68\t0.002\t1\tthesis\tvoid ratio' $'e\t0.6825\t'
+  [ "$(cut -f 7 <<< "${lines[1]}")" = "not met" ]
+}
+
+@test "bounds hold on their own side only" {
+  compare $'x\tat most\t1e-3\t\t1\texact\terror' $'x\t2e-3\t'
+  [ "$(cut -f 7 <<< "${lines[1]}")" = "not met" ]
+  compare $'x\tat least\t1e-3\t\t1\texact\terror' $'x\t2e-3\t'
+  [ "$(cut -f 7 <<< "${lines[1]}")" = "met" ]
+}
+
+@test "a published value that was not measured stops the study" {
+  compare $'x\tat most\t1e-3\t\t1\texact\terror' $'y\t2e-3\t'
+  [ "$status" -eq 1 ]
+  [[ "$output" == *"x is not in the measured values"* ]]
+}
