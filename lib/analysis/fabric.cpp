@@ -14,6 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 const double cos45 = std::sqrt(0.5);
+// With friction two contacts can hold a grain, one cannot (Thornton 2000).
+constexpr int least_contacts = 2;
 
 // Eq. 3.9: second invariant with the sign of the tensor's inclination to the stress deviator.
 double scalar(const Mat3& a, const Mat3& deviator, int dimension) {
@@ -78,12 +80,11 @@ Coordination coordination(const io::Snapshot& state) {
   z.all = grains > 0 ? ends / grains : 0;
   z.mechanical = grains > none + one ? (ends - one) / (grains - none - one) : 0;
 
-  const int least = state.grains.dimension + 1;
   std::vector<char> out(count.size(), 0), gone(state.contacts.size(), 0);
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < count.size(); ++i)
-      if (!out[i] && count[i] < least) {
+      if (!out[i] && count[i] < least_contacts) {
         out[i] = 1;
         changed = true;
       }

@@ -28,10 +28,10 @@ struct StressForceFabric {
 StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& fabric);
 
 struct Coordination {
-  double all = 0;         // 2 Nc/N over grain-grain contacts, each plane contact counting once
-  double mechanical = 0;  // Thornton 2000: (2 Nc - N1)/(N - N0 - N1)
-  double backbone = 0;  // of what is left when grains with fewer than 4 contacts (2D: 3) are taken out again and again
-  std::size_t rattlers = 0;            // grains outside that backbone
+  double all = 0;            // 2 Nc/N over grain-grain contacts, each plane contact counting once
+  double mechanical = 0;     // Thornton 2000: (2 Nc - N1)/(N - N0 - N1)
+  double backbone = 0;       // of what is left when grains with fewer than 2 contacts are taken out again and again
+  std::size_t rattlers = 0;  // grains outside that backbone
   std::vector<std::size_t> histogram;  // grains with 0, 1, 2 ... contacts
 };
 Coordination coordination(const io::Snapshot& state);

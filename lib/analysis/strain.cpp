@@ -34,7 +34,7 @@ std::vector<std::size_t> same_bodies(const io::Snapshot& one, const io::Snapshot
 
 Mat3 natural_strain(const Mat3& f) {
   const Eigen::SelfAdjointEigenSolver<Mat3> stretch(Mat3(f * f.transpose()));
-  const Vec3 logs = -0.5 * stretch.eigenvalues().array().log();
+  const Vec3 logs = 0.0 - 0.5 * stretch.eigenvalues().array().log();  // 0 - 0: no strain is not -0
   return stretch.eigenvectors() * logs.asDiagonal() * stretch.eigenvectors().transpose();
 }
 

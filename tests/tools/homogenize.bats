@@ -111,6 +111,20 @@ PY
   [[ $output == "step ["*$'\n'"0"*$'\n'"250"*$'\n'"500"* ]] || show "series"
 }
 
+@test "the stress, strain and void ratio of a run's states are what the engine recorded" {
+  pack-generate --quiet --grains 60 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o packing.h5
+  run-dem --quiet packing.h5 "$BATS_TEST_DIRNAME/examples/triaxial.toml" -o run.h5
+  homogenize --quiet --tsv run.h5 > states.tsv
+  homogenize --quiet --tsv --table series run.h5 > series.tsv
+  local column row last
+  row=$(($(wc -l < states.tsv) - 1)) last=$(($(wc -l < series.tsv) - 1))
+  [[ $(value states.tsv step $row) == "$(value series.tsv step $last)" ]] || show "the last state is not the last record"
+  for column in stress_zz stress_xy mean_stress deviatoric_stress strain_zz strain_volumetric void_ratio \
+    coordination_number; do
+    near "$(value states.tsv $column $row)" "$(value series.tsv $column $last)" 1e-9
+  done
+}
+
 @test "errors: usage" {
   complains 64 homogenize "nothing to do: give --tsv or -o FILE" "$IN/sheared.h5"
   mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"

@@ -116,7 +116,7 @@ io::Snapshot face_centred(int n) {
   s.cell.matrix = n * side * Mat3::Identity();
   const std::vector<Vec3> basis = {{0, 0, 0}, {0, .5, .5}, {.5, 0, .5}, {.5, .5, 0}};
   for (int c = 0; c < n * n * n; ++c)
-    for (const Vec3& b : basis) test::add_grain(s, side * (Vec3(c % n, c / n % n, c / n / n) + b), 0.5);
+    for (const Vec3& b : basis) test::add_grain(s, side * (Vec3i(c % n, c / n % n, c / n / n).cast<double>() + b), 0.5);
   for (std::size_t i = 0; i < s.grains.size(); ++i)
     for (std::size_t j = i + 1; j < s.grains.size(); ++j) {
       const Vec3 apart = (s.grains.position[i] - s.grains.position[j]) / (n * side);
