@@ -15,7 +15,7 @@ namespace soilweave::io {
 struct CellRecord {
   Mat3 matrix = Mat3::Identity();
   std::array<bool, 3> periodic = {true, true, true};
-  Mat3 velocity_gradient = Mat3::Zero();  // 1/s, extension positive
+  Mat3 velocity_gradient = Mat3::Zero();         // 1/s, extension positive
   Mat3 deformation_gradient = Mat3::Identity();  // since the reference state of the strains
 };
 
@@ -30,7 +30,7 @@ struct GrainsRecord {
   std::vector<double> radius;          // m
   std::vector<double> mass;            // kg (2D: kg/m); scaled density included
   std::vector<std::int32_t> material_id;
-  std::vector<std::int32_t> copy_id;   // which copy of a tiled representative volume; 0 where not tiled
+  std::vector<std::int32_t> copy_id;  // which copy of a tiled representative volume; 0 where not tiled
 
   std::size_t size() const { return position.size(); }
 };
@@ -39,15 +39,15 @@ struct GrainsRecord {
 /// -1 - (its number) in `second`. The history a law keeps is complete: a run can continue from it bit by bit.
 struct ContactsRecord {
   std::vector<std::array<std::int32_t, 2>> bodies;
-  std::vector<Vec3i> image;            // cell offset added to the second grain's position
-  std::vector<Vec3> normal;            // unit, from first to second
-  std::vector<Vec3> branch_vector;     // m, centre to centre (to the contact point for a plane)
-  std::vector<double> overlap;         // m
-  std::vector<double> normal_force;    // N, compression positive, viscous part included
-  std::vector<Vec3> shear_force;       // N, on the SECOND body (the first gets the opposite), normal to `normal`
-  std::vector<Vec3> rolling_moment;    // N m, on the second body
-  std::vector<double> twisting_moment; // N m, about `normal`, on the second body
-  std::vector<std::uint8_t> sliding;   // 1 where the Coulomb limit holds the shear force
+  std::vector<Vec3i> image;             // cell offset added to the second grain's position
+  std::vector<Vec3> normal;             // unit, from first to second
+  std::vector<Vec3> branch_vector;      // m, centre to centre (to the contact point for a plane)
+  std::vector<double> overlap;          // m
+  std::vector<double> normal_force;     // N, compression positive, viscous part included
+  std::vector<Vec3> shear_force;        // N, on the SECOND body (the first gets the opposite), normal to `normal`
+  std::vector<Vec3> rolling_moment;     // N m, on the second body
+  std::vector<double> twisting_moment;  // N m, about `normal`, on the second body
+  std::vector<std::uint8_t> sliding;    // 1 where the Coulomb limit holds the shear force
 
   std::size_t size() const { return bodies.size(); }
   /// Force on the second body: normal_force * normal + shear_force, N.
