@@ -165,7 +165,7 @@ TEST(Rose, OfEvenDirectionsIsOneEverywhere) {
 }
 
 TEST(Rose, FollowsTheDensityOfAnEnsemble) {
-  const io::Snapshot s = ensemble({axial(0.6), axial(0.5), {}}, 3, 20000);
+  const io::Snapshot s = ensemble({axial(0.6), axial(0.5), Mat3::Zero()}, 3, 20000);
   const Rose polar = polar_rose(s, 9);
   for (std::size_t k = 0; k < 9; ++k) {
     // Mean over the class of 1 + a (cos^2 - 1/3), whose integral over the sphere is closed.
@@ -176,7 +176,7 @@ TEST(Rose, FollowsTheDensityOfAnEnsemble) {
   const Rose plane = plane_rose(s, 0, 2, 4);
   ASSERT_EQ(plane.angle.size(), 4U);
   EXPECT_NEAR(plane.density[0], plane.density[2], 1e-12);
-  const Rose disks = plane_rose(ensemble({axial(0.6, 2), {}, {}}, 2, 20000), 0, 1, 36);
+  const Rose disks = plane_rose(ensemble({axial(0.6, 2), Mat3::Zero(), Mat3::Zero()}, 2, 20000), 0, 1, 36);
   for (std::size_t k = 0; k < 36; ++k) EXPECT_NEAR(disks.density[k], 1 - 0.6 * std::cos(2 * disks.angle[k]), 0.01);
 }
 
