@@ -2,7 +2,7 @@
 # The data that studies read are the ones described, and the report's comparison can fail.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-setup() { cd "$BATS_TEST_DIRNAME/../.."; }
+setup() { cd "$BATS_TEST_DIRNAME/../.." || return 1; }
 
 @test "every file under data/ has its digest and line in SOURCES.md" {
   run sh tests/data.sh
