@@ -21,7 +21,7 @@ set grid linecolor rgb "#e3e6ea" linewidth 0.8 linetype 1
 set key noautotitle Left reverse spacing 1.15 samplen 1.6 width -2 textcolor rgb "#303840"
 set style fill transparent solid 0.20 noborder
 
-stats sprintf("%s/histogram.tsv", out) using 3 skip 1 nooutput
+stats sprintf("%s/histogram.tsv", out) using (column("grains [1]")) nooutput
 grains = STATS_sum
 
 # --- Fig. 3.2a: contact orientation and coordination before loading
@@ -47,7 +47,7 @@ set grid noxtics ytics linecolor rgb "#e3e6ea" linetype 1
 set title "Coordination number"
 set xlabel "contacts of a grain" offset 0,0.4; set ylabel "share of grains (%)" offset 0.9,0
 set xtics 1; set xrange [-0.7:*]; set yrange [0:*]; set boxwidth 0.8
-plot sprintf("%s/histogram.tsv", out) using 2:(100 * $3 / grains) skip 1 with boxes fillcolor rgb blue fillstyle solid 0.65 notitle
+plot sprintf("%s/histogram.tsv", out) using (column("contacts [1]")):(100 * column("grains [1]") / grains) with boxes fillcolor rgb blue fillstyle solid 0.65 notitle
 unset multiplot
 set autoscale; unset title; set xtics auto; set grid xtics ytics
 
@@ -80,17 +80,17 @@ set xrange [0:10]; set xlabel "axial strain (%)" offset 0,0.4; set yrange [0:2.8
 set title "Anisotropies, 0.2 MPa"
 set ylabel "anisotropy" offset 0.9,0
 table = run("0.2", "shear_fabric")
-plot table using (100 * $3):(column("a_c [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb blue \
+plot table using (100 * column("strain_axial [1]")):(column("a_c [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb blue \
     title "a_c contact normals", \
-  "" using (100 * $3):(column("a_n [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb orange \
+  "" using (100 * column("strain_axial [1]")):(column("a_n [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb orange \
     title "a_n normal forces", \
-  "" using (100 * $3):(column("a_t [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb green \
+  "" using (100 * column("strain_axial [1]")):(column("a_t [1]")) with linespoints pointtype 7 pointsize 0.5 linewidth 1.8 linecolor rgb green \
     title "a_t tangential forces"
 set title "Stress–force–fabric"
 set ylabel "q/p" offset 0.9,0; set key bottom right; set yrange [0:1.8]
-plot for [k = 1:3] run(word(pressures, k), "shear_fabric") using (100 * $3):(column("stress_obliquity [1]")) \
+plot for [k = 1:3] run(word(pressures, k), "shear_fabric") using (100 * column("strain_axial [1]")):(column("stress_obliquity [1]")) \
     with lines linewidth 2.2 linecolor rgb colour(k) title word(pressures, k) . " MPa", \
-  for [k = 1:3] run(word(pressures, k), "shear_fabric") using (100 * $3):(column("stress_obliquity_from_fabric [1]")) \
+  for [k = 1:3] run(word(pressures, k), "shear_fabric") using (100 * column("strain_axial [1]")):(column("stress_obliquity_from_fabric [1]")) \
     with points pointtype 6 pointsize 0.7 linecolor rgb colour(k), \
   keyentry with points pointtype 6 pointsize 0.7 linecolor rgb grey title "2/5 (a_c + a_n + 3/2 a_t)"
 unset multiplot; unset title
