@@ -13,8 +13,6 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::degree;
-
 bool same(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());
 }
