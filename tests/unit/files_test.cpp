@@ -16,6 +16,7 @@
 #ifdef __SANITIZE_ADDRESS__
 // HDF5 1.10 forgets some of its own memory when it gives up on damaged structure.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
 namespace soilweave::io {
