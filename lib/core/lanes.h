@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -44,6 +46,52 @@ T all(double x) {
     return T{} + x;
   else
     return x;
+}
+
+/// How many contacts a T holds.
+template <class T>
+inline constexpr int width = static_cast<int>(sizeof(T) / sizeof(double));
+
+/// From and to consecutive doubles, whatever their alignment.
+template <class T>
+T load(const double* from) {
+  T x;
+  std::memcpy(&x, from, sizeof(T));
+  return x;
+}
+template <class T>
+void store(double* to, const T& x) {
+  std::memcpy(to, &x, sizeof(T));
+}
+
+/// Bit i of the result is lane i of the mask.
+inline unsigned bits(const Mask<Lane4>& mask) {
+  unsigned all_bits = 0;
+  for (int i = 0; i < 4; ++i) all_bits |= static_cast<unsigned>(mask[i] & 1) << i;
+  return all_bits;
+}
+
+/// x where the mask holds, +0 elsewhere, even where x is not a number.
+inline Lane4 keep(const Mask<Lane4>& mask, const Lane4& x) {
+  Mask<Lane4> raw;
+  std::memcpy(&raw, &x, sizeof raw);
+  raw &= mask;
+  Lane4 kept;
+  std::memcpy(&kept, &raw, sizeof kept);
+  return kept;
+}
+
+/// Four rows of four become four columns: a grain a row, a quantity a column, and back.
+struct Rows4 {
+  Lane4 a, b, c, d;
+};
+inline Rows4 transpose(const Rows4& r) {
+  const Lane4 t0 = __builtin_shuffle(r.a, r.b, Mask<Lane4>{0, 4, 2, 6});
+  const Lane4 t1 = __builtin_shuffle(r.a, r.b, Mask<Lane4>{1, 5, 3, 7});
+  const Lane4 t2 = __builtin_shuffle(r.c, r.d, Mask<Lane4>{0, 4, 2, 6});
+  const Lane4 t3 = __builtin_shuffle(r.c, r.d, Mask<Lane4>{1, 5, 3, 7});
+  return {__builtin_shuffle(t0, t2, Mask<Lane4>{0, 1, 4, 5}), __builtin_shuffle(t1, t3, Mask<Lane4>{0, 1, 4, 5}),
+          __builtin_shuffle(t0, t2, Mask<Lane4>{2, 3, 6, 7}), __builtin_shuffle(t1, t3, Mask<Lane4>{2, 3, 6, 7})};
 }
 
 template <class T>
@@ -97,6 +145,10 @@ template <class T>
 T norm(const V3<T>& a) {
   return square_root(norm2(a));
 }
+
+/// A row holds a vector and, in its last place, a scalar that goes with it.
+inline Lane4 row(const Vec3& v, double scalar) { return Lane4{v.x(), v.y(), v.z(), scalar}; }
+inline Vec3 vector_of(const Lane4& r) { return {r[0], r[1], r[2]}; }
 
 inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }

@@ -1,15 +1,13 @@
-// Grains as flat arrays.
+// Grains as flat arrays of rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/bodies.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace soilweave::dem {
 namespace {
-
-V3<double> to_v3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 to_vec3(const V3<double>& v) { return {v.x, v.y, v.z}; }
 
 // Solid sphere 2/5 m r^2; disk about its axis 1/2 m r^2.
 double moment_of_inertia(int dimension, double mass, double radius) {
@@ -20,25 +18,23 @@ double moment_of_inertia(int dimension, double mass, double radius) {
 
 Bodies::Bodies(const io::GrainsRecord& record)
     : dimension(record.dimension),
-      force(record.size(), V3<double>{0, 0, 0}),
-      torque(record.size(), V3<double>{0, 0, 0}),
-      radius(record.radius),
-      mass(record.mass),
-      material(record.material_id.begin(), record.material_id.end()),
-      orientation(record.orientation) {
+      force(record.size(), Lane4{}),
+      torque(record.size(), Lane4{}),
+      material(record.material_id.begin(), record.material_id.end()) {
   for (std::size_t i = 0; i < record.size(); ++i) {
-    position.push_back(to_v3(record.position[i]));
-    velocity.push_back(to_v3(record.velocity[i]));
-    angular_velocity.push_back(to_v3(record.angular_velocity[i]));
-    inertia.push_back(moment_of_inertia(dimension, mass[i], radius[i]));
+    position.push_back(row(record.position[i], record.radius[i]));
+    velocity.push_back(row(record.velocity[i], record.mass[i]));
+    spin.push_back(row(record.angular_velocity[i], moment_of_inertia(dimension, record.mass[i], record.radius[i])));
+    const Vec4& q = record.orientation[i];
+    orientation.push_back(Lane4{q[0], q[1], q[2], q[3]});
   }
 }
 
 void Bodies::scale_radii(double factor) {
   for (std::size_t i = 0; i < size(); ++i) {
-    radius[i] *= factor;
-    mass[i] *= dimension == 3 ? factor * factor * factor : factor * factor;
-    inertia[i] = moment_of_inertia(dimension, mass[i], radius[i]);
+    position[i][3] *= factor;
+    velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
+    spin[i][3] = moment_of_inertia(dimension, mass(i), radius(i));
   }
 }
 
@@ -48,22 +44,37 @@ double grain_volume(int dimension, double radius) {
 
 double Bodies::solid_volume() const {
   double sum = 0;
-  for (const double r : radius) sum += grain_volume(dimension, r);
+  for (std::size_t i = 0; i < size(); ++i) sum += grain_volume(dimension, radius(i));
   return sum;
 }
 
-double Bodies::largest_radius() const { return *std::max_element(radius.begin(), radius.end()); }
-double Bodies::smallest_radius() const { return *std::min_element(radius.begin(), radius.end()); }
+double Bodies::largest_radius() const {
+  double largest = 0;
+  for (std::size_t i = 0; i < size(); ++i) largest = std::max(largest, radius(i));
+  return largest;
+}
+
+double Bodies::smallest_radius() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < size(); ++i) smallest = std::min(smallest, radius(i));
+  return smallest;
+}
+
+double Bodies::smallest_mass() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < size(); ++i) smallest = std::min(smallest, mass(i));
+  return smallest;
+}
 
 void Bodies::store(io::GrainsRecord& record) const {
   for (std::size_t i = 0; i < size(); ++i) {
-    record.position[i] = to_vec3(position[i]);
-    record.velocity[i] = to_vec3(velocity[i]);
-    record.angular_velocity[i] = to_vec3(angular_velocity[i]);
+    record.position[i] = vector_of(position[i]);
+    record.velocity[i] = vector_of(velocity[i]);
+    record.angular_velocity[i] = vector_of(spin[i]);
+    for (int a = 0; a < 4; ++a) record.orientation[i][a] = orientation[i][a];
+    record.radius[i] = radius(i);
+    record.mass[i] = mass(i);
   }
-  record.orientation = orientation;
-  record.radius = radius;
-  record.mass = mass;
 }
 
 }  // namespace soilweave::dem

@@ -1,4 +1,5 @@
-// Grains as flat arrays. Velocities are fluctuations about the cell's affine motion, half a step behind the positions.
+// Grains as flat arrays of rows: a vector and the scalar used with it side by side, one aligned load each.
+// Velocities are fluctuations about the cell's affine motion, half a step behind the positions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,17 +17,19 @@ double grain_volume(int dimension, double radius);
 
 struct Bodies {
   int dimension = 3;
-  std::vector<V3<double>> position;          // m
-  std::vector<V3<double>> velocity;          // m/s
-  std::vector<V3<double>> angular_velocity;  // rad/s
-  std::vector<V3<double>> force;             // N, resultant of the contacts, gravity apart
-  std::vector<V3<double>> torque;            // N m
-  std::vector<double> radius, mass, inertia;
+  std::vector<Lane4> position;     // x, y, z, m; radius, m
+  std::vector<Lane4> velocity;     // m/s; mass, kg
+  std::vector<Lane4> spin;         // rad/s; moment of inertia, kg m2
+  std::vector<Lane4> force;        // N, resultant of the contacts, gravity apart; 0
+  std::vector<Lane4> torque;       // N m; 0
+  std::vector<Lane4> orientation;  // quaternion, in the order w x y z
   std::vector<std::int32_t> material;
-  std::vector<Vec4> orientation;
 
   explicit Bodies(const io::GrainsRecord& record);
   std::size_t size() const { return position.size(); }
+  double radius(std::size_t i) const { return position[i][3]; }
+  double mass(std::size_t i) const { return velocity[i][3]; }
+  double inertia(std::size_t i) const { return spin[i][3]; }
 
   /// Radii times factor at constant density; inertia follows.
   void scale_radii(double factor);
@@ -34,6 +37,7 @@ struct Bodies {
   double solid_volume() const;
   double largest_radius() const;
   double smallest_radius() const;
+  double smallest_mass() const;
   /// Positions, velocities, orientations, radii and masses back into a record that already holds the identities.
   void store(io::GrainsRecord& record) const;
 };

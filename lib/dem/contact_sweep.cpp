@@ -1,50 +1,242 @@
-// One sweep over all candidate pairs. Pairs are cut into fixed chunks whatever the number of threads, and the chunks'
-// sums are added in order, so that every bit is independent of the thread count.
+// One sweep over all candidate pairs, a vector register of contacts at a time. What is summed over contacts is summed
+// contact by contact within a chunk of grains, and the chunks in order: every bit is independent of the width of the
+// register, of the pairs listed without touching, and of the number of threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contact_sweep.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "dem/contact_kinematics.h"
+#include "dem/pair_geometry.h"
 #include "dem/transport.h"
 
 namespace soilweave::dem {
 namespace {
 
-constexpr std::size_t chunk_size = 512;
+// What one contact adds to the sums of a sweep.
+template <class T>
+struct Contribution {
+  V3<T> force_branch_x, force_branch_y, force_branch_z;  // rows of f (x) l
+  V3<T> axial_stiffness;
+  T force, kinematic;
+  Books<T> books;
+};
 
-V3<double> to_v3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+// Rows of four sums each, so that four contacts become four rows by transposition.
+struct RowSums {
+  Lane4 row[6] = {};
+  double largest_relative_overlap = 0;
+  std::int64_t contacts = 0;
 
-// What a pair's geometry needs to know of its second partner.
-struct Partner {
-  V3<double> position, velocity, angular_velocity;
-  double radius, mass;
-  std::int32_t material;
+  void add(const Contribution<Lane4>& c) {
+    const Books<Lane4>& b = c.books;
+    add(0, {c.force_branch_x.x, c.force_branch_x.y, c.force_branch_x.z, c.force});
+    add(1, {c.force_branch_y.x, c.force_branch_y.y, c.force_branch_y.z, c.kinematic});
+    add(2, {c.force_branch_z.x, c.force_branch_z.y, c.force_branch_z.z, b.elastic_normal});
+    add(3, {c.axial_stiffness.x, c.axial_stiffness.y, c.axial_stiffness.z, b.frictional});
+    add(4, {b.elastic_shear, b.elastic_rolling, b.elastic_twisting, b.rolling_plastic});
+    add(5, {b.shear_before, b.rolling_before, b.twisting_before, b.viscous});
+  }
+
+  void add(const Contribution<double>& c) {
+    const Books<double>& b = c.books;
+    row[0] += Lane4{c.force_branch_x.x, c.force_branch_x.y, c.force_branch_x.z, c.force};
+    row[1] += Lane4{c.force_branch_y.x, c.force_branch_y.y, c.force_branch_y.z, c.kinematic};
+    row[2] += Lane4{c.force_branch_z.x, c.force_branch_z.y, c.force_branch_z.z, b.elastic_normal};
+    row[3] += Lane4{c.axial_stiffness.x, c.axial_stiffness.y, c.axial_stiffness.z, b.frictional};
+    row[4] += Lane4{b.elastic_shear, b.elastic_rolling, b.elastic_twisting, b.rolling_plastic};
+    row[5] += Lane4{b.shear_before, b.rolling_before, b.twisting_before, b.viscous};
+  }
+
+  void put_into(SweepSums& s) const {
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) s.force_branch(a, b) += row[a][b];
+    for (int a = 0; a < 3; ++a) s.axial_stiffness[a] += row[3][a];
+    s.force_magnitude += row[0][3], s.kinematic += row[1][3];
+    s.elastic_normal += row[2][3], s.frictional += row[3][3];
+    s.elastic_shear += row[4][0], s.elastic_rolling += row[4][1], s.elastic_twisting += row[4][2];
+    s.rolling_plastic += row[4][3], s.viscous += row[5][3];
+    s.shear_before += row[5][0], s.rolling_before += row[5][1], s.twisting_before += row[5][2];
+    s.largest_relative_overlap = std::max(s.largest_relative_overlap, largest_relative_overlap);
+    s.contacts += contacts;
+  }
+
+ private:
+  void add(int r, const Rows4& columns) {
+    const Rows4 contact = transpose(columns);
+    row[r] = row[r] + contact.a + contact.b + contact.c + contact.d;
+  }
+};
+
+// The force and the torques of a contact.
+template <class T>
+struct Action {
+  V3<T> force;                        // N, on the second body
+  V3<T> torque_first, torque_second;  // N m
+};
+
+template <class T>
+Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& normal_force) {
+  const V3<T>& n = g.kinematics.normal;
+  const V3<T> moment = memory.rolling + memory.twisting * n;
+  const V3<T> turn = cross(n, memory.shear);
+  return {normal_force * n + memory.shear, all<T>(-1) * (g.arm_1 * turn + moment), moment - g.arm_2 * turn};
+}
+
+template <class T>
+Contribution<T> contribution(const PairGeometry<T>& g, const V3<T>& force, const V3<T>& shear_before,
+                             const V3<T>& shear, const Response<T>& r, const Books<T>& books, const T& dt) {
+  Contribution<T> c;
+  const V3<T>& l = g.branch;
+  c.force_branch_x = force.x * l, c.force_branch_y = force.y * l, c.force_branch_z = force.z * l;
+  // Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
+  const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks;
+  const V3<T>& n = g.kinematics.normal;
+  c.axial_stiffness = {l.x * l.x * (ks + difference * (n.x * n.x)), l.y * l.y * (ks + difference * (n.y * n.y)),
+                       l.z * l.z * (ks + difference * (n.z * n.z))};
+  c.force = norm(force);
+  c.books = books;
+  const V3<T> true_slip = dt * tangential_velocity(g.motion, g.arm_1, g.arm_2);
+  c.kinematic = -0.5 * dot(shear_before + shear, true_slip - g.kinematics.slip);
+  return c;
+}
+
+void keep_all(const Mask<Lane4>& mask, V3<Lane4>& v) { v = {keep(mask, v.x), keep(mask, v.y), keep(mask, v.z)}; }
+
+void keep_all(const Mask<Lane4>& mask, Contribution<Lane4>& c) {
+  keep_all(mask, c.force_branch_x), keep_all(mask, c.force_branch_y), keep_all(mask, c.force_branch_z);
+  keep_all(mask, c.axial_stiffness);
+  Books<Lane4>& b = c.books;
+  for (Lane4* x :
+       {&c.force, &c.kinematic, &b.elastic_normal, &b.elastic_shear, &b.elastic_rolling, &b.elastic_twisting,
+        &b.shear_before, &b.rolling_before, &b.twisting_before, &b.frictional, &b.rolling_plastic, &b.viscous})
+    *x = keep(mask, *x);
+}
+
+// Four lanes of a block, from lane k on.
+struct Lanes {
+  ContactBlock& block;
+  int k;
+
+  unsigned touching() const { return (block.touching >> k) & 15u; }
+  void set_masks(unsigned touching, unsigned sliding) const {
+    block.touching = (block.touching & ~(15u << k)) | (touching << k);
+    block.sliding = (block.sliding & ~(15u << k)) | (sliding << k);
+  }
+  V3<Lane4> load3(const double (&from)[3][ContactBlock::size]) const {
+    return {load<Lane4>(from[0] + k), load<Lane4>(from[1] + k), load<Lane4>(from[2] + k)};
+  }
+  void store3(double (&to)[3][ContactBlock::size], const V3<Lane4>& v) const {
+    store(to[0] + k, v.x), store(to[1] + k, v.y), store(to[2] + k, v.z);
+  }
+  Memory<Lane4> memory() const { return {load3(block.shear), load3(block.rolling), load<Lane4>(block.twisting + k)}; }
+
+  Lane4 column(const std::int32_t* from) const {
+    return Lane4{static_cast<double>(from[k]), static_cast<double>(from[k + 1]), static_cast<double>(from[k + 2]),
+                 static_cast<double>(from[k + 3])};
+  }
+  V3<Lane4> shift(const Mat3& h) const {
+    const Lane4 a = column(block.image[0]), b = column(block.image[1]), c = column(block.image[2]);
+    return {h(0, 0) * a + h(0, 1) * b + h(0, 2) * c, h(1, 0) * a + h(1, 1) * b + h(1, 2) * c,
+            h(2, 0) * a + h(2, 1) * b + h(2, 2) * c};
+  }
+  Rows4 rows(const std::vector<Lane4>& of, const std::int32_t* index) const {
+    const Lane4* p = of.data();
+    return transpose({p[index[k]], p[index[k + 1]], p[index[k + 2]], p[index[k + 3]]});
+  }
+  Partner<Lane4> partner(const Bodies& bodies, const std::int32_t* index) const {
+    const Rows4 x = rows(bodies.position, index), v = rows(bodies.velocity, index), w = rows(bodies.spin, index);
+    return {{x.a, x.b, x.c}, {v.a, v.b, v.c}, {w.a, w.b, w.c}, x.d, v.d};
+  }
+  void write(const std::uint32_t* slot, const V3<Lane4>& force, const V3<Lane4>& torque, std::vector<Slot>& to) const {
+    const Rows4 f = transpose({force.x, force.y, force.z, Lane4{}}),
+                t = transpose({torque.x, torque.y, torque.z, Lane4{}});
+    to[slot[k]] = {f.a, t.a};
+    to[slot[k + 1]] = {f.b, t.b};
+    to[slot[k + 2]] = {f.c, t.c};
+    to[slot[k + 3]] = {f.d, t.d};
+  }
+};
+
+// The couples of materials, and the law's answers for them.
+template <class Law>
+class Couples {
+ public:
+  explicit Couples(const std::vector<typename Law::Material>& materials) : count_(materials.size()) {
+    for (const auto& a : materials)
+      for (const auto& b : materials) all_.push_back(Law::mix(a, b));
+  }
+
+  const typename Law::Couple& of(std::int32_t a, std::int32_t b) const {
+    return all_[static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b)];
+  }
+  const std::vector<typename Law::Couple>& all() const { return all_; }
+
+  // The law's answer in four lanes, whose couples may differ: each couple answers for all, its own lanes are taken.
+  Response<Lane4> respond(const Bodies& bodies, const Lanes& lanes, const Kinematics<Lane4>& kinematics,
+                          const Lane4& dt, Memory<Lane4>& memory, Books<Lane4>& books) const {
+    if (all_.size() == 1) return Law::respond(all_[0], kinematics, dt, memory, books);
+    const auto couple_of = [&](int lane) {
+      const auto a = static_cast<std::size_t>(lanes.block.first[lanes.k + lane]);
+      const auto b = static_cast<std::size_t>(lanes.block.second[lanes.k + lane]);
+      return static_cast<std::int64_t>(static_cast<std::size_t>(bodies.material[a]) * count_ +
+                                       static_cast<std::size_t>(bodies.material[b]));
+    };
+    const Mask<Lane4> couple{couple_of(0), couple_of(1), couple_of(2), couple_of(3)};
+    const Memory<Lane4> before = memory;
+    Response<Lane4> response = Law::respond(all_[static_cast<std::size_t>(couple[0])], kinematics, dt, memory, books);
+    for (int lane = 1; lane < 4; ++lane) {
+      const auto one = couple[lane];
+      if (one == couple[0] || (lane > 1 && one == couple[1]) || (lane > 2 && one == couple[2])) continue;
+      Memory<Lane4> other = before;
+      Books<Lane4> other_books;
+      const auto answer = Law::respond(all_[static_cast<std::size_t>(one)], kinematics, dt, other, other_books);
+      const Mask<Lane4> mine = couple == one;
+      response = select<Lane4>(mine, answer, response);
+      memory = select<Lane4>(mine, other, memory);
+      books = select<Lane4>(mine, other_books, books);
+    }
+    return response;
+  }
+
+ private:
+  std::size_t count_;
+  std::vector<typename Law::Couple> all_;
 };
 
 template <class Law>
 class LawSweep final : public ContactSweep {
  public:
-  explicit LawSweep(const std::vector<typename Law::Material>& materials) : count_(materials.size()) {
-    for (const auto& a : materials)
-      for (const auto& b : materials) couples_.push_back(Law::mix(a, b));
-  }
+  explicit LawSweep(const std::vector<typename Law::Material>& materials) : couples_(materials) {}
 
   SweepSums run(const Bodies& bodies, const Cell& cell, const Planes& planes, double dt, int threads,
-                Contacts& contacts) const override {
-    const std::size_t chunks = (contacts.size() + chunk_size - 1) / chunk_size;
-    std::vector<SweepSums> sums(chunks);
+                Contacts& contacts) override {
+    const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
+    const std::size_t chunks = chunks_of(bodies.size());
+    sums_.assign(chunks, {});
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const std::size_t end = std::min(contacts.size(), (chunk + 1) * chunk_size);
-      for (std::size_t k = chunk * chunk_size; k < end; ++k)
-        contacts.second[k] >= 0 ? grains(bodies, cell, dt, contacts, k, sums[chunk])
-                                : plane(bodies, planes, dt, contacts, k, sums[chunk]);
-    }
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+      for (std::size_t b = contacts.chunk_start[chunk]; b < contacts.chunk_start[chunk + 1]; ++b)
+        for (int k = 0; k < ContactBlock::size; k += width<Lane4>)
+          grains(bodies, cell.matrix(), affine, dt, {contacts.blocks[b], k}, contacts.slots, sums_[chunk]);
     SweepSums total;
-    for (const SweepSums& s : sums) total.add(s);
+    for (const RowSums& s : sums_) s.put_into(total);
+    RowSums with_planes;
+    for (PlanePair& pair : contacts.planes) total.plane_work += plane(bodies, planes, dt, pair, contacts, with_planes);
+    with_planes.put_into(total);
     return total;
+  }
+
+  void stiffnesses(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
+                   Contacts& contacts) override {
+    const std::size_t chunks = chunks_of(bodies.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+      for (std::size_t b = contacts.chunk_start[chunk]; b < contacts.chunk_start[chunk + 1]; ++b)
+        for (int k = 0; k < ContactBlock::size; k += width<Lane4>)
+          grain_stiffness(bodies, cell.matrix(), {contacts.blocks[b], k}, contacts.slots);
+    for (const PlanePair& pair : contacts.planes) plane_stiffness(bodies, planes, pair, contacts.slots);
   }
 
   double stiffness(double radius, double overlap) const override {
@@ -55,7 +247,7 @@ class LawSweep final : public ContactSweep {
     kinematics.R_star = radius / 2;
     kinematics.m_star = 1;
     double largest = 0;
-    for (const auto& couple : couples_) {
+    for (const auto& couple : couples_.all()) {
       Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
       Books<double> books;
       largest = std::max(largest, Law::respond(couple, kinematics, 0.0, memory, books).normal_stiffness);
@@ -64,139 +256,140 @@ class LawSweep final : public ContactSweep {
   }
 
  private:
-  void grains(const Bodies& bodies, const Cell& cell, double dt, Contacts& contacts, std::size_t k,
-              SweepSums& sums) const {
-    const auto i = static_cast<std::size_t>(contacts.first[k]), j = static_cast<std::size_t>(contacts.second[k]);
-    V3<double> d = bodies.position[j] - bodies.position[i];
-    const Vec3i& image = contacts.image[k];
-    if (image[0] || image[1] || image[2]) d = d + to_v3(cell.matrix() * image.cast<double>());
-    const double reach = bodies.radius[i] + bodies.radius[j], distance_squared = norm2(d);
-    if (distance_squared > reach * reach) {
-      if (contacts.touching[k]) contacts.clear(k);
-      return;
-    }
-    const double distance = std::sqrt(distance_squared);
-    V3<double> velocity = bodies.velocity[j] - bodies.velocity[i];
-    // Affine closing over the step, at the branch before the cell moved, to first order in the step.
-    if (cell.deforming()) velocity = velocity + to_v3(affine(cell, d, dt));
-    PairMotion<double> motion;
-    motion.velocity = velocity;
-    motion.spin_1 = bodies.angular_velocity[i], motion.spin_2 = bodies.angular_velocity[j];
-    motion.lever_1 = bodies.radius[i], motion.lever_2 = bodies.radius[j];
-    motion.distance = distance;
-    motion.normal = (1.0 / distance) * d;
-    const double overlap = reach - distance;
-    Kinematics<double> kin = pair_kinematics(motion, dt);
-    kin.overlap = overlap;
-    kin.r1 = bodies.radius[i], kin.r2 = bodies.radius[j];
-    kin.R_star = kin.r1 * kin.r2 / reach;
-    kin.m_star = bodies.mass[i] * bodies.mass[j] / (bodies.mass[i] + bodies.mass[j]);
-    contacts.branch[k] = d;
-    respond(couple(bodies.material[i], bodies.material[j]), kin, motion, kin.r1 - 0.5 * overlap, kin.r2 - 0.5 * overlap,
-            dt, contacts, k, sums);
+  static PairGeometry<Lane4> geometry(const Bodies& bodies, const Mat3& cell, const AffineMotion& affine, double dt,
+                                      const Lanes& lanes) {
+    const Partner<Lane4> a = lanes.partner(bodies, lanes.block.first);
+    Partner<Lane4> b = lanes.partner(bodies, lanes.block.second);
+    if (lanes.block.folded) b.position = b.position + lanes.shift(cell);
+    return grain_geometry(a, b, affine, all<Lane4>(dt));
   }
 
-  // Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the benchmarks.
-  void plane(const Bodies& bodies, const Planes& planes, double dt, Contacts& contacts, std::size_t k,
-             SweepSums& sums) const {
-    const auto i = static_cast<std::size_t>(contacts.first[k]);
-    const Plane& plane = planes.all[plane_number(contacts.second[k])];
-    const V3<double> inward = to_v3(plane.normal);
-    const double height = dot(bodies.position[i] - to_v3(plane.point), inward);
-    const double overlap = bodies.radius[i] - height;
-    if (overlap < 0) {
-      if (contacts.touching[k]) contacts.clear(k);
-      return;
+  void grains(const Bodies& bodies, const Mat3& cell, const AffineMotion& affine, double dt, const Lanes& lanes,
+              std::vector<Slot>& slots, RowSums& sums) const {
+    const PairGeometry<Lane4> g = geometry(bodies, cell, affine, dt, lanes);
+    const unsigned touching = bits(g.touching);
+    if (!touching && !lanes.touching()) return;
+    ContactBlock& block = lanes.block;
+    const Kinematics<Lane4>& kin = g.kinematics;
+    Memory<Lane4> memory = lanes.memory();
+    if (dt > 0) {
+      // Memory that was zero stays zero, also where there is no old normal.
+      const Lane4 spin = 0.5 * dt * dot(kin.normal, g.motion.spin_1 + g.motion.spin_2);
+      const Transport<Lane4> carry(lanes.load3(block.normal), kin.normal, spin);
+      memory.shear = carry(memory.shear), memory.rolling = carry(memory.rolling);
     }
-    PairMotion<double> motion;
-    motion.velocity = to_v3(plane.velocity) - bodies.velocity[i];
-    motion.spin_1 = bodies.angular_velocity[i], motion.spin_2 = {0, 0, 0};
-    motion.lever_1 = bodies.radius[i], motion.lever_2 = 0;
-    motion.distance = bodies.radius[i];
-    motion.normal = -1.0 * inward;
-    Kinematics<double> kin = pair_kinematics(motion, dt);
-    kin.overlap = overlap;
-    kin.r1 = kin.r2 = kin.R_star = bodies.radius[i];
-    kin.m_star = bodies.mass[i];
-    contacts.branch[k] = height * motion.normal;
-    const V3<double> before = contacts.force[k];
-    respond(couple(bodies.material[i], plane.material), kin, motion, kin.r1, 0.0, dt, contacts, k, sums);
-    sums.plane_work -= 0.5 * dt * dot(before + contacts.force[k], to_v3(plane.velocity));
-  }
-
-  static Vec3 affine(const Cell& cell, const V3<double>& d, double dt) {
-    const Vec3 now(d.x, d.y, d.z);
-    const Mat3& gradient = cell.velocity_gradient();
-    return gradient * (now - dt * (gradient * now));
-  }
-
-  void respond(const typename Law::Couple& couple, const Kinematics<double>& kin, const PairMotion<double>& motion,
-               double arm_1, double arm_2, double dt, Contacts& contacts, std::size_t k, SweepSums& sums) const {
-    Memory<double>& memory = contacts.memory[k];
-    if (contacts.touching[k] && dt > 0) {
-      const double spin = 0.5 * dt * dot(kin.normal, motion.spin_1 + motion.spin_2);
-      memory.shear = transport(memory.shear, contacts.normal[k], kin.normal, spin);
-      memory.rolling = transport(memory.rolling, contacts.normal[k], kin.normal, spin);
-    }
-    const V3<double> shear_before = memory.shear;
-    Books<double> books;
-    const Memory<double> kept = memory;
-    const auto response = Law::respond(couple, kin, dt, memory, books);
+    const Memory<Lane4> kept = memory;
+    Books<Lane4> books;
+    const auto response = couples_.respond(bodies, lanes, kin, all<Lane4>(dt), memory, books);
     if (dt == 0) memory = kept;  // the first sweep of a restored state changes no history
-    contacts.touching[k] = 1;
-    contacts.normal[k] = kin.normal;
-    contacts.overlap[k] = kin.overlap;
-    contacts.normal_force[k] = response.normal_force;
-    contacts.sliding[k] = response.sliding != 0;
-    contacts.normal_stiffness[k] = response.normal_stiffness;
-    contacts.shear_stiffness[k] = response.shear_stiffness;
-    contacts.rolling_stiffness[k] = response.rolling_stiffness;
-    contacts.twisting_stiffness[k] = response.twisting_stiffness;
-    const V3<double> force = response.normal_force * kin.normal + memory.shear;
-    const V3<double> moment = memory.rolling + memory.twisting * kin.normal;
-    const V3<double> turn = cross(kin.normal, memory.shear);
-    contacts.force[k] = force;
-    contacts.torque_first[k] = -1.0 * (arm_1 * turn + moment);
-    contacts.torque_second[k] = moment - arm_2 * turn;
-    tally(kin, motion, arm_1, arm_2, dt, shear_before, books, contacts, k, sums);
+    Action<Lane4> act = action(g, memory, response.normal_force);
+    auto added = contribution(g, act.force, kept.shear, memory.shear, response, books, all<Lane4>(dt));
+
+    const Mask<Lane4>& mask = g.touching;
+    keep_all(mask, act.force), keep_all(mask, act.torque_first), keep_all(mask, act.torque_second);
+    keep_all(mask, memory.shear), keep_all(mask, memory.rolling), keep_all(mask, added);
+    V3<Lane4> normal = kin.normal;
+    keep_all(mask, normal);
+    lanes.store3(block.normal, normal), lanes.store3(block.shear, memory.shear);
+    lanes.store3(block.rolling, memory.rolling), store(block.twisting + lanes.k, keep(mask, memory.twisting));
+    store(block.normal_force + lanes.k, keep(mask, response.normal_force));
+    lanes.set_masks(touching, touching & bits(response.sliding));
+    lanes.write(block.slot_first, {-act.force.x, -act.force.y, -act.force.z}, act.torque_first, slots);
+    lanes.write(block.slot_second, act.force, act.torque_second, slots);
+    sums.add(added);
+    sums.contacts += std::popcount(touching);
+    const Lane4 relative = keep(mask, kin.overlap / minimum(kin.r1, kin.r2));
+    for (int lane = 0; lane < 4; ++lane)
+      sums.largest_relative_overlap = std::max(sums.largest_relative_overlap, relative[lane]);
   }
 
-  static void tally(const Kinematics<double>& kin, const PairMotion<double>& motion, double arm_1, double arm_2,
-                    double dt, const V3<double>& shear_before, const Books<double>& books, const Contacts& contacts,
-                    std::size_t k, SweepSums& sums) {
-    const V3<double>& f = contacts.force[k];
-    const V3<double>& l = contacts.branch[k];
-    sums.force_branch += Vec3(f.x, f.y, f.z) * Vec3(l.x, l.y, l.z).transpose();
-    sums.axial_stiffness += affine_stiffness(kin.normal, l, contacts.normal_stiffness[k], contacts.shear_stiffness[k]);
-    sums.force_magnitude += std::sqrt(norm2(f));
-    sums.largest_relative_overlap = std::max(sums.largest_relative_overlap, kin.overlap / std::min(kin.r1, kin.r2));
+  void grain_stiffness(const Bodies& bodies, const Mat3& cell, const Lanes& lanes, std::vector<Slot>& slots) const {
+    if (!lanes.touching()) return;
+    const PairGeometry<Lane4> g = geometry(bodies, cell, AffineMotion(Mat3::Zero(), false, 0), 0, lanes);
+    Memory<Lane4> memory = lanes.memory();
+    Books<Lane4> books;
+    const auto r = couples_.respond(bodies, lanes, g.kinematics, Lane4{}, memory, books);
+    const auto put = [&](const std::uint32_t* slot, const Lane4& radius) {
+      auto [translation, rotation] = axis_stiffness(g.kinematics.normal, r, radius);
+      keep_all(g.touching, translation), keep_all(g.touching, rotation);
+      lanes.write(slot, translation, rotation, slots);
+    };
+    put(lanes.block.slot_first, g.kinematics.r1);
+    put(lanes.block.slot_second, g.kinematics.r2);
+  }
+
+  // Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).
+  template <class T>
+  static std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
+    const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
+    const T kr = r.rolling_stiffness + r.shear_stiffness * (radius * radius);
+    return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
+            kr * one + (r.twisting_stiffness - kr) * n2};
+  }
+
+  static PairGeometry<double> geometry(const Bodies& bodies, const Planes& planes, double dt, const PlanePair& pair) {
+    const auto i = static_cast<std::size_t>(pair.grain);
+    const Plane& p = planes.all[static_cast<std::size_t>(pair.plane)];
+    const auto v3 = [](const Lane4& row) { return V3<double>{row[0], row[1], row[2]}; };
+    const Partner<double> grain{v3(bodies.position[i]), v3(bodies.velocity[i]), v3(bodies.spin[i]), bodies.radius(i),
+                                bodies.mass(i)};
+    return plane_geometry(grain, from_eigen(p.point), from_eigen(p.normal), from_eigen(p.velocity), dt);
+  }
+
+  const typename Law::Couple& couple(const Bodies& bodies, const Planes& planes, const PlanePair& pair) const {
+    return couples_.of(bodies.material[static_cast<std::size_t>(pair.grain)],
+                       planes.all[static_cast<std::size_t>(pair.plane)].material);
+  }
+
+  // Returns the work done on the grain by the moving plane, J.
+  double plane(const Bodies& bodies, const Planes& planes, double dt, PlanePair& pair, Contacts& contacts,
+               RowSums& sums) const {
+    const PairGeometry<double> g = geometry(bodies, planes, dt, pair);
+    History& history = pair.history;
+    Slot& slot = contacts.slots[pair.slot];
+    if (!g.touching) {
+      history = {};
+      slot = Slot{};
+      return 0;
+    }
+    const V3<double> force_before = history.normal_force * history.normal + history.memory.shear;
+    Memory<double>& memory = history.memory;
+    if (dt > 0) {
+      const double spin = 0.5 * dt * dot(g.kinematics.normal, g.motion.spin_1);
+      const Transport<double> carry(history.normal, g.kinematics.normal, spin);
+      memory.shear = carry(memory.shear), memory.rolling = carry(memory.rolling);
+    }
+    const Memory<double> kept = memory;
+    Books<double> books;
+    const auto response = Law::respond(couple(bodies, planes, pair), g.kinematics, dt, memory, books);
+    if (dt == 0) memory = kept;
+    const Action<double> act = action(g, memory, response.normal_force);
+    history.normal = g.kinematics.normal;
+    history.normal_force = response.normal_force;
+    history.touching = true, history.sliding = response.sliding;
+    slot = {Lane4{-act.force.x, -act.force.y, -act.force.z, 0},
+            Lane4{act.torque_first.x, act.torque_first.y, act.torque_first.z, 0}};
+    sums.add(contribution(g, act.force, kept.shear, memory.shear, response, books, dt));
     ++sums.contacts;
-    sums.elastic_normal += books.elastic_normal;
-    sums.elastic_shear += books.elastic_shear;
-    sums.elastic_rolling += books.elastic_rolling;
-    sums.elastic_twisting += books.elastic_twisting;
-    sums.shear_before += books.shear_before;
-    sums.rolling_before += books.rolling_before;
-    sums.twisting_before += books.twisting_before;
-    sums.frictional += books.frictional;
-    sums.rolling_plastic += books.rolling_plastic;
-    sums.viscous += books.viscous;
-    const V3<double> true_slip = dt * tangential_velocity(motion, arm_1, arm_2);
-    sums.kinematic -= 0.5 * dot(shear_before + contacts.memory[k].shear, true_slip - kin.slip);
+    sums.largest_relative_overlap = std::max(sums.largest_relative_overlap, g.kinematics.overlap / g.kinematics.r1);
+    const Vec3& velocity = planes.all[static_cast<std::size_t>(pair.plane)].velocity;
+    return -0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
   }
 
-  // Stress response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
-  static Vec3 affine_stiffness(const V3<double>& n, const V3<double>& l, double kn, double ks) {
-    const Vec3 n2(n.x * n.x, n.y * n.y, n.z * n.z), l2(l.x * l.x, l.y * l.y, l.z * l.z);
-    return l2.cwiseProduct(ks * Vec3::Ones() + (kn - ks) * n2);
+  void plane_stiffness(const Bodies& bodies, const Planes& planes, const PlanePair& pair,
+                       std::vector<Slot>& slots) const {
+    if (!pair.history.touching) return;
+    const PairGeometry<double> g = geometry(bodies, planes, 0, pair);
+    Memory<double> memory = pair.history.memory;
+    Books<double> books;
+    const auto r = Law::respond(couple(bodies, planes, pair), g.kinematics, 0.0, memory, books);
+    const auto [translation, rotation] = axis_stiffness(g.kinematics.normal, r, g.kinematics.r1);
+    slots[pair.slot] = {Lane4{translation.x, translation.y, translation.z, 0},
+                        Lane4{rotation.x, rotation.y, rotation.z, 0}};
   }
 
-  const typename Law::Couple& couple(std::int32_t a, std::int32_t b) const {
-    return couples_[static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b)];
-  }
-
-  std::size_t count_;
-  std::vector<typename Law::Couple> couples_;
+  Couples<Law> couples_;
+  std::vector<RowSums> sums_;
 };
 
 template <class Law>
@@ -205,19 +398,6 @@ std::unique_ptr<ContactSweep> make(const std::vector<typename Law::Material>& ma
 }
 
 }  // namespace
-
-void SweepSums::add(const SweepSums& o) {
-  force_branch += o.force_branch;
-  axial_stiffness += o.axial_stiffness;
-  force_magnitude += o.force_magnitude;
-  largest_relative_overlap = std::max(largest_relative_overlap, o.largest_relative_overlap);
-  elastic_normal += o.elastic_normal, elastic_shear += o.elastic_shear;
-  elastic_rolling += o.elastic_rolling, elastic_twisting += o.elastic_twisting;
-  shear_before += o.shear_before, rolling_before += o.rolling_before, twisting_before += o.twisting_before;
-  frictional += o.frictional, rolling_plastic += o.rolling_plastic, viscous += o.viscous;
-  kinematic += o.kinematic, plane_work += o.plane_work;
-  contacts += o.contacts;
-}
 
 std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model) {
   return std::visit(

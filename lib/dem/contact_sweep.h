@@ -25,17 +25,19 @@ struct SweepSums {
   double kinematic = 0;   // shear work on the grains' true slip minus that on the law's slip
   double plane_work = 0;  // done on the grains by moving planes
   std::int64_t contacts = 0;
-
-  void add(const SweepSums& other);
 };
 
 class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
-  /// Updates every pair's contact over a step dt that led to the present positions; dt = 0: positions unmoved, memory
-  /// as it is (the first sweep of a simulation).
+  /// Updates every pair's contact over a step dt that led to the present positions and leaves what it does to its
+  /// grains in the slots; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation).
   virtual SweepSums run(const Bodies& bodies, const Cell& cell, const Planes& planes, double dt, int threads,
-                        Contacts& contacts) const = 0;
+                        Contacts& contacts) = 0;
+  /// Leaves the stiffness that each contact gives its grains in the slots instead: about the axes x, y, z against
+  /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else.
+  virtual void stiffnesses(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
+                           Contacts& contacts) = 0;
   /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts
   /// form.
   virtual double stiffness(double radius, double overlap) const = 0;

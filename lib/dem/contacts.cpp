@@ -1,31 +1,124 @@
-// Candidate pairs and the contacts among them.
+// Candidate pairs and the contacts among them, in blocks of eight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contacts.h"
 
-namespace soilweave::dem {
+#include <limits>
+#include <tuple>
 
-void Contacts::clear(std::size_t k) {
-  const V3<double> zero{0, 0, 0};
-  touching[k] = sliding[k] = 0;
-  memory[k] = {zero, zero, 0.0};
-  overlap[k] = normal_force[k] = 0;
-  normal[k] = branch[k] = force[k] = torque_first[k] = torque_second[k] = zero;
-  normal_stiffness[k] = shear_stiffness[k] = rolling_stiffness[k] = twisting_stiffness[k] = 0;
+namespace soilweave::dem {
+namespace {
+
+// Empty lanes name a grain so many cells away that they never touch.
+constexpr std::int32_t far_away = 1 << 20;
+
+auto key(const Pair& p) { return std::tuple(p.first, p.second, p.image[0], p.image[1], p.image[2]); }
+
+Pair pair_of(const ContactBlock& b, int k) {
+  return {b.first[k], b.second[k], {b.image[0][k], b.image[1][k], b.image[2][k]}};
 }
 
-void Contacts::index(std::size_t n) {
-  body_start.assign(n + 1, 0);
-  const auto count = [&](std::int32_t body) {
-    if (body >= 0) ++body_start[static_cast<std::size_t>(body) + 1];
-  };
-  for (std::size_t k = 0; k < size(); ++k) count(first[k]), count(second[k]);
-  for (std::size_t b = 0; b < n; ++b) body_start[b + 1] += body_start[b];
-  body_pairs.resize(static_cast<std::size_t>(body_start[n]));
-  std::vector<std::int32_t> next(body_start.begin(), body_start.end() - 1);
-  for (std::size_t k = 0; k < size(); ++k)
-    for (const std::int32_t body : {first[k], second[k]})
-      if (body >= 0)
-        body_pairs[static_cast<std::size_t>(next[static_cast<std::size_t>(body)]++)] = static_cast<std::int32_t>(k);
+// Walks through the pairs of a list in order.
+struct Cursor {
+  const Contacts& contacts;
+  std::size_t block = 0;
+  int lane = 0;
+
+  explicit Cursor(const Contacts& list) : contacts(list) { settle(); }
+  bool done() const { return block >= contacts.blocks.size(); }
+  Pair pair() const { return pair_of(contacts.blocks[block], lane); }
+  void next() {
+    ++lane;
+    settle();
+  }
+
+ private:
+  void settle() {
+    while (!done() && lane >= contacts.blocks[block].count) ++block, lane = 0;
+  }
+};
+
+}  // namespace
+
+bool before(const Pair& a, const Pair& b) { return key(a) < key(b); }
+
+void Contacts::assign(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes) {
+  planes = std::move(with_planes);
+  slot_start.assign(grains + 1, 0);
+  for (const Pair& p : pairs)
+    ++slot_start[static_cast<std::size_t>(p.first) + 1], ++slot_start[static_cast<std::size_t>(p.second) + 1];
+  for (const PlanePair& p : planes) ++slot_start[static_cast<std::size_t>(p.grain) + 1];
+  for (std::size_t b = 0; b < grains; ++b) slot_start[b + 1] += slot_start[b];
+  std::vector<std::uint32_t> next(slot_start.begin(), slot_start.end() - 1);
+  const std::size_t chunks = chunks_of(grains);
+  slots.assign(slot_start.back() + chunks, Slot{});
+
+  blocks.clear();
+  chunk_start.assign(1, 0);
+  std::size_t at = 0;
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    const auto end = static_cast<std::int32_t>((chunk + 1) * grains_per_chunk);
+    const std::uint32_t nowhere = slot_start.back() + static_cast<std::uint32_t>(chunk);
+    while (at < pairs.size() && pairs[at].first < end) {
+      ContactBlock block{};
+      for (int k = 0; k < ContactBlock::size; ++k) {
+        block.image[0][k] = far_away;
+        block.slot_first[k] = block.slot_second[k] = nowhere;
+      }
+      for (; block.count < ContactBlock::size && at < pairs.size() && pairs[at].first < end; ++at, ++block.count) {
+        const Pair& p = pairs[at];
+        const int k = block.count;
+        block.first[k] = p.first, block.second[k] = p.second;
+        for (int a = 0; a < 3; ++a) block.image[a][k] = p.image[a];
+        block.folded = block.folded || !p.image.isZero();
+        block.slot_first[k] = next[static_cast<std::size_t>(p.first)]++;
+        block.slot_second[k] = next[static_cast<std::size_t>(p.second)]++;
+      }
+      block.folded = block.folded || block.count < ContactBlock::size;
+      blocks.push_back(block);
+    }
+    chunk_start.push_back(blocks.size());
+  }
+  for (PlanePair& p : planes) p.slot = next[static_cast<std::size_t>(p.grain)]++;
+}
+
+void Contacts::inherit(const Contacts& old) {
+  Cursor from(old);
+  for (Cursor to(*this); !to.done() && !from.done(); to.next()) {
+    const Pair wanted = to.pair();
+    while (!from.done() && before(from.pair(), wanted)) from.next();
+    if (!from.done() && !before(wanted, from.pair()))
+      set_history(to.block, to.lane, old.history(from.block, from.lane));
+  }
+  auto known = old.planes.begin();
+  const auto place = [](const PlanePair& p) { return std::tuple(p.grain, p.plane); };
+  for (PlanePair& p : planes) {
+    while (known != old.planes.end() && place(*known) < place(p)) ++known;
+    if (known != old.planes.end() && place(*known) == place(p)) p.history = known->history;
+  }
+}
+
+History Contacts::history(std::size_t block, int k) const {
+  const ContactBlock& b = blocks[block];
+  History h;
+  h.normal = {b.normal[0][k], b.normal[1][k], b.normal[2][k]};
+  h.memory.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
+  h.memory.rolling = {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]};
+  h.memory.twisting = b.twisting[k];
+  h.normal_force = b.normal_force[k];
+  h.touching = (b.touching >> k) & 1;
+  h.sliding = (b.sliding >> k) & 1;
+  return h;
+}
+
+void Contacts::set_history(std::size_t block, int k, const History& h) {
+  ContactBlock& b = blocks[block];
+  b.normal[0][k] = h.normal.x, b.normal[1][k] = h.normal.y, b.normal[2][k] = h.normal.z;
+  b.shear[0][k] = h.memory.shear.x, b.shear[1][k] = h.memory.shear.y, b.shear[2][k] = h.memory.shear.z;
+  b.rolling[0][k] = h.memory.rolling.x, b.rolling[1][k] = h.memory.rolling.y, b.rolling[2][k] = h.memory.rolling.z;
+  b.twisting[k] = h.memory.twisting;
+  b.normal_force[k] = h.normal_force;
+  b.touching = (b.touching & ~(1u << k)) | (static_cast<std::uint32_t>(h.touching) << k);
+  b.sliding = (b.sliding & ~(1u << k)) | (static_cast<std::uint32_t>(h.sliding) << k);
 }
 
 }  // namespace soilweave::dem

@@ -1,5 +1,9 @@
-// Candidate pairs and the contacts among them, as flat arrays sorted by (first, second): geometry memory, law memory,
-// and the forces of the last sweep. A pair whose grains do not touch holds zeros.
+// Candidate pairs and the contacts among them, in blocks of eight: what a lane of the sweep reads and writes lies side
+// by side. Pairs are sorted by (first, second, image); a pair whose grains do not touch holds zeros.
+//
+// Grains are cut into chunks by their index, and a pair belongs to the chunk of its first grain. A chunk begins with a
+// new block. So neither the sums over a chunk nor their order depend on pairs that are listed without touching, on the
+// width of a vector register or on the number of threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,43 +16,72 @@
 
 namespace soilweave::dem {
 
-struct Contacts {
-  std::vector<std::int32_t> first, second;  // grain indices, first < second; a plane k is -1 - k in second
-  std::vector<Vec3i> image;                 // cell offset of the second grain
-  std::vector<std::uint8_t> touching;
-  std::vector<V3<double>> normal;             // of the last sweep: part of the history
-  std::vector<Memory<double>> memory;         // N, N m
-  std::vector<double> overlap, normal_force;  // m, N
-  std::vector<std::uint8_t> sliding;
-  std::vector<V3<double>> branch;                       // m, centre to centre
-  std::vector<V3<double>> force;                        // N, on the second body
-  std::vector<V3<double>> torque_first, torque_second;  // N m
-  std::vector<double> normal_stiffness, shear_stiffness, rolling_stiffness, twisting_stiffness;
+/// Grains whose pairs one thread sweeps in one go.
+inline constexpr std::size_t grains_per_chunk = 128;
+inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
 
-  // Grain b's pairs are body_pairs[body_start[b] .. body_start[b+1]), ascending: the fixed order of every per-grain
-  // sum.
-  std::vector<std::int32_t> body_start, body_pairs;
-
-  std::size_t size() const { return first.size(); }
-  void resize(std::size_t n) {
-    first.resize(n), second.resize(n), image.resize(n), touching.resize(n), normal.resize(n), memory.resize(n);
-    overlap.resize(n), normal_force.resize(n), sliding.resize(n), branch.resize(n), force.resize(n);
-    torque_first.resize(n), torque_second.resize(n);
-    normal_stiffness.resize(n), shear_stiffness.resize(n), rolling_stiffness.resize(n), twisting_stiffness.resize(n);
-  }
-  /// Everything a pair carries from one list to the next.
-  void copy(std::size_t to, const Contacts& from, std::size_t at) {
-    touching[to] = from.touching[at], normal[to] = from.normal[at], memory[to] = from.memory[at];
-    overlap[to] = from.overlap[at], normal_force[to] = from.normal_force[at], sliding[to] = from.sliding[at];
-    branch[to] = from.branch[at], force[to] = from.force[at];
-    torque_first[to] = from.torque_first[at], torque_second[to] = from.torque_second[at];
-    normal_stiffness[to] = from.normal_stiffness[at], shear_stiffness[to] = from.shear_stiffness[at];
-    rolling_stiffness[to] = from.rolling_stiffness[at], twisting_stiffness[to] = from.twisting_stiffness[at];
-  }
-  /// No contact, no history, no force.
-  void clear(std::size_t k);
-  /// Rebuilds body_start and body_pairs for n grains.
-  void index(std::size_t n);
+/// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
+struct alignas(64) ContactBlock {
+  static constexpr int size = 8;
+  double normal[3][size];     // of the last sweep: part of the history
+  double shear[3][size];      // N
+  double rolling[3][size];    // N m
+  double twisting[size];      // N m
+  double normal_force[size];  // N
+  std::int32_t first[size];   // grain indices, first < second
+  std::int32_t second[size];
+  std::int32_t image[3][size];     // cell offset of the second grain
+  std::uint32_t slot_first[size];  // where the force on each grain goes
+  std::uint32_t slot_second[size];
+  std::uint32_t touching = 0, sliding = 0;  // bit k is pair k
+  std::int32_t count = 0;
+  bool folded = false;  // some pair reaches across the cell's faces
 };
+
+/// What one contact does to one of its grains.
+struct Slot {
+  Lane4 force, torque;  // N, N m; last place 0
+};
+
+/// A pair as the neighbour search lists it.
+struct Pair {
+  std::int32_t first, second;
+  Vec3i image;
+};
+
+/// The history of one pair.
+struct History {
+  V3<double> normal{0, 0, 0};
+  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+  double normal_force = 0;  // N
+  bool touching = false, sliding = false;
+};
+
+/// A grain and a plane closer than the skin.
+struct PlanePair {
+  std::int32_t grain, plane;
+  std::uint32_t slot;
+  History history;
+};
+
+struct Contacts {
+  std::vector<ContactBlock> blocks;
+  std::vector<std::size_t> chunk_start;   // first block of each chunk, and the end
+  std::vector<PlanePair> planes;          // sorted by (grain, plane)
+  std::vector<Slot> slots;                // of grain b: slot_start[b] .. slot_start[b+1], in the order of its pairs,
+  std::vector<std::uint32_t> slot_start;  // planes last; empty lanes write to a slot behind all, one a chunk
+
+  /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane), without
+  /// history.
+  void assign(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes);
+  /// Gives every pair the history it had in `old`.
+  void inherit(const Contacts& old);
+
+  History history(std::size_t block, int lane) const;
+  void set_history(std::size_t block, int lane, const History& history);
+};
+
+/// Order of pairs in a list.
+bool before(const Pair& a, const Pair& b);
 
 }  // namespace soilweave::dem

@@ -2,141 +2,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/motion.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace soilweave::dem {
 namespace {
 
-constexpr std::size_t chunk_size = 512;
-
-std::size_t chunks_of(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
-
-// Runs body(first, last, chunk) over fixed chunks of n.
-template <class Body>
-void chunked(std::size_t n, int threads, const Body& body) {
-  const std::size_t chunks = chunks_of(n);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t c = 0; c < chunks; ++c) body(c * chunk_size, std::min(n, (c + 1) * chunk_size), c);
+Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
+  return bodies.force[i] + bodies.mass(i) * gravity;
 }
 
-double sign(double x) { return static_cast<double>((x > 0) - (x < 0)); }
+// x, y and z squared and added.
+double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-// One component: force damped, velocity advanced. Returns the energy the damping took.
-double kick(double force, double inertia, double damping, double dt, double& velocity) {
-  const double acceleration = force / inertia;
-  const double side = sign(acceleration * (velocity + 0.5 * dt * acceleration));
-  const double before = velocity;
-  velocity += dt * acceleration * (1 - damping * side);
-  return damping * side * force * dt * 0.5 * (before + velocity);
+// Force damped, velocity advanced; the row's last place, where the force is 0, stays. Returns what the damping took, J.
+Lane4 kick(const Lane4& force, double damping, double dt, Lane4& velocity) {
+  const Lane4 zero{}, one = all<Lane4>(1);
+  const Lane4 acceleration = (1.0 / velocity[3]) * force, before = velocity;
+  const Lane4 power = acceleration * (velocity + 0.5 * dt * acceleration);
+  const Lane4 side = damping * (select<Lane4>(power > zero, one, zero) - select<Lane4>(power < zero, one, zero));
+  velocity += dt * acceleration * (one - side);
+  return side * force * (0.5 * dt) * (before + velocity);
 }
 
-void turn(const V3<double>& spin, double dt, Vec4& q) {
-  const Vec3 half = 0.5 * dt * Vec3(spin.x, spin.y, spin.z);
-  const Vec3 v = q.tail<3>();
-  Vec4 next;
-  next[0] = q[0] - half.dot(v);
-  next.tail<3>() = v + q[0] * half + half.cross(v);
-  q = next.normalized();
-}
-
-V3<double> resultant(const Bodies& bodies, std::size_t i, const Vec3& gravity) {
-  const double m = bodies.mass[i];
-  return bodies.force[i] + V3<double>{m * gravity.x(), m * gravity.y(), m * gravity.z()};
+// q <- q (1, dt w/2), of unit length again.
+void turn(const Lane4& spin, double dt, Lane4& q) {
+  const double x = 0.5 * dt * spin[0], y = 0.5 * dt * spin[1], z = 0.5 * dt * spin[2];
+  const Lane4 next{q[0] - (x * q[1] + y * q[2] + z * q[3]), q[1] + (q[0] * x + (y * q[3] - z * q[2])),
+                   q[2] + (q[0] * y + (z * q[1] - x * q[3])), q[3] + (q[0] * z + (x * q[2] - y * q[1]))};
+  q = (1.0 / std::sqrt(next[0] * next[0] + (next[1] * next[1] + next[2] * next[2] + next[3] * next[3]))) * next;
 }
 
 }  // namespace
 
-double gather(const Contacts& contacts, const Vec3& gravity, int threads, Bodies& bodies) {
-  std::vector<double> sums(chunks_of(bodies.size()), 0.0);
-  chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
-    for (std::size_t i = begin; i < end; ++i) {
-      V3<double> force{0, 0, 0}, torque{0, 0, 0};
-      for (std::int32_t s = contacts.body_start[i]; s < contacts.body_start[i + 1]; ++s) {
-        const auto k = static_cast<std::size_t>(contacts.body_pairs[static_cast<std::size_t>(s)]);
-        const bool is_first = static_cast<std::size_t>(contacts.first[k]) == i;
-        force = is_first ? force - contacts.force[k] : force + contacts.force[k];
-        torque = torque + (is_first ? contacts.torque_first[k] : contacts.torque_second[k]);
-      }
-      bodies.force[i] = force;
-      bodies.torque[i] = torque;
-      sums[c] += norm(resultant(bodies, i, gravity));
-    }
-  });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+Motion::Motion(std::size_t grains, int threads) : threads_(threads), partial_(chunks_of(grains)) {}
+
+template <class Body>
+void Motion::chunked(std::size_t grains, const Body& body) {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t c = 0; c < partial_.size(); ++c) {
+    partial_[c] = {};
+    const std::size_t end = std::min(grains, (c + 1) * grains_per_chunk);
+    for (std::size_t i = c * grains_per_chunk; i < end; ++i) body(i, partial_[c]);
+  }
 }
 
-MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, int threads, Bodies& bodies) {
-  std::vector<MotionSums> sums(chunks_of(bodies.size()));
-  const Mat3& L = cell.velocity_gradient();
-  chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
-    MotionSums& s = sums[c];
-    for (std::size_t i = begin; i < end; ++i) {
-      const V3<double> f = resultant(bodies, i, gravity);
-      V3<double>&v = bodies.velocity[i], &w = bodies.angular_velocity[i];
-      const V3<double> before = v;
-      const double m = bodies.mass[i], inertia = bodies.inertia[i];
-      const V3<double>& t = bodies.torque[i];
-      s.damping += kick(f.x, m, damping, dt, v.x) + kick(f.y, m, damping, dt, v.y) + kick(f.z, m, damping, dt, v.z);
-      s.damping += kick(t.x, inertia, damping, dt, w.x) + kick(t.y, inertia, damping, dt, w.y) +
-                   kick(t.z, inertia, damping, dt, w.z);
-      const V3<double> mean = 0.5 * (before + v);
-      s.gravity_work += m * dt * (gravity.x() * mean.x + gravity.y() * mean.y + gravity.z() * mean.z);
-      s.fastest = std::max(s.fastest, norm2(v));
-      V3<double>& x = bodies.position[i];
-      const Vec3 affine = L * Vec3(x.x, x.y, x.z);
-      x = x + dt * (v + V3<double>{affine.x(), affine.y(), affine.z()});
-      turn(w, dt, bodies.orientation[i]);
+double Motion::gather(const Contacts& contacts, const Vec3& gravity, Bodies& bodies) {
+  const Lane4 g = row(gravity, 0);
+  chunked(bodies.size(), [&](std::size_t i, Partial& partial) {
+    Lane4 force{}, torque{};
+    for (std::uint32_t s = contacts.slot_start[i]; s < contacts.slot_start[i + 1]; ++s) {
+      force += contacts.slots[s].force;
+      torque += contacts.slots[s].torque;
     }
+    bodies.force[i] = force;
+    bodies.torque[i] = torque;
+    partial.sum += std::sqrt(length2(resultant(bodies, i, g)));
+  });
+  double sum = 0;
+  for (const Partial& p : partial_) sum += p.sum;
+  return sum;
+}
+
+MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies) {
+  const Lane4 g = row(gravity, 0), step{dt, dt, dt, 0};
+  const Mat3& gradient = cell.velocity_gradient();
+  const bool deforming = !gradient.isZero(0.0);
+  const Lane4 x_part = row(gradient.col(0), 0), y_part = row(gradient.col(1), 0), z_part = row(gradient.col(2), 0);
+  chunked(bodies.size(), [&](std::size_t i, Partial& partial) {
+    Lane4 &v = bodies.velocity[i], &w = bodies.spin[i], &x = bodies.position[i];
+    const Lane4 before = v, pull = bodies.mass(i) * g;
+    partial.damping += kick(bodies.force[i] + pull, damping, dt, v);
+    partial.damping += kick(bodies.torque[i], damping, dt, w);
+    const Lane4 work = (0.5 * dt) * pull * (before + v);
+    partial.gravity_work += work[0] + work[1] + work[2];
+    partial.largest = std::max(partial.largest, length2(v));
+    Lane4 velocity = v;
+    if (deforming) velocity += x[0] * x_part + x[1] * y_part + x[2] * z_part;
+    x += step * velocity;
+    turn(w, dt, bodies.orientation[i]);
   });
   MotionSums total;
-  for (const MotionSums& s : sums) {
-    total.damping += s.damping;
-    total.gravity_work += s.gravity_work;
-    total.fastest = std::max(total.fastest, s.fastest);
+  Lane4 damped{};
+  for (const Partial& p : partial_) {
+    damped += p.damping;
+    total.gravity_work += p.gravity_work;
+    total.fastest = std::max(total.fastest, p.largest);
   }
+  total.damping = damped[0] + damped[1] + damped[2];
   total.fastest = std::sqrt(total.fastest);
   return total;
 }
 
-double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
-  double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double m = bodies.mass[i], inertia = bodies.inertia[i];
-    const V3<double> v = bodies.velocity[i] + (0.5 * dt / m) * resultant(bodies, i, gravity);
-    const V3<double> w = bodies.angular_velocity[i] + (0.5 * dt / inertia) * bodies.torque[i];
-    sum += 0.5 * m * norm2(v) + 0.5 * inertia * norm2(w);
-  }
-  return sum;
+double Motion::stable_time_step(const Bodies& bodies, const Contacts& contacts) {
+  chunked(bodies.size(), [&](std::size_t i, Partial& partial) {
+    Lane4 translation{}, rotation{};
+    for (std::uint32_t s = contacts.slot_start[i]; s < contacts.slot_start[i + 1]; ++s) {
+      translation += contacts.slots[s].force;
+      rotation += contacts.slots[s].torque;
+    }
+    const double k = std::max({translation[0], translation[1], translation[2]}) / bodies.mass(i);
+    const double spin = std::max({rotation[0], rotation[1], rotation[2]}) / bodies.inertia(i);
+    partial.largest = std::max({partial.largest, k, spin});
+  });
+  double largest = 0;
+  for (const Partial& p : partial_) largest = std::max(largest, p.largest);
+  return largest > 0 ? std::numbers::sqrt2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 
-double stable_time_step(const Bodies& bodies, const Contacts& contacts, int threads) {
-  std::vector<double> ratio(chunks_of(bodies.size()), 0.0);
-  chunked(bodies.size(), threads, [&](std::size_t begin, std::size_t end, std::size_t c) {
-    for (std::size_t i = begin; i < end; ++i) {
-      V3<double> k{0, 0, 0}, rotational{0, 0, 0};
-      const double r2 = bodies.radius[i] * bodies.radius[i];
-      for (std::int32_t s = contacts.body_start[i]; s < contacts.body_start[i + 1]; ++s) {
-        const auto p = static_cast<std::size_t>(contacts.body_pairs[static_cast<std::size_t>(s)]);
-        if (!contacts.touching[p]) continue;
-        const double kn = contacts.normal_stiffness[p], ks = contacts.shear_stiffness[p];
-        const double kr = contacts.rolling_stiffness[p] + ks * r2, kt = contacts.twisting_stiffness[p];
-        const V3<double>& n = contacts.normal[p];
-        const V3<double> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{1, 1, 1};
-        k = k + ks * one + (kn - ks) * n2;
-        rotational = rotational + kr * one + (kt - kr) * n2;
-      }
-      const double largest = std::max({k.x, k.y, k.z}) / bodies.mass[i];
-      const double spin = std::max({rotational.x, rotational.y, rotational.z}) / bodies.inertia[i];
-      ratio[c] = std::max({ratio[c], largest, spin});
-    }
-  });
-  const double largest = ratio.empty() ? 0.0 : *std::max_element(ratio.begin(), ratio.end());
-  return largest > 0 ? std::numbers::sqrt2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
+  const Lane4 g = row(gravity, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double m = bodies.mass(i), inertia = bodies.inertia(i);
+    const Lane4 v = bodies.velocity[i] + (0.5 * dt / m) * resultant(bodies, i, g);
+    const Lane4 w = bodies.spin[i] + (0.5 * dt / inertia) * bodies.torque[i];
+    sum += 0.5 * m * length2(v) + 0.5 * inertia * length2(w);
+  }
+  return sum;
 }
 
 }  // namespace soilweave::dem

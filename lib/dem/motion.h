@@ -15,19 +15,38 @@ struct MotionSums {
   double fastest = 0;       // m/s, largest fluctuation speed
 };
 
-/// Contact forces and torques summed on every grain in the order of its pairs. Returns the sum over the grains of
-/// |resultant|, gravity included, N.
-double gather(const Contacts& contacts, const Vec3& gravity, int threads, Bodies& bodies);
+/// Passes over the grains; keeps the partial sums of its chunks from call to call, so that stepping allocates nothing.
+class Motion {
+ public:
+  Motion(std::size_t grains, int threads);
 
-/// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
-/// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine motion.
-MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, int threads, Bodies& bodies);
+  /// Contact forces and torques summed on every grain in the order of its slots. Returns the sum over the grains of
+  /// |resultant|, gravity included, N.
+  double gather(const Contacts& contacts, const Vec3& gravity, Bodies& bodies);
+
+  /// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
+  /// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine
+  /// motion.
+  MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies);
+
+  /// Stability limit from the stiffnesses in the slots (ContactSweep::stiffnesses), s: sqrt(2) times the least
+  /// sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8). Infinite
+  /// without contacts.
+  double stable_time_step(const Bodies& bodies, const Contacts& contacts);
+
+ private:
+  struct Partial {
+    Lane4 damping{};
+    double gravity_work = 0, largest = 0, sum = 0;
+  };
+  template <class Body>
+  void chunked(std::size_t grains, const Body& body);
+
+  int threads_;
+  std::vector<Partial> partial_;
+};
 
 /// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt);
-
-/// Stability limit from the present stiffness, s: sqrt(2) times the least sqrt(m/k) over grains and axes, translation
-/// and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8). Infinite without contacts.
-double stable_time_step(const Bodies& bodies, const Contacts& contacts, int threads);
 
 }  // namespace soilweave::dem

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
@@ -15,9 +16,6 @@
 namespace soilweave::dem {
 namespace {
 
-// The list's skin over the largest radius: rebuilds against candidates (measured flat between 0.03 and 0.1 at 1000
-// grains).
-constexpr double relative_skin = 0.05;
 // A pair overlapping by more than this fraction of the smaller radius is no longer a contact of stiff grains.
 constexpr double overlap_guard = 0.5;
 // Steps between two looks at the stiffness: it changes slowly against the step it limits.
@@ -36,60 +34,80 @@ struct Simulation::Impl {
         bodies(state.grains),
         cell(state.cell, state.grains.dimension),
         planes(state.planes),
-        neighbours(relative_skin * bodies.largest_radius()),
+        neighbours(bodies.largest_radius()),
+        motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         time(state.time),
         steps(state.step) {
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    measure(gather(contacts, numerics.gravity, numerics.threads, bodies));
+    measure(motion.gather(contacts, numerics.gravity, bodies));
     estimate_step();
     energy_of_contacts();
     energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + energies.elastic();
   }
 
   void restore(const io::ContactsRecord& r) {
-    contacts.resize(r.size());
-    for (std::size_t k = 0; k < r.size(); ++k) {
-      contacts.clear(k);
-      contacts.first[k] = r.bodies[k][0], contacts.second[k] = r.bodies[k][1], contacts.image[k] = r.image[k];
-      contacts.touching[k] = 1;
-      const auto v3 = [](const Vec3& v) { return V3<double>{v.x(), v.y(), v.z()}; };
-      contacts.normal[k] = v3(r.normal[k]);
-      contacts.memory[k] = {v3(r.shear_force[k]), v3(r.rolling_moment[k]), r.twisting_moment[k]};
+    std::vector<std::size_t> order(r.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto pair = [&r](std::size_t k) { return Pair{r.bodies[k][0], r.bodies[k][1], r.image[k]}; };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return before(pair(a), pair(b)); });
+    std::vector<Pair> pairs;
+    std::vector<PlanePair> with_planes;
+    std::vector<History> histories;
+    for (const std::size_t k : order) {
+      const History history{from_eigen(r.normal[k]),
+                            {from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
+                            r.normal_force[k],
+                            true,
+                            r.sliding[k] != 0};
+      const Pair p = pair(k);
+      if (p.second < 0) {
+        with_planes.push_back({p.first, -1 - p.second, 0, history});
+      } else {
+        pairs.push_back(p);
+        histories.push_back(history);
+      }
     }
+    std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
+      return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
+    });
+    contacts.assign(bodies.size(), pairs, std::move(with_planes));
+    std::size_t k = 0;
+    for (std::size_t b = 0; b < contacts.blocks.size(); ++b)
+      for (int lane = 0; lane < contacts.blocks[b].count; ++lane) contacts.set_history(b, lane, histories[k++]);
   }
 
   void step() {
     const double dt = time_step;
-    const MotionSums motion = advance(cell, numerics.gravity, numerics.damping, dt, numerics.threads, bodies);
+    const MotionSums moved = motion.advance(cell, numerics.gravity, numerics.damping, dt, bodies);
     const Mat3 force_branch_before = sums.force_branch;
     const Mat3 gradient = cell.velocity_gradient();
     cell.advance(dt);
     planes.advance(dt);
-    if (neighbours.outdated(motion.fastest + fastest_plane(), gradient, bodies.largest_radius(), dt))
+    if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
-    const double resultants = gather(contacts, numerics.gravity, numerics.threads, bodies);
+    const double resultants = motion.gather(contacts, numerics.gravity, bodies);
     ++steps;
     time += dt;
 
-    account(motion, dt, force_branch_before, gradient);
+    account(moved, dt, force_branch_before, gradient);
     measure(resultants);
     guard();
     if (steps % stiffness_interval == 0) estimate_step();
-    limit_move(motion.fastest);
+    limit_move(moved.fastest);
   }
 
-  void account(const MotionSums& motion, double dt, const Mat3& force_branch_before, const Mat3& gradient) {
+  void account(const MotionSums& moved, double dt, const Mat3& force_branch_before, const Mat3& gradient) {
     const double stored_before = energies.elastic_shear + energies.elastic_rolling + energies.elastic_twisting;
     energies.law += stored_before - (sums.shear_before + sums.rolling_before + sums.twisting_before) + sums.kinematic;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
     energies.viscous += sums.viscous;
-    energies.damping += motion.damping;
-    energies.gravity_work += motion.gravity_work;
+    energies.damping += moved.damping;
+    energies.gravity_work += moved.gravity_work;
     energies.boundary_work +=
         sums.plane_work - 0.5 * dt * (force_branch_before + sums.force_branch).cwiseProduct(gradient).sum();
     energy_of_contacts();
@@ -118,14 +136,13 @@ struct Simulation::Impl {
           "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps",
           steps));
     if (sums.largest_relative_overlap > overlap_guard) {
-      std::size_t worst = 0;
-      for (std::size_t k = 1; k < contacts.size(); ++k)
-        if (contacts.overlap[k] > contacts.overlap[worst]) worst = k;
-      throw PhysicsError(
-          fmt::format("step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
-                      "the loading rate, or check the packing",
-                      steps, contacts.first[worst], contacts.second[worst], contacts.overlap[worst],
-                      100 * sums.largest_relative_overlap));
+      const io::ContactsRecord all = contacts_record();
+      const auto worst = std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin();
+      const auto& pair = all.bodies[static_cast<std::size_t>(worst)];
+      throw PhysicsError(fmt::format(
+          "step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
+          "the loading rate, or check the packing",
+          steps, pair[0], pair[1], all.overlap[static_cast<std::size_t>(worst)], 100 * sums.largest_relative_overlap));
     }
   }
 
@@ -134,9 +151,10 @@ struct Simulation::Impl {
       stable = *numerics.time_step;
     } else {
       const double r = bodies.smallest_radius();
-      const double m = *std::min_element(bodies.mass.begin(), bodies.mass.end());
-      const double reference = std::sqrt(2.0 * m / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-      stable = numerics.time_step_safety * std::min(reference, stable_time_step(bodies, contacts, numerics.threads));
+      const double reference =
+          std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
+      sweep->stiffnesses(bodies, cell, planes, numerics.threads, contacts);
+      stable = numerics.time_step_safety * std::min(reference, motion.stable_time_step(bodies, contacts));
     }
     time_step = stable;
   }
@@ -161,6 +179,7 @@ struct Simulation::Impl {
   Cell cell;
   Planes planes;
   Neighbours neighbours;
+  Motion motion;
   std::unique_ptr<ContactSweep> sweep;
   Contacts contacts;
   SweepSums sums;
@@ -172,20 +191,44 @@ struct Simulation::Impl {
 
 io::ContactsRecord Simulation::Impl::contacts_record() const {
   io::ContactsRecord r;
-  const auto vec3 = [](const V3<double>& v) { return Vec3(v.x, v.y, v.z); };
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (!contacts.touching[k]) continue;
-    r.bodies.push_back({contacts.first[k], contacts.second[k]});
-    r.image.push_back(contacts.image[k]);
-    r.normal.push_back(vec3(contacts.normal[k]));
-    r.branch_vector.push_back(vec3(contacts.branch[k]));
-    r.overlap.push_back(contacts.overlap[k]);
-    r.normal_force.push_back(contacts.normal_force[k]);
-    r.shear_force.push_back(vec3(contacts.memory[k].shear));
-    r.rolling_moment.push_back(vec3(contacts.memory[k].rolling));
-    r.twisting_moment.push_back(contacts.memory[k].twisting);
-    r.sliding.push_back(contacts.sliding[k]);
+  const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
+                        const Vec3& branch, double overlap) {
+    r.bodies.push_back({first, second});
+    r.image.push_back(image);
+    r.normal.push_back(to_eigen(h.normal));
+    r.branch_vector.push_back(branch);
+    r.overlap.push_back(overlap);
+    r.normal_force.push_back(h.normal_force);
+    r.shear_force.push_back(to_eigen(h.memory.shear));
+    r.rolling_moment.push_back(to_eigen(h.memory.rolling));
+    r.twisting_moment.push_back(h.memory.twisting);
+    r.sliding.push_back(h.sliding);
+  };
+  auto with_plane = contacts.planes.begin();
+  const auto add_planes_up_to = [&](std::int32_t grain) {
+    for (; with_plane != contacts.planes.end() && with_plane->grain <= grain; ++with_plane) {
+      if (!with_plane->history.touching) continue;
+      const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
+      const auto i = static_cast<std::size_t>(with_plane->grain);
+      const double height = (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
+      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), -height * plane.normal,
+          bodies.radius(i) - height);
+    }
+  };
+  for (std::size_t b = 0; b < contacts.blocks.size(); ++b) {
+    const ContactBlock& block = contacts.blocks[b];
+    for (int k = 0; k < block.count; ++k) {
+      if (!((block.touching >> k) & 1)) continue;
+      add_planes_up_to(block.first[k]);
+      const auto i = static_cast<std::size_t>(block.first[k]), j = static_cast<std::size_t>(block.second[k]);
+      const Vec3i image(block.image[0][k], block.image[1][k], block.image[2][k]);
+      const Vec3 branch =
+          vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
+      add(contacts.history(b, k), block.first[k], block.second[k], image, branch,
+          bodies.radius(i) + bodies.radius(j) - branch.norm());
+    }
   }
+  add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;
 }
 
@@ -224,18 +267,18 @@ void Simulation::scale_radii(double factor) {
   impl_->bodies.scale_radii(factor);
   Impl& s = *impl_;
   const double before = s.energies.elastic();
-  s.neighbours = Neighbours(relative_skin * s.bodies.largest_radius());
+  s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  s.measure(gather(s.contacts, s.numerics.gravity, s.numerics.threads, s.bodies));
+  s.measure(s.motion.gather(s.contacts, s.numerics.gravity, s.bodies));
   s.energy_of_contacts();
   s.energies.boundary_work += s.energies.elastic() - before;
   s.estimate_step();
 }
 
 void Simulation::stop_motion() {
-  for (auto& v : impl_->bodies.velocity) v = {0, 0, 0};
-  for (auto& w : impl_->bodies.angular_velocity) w = {0, 0, 0};
+  for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
+    for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
 }
 
 io::Snapshot Simulation::snapshot() const {
