@@ -1,15 +1,15 @@
 // Arithmetic shared by one contact (a double) and several at once (a GCC vector of doubles), so that a law is written
-// once and gives the same bits in every lane. No branch may depend on a value: select() instead.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// once and gives the same bits in every lane. No branch may depend on a value: select() instead. A multiplication and
+// an addition become one operation where fused() says so and nowhere else. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <immintrin.h>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
-
-#include "core/tensor.h"
 
 namespace soilweave {
 
@@ -31,13 +31,11 @@ T select(const Mask<T>& mask, const T& yes, const T& no) {
 
 inline double square_root(double x) { return std::sqrt(x); }
 
-inline Lane4 square_root(const Lane4& x) {
-#ifdef __AVX__
-  return __builtin_ia32_sqrtpd256(x);
-#else
-  return Lane4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
-#endif
-}
+inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
+
+/// a b + c, rounded once, in lane and scalar alike.
+inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
+inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fmadd_pd(a, b, c); }
 
 /// The same number in every lane.
 template <class T>
@@ -66,12 +64,16 @@ void store(double* to, const T& x) {
 
 /// Bit i of the result is lane i of the mask.
 inline unsigned bits(const Mask<Lane4>& mask) {
-  unsigned all_bits = 0;
-  for (int i = 0; i < 4; ++i) all_bits |= static_cast<unsigned>(mask[i] & 1) << i;
-  return all_bits;
+  Lane4 signs;
+  std::memcpy(&signs, &mask, sizeof signs);
+  return static_cast<unsigned>(_mm256_movemask_pd(signs));
 }
 
+inline bool any(bool mask) { return mask; }
+inline bool any(const Mask<Lane4>& mask) { return bits(mask) != 0; }
+
 /// x where the mask holds, +0 elsewhere, even where x is not a number.
+inline double keep(bool mask, double x) { return mask ? x : 0.0; }
 inline Lane4 keep(const Mask<Lane4>& mask, const Lane4& x) {
   Mask<Lane4> raw;
   std::memcpy(&raw, &x, sizeof raw);
@@ -106,59 +108,6 @@ T maximum(const T& a, const T& b) {
 template <class T>
 T absolute(const T& x) {
   return select<T>(x < all<T>(0), -x, x);
-}
-
-template <class T>
-struct V3 {
-  T x, y, z;
-};
-
-template <class T>
-V3<T> operator+(const V3<T>& a, const V3<T>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class T>
-V3<T> operator-(const V3<T>& a, const V3<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-V3<T> operator*(const T& s, const V3<T>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class T>
-V3<T> select(const Mask<T>& mask, const V3<T>& yes, const V3<T>& no) {
-  return {select<T>(mask, yes.x, no.x), select<T>(mask, yes.y, no.y), select<T>(mask, yes.z, no.z)};
-}
-template <class T>
-T dot(const V3<T>& a, const V3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
-V3<T> cross(const V3<T>& a, const V3<T>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class T>
-T norm2(const V3<T>& a) {
-  return dot(a, a);
-}
-template <class T>
-T norm(const V3<T>& a) {
-  return square_root(norm2(a));
-}
-
-/// A row holds a vector and, in its last place, a scalar that goes with it.
-inline Lane4 row(const Vec3& v, double scalar) { return Lane4{v.x(), v.y(), v.z(), scalar}; }
-inline Vec3 vector_of(const Lane4& r) { return {r[0], r[1], r[2]}; }
-
-inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }
-
-/// One lane taken out, one lane put in.
-inline V3<double> lane(const V3<Lane4>& v, int i) { return {v.x[i], v.y[i], v.z[i]}; }
-inline void set_lane(V3<Lane4>& v, int i, const V3<double>& value) {
-  v.x[i] = value.x;
-  v.y[i] = value.y;
-  v.z[i] = value.z;
 }
 
 }  // namespace soilweave

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/lanes.h"
-#include "core/tensor.h"
+#include "core/v3.h"
 #include "io/records.h"
 
 namespace soilweave::dem {

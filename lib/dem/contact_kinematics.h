@@ -12,15 +12,14 @@ struct PairMotion {
   V3<T> velocity;        // m/s, of the centres
   V3<T> spin_1, spin_2;  // rad/s
   T lever_1, lever_2;    // m, the radii; 0 for a plane
-  T distance;            // m, between the centres; the radius for a plane
+  T inverse_distance;    // 1/m, of the centres; of the radius for a plane
   V3<T> normal;          // unit, from 1 to 2
 };
 
-/// Slip velocity of the surfaces at levers l1 and l2, normal part removed, m/s.
+/// The centres' relative velocity within the contact plane, m/s.
 template <class T>
-V3<T> tangential_velocity(const PairMotion<T>& m, const T& l1, const T& l2) {
-  const V3<T> v = m.velocity - cross(l2 * m.spin_2 + l1 * m.spin_1, m.normal);
-  return v - dot(v, m.normal) * m.normal;
+V3<T> transverse_velocity(const PairMotion<T>& m) {
+  return fused(T(-dot(m.velocity, m.normal)), m.normal, m.velocity);
 }
 
 /// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a
@@ -28,17 +27,24 @@ V3<T> tangential_velocity(const PairMotion<T>& m, const T& l1, const T& l2) {
 /// and mass are left to the caller.
 template <class T>
 Kinematics<T> pair_kinematics(const PairMotion<T>& m, const T& dt) {
-  PairMotion<T> amplified = m;
-  const T reach = m.lever_1 + m.lever_2;
-  amplified.velocity = (reach / m.distance) * m.velocity;
+  const T amplification = (m.lever_1 + m.lever_2) * m.inverse_distance;
+  const V3<T> turning = cross(fused(m.lever_2, m.spin_2, m.lever_1 * m.spin_1), m.normal);
   const V3<T> turn = dt * (m.spin_2 - m.spin_1);
   Kinematics<T> k;
   k.normal = m.normal;
   k.approach_speed = -dot(m.velocity, m.normal);
-  k.slip = dt * tangential_velocity(amplified, m.lever_1, m.lever_2);
+  k.slip = dt * (amplification * transverse_velocity(m) - turning);
   k.twist = dot(turn, m.normal);
-  k.roll = turn - k.twist * m.normal;
+  k.roll = fused(T(-k.twist), m.normal, turn);
   return k;
+}
+
+/// What the increments above count beyond the slip of the grains' surfaces at the contact point, which lies half the
+/// overlap inside each, over dt, m: the work of the shear force on it is the law's own.
+template <class T>
+V3<T> excess_slip(const PairMotion<T>& m, const T& overlap, const T& dt) {
+  const V3<T> spin = cross(m.spin_1 + m.spin_2, m.normal);
+  return (dt * overlap) * fused(all<T>(-0.5), spin, m.inverse_distance * transverse_velocity(m));
 }
 
 }  // namespace soilweave::dem

@@ -26,7 +26,7 @@ struct Contribution {
 // Rows of four sums each, so that four contacts become four rows by transposition.
 struct RowSums {
   Lane4 row[6] = {};
-  double largest_relative_overlap = 0;
+  Lane4 relative_overlap{};  // the largest, a lane each
   std::int64_t contacts = 0;
 
   void add(const Contribution<Lane4>& c) {
@@ -58,7 +58,8 @@ struct RowSums {
     s.elastic_shear += row[4][0], s.elastic_rolling += row[4][1], s.elastic_twisting += row[4][2];
     s.rolling_plastic += row[4][3], s.viscous += row[5][3];
     s.shear_before += row[5][0], s.rolling_before += row[5][1], s.twisting_before += row[5][2];
-    s.largest_relative_overlap = std::max(s.largest_relative_overlap, largest_relative_overlap);
+    for (int lane = 0; lane < width<Lane4>; ++lane)
+      s.largest_relative_overlap = std::max(s.largest_relative_overlap, relative_overlap[lane]);
     s.contacts += contacts;
   }
 
@@ -86,32 +87,19 @@ Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& nor
 
 template <class T>
 Contribution<T> contribution(const PairGeometry<T>& g, const V3<T>& force, const V3<T>& shear_before,
-                             const V3<T>& shear, const Response<T>& r, const Books<T>& books, const T& dt) {
+                             const V3<T>& shear, const Response<T>& r, const Books<T>& books) {
   Contribution<T> c;
   const V3<T>& l = g.branch;
   c.force_branch_x = force.x * l, c.force_branch_y = force.y * l, c.force_branch_z = force.z * l;
   // Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
-  const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks;
+  const T ks = keep(g.touching, r.shear_stiffness), difference = keep(g.touching, r.normal_stiffness) - ks;
   const V3<T>& n = g.kinematics.normal;
-  c.axial_stiffness = {l.x * l.x * (ks + difference * (n.x * n.x)), l.y * l.y * (ks + difference * (n.y * n.y)),
-                       l.z * l.z * (ks + difference * (n.z * n.z))};
+  c.axial_stiffness = {l.x * l.x * fused(difference, T(n.x * n.x), ks), l.y * l.y * fused(difference, T(n.y * n.y), ks),
+                       l.z * l.z * fused(difference, T(n.z * n.z), ks)};
   c.force = norm(force);
   c.books = books;
-  const V3<T> true_slip = dt * tangential_velocity(g.motion, g.arm_1, g.arm_2);
-  c.kinematic = -0.5 * dot(shear_before + shear, true_slip - g.kinematics.slip);
+  c.kinematic = 0.5 * dot(shear_before + shear, g.excess_slip);
   return c;
-}
-
-void keep_all(const Mask<Lane4>& mask, V3<Lane4>& v) { v = {keep(mask, v.x), keep(mask, v.y), keep(mask, v.z)}; }
-
-void keep_all(const Mask<Lane4>& mask, Contribution<Lane4>& c) {
-  keep_all(mask, c.force_branch_x), keep_all(mask, c.force_branch_y), keep_all(mask, c.force_branch_z);
-  keep_all(mask, c.axial_stiffness);
-  Books<Lane4>& b = c.books;
-  for (Lane4* x :
-       {&c.force, &c.kinematic, &b.elastic_normal, &b.elastic_shear, &b.elastic_rolling, &b.elastic_twisting,
-        &b.shear_before, &b.rolling_before, &b.twisting_before, &b.frictional, &b.rolling_plastic, &b.viscous})
-    *x = keep(mask, *x);
 }
 
 // Four lanes of a block, from lane k on.
@@ -133,13 +121,16 @@ struct Lanes {
   Memory<Lane4> memory() const { return {load3(block.shear), load3(block.rolling), load<Lane4>(block.twisting + k)}; }
 
   Lane4 column(const std::int32_t* from) const {
-    return Lane4{static_cast<double>(from[k]), static_cast<double>(from[k + 1]), static_cast<double>(from[k + 2]),
-                 static_cast<double>(from[k + 3])};
+    __m128i integers;
+    std::memcpy(&integers, from + k, sizeof integers);
+    return _mm256_cvtepi32_pd(integers);
   }
   V3<Lane4> shift(const Mat3& h) const {
     const Lane4 a = column(block.image[0]), b = column(block.image[1]), c = column(block.image[2]);
-    return {h(0, 0) * a + h(0, 1) * b + h(0, 2) * c, h(1, 0) * a + h(1, 1) * b + h(1, 2) * c,
-            h(2, 0) * a + h(2, 1) * b + h(2, 2) * c};
+    const auto component = [&](int i) {
+      return fused(all<Lane4>(h(i, 2)), c, fused(all<Lane4>(h(i, 1)), b, h(i, 0) * a));
+    };
+    return {component(0), component(1), component(2)};
   }
   Rows4 rows(const std::vector<Lane4>& of, const std::int32_t* index) const {
     const Lane4* p = of.data();
@@ -264,55 +255,46 @@ class LawSweep final : public ContactSweep {
     return grain_geometry(a, b, affine, all<Lane4>(dt));
   }
 
-  void grains(const Bodies& bodies, const Mat3& cell, const AffineMotion& affine, double dt, const Lanes& lanes,
-              std::vector<Slot>& slots, RowSums& sums) const {
+  [[gnu::flatten]] void grains(const Bodies& bodies, const Mat3& cell, const AffineMotion& affine, double dt,
+                               const Lanes& lanes, std::vector<Slot>& slots, RowSums& sums) const {
     const PairGeometry<Lane4> g = geometry(bodies, cell, affine, dt, lanes);
     const unsigned touching = bits(g.touching);
     if (!touching && !lanes.touching()) return;
     ContactBlock& block = lanes.block;
     const Kinematics<Lane4>& kin = g.kinematics;
-    Memory<Lane4> memory = lanes.memory();
+    // What has parted has no memory; then its overlap and increments, zero, give no force.
+    Memory<Lane4> memory = keep(g.touching, lanes.memory());
     if (dt > 0) {
-      // Memory that was zero stays zero, also where there is no old normal.
-      const Lane4 spin = 0.5 * dt * dot(kin.normal, g.motion.spin_1 + g.motion.spin_2);
-      const Transport<Lane4> carry(lanes.load3(block.normal), kin.normal, spin);
+      // Memory that was zero stays zero, also where the old normal is of no meaning.
+      const Transport<Lane4> carry(lanes.load3(block.normal), kin.normal, g.half_spin);
       memory.shear = carry(memory.shear), memory.rolling = carry(memory.rolling);
     }
     const Memory<Lane4> kept = memory;
     Books<Lane4> books;
     const auto response = couples_.respond(bodies, lanes, kin, all<Lane4>(dt), memory, books);
     if (dt == 0) memory = kept;  // the first sweep of a restored state changes no history
-    Action<Lane4> act = action(g, memory, response.normal_force);
-    auto added = contribution(g, act.force, kept.shear, memory.shear, response, books, all<Lane4>(dt));
-
-    const Mask<Lane4>& mask = g.touching;
-    keep_all(mask, act.force), keep_all(mask, act.torque_first), keep_all(mask, act.torque_second);
-    keep_all(mask, memory.shear), keep_all(mask, memory.rolling), keep_all(mask, added);
-    V3<Lane4> normal = kin.normal;
-    keep_all(mask, normal);
-    lanes.store3(block.normal, normal), lanes.store3(block.shear, memory.shear);
-    lanes.store3(block.rolling, memory.rolling), store(block.twisting + lanes.k, keep(mask, memory.twisting));
-    store(block.normal_force + lanes.k, keep(mask, response.normal_force));
+    const Action<Lane4> act = action(g, memory, response.normal_force);
+    lanes.store3(block.normal, kin.normal), lanes.store3(block.shear, memory.shear);
+    lanes.store3(block.rolling, memory.rolling), store(block.twisting + lanes.k, memory.twisting);
+    store(block.normal_force + lanes.k, response.normal_force);
     lanes.set_masks(touching, touching & bits(response.sliding));
     lanes.write(block.slot_first, {-act.force.x, -act.force.y, -act.force.z}, act.torque_first, slots);
     lanes.write(block.slot_second, act.force, act.torque_second, slots);
-    sums.add(added);
+    sums.add(contribution(g, act.force, kept.shear, memory.shear, response, books));
     sums.contacts += std::popcount(touching);
-    const Lane4 relative = keep(mask, kin.overlap / minimum(kin.r1, kin.r2));
-    for (int lane = 0; lane < 4; ++lane)
-      sums.largest_relative_overlap = std::max(sums.largest_relative_overlap, relative[lane]);
+    sums.relative_overlap = maximum(sums.relative_overlap, kin.overlap / minimum(kin.r1, kin.r2));
   }
 
-  void grain_stiffness(const Bodies& bodies, const Mat3& cell, const Lanes& lanes, std::vector<Slot>& slots) const {
+  [[gnu::flatten]] void grain_stiffness(const Bodies& bodies, const Mat3& cell, const Lanes& lanes,
+                                        std::vector<Slot>& slots) const {
     if (!lanes.touching()) return;
     const PairGeometry<Lane4> g = geometry(bodies, cell, AffineMotion(Mat3::Zero(), false, 0), 0, lanes);
     Memory<Lane4> memory = lanes.memory();
     Books<Lane4> books;
     const auto r = couples_.respond(bodies, lanes, g.kinematics, Lane4{}, memory, books);
     const auto put = [&](const std::uint32_t* slot, const Lane4& radius) {
-      auto [translation, rotation] = axis_stiffness(g.kinematics.normal, r, radius);
-      keep_all(g.touching, translation), keep_all(g.touching, rotation);
-      lanes.write(slot, translation, rotation, slots);
+      const auto [translation, rotation] = axis_stiffness(g.kinematics.normal, r, radius);
+      lanes.write(slot, keep(g.touching, translation), keep(g.touching, rotation), slots);
     };
     put(lanes.block.slot_first, g.kinematics.r1);
     put(lanes.block.slot_second, g.kinematics.r2);
@@ -355,8 +337,7 @@ class LawSweep final : public ContactSweep {
     const V3<double> force_before = history.normal_force * history.normal + history.memory.shear;
     Memory<double>& memory = history.memory;
     if (dt > 0) {
-      const double spin = 0.5 * dt * dot(g.kinematics.normal, g.motion.spin_1);
-      const Transport<double> carry(history.normal, g.kinematics.normal, spin);
+      const Transport<double> carry(history.normal, g.kinematics.normal, g.half_spin);
       memory.shear = carry(memory.shear), memory.rolling = carry(memory.rolling);
     }
     const Memory<double> kept = memory;
@@ -369,9 +350,9 @@ class LawSweep final : public ContactSweep {
     history.touching = true, history.sliding = response.sliding;
     slot = {Lane4{-act.force.x, -act.force.y, -act.force.z, 0},
             Lane4{act.torque_first.x, act.torque_first.y, act.torque_first.z, 0}};
-    sums.add(contribution(g, act.force, kept.shear, memory.shear, response, books, dt));
+    sums.add(contribution(g, act.force, kept.shear, memory.shear, response, books));
     ++sums.contacts;
-    sums.largest_relative_overlap = std::max(sums.largest_relative_overlap, g.kinematics.overlap / g.kinematics.r1);
+    sums.relative_overlap = maximum(sums.relative_overlap, all<Lane4>(g.kinematics.overlap / g.kinematics.r1));
     const Vec3& velocity = planes.all[static_cast<std::size_t>(pair.plane)].velocity;
     return -0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
   }

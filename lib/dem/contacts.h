@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/lanes.h"
-#include "core/tensor.h"
+#include "core/v3.h"
 #include "dem/laws/contact.h"
 
 namespace soilweave::dem {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lanes.h"
+#include "core/v3.h"
 
 namespace soilweave::dem {
 

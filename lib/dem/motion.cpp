@@ -27,12 +27,15 @@ Lane4 kick(const Lane4& force, double damping, double dt, Lane4& velocity) {
   return side * force * (0.5 * dt) * (before + velocity);
 }
 
-// q <- q (1, dt w/2), of unit length again.
+// q <- q (1, dt w/2), of unit length again by one Newton step: the length is off by the square of half the angle.
 void turn(const Lane4& spin, double dt, Lane4& q) {
-  const double x = 0.5 * dt * spin[0], y = 0.5 * dt * spin[1], z = 0.5 * dt * spin[2];
-  const Lane4 next{q[0] - (x * q[1] + y * q[2] + z * q[3]), q[1] + (q[0] * x + (y * q[3] - z * q[2])),
-                   q[2] + (q[0] * y + (z * q[1] - x * q[3])), q[3] + (q[0] * z + (x * q[2] - y * q[1]))};
-  q = (1.0 / std::sqrt(next[0] * next[0] + (next[1] * next[1] + next[2] * next[2] + next[3] * next[3]))) * next;
+  const Lane4 half = (0.5 * dt) * spin;
+  const auto times = [&](double s, const Lane4& r, const Lane4& to) { return fused(all<Lane4>(s), r, to); };
+  Lane4 next = times(half[0], Lane4{-q[1], q[0], -q[3], q[2]}, q);
+  next = times(half[1], Lane4{-q[2], q[3], q[0], -q[1]}, next);
+  next = times(half[2], Lane4{-q[3], -q[2], q[1], q[0]}, next);
+  const Lane4 square = next * next;
+  q = (1.5 - 0.5 * (square[0] + square[1] + square[2] + square[3])) * next;
 }
 
 }  // namespace

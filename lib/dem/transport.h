@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lanes.h"
+#include "core/v3.h"
 
 namespace soilweave::dem {
 
@@ -26,10 +26,10 @@ class Transport {
 
   V3<T> operator()(const V3<T>& f) const {
     // Rodrigues with axis a = n0 x n1 (length sin) and cosine c: g = c f + a x f + a (a.f)/(1 + c).
-    const V3<T> g = cosine_ * f + cross(axis_, f) + (along_ * dot(axis_, f)) * axis_;
+    const V3<T> g = fused(cosine_, f, fused(T(along_ * dot(axis_, f)), axis_, cross(axis_, f)));
     // Cayley form of the rotation about n by 2 atan t: g + 2/(1 + t^2) (t n x g + t^2 n x (n x g)).
     const V3<T> turned = cross(normal_, g);
-    return g + turn_ * (turned + half_tangent_ * cross(normal_, turned));
+    return fused(turn_, fused(half_tangent_, cross(normal_, turned), turned), g);
   }
 
  private:

@@ -235,6 +235,20 @@ TYPED_TEST(EveryLaw, ASlipCycleAtConstantOverlapCreatesNoEnergy) {
   }
 }
 
+TYPED_TEST(EveryLaw, GivesNothingWithoutOverlapMotionAndMemory) {
+  // The sweep relies on it for pairs in its lanes that do not touch.
+  Kinematics<double> k = touching_pair<TypeParam>(this->couple(), 3e-3, 4.5e-3, 0).motion(0);
+  k.overlap = 0;
+  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+  Books<double> books;
+  const auto r = TypeParam::respond(this->couple(), k, 1e-6, memory, books);
+  for (const double x :
+       {r.normal_force, norm(memory.shear), norm(memory.rolling), memory.twisting, books.elastic_normal,
+        books.elastic_shear, books.elastic_rolling, books.elastic_twisting, books.shear_before, books.rolling_before,
+        books.twisting_before, books.frictional, books.rolling_plastic, books.viscous})
+    EXPECT_EQ(x, 0);
+}
+
 TYPED_TEST(EveryLaw, TheEnergyOfASlipCycleAtChangingOverlapIsMeasuredNotHidden) {
   // Slip s at overlap d1, fall to d2, slip back to zero force: 1/2 ks1 s^2 goes in and (ks1 s)^2/(2 ks2) comes out.
   const double d1 = 2e-5, d2 = 1e-5, s = 1e-7;
@@ -278,7 +292,7 @@ TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
       one.x = one.x + 1e-5 * one.v, two.x = two.x + 1e-5 * two.v;
       const V3<double> d = two.x - one.x;
       set_lane(m.velocity, i, two.v - one.v), set_lane(m.spin_1, i, one.w), set_lane(m.spin_2, i, two.w);
-      m.lever_1[i] = one.radius, m.lever_2[i] = two.radius, m.distance[i] = norm(d);
+      m.lever_1[i] = one.radius, m.lever_2[i] = two.radius, m.inverse_distance[i] = 1 / norm(d);
       set_lane(m.normal, i, (1.0 / norm(d)) * d);
       overlap[i] = one.radius + two.radius - norm(d);
       rest.r1[i] = one.radius, rest.r2[i] = two.radius;

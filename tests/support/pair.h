@@ -36,10 +36,11 @@ struct Pair {
     m.velocity = two.v - one.v;
     m.spin_1 = one.w, m.spin_2 = two.w;
     m.lever_1 = one.radius, m.lever_2 = two.radius;
-    m.distance = norm(d);
-    m.normal = (1.0 / m.distance) * d;
+    const double distance = norm(d);
+    m.inverse_distance = 1 / distance;
+    m.normal = m.inverse_distance * d;
     Kinematics<double> k = pair_kinematics(m, dt);
-    k.overlap = one.radius + two.radius - m.distance;
+    k.overlap = one.radius + two.radius - distance;
     k.r1 = one.radius, k.r2 = two.radius;
     k.R_star = k.r1 * k.r2 / (k.r1 + k.r2);
     k.m_star = one.mass * two.mass / (one.mass + two.mass);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lanes.h"
+#include "core/v3.h"
 
 namespace soilweave::dem {
 
@@ -31,12 +31,18 @@ struct Books {
   T frictional, rolling_plastic, viscous;
 };
 
+using soilweave::keep;
 using soilweave::select;
 
 template <class T>
 Memory<T> select(const Mask<T>& mask, const Memory<T>& yes, const Memory<T>& no) {
   return {select<T>(mask, yes.shear, no.shear), select<T>(mask, yes.rolling, no.rolling),
           select<T>(mask, yes.twisting, no.twisting)};
+}
+
+template <class T>
+Memory<T> keep(const Mask<T>& mask, const Memory<T>& memory) {
+  return {keep(mask, memory.shear), keep(mask, memory.rolling), keep(mask, memory.twisting)};
 }
 
 template <class T>
@@ -89,23 +95,45 @@ T product(const V3<T>& a, const V3<T>& b) {
   return dot(a, b);
 }
 
-/// limit: the largest magnitude; a negative limit means none.
+/// limit: the largest magnitude, not negative. compliance: 1/stiffness, 0 where there is no stiffness.
 template <class T, class Quantity>
-SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
-                                    const T& limit) {
+SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const T& compliance,
+                                            const Quantity& increment, const T& limit) {
   SpringStep<T, Quantity> s;
   const Quantity trial = old - stiffness * increment;
-  const T trial2 = squared(trial);
-  const T zero = all<T>(0), tiny = all<T>(1e-300);
-  s.limited = (limit >= zero) & (trial2 > limit * limit);
-  const T scale = select<T>(s.limited, limit / square_root(maximum(trial2, tiny)), all<T>(1));
-  s.force = scale * trial;
-  const T compliance = select<T>(stiffness > zero, 0.5 / maximum(stiffness, tiny), zero);
-  s.before = compliance * squared(old);
-  s.stored = compliance * squared(s.force);
-  // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
-  s.dissipated = compliance * product(old + s.force, trial - s.force);
+  const T trial2 = squared(trial), one = all<T>(1), zero = all<T>(0);
+  s.limited = trial2 > limit * limit;
+  s.force = trial;
+  s.dissipated = zero;
+  // Where nothing is limited the scale is exactly 1: to skip it changes no bit.
+  if (any(s.limited)) {
+    const T scale = select<T>(s.limited, limit / square_root(maximum(trial2, all<T>(1e-300))), one);
+    s.force = scale * trial;
+    // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
+    s.dissipated = keep(s.limited, T(0.5 * compliance * (one - scale) * product(Quantity(old + s.force), trial)));
+  }
+  s.before = 0.5 * compliance * squared(old);
+  s.stored = 0.5 * compliance * squared(s.force);
   return s;
+}
+
+/// The same without a limit.
+template <class T, class Quantity>
+SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const T& compliance,
+                                    const Quantity& increment) {
+  SpringStep<T, Quantity> s;
+  s.force = old - stiffness * increment;
+  s.limited = all<T>(0) > all<T>(0);
+  s.dissipated = all<T>(0);
+  s.before = 0.5 * compliance * squared(old);
+  s.stored = 0.5 * compliance * squared(s.force);
+  return s;
+}
+
+/// 1/stiffness; 0 where there is none.
+template <class T>
+T compliance_of(const T& stiffness) {
+  return select<T>(stiffness > all<T>(0), T(1.0 / maximum(stiffness, all<T>(1e-300))), all<T>(0));
 }
 
 }  // namespace soilweave::dem

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/lanes.h"
+#include "dem/kinematics.h"
 
 namespace soilweave::dem {
 
@@ -45,10 +45,12 @@ struct Damping {
     return {damping_ratio(std::min(e1.value_or(1.0), e2.value_or(1.0)), attraction), attraction};
   }
 
-  /// Elastic force (N) and dashpot c (N s/m) at the approach speed (m/s), cut at zero unless attraction is allowed.
+  /// Elastic force (N) and a dashpot 2 ratio sqrt(m* stiffness) at the approach speed, cut at zero unless attraction is
+  /// allowed.
   template <class T>
-  T force(const T& elastic, const T& c, const T& approach_speed) const {
-    const T sum = elastic + c * approach_speed;
+  T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T>& k) const {
+    if (ratio == 0) return elastic;
+    const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star * stiffness) * k.approach_speed;
     return attraction ? sum : maximum(sum, all<T>(0));
   }
 };

@@ -72,9 +72,9 @@ struct HertzMindlin {
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;
     // Tsuji, Tanaka & Ishida (1992): critical fraction beta gives a restitution independent of the speed.
-    const T dashpot = 2.0 * std::sqrt(5.0 / 6.0) * c.damping.ratio * square_root(k.m_star * kn);
+    const double ratio = std::sqrt(5.0 / 6.0) * c.damping.ratio;
     Response<T> r;
-    r.normal_force = c.damping.force(elastic, dashpot, k.approach_speed);
+    r.normal_force = c.damping.force(elastic, ratio, kn, k);
     r.normal_stiffness = kn;
     r.shear_stiffness = ks;
     books.elastic_normal = 0.4 * elastic * k.overlap;

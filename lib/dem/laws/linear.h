@@ -69,8 +69,7 @@ struct Linear {
     r.normal_stiffness = 2.0 * n1 * n2 / (n1 + n2);
     r.shear_stiffness = 2.0 * s1 * s2 / maximum(s1 + s2, tiny);
     const T elastic = r.normal_stiffness * k.overlap;
-    const T dashpot = 2.0 * c.damping.ratio * square_root(k.m_star * r.normal_stiffness);
-    r.normal_force = c.damping.force(elastic, dashpot, k.approach_speed);
+    r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
     books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
     tangential_step(c.tangential, k, memory, r, books);

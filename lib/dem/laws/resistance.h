@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "dem/kinematics.h"
+#include "dem/laws/contact.h"
 
 namespace soilweave::dem {
 
@@ -54,13 +55,28 @@ T resistance_stiffness(const PairResistance& r, const Kinematics<T>& k, const T&
   return r.stiffness * shear_stiffness * k.r1 * k.r2;
 }
 
-/// Largest moment, N m; negative: none. normal_force: N, not negative.
+/// rad/(N m), of a stiffness from resistance_stiffness; 0 without stiffness.
+template <class T>
+T resistance_compliance(const PairResistance& r, const T& stiffness) {
+  if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness > 0 ? 1 / r.stiffness : 0);
+  return compliance_of(stiffness);
+}
+
+/// Largest moment of a limited resistance, N m. normal_force: N, not negative.
 template <class T>
 T resistance_limit(const PairResistance& r, const Kinematics<T>& k, const T& normal_force) {
-  if (!r.limited) return all<T>(-1);
   const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
                                                       : minimum(T(r.limit_1 * k.r1), T(r.limit_2 * k.r2));
   return arm * normal_force;
+}
+
+/// Rolling (a vector) or twisting (a scalar) resistance over one step.
+template <class T, class Quantity>
+SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T>& k, const Quantity& old,
+                                        const T& stiffness, const Quantity& increment, const T& normal_force) {
+  const T compliance = resistance_compliance(r, stiffness);
+  if (!r.limited) return spring_step<T, Quantity>(old, stiffness, compliance, increment);
+  return limited_spring_step<T, Quantity>(old, stiffness, compliance, increment, resistance_limit(r, k, normal_force));
 }
 
 }  // namespace soilweave::dem

@@ -29,11 +29,10 @@ void tangential_step(const Tangential& c, const Kinematics<T>& k, Memory<T>& mem
   const T pressing = maximum(r.normal_force, all<T>(0));
   r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
   r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
-  const auto shear = spring_step<T, V3<T>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
-  const auto roll =
-      spring_step<T, V3<T>>(memory.rolling, r.rolling_stiffness, k.roll, resistance_limit(c.rolling, k, pressing));
-  const auto twist =
-      spring_step<T, T>(memory.twisting, r.twisting_stiffness, k.twist, resistance_limit(c.twisting, k, pressing));
+  const auto shear = limited_spring_step<T, V3<T>>(memory.shear, r.shear_stiffness, compliance_of(r.shear_stiffness),
+                                                   k.slip, c.mu * pressing);
+  const auto roll = resistance_step<T, V3<T>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
+  const auto twist = resistance_step<T, T>(c.twisting, k, memory.twisting, r.twisting_stiffness, k.twist, pressing);
   memory = {shear.force, roll.force, twist.force};
   r.sliding = shear.limited;
   books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;

@@ -1,0 +1,72 @@
+// Vectors of three, of one contact or of several at once (lanes.h), and rows, which hold a vector and a scalar.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lanes.h"
+#include "core/tensor.h"
+
+namespace soilweave {
+
+template <class T>
+struct V3 {
+  T x, y, z;
+};
+
+template <class T>
+V3<T> operator+(const V3<T>& a, const V3<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+V3<T> operator-(const V3<T>& a, const V3<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+V3<T> operator*(const T& s, const V3<T>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+V3<T> select(const Mask<T>& mask, const V3<T>& yes, const V3<T>& no) {
+  return {select<T>(mask, yes.x, no.x), select<T>(mask, yes.y, no.y), select<T>(mask, yes.z, no.z)};
+}
+template <class T>
+T dot(const V3<T>& a, const V3<T>& b) {
+  return fused(a.z, b.z, fused(a.y, b.y, T(a.x * b.x)));
+}
+template <class T>
+V3<T> cross(const V3<T>& a, const V3<T>& b) {
+  return {fused(a.y, b.z, T(-(a.z * b.y))), fused(a.z, b.x, T(-(a.x * b.z))), fused(a.x, b.y, T(-(a.y * b.x)))};
+}
+/// s a + b.
+template <class T>
+V3<T> fused(const T& s, const V3<T>& a, const V3<T>& b) {
+  return {fused(s, a.x, b.x), fused(s, a.y, b.y), fused(s, a.z, b.z)};
+}
+template <class T>
+V3<T> keep(const Mask<T>& mask, const V3<T>& v) {
+  return {keep(mask, v.x), keep(mask, v.y), keep(mask, v.z)};
+}
+template <class T>
+T norm2(const V3<T>& a) {
+  return dot(a, a);
+}
+template <class T>
+T norm(const V3<T>& a) {
+  return square_root(norm2(a));
+}
+
+/// A row holds a vector and, in its last place, a scalar that goes with it.
+inline Lane4 row(const Vec3& v, double scalar) { return Lane4{v.x(), v.y(), v.z(), scalar}; }
+inline Vec3 vector_of(const Lane4& r) { return {r[0], r[1], r[2]}; }
+
+inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }
+
+/// One lane taken out, one lane put in.
+inline V3<double> lane(const V3<Lane4>& v, int i) { return {v.x[i], v.y[i], v.z[i]}; }
+inline void set_lane(V3<Lane4>& v, int i, const V3<double>& value) {
+  v.x[i] = value.x;
+  v.y[i] = value.y;
+  v.z[i] = value.z;
+}
+
+}  // namespace soilweave
