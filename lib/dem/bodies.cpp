@@ -66,6 +66,12 @@ double Bodies::smallest_mass() const {
   return smallest;
 }
 
+double Bodies::total_mass() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) sum += mass(i);
+  return sum;
+}
+
 void Bodies::store(io::GrainsRecord& record) const {
   for (std::size_t i = 0; i < size(); ++i) {
     record.position[i] = vector_of(position[i]);

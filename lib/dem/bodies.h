@@ -37,6 +37,7 @@ struct Bodies {
   double largest_radius() const;
   double smallest_radius() const;
   double smallest_mass() const;
+  double total_mass() const;
   /// Positions, velocities, orientations, radii and masses back into a record that already holds the identities.
   void store(io::GrainsRecord& record) const;
 };

@@ -18,26 +18,32 @@ constexpr double strain_tolerance = 1e-9;
 
 }  // namespace
 
-void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation) {
+double Servo::stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation) {
   const double dt = simulation.time_step();
   const Measures& m = simulation.measures();
+  const double error = goal.value - m.stress(axis, axis);
+  if (rule_.kind == ServoRule::Kind::inertia) {
+    const double side = static_cast<double>((rate_[axis] * error > 0) - (rate_[axis] * error < 0));
+    rate_[axis] += (1 - rule_.damping * side) * dt * error / simulation.mass();
+    rate_[axis] = std::clamp(rate_[axis], -goal.max_rate, goal.max_rate);
+    return rate_[axis];
+  }
+  const double stiffness = std::max(m.axial_stiffness[axis], loosest_stiffness * std::abs(goal.value));
+  if (!(stiffness > 0)) return 0;
+  const double omega = frequency_times_step / dt;
+  rate_[axis] += omega * omega * error * dt / stiffness;
+  rate_[axis] = std::clamp(rate_[axis], -goal.max_rate, goal.max_rate);
+  return rate_[axis] + 2 * servo_damping * omega * error / stiffness;
+}
+
+void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation) {
+  const double dt = simulation.time_step();
   const Vec3 strain = simulation.strain();
   Mat3 gradient = Mat3::Zero();
   for (int a = 0; a < dimension; ++a) {
     const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
-    double rate = 0;
-    if (goal.kind == AxisGoal::Kind::strain) {
-      rate = -std::expm1(-(goal.value - strain[a])) / dt;
-    } else {
-      const double error = goal.value - m.stress(a, a);
-      const double stiffness = std::max(m.axial_stiffness[a], loosest_stiffness * std::abs(goal.value));
-      const double omega = frequency_times_step / dt;
-      if (stiffness > 0) {
-        rate_[a] += omega * omega * error * dt / stiffness;
-        rate_[a] = std::clamp(rate_[a], -goal.max_rate, goal.max_rate);
-        rate = rate_[a] + 2 * servo_damping * omega * error / stiffness;
-      }
-    }
+    const double rate = goal.kind == AxisGoal::Kind::strain ? -std::expm1(-(goal.value - strain[a])) / dt
+                                                            : stress_rate(a, goal, simulation);
     gradient(a, a) = -std::clamp(rate, -goal.max_rate, goal.max_rate);
   }
   simulation.set_velocity_gradient(gradient);

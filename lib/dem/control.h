@@ -22,11 +22,23 @@ struct Tolerances {
   double unbalanced_force = 1e-3;  // mean resultant over mean contact force
 };
 
-/// A proportional-integral servo whose gains follow the contact network's own stiffness, so that its response takes the
-/// same number of steps for any number of grains, stiffness and pressure. (The peer's servo divides a stress by the
-/// total mass, dem-laws §6: it slows down as the packing grows.)
+/// How an axis follows its stress goal.
+struct ServoRule {
+  enum class Kind {
+    // Proportional-integral, critically damped, with gains that follow the contact network's own stiffness, so that the
+    // response takes the same number of steps for any number of grains, stiffness and pressure.
+    stiffness,
+    // The cell's strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2, as the thesis'
+    // runs had it), damped like a grain. It rings, and slows down as the packing grows; to repeat those runs.
+    inertia
+  };
+  Kind kind = Kind::stiffness;
+  double damping = 0.25;  // of `inertia`
+};
+
 class Servo {
  public:
+  explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}
   /// Sets the velocity gradient of the next step; axes beyond the space's dimension stay at rest.
   void drive(const AxisGoals& goals, int dimension, Simulation& simulation);
   /// All goals met within the tolerances and the unbalanced force below its own.
@@ -34,6 +46,9 @@ class Servo {
                       const Simulation& simulation);
 
  private:
+  double stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation);
+
+  ServoRule rule_;
   Vec3 rate_ = Vec3::Zero();  // 1/s, the integral part, compression positive
 };
 

@@ -37,7 +37,8 @@ class Runner {
         report_(report),
         dimension_(start.grains.dimension),
         model_(scenario.model),
-        simulation_(start, scenario.model, scenario.numerics) {
+        simulation_(start, scenario.model, scenario.numerics),
+        servo_(scenario.servo) {
     result_.series = empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();

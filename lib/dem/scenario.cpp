@@ -22,6 +22,17 @@ Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
   return {table.number(stress, 1e-3), force};
 }
 
+ServoRule read_servo(Settings& document) {
+  static constexpr Parameter damping{
+      "damping", "1", 0, 0.999, false, "damping of the cell's strain rate", "at 1 the cell would not move"};
+  Settings table = document.table("servo");
+  ServoRule rule;
+  if (table.choice("kind", {"stiffness", "inertia"}, "stiffness") == "stiffness") return rule;
+  rule.kind = ServoRule::Kind::inertia;
+  rule.damping = table.number(damping, rule.damping);
+  return rule;
+}
+
 SnapshotRule read_snapshots(Settings& document) {
   static constexpr Parameter strains{"strains", "1", -2, 2, false, "axial strains whose stations get a snapshot"};
   Settings table = document.table("record");
@@ -114,6 +125,7 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   s.density = read_density(document);
   s.numerics = read_numerics(document);
   s.tolerances = read_tolerances(document, s.largest_station);
+  s.servo = read_servo(document);
   s.snapshots = read_snapshots(document);
   s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials));
   for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table));

@@ -31,6 +31,7 @@ struct Scenario {
   Numerics numerics;
   double density = 0;  // kg/m3, scaled; replaces the packing's masses where positive
   Tolerances tolerances;
+  ServoRule servo;
   std::int64_t largest_station = 0;  // steps after which a station counts as unreachable
   SnapshotRule snapshots;
   std::vector<Stage> stages;

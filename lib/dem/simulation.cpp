@@ -253,6 +253,7 @@ std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
 const Mat3& Simulation::deformation_gradient() const { return impl_->cell.deformation_gradient(); }
 double Simulation::volume() const { return impl_->cell.volume(); }
+double Simulation::mass() const { return impl_->bodies.total_mass(); }
 double Simulation::solid_volume() const { return impl_->bodies.solid_volume(); }
 double Simulation::void_ratio() const { return volume() / solid_volume() - 1; }
 

@@ -59,6 +59,7 @@ class Simulation {
   const Mat3& cell_matrix() const;
   const Mat3& deformation_gradient() const;
   double volume() const;        // m3 (2D: m2)
+  double mass() const;          // kg (2D: kg/m), of all grains
   double solid_volume() const;  // m3 (2D: m2), overlaps counted twice
   double void_ratio() const;
   /// Natural strains since the reference, compression positive: -ln of the principal stretches along the axes.

@@ -76,7 +76,8 @@ TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5);
   const auto material = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
   io::Snapshot mixed = start;
-  for (std::size_t i = 0; i < mixed.grains.size(); ++i) mixed.grains.material_id[i] = static_cast<int>((7 * i + i / 5) % 3);
+  for (std::size_t i = 0; i < mixed.grains.size(); ++i)
+    mixed.grains.material_id[i] = static_cast<int>((7 * i + i / 5) % 3);
   Simulation one(start, testing::sand(), {});
   Simulation three(mixed, {std::vector<HertzMindlin::Material>{material, material, material}}, {});
   auto slippery = material;
@@ -253,6 +254,23 @@ TEST(Servo, HoldsStressesAndVolume) {
 
 // The servo's own period is 126 steps (control.cpp), whatever the number of grains: four of them reach a doubled
 // pressure.
+// The strain rate of an axis grows by error/mass and is cut by the damping where it already points to the goal.
+TEST(Servo, OfInertiaAcceleratesTheCellByErrorOverMass) {
+  Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  Servo servo({ServoRule::Kind::inertia, 0.25});
+  const double goal = s.measures().stress(0, 0) + 1e4;
+  const AxisGoal up{AxisGoal::Kind::stress, goal, 1}, still{AxisGoal::Kind::strain, 0, 1};
+  double rate = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double error = goal - s.measures().stress(0, 0);
+    rate += (k == 0 ? 1 : 0.75) * s.time_step() * error / s.mass();
+    const double before = s.strain()[0], dt = s.time_step();
+    servo.drive({up, still, still}, 3, s);
+    s.step();
+    EXPECT_NEAR((s.strain()[0] - before) / dt, -std::log1p(-rate * dt) / dt, 1e-9 * rate) << "step " << k;
+  }
+}
+
 TEST(Servo, NeedsNoMoreStepsForMoreGrains) {
   for (const std::size_t grains : {125U, 1000U}) {
     Simulation s(testing::packed(testing::sand(), 1e5, grains), testing::sand(), {});
