@@ -100,7 +100,9 @@ struct PackGenerate {
     const double rho = read_density > 0 ? read_density : density;
 
     io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
-    if (!as_is) {
+    if (as_is) {
+      const dem::Simulation checked(state, model, numerics);  // refuses grains that overlap too much
+    } else {
       packing::Recipe recipe;
       recipe.pressure = pressure;
       recipe.void_ratio = void_ratio;
@@ -114,7 +116,8 @@ struct PackGenerate {
       state.step = 0;
       state.time = 0;
     }
-    io::write_packing(output, state, io::extend(sources, invocation, document.resolved()));
+    const bool no_law = as_is && material.empty();
+    io::write_packing(output, state, io::extend(sources, invocation, no_law ? "" : document.resolved()));
   }
 
   io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources) const {
