@@ -173,7 +173,9 @@ refused() {
 }
 
 @test "errors: materials" {
-  material() { printf '[contact]\nlaw = "linear"\nyoung_modulus = "0.5 GPa"\nstiffness_ratio = 0.1\n%s\n' "$1" > m.toml; }
+  material() {
+    printf '[contact]\nlaw = "linear"\nyoung_modulus = "0.5 GPa"\nstiffness_ratio = 0.1\n%s\n' "$1" > m.toml
+  }
   material 'friction_angle = 90'
   refused 65 "m.toml:5: contact.friction_angle: 90 is out of range: must be from 0 to 89.9 deg (the tangent" \
     --material m.toml -o out.h5
