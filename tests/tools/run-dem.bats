@@ -242,6 +242,7 @@ off() {
 
 @test "errors: an output that cannot be made; one of another run is kept" {
   refused 73 ".: is a directory; name a file to be written" -o .
+  refused 73 "out.h5/: is a directory; name a file to be written" -o out.h5/
   refused 73 "none/out.h5: cannot be created: none is not a directory; make it first" -o none/out.h5
   refused 73 "/proc/out.h5: cannot be created" -o /proc/out.h5
   cp packing.h5 mine.h5
