@@ -83,7 +83,21 @@ struct PackGenerate {
   void validate() const {
     if (as_is && import.empty()) throw UsageError("--as-is needs --import FILE");
     if (!cell.empty() && import.empty()) throw UsageError("--cell needs --import FILE");
+    if (!cell.empty() && is_ours()) throw UsageError("--cell: " + import.string() + " has a cell of its own");
     if (!cell.empty()) parse_cell();
+    const PackGenerate standard;
+    const bool new_cloud = grading != standard.grading || grains != standard.grains ||
+                           dimension != standard.dimension || mean_radius || aspect != standard.aspect ||
+                           cloud_void_ratio != standard.cloud_void_ratio;
+    if (!import.empty() && new_cloud)
+      throw UsageError(
+          "--grading, --grains, --dimension, --mean-radius, --aspect and --cloud-void-ratio are of a new "
+          "packing: leave them out with --import");
+    const bool load =
+        void_ratio || pressure != standard.pressure || max_rate != standard.max_rate || tolerance != standard.tolerance;
+    if (as_is && load)
+      throw UsageError(
+          "--void-ratio, --pressure, --max-rate and --tolerance would change the packing: leave out --as-is");
   }
 
   void run(const tool::Invocation& invocation) const {
@@ -100,7 +114,9 @@ struct PackGenerate {
     const double rho = read_density > 0 ? read_density : density;
 
     io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
-    if (!as_is) {
+    if (as_is) {
+      const dem::Simulation checked(state, model, numerics);  // refuses grains that overlap too much
+    } else {
       packing::Recipe recipe;
       recipe.pressure = pressure;
       recipe.void_ratio = void_ratio;
@@ -114,7 +130,8 @@ struct PackGenerate {
       state.step = 0;
       state.time = 0;
     }
-    io::write_packing(output, state, io::extend(sources, invocation, document.resolved()));
+    const bool no_law = as_is && material.empty();
+    io::write_packing(output, state, io::extend(sources, invocation, no_law ? "" : document.resolved()));
   }
 
   io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources) const {
@@ -156,12 +173,13 @@ struct PackGenerate {
     return size;
   }
 
+  bool is_ours() const { return import.extension() == ".h5"; }
+
   io::Snapshot read_import(double rho, std::vector<io::Source>& sources) const {
     io::CellRecord given;
     if (!cell.empty()) given.matrix = parse_cell().asDiagonal();
-    const bool ours = import.extension() == ".h5";
     io::PackingFile file =
-        ours ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
+        is_ours() ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
     sources.push_back(file.source);
     return file.state;
   }

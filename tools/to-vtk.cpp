@@ -125,9 +125,13 @@ struct ToVtk {
       io::add_principal(grains);
       return grains;
     };
-    // Fields that do not fit are found before anything is written.
-    if (table)
-      for (const io::Snapshot* snapshot : shown) grains_of(*snapshot);
+    // What does not fit is found before anything is written.
+    std::vector<double> times;
+    for (const io::Snapshot* snapshot : shown) {
+      times.push_back(snapshot->time);
+      if (table) grains_of(*snapshot);
+    }
+    io::demand_advance("grains", times);
 
     io::ParaviewFolder folder(output, invocation.force, compress);
     Progress progress("to-vtk", invocation.quiet);
@@ -148,10 +152,13 @@ struct ToVtk {
     for (const auto& group : file.groups) {
       if (!io::has_positions(group.table)) continue;
       const auto states = io::states_of(group.table);
+      std::vector<double> times;
       for (const std::size_t index : chosen(states.size())) {
         frames.push_back({group.name, index, io::show_rows(group.table, states[index])});
         io::add_principal(frames.back().picture);
+        times.push_back(frames.back().picture.time);
       }
+      io::demand_advance(group.name, times);
     }
     io::ParaviewFolder folder(output, invocation.force, compress);
     for (const Frame& frame : frames) folder.add(frame.group, frame.index, frame.picture);

@@ -88,12 +88,12 @@ struct Rows4 {
   Lane4 a, b, c, d;
 };
 inline Rows4 transpose(const Rows4& r) {
-  const Lane4 t0 = __builtin_shuffle(r.a, r.b, Mask<Lane4>{0, 4, 2, 6});
-  const Lane4 t1 = __builtin_shuffle(r.a, r.b, Mask<Lane4>{1, 5, 3, 7});
-  const Lane4 t2 = __builtin_shuffle(r.c, r.d, Mask<Lane4>{0, 4, 2, 6});
-  const Lane4 t3 = __builtin_shuffle(r.c, r.d, Mask<Lane4>{1, 5, 3, 7});
-  return {__builtin_shuffle(t0, t2, Mask<Lane4>{0, 1, 4, 5}), __builtin_shuffle(t1, t3, Mask<Lane4>{0, 1, 4, 5}),
-          __builtin_shuffle(t0, t2, Mask<Lane4>{2, 3, 6, 7}), __builtin_shuffle(t1, t3, Mask<Lane4>{2, 3, 6, 7})};
+  const Lane4 t0 = __builtin_shufflevector(r.a, r.b, 0, 4, 2, 6);
+  const Lane4 t1 = __builtin_shufflevector(r.a, r.b, 1, 5, 3, 7);
+  const Lane4 t2 = __builtin_shufflevector(r.c, r.d, 0, 4, 2, 6);
+  const Lane4 t3 = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(t0, t2, 0, 1, 4, 5), __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
+          __builtin_shufflevector(t0, t2, 2, 3, 6, 7), __builtin_shufflevector(t1, t3, 2, 3, 6, 7)};
 }
 
 template <class T>

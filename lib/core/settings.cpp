@@ -23,7 +23,7 @@ namespace soilweave {
 struct Settings::Document {
   struct Mistake {
     std::uint32_t line;
-    std::string text;
+    std::string key, text;
     bool operator<(const Mistake& other) const { return line < other.line; }
   };
   std::string name;
@@ -32,13 +32,24 @@ struct Settings::Document {
   std::map<std::string, std::set<std::string>> asked;  // table path -> keys somebody asked for
   std::map<std::string, std::string> assigned;         // full key -> the --set that gave it
   std::vector<Mistake> mistakes;
+  std::set<std::string> unread;    // tables with one mistake that leaves open which keys belong in them
+  std::set<std::string> misspelt;  // full keys absent because another word was written for them
 
+  bool is_unread(const std::string& path) const {
+    return std::any_of(unread.begin(), unread.end(),
+                       [&](const std::string& table) { return path == table || path.starts_with(table + "."); });
+  }
   void add(const std::string& key, std::uint32_t line, std::string_view what) {
-    const auto by_set = assigned.find(key);
+    auto by_set = assigned.find(key);
+    // A table that only --set made has no line of its own.
+    if (by_set == assigned.end() && line == 0)
+      by_set = std::find_if(assigned.begin(), assigned.end(),
+                            [&](const auto& made) { return made.first.starts_with(key + "."); });
+    line = std::max<std::uint32_t>(1, line);
     if (by_set != assigned.end())
-      mistakes.push_back({0, fmt::format("--set {}: {}", by_set->second, what)});
+      mistakes.push_back({0, key, fmt::format("--set {}: {}", by_set->second, what)});
     else
-      mistakes.push_back({line, fmt::format("{}:{}: {}", name, line, what)});
+      mistakes.push_back({line, key, fmt::format("{}:{}: {}", name, line, what)});
   }
 };
 
@@ -52,9 +63,11 @@ std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
-std::uint32_t line_of(const toml::node& node) { return std::max<std::uint32_t>(1, node.source().begin.line); }
+std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
 
 std::string written(const toml::node& node) {
+  if (const auto* number = node.as_floating_point(); number && std::isfinite(number->get()))
+    return number_text(number->get());
   std::ostringstream text;
   node.visit([&](const auto& concrete) { text << concrete; });
   return text.str();
@@ -95,13 +108,15 @@ void find_unknown(Document& document, const std::string& path, const toml::array
 }
 
 void find_unknown(Document& document, const std::string& path, const toml::table& table) {
+  if (document.is_unread(path)) return;
   const std::set<std::string>& asked = document.asked[path];
   const std::vector<std::string> known(asked.begin(), asked.end());
   for (const auto& [key, node] : table) {
     const std::string name(key.str()), full = joined(path, name);
     if (!asked.contains(name)) {
-      const std::string near = known.empty() ? "" : suggestion(name, known);
-      document.add(full, line_of(node), fmt::format("unknown key '{}'{}", full, near));
+      document.add(full, line_of(node), fmt::format("unknown key '{}'{}", full, suggestion(name, known)));
+      const std::string meant = nearest(name, known);
+      if (!meant.empty() && !table.contains(meant)) document.misspelt.insert(joined(path, meant));
     } else if (const auto* inner = node.as_table(); inner && document.asked.contains(full)) {
       find_unknown(document, full, *inner);
     } else if (const auto* array = node.as_array(); array && document.asked.contains(joined(full, "0"))) {
@@ -193,6 +208,7 @@ void Settings::set(std::string_view assignment) {
 bool Settings::has(std::string_view key) const { return asked_node(*document_, path_, table_, key) != nullptr; }
 
 void Settings::mistake(std::string_view key, std::string_view what) {
+  if (document_->is_unread(path_)) return;
   const toml::table& table = as_table(table_);
   const toml::node* node = key.empty() ? nullptr : table.get(key);
   const std::string full = key.empty() ? path_ : joined(path_, key);
@@ -296,6 +312,13 @@ std::string Settings::choice(std::string_view key, const std::vector<std::string
   return fallback.value_or(values.front());
 }
 
+std::string Settings::kind(std::string_view key, const std::vector<std::string>& values) {
+  const std::size_t before = document_->mistakes.size();
+  std::string value = choice(key, values);
+  if (document_->mistakes.size() > before) document_->unread.insert(path_);
+  return value;
+}
+
 bool Settings::flag(std::string_view key, bool fallback) {
   const toml::node* node = asked_node(*document_, path_, table_, key);
   if (node == nullptr) return fallback;
@@ -307,8 +330,10 @@ bool Settings::flag(std::string_view key, bool fallback) {
 Settings Settings::table(std::string_view key) {
   toml::node* node = asked_node(*document_, path_, table_, key);
   toml::table* table = node == nullptr ? nullptr : node->as_table();
-  if (node != nullptr && table == nullptr)
+  if (node != nullptr && table == nullptr) {
     mistake(key, fmt::format("{} is not a table; write [{}] on a line of its own", written(*node), joined(path_, key)));
+    document_->unread.insert(joined(path_, key));
+  }
   if (table == nullptr) table = &document_->absent.emplace_back();
   return {document_, joined(path_, key), table};
 }
@@ -332,6 +357,11 @@ void Settings::finish() const {
   Document& document = *document_;
   find_unknown(document, "", document.root);
   std::vector<Document::Mistake> mistakes = document.mistakes;
+  // A slip of the finger is one mistake, not an unknown key and a missing one.
+  std::erase_if(mistakes, [&](const Document::Mistake& m) {
+    return std::any_of(document.misspelt.begin(), document.misspelt.end(),
+                       [&](const std::string& key) { return m.key == key || m.key.starts_with(key + "."); });
+  });
   if (mistakes.empty()) return;
   std::stable_sort(mistakes.begin(), mistakes.end());
   std::string all;

@@ -33,6 +33,8 @@ class Settings {
   std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
   std::string choice(std::string_view key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);
+  /// A choice that decides which other keys the table has: where it is wrong, nothing more is told of the table.
+  std::string kind(std::string_view key, const std::vector<std::string>& values);
   bool flag(std::string_view key, bool fallback);
 
   Settings table(std::string_view key);                // an empty one where it is absent

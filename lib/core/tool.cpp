@@ -51,8 +51,8 @@ void check_output(const Table::Impl& table) {
   const bool force = table.invocation.force, may_be_folder = table.output_is_folder;
   if (path.empty() || path == "-") return;
   std::error_code failure;
-  if (!may_be_folder && fs::is_directory(path, failure))
-    throw CannotCreate(fmt::format("{}: is a directory; name a file to be written", path.string()));
+  if (!may_be_folder && (!table.output->has_filename() || fs::is_directory(path, failure)))
+    throw CannotCreate(fmt::format("{}: is a directory; name a file to be written", table.output->string()));
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, failure))
     throw CannotCreate(

@@ -30,6 +30,22 @@ bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int 
   return std::any_of(rule.strains.begin(), rule.strains.end(), [&](double s) { return std::abs(s - strain) < 1e-7; });
 }
 
+void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
+  const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
+  for (const Stage& stage : scenario.stages)
+    for (std::size_t station = 0; station < stage.path->stations(); ++station) {
+      const AxisGoals goals = stage.path->goals(station, unloaded);
+      for (std::size_t a = 0; a < static_cast<std::size_t>(unloaded.dimension); ++a) {
+        const bool held = goals[a].kind == AxisGoal::Kind::strain && goals[a].value == 0;
+        if (!packing.cell.periodic[a] && !held)
+          throw DataError(
+              fmt::format("stage \"{}\" loads axis {}, along which the packing's cell is not periodic: give the "
+                          "packing a periodic cell, or hold the axis by a stage of path \"free\"",
+                          stage.name, "xyz"[a]));
+      }
+    }
+}
+
 class Runner {
  public:
   Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report)
@@ -128,6 +144,7 @@ class Runner {
 }  // namespace
 
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
+  demand_periodic(packing, scenario);
   io::Snapshot state = packing;
   const auto materials = std::visit([](const auto& m) { return m.size(); }, scenario.model.materials);
   for (const std::int32_t id : state.grains.material_id)

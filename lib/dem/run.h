@@ -14,7 +14,8 @@ namespace soilweave::dem {
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
 /// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
-/// Throws DataError where the packing names materials the scenario lacks.
+/// Throws DataError where the packing names materials the scenario lacks, or a stage loads an axis that is not
+/// periodic.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 
 /// Positions moved at random by at most `fraction` of the radius along each axis: a twin that shows the scatter of a

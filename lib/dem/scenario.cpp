@@ -51,7 +51,7 @@ Stage read_stage(Settings table) {
       "friction_angle", "deg", 0, 89.9, false, "friction angle of all materials from this stage on"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
   Stage stage;
-  const std::string path = table.choice("path", path_names());
+  const std::string path = table.kind("path", path_names());
   stage.name = table.text("name", path);
   stage.reset_strain = table.flag("reset_strain", false);
   if (table.has("friction_angle")) stage.friction = table.number(friction) * degree;
@@ -83,7 +83,7 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials) {
 
 Model read_model(Settings& document) {
   Settings contact = document.table("contact");
-  const std::string law = contact.choice("law", Laws::names());
+  const std::string law = contact.kind("law", Laws::names());
   std::vector<Settings> tables = {contact};
   for (const Settings& table : document.tables("material")) tables.push_back(table);
   return {Laws::read(law, tables)};
@@ -129,7 +129,8 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   s.snapshots = read_snapshots(document);
   s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials));
   for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table));
-  if (s.stages.empty()) document.mistake("stage", "is missing: a scenario has at least one [[stage]] with a path");
+  if (s.stages.empty() && !document.has("stage"))
+    document.mistake("stage", "is missing: a scenario has at least one [[stage]] with a path");
   document.finish();
   s.resolved = document.resolved();
   return s;

@@ -42,6 +42,8 @@ struct Simulation::Impl {
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
+    if (sums.largest_relative_overlap > overlap_guard)
+      throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
     measure(motion.gather(contacts, numerics.gravity, bodies));
     estimate_step();
     energy_of_contacts();
@@ -135,15 +137,19 @@ struct Simulation::Impl {
       throw PhysicsError(fmt::format(
           "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps",
           steps));
-    if (sums.largest_relative_overlap > overlap_guard) {
-      const io::ContactsRecord all = contacts_record();
-      const auto worst = std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin();
-      const auto& pair = all.bodies[static_cast<std::size_t>(worst)];
-      throw PhysicsError(fmt::format(
-          "step {}: grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius: lower the time step or "
-          "the loading rate, or check the packing",
-          steps, pair[0], pair[1], all.overlap[static_cast<std::size_t>(worst)], 100 * sums.largest_relative_overlap));
-    }
+    if (sums.largest_relative_overlap > overlap_guard)
+      throw PhysicsError(
+          fmt::format("step {}: {}: lower the time step or the loading rate, or check the packing", steps, deepest()));
+  }
+
+  std::string deepest() const {
+    const io::ContactsRecord all = contacts_record();
+    const auto worst =
+        static_cast<std::size_t>(std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin());
+    const auto [first, second] = all.bodies[worst];
+    const std::string other = second < 0 ? fmt::format("plane {}", plane_number(second)) : fmt::format("{}", second);
+    return fmt::format("grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius", first, other, all.overlap[worst],
+                       100 * sums.largest_relative_overlap);
   }
 
   void estimate_step() {
@@ -257,7 +263,9 @@ double Simulation::mass() const { return impl_->bodies.total_mass(); }
 double Simulation::solid_volume() const { return impl_->bodies.solid_volume(); }
 double Simulation::void_ratio() const { return volume() / solid_volume() - 1; }
 
-Vec3 Simulation::strain() const { return -deformation_gradient().diagonal().array().log().matrix(); }
+Vec3 Simulation::strain() const {
+  return (0.0 - deformation_gradient().diagonal().array().log()).matrix();  // 0 - 0: no strain is not -0
+}
 
 void Simulation::set_reference() { impl_->cell.set_reference(); }
 void Simulation::set_velocity_gradient(const Mat3& gradient) { impl_->cell.set_velocity_gradient(gradient); }

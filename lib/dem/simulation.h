@@ -42,6 +42,7 @@ struct Energies {
 class Simulation {
  public:
   /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
+  /// Throws DataError where grains overlap by more than half a radius.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;

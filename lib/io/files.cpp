@@ -149,6 +149,8 @@ FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
 TextFile read_text(const std::filesystem::path& path, std::string role) {
   TextFile file;
   file.text = read_bytes(path);
+  if (file.text.find('\0') != std::string::npos)
+    throw DataError(fmt::format("{}: not a text file; name the {} as text", input_name(path), role));
   file.source = {std::move(role), sha256(file.text), {}};
   return file;
 }

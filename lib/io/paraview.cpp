@@ -42,6 +42,13 @@ std::string pvd_line(double time, const std::string& file) {
 
 }  // namespace
 
+void demand_advance(const std::string& group, const std::vector<double>& times) {
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (!(times[k] > times[k - 1]))
+      throw DataError("the states of " + group + " do not advance in time: " + exact(times[k]) + " s after " +
+                      exact(times[k - 1]) + " s; choose one with --state");
+}
+
 ParaviewFolder::ParaviewFolder(fs::path folder, bool force, bool compress)
     : folder_(std::move(folder)), compress_(compress) {
   try {
@@ -58,9 +65,7 @@ ParaviewFolder::ParaviewFolder(fs::path folder, bool force, bool compress)
 
 void ParaviewFolder::add(const std::string& group, std::size_t index, const VtkPicture& picture) {
   auto& frames = groups_[group];
-  if (!frames.empty() && !(picture.time > frames.back().time))
-    throw DataError("the states of " + group + " do not advance in time: " + exact(picture.time) + " s after " +
-                    exact(frames.back().time) + " s");
+  if (!frames.empty()) demand_advance(group, {frames.back().time, picture.time});
   const bool grid = picture.shape == VtkShape::hexahedron;
   std::string number = std::to_string(index);
   if (number.size() < 6) number.insert(0, 6 - number.size(), '0');

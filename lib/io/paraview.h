@@ -11,6 +11,9 @@
 
 namespace soilweave::io {
 
+/// Throws DataError where the times of a group's frames do not advance: ParaView could not tell them apart.
+void demand_advance(const std::string& group, const std::vector<double>& times);
+
 /// Every file is written under a temporary name and renamed, the .pvd files last: a reader meets whole files only.
 class ParaviewFolder {
  public:

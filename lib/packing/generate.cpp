@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,8 +30,13 @@ class Compaction {
         recipe_(recipe),
         report_(report),
         dimension_(cloud.grains.dimension),
+        largest_(2 * *std::max_element(cloud.grains.radius.begin(), cloud.grains.radius.end())),
         simulation_(cloud, model, numerics),
         angle_(dem::friction(model)) {
+    for (int a = 0; a < dimension_; ++a)
+      if (!cloud.cell.periodic[static_cast<std::size_t>(a)])
+        throw DataError("the packing's cell is not periodic and cannot be compressed: give its lengths (--cell)");
+    if (recipe.void_ratio) demand_room(*recipe.void_ratio);
     simulation_.set_damping(recipe.damping);
     const dem::AxisGoal goal{dem::AxisGoal::Kind::stress, recipe.pressure, recipe.max_rate};
     goals_ = {goal, goal, goal};
@@ -38,13 +44,27 @@ class Compaction {
 
   Result run() {
     settle("compression", 0);
+    demand_room(simulation_.void_ratio());
     if (recipe_.void_ratio) densify(*recipe_.void_ratio);
+    demand_room(simulation_.void_ratio());
     simulation_.set_reference();
     simulation_.set_velocity_gradient(Mat3::Zero());
     return {simulation_.snapshot(), simulation_.void_ratio(), lowest_};
   }
 
  private:
+  // The nearest image of a touching pair is unique only while grains are smaller than half the cell.
+  void demand_room(double void_ratio) const {
+    const Vec3 widths = simulation_.cell_matrix().inverse().rowwise().norm().cwiseInverse();
+    const double shrunk = std::pow((1 + void_ratio) / (1 + simulation_.void_ratio()), 1.0 / dimension_);
+    const double narrowest = shrunk * widths.head(dimension_).minCoeff();
+    if (largest_ >= narrowest / 2)
+      throw DataError(
+          fmt::format("at a void ratio of {:.4g} the cell is {:.4g} m wide, and the largest grain is {:.4g} m across: "
+                      "not less than half the cell; take more grains or a more even cell",
+                      void_ratio, narrowest, largest_));
+  }
+
   void densify(double target) {
     const double tolerance = recipe_.void_ratio_tolerance;
     const double loosest = simulation_.void_ratio();
@@ -123,6 +143,7 @@ class Compaction {
   const Recipe& recipe_;
   const Report& report_;
   int dimension_;
+  double largest_;  // m, diameter
   dem::Simulation simulation_;
   dem::Servo servo_;
   dem::AxisGoals goals_;

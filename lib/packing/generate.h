@@ -33,7 +33,8 @@ using Report = std::function<void(double fraction, const std::string& detail)>;
 
 /// Compresses the assembly isotropically to the pressure at full friction, then lowers the friction step by step
 /// (thesis §3.2.2) and restores it as the void ratio passes the target, until equilibrium at the pressure and full
-/// friction holds the target. Throws TargetNotReached with the void ratio reached and the reason.
+/// friction holds the target. Throws TargetNotReached with the void ratio reached and the reason; DataError where the
+/// cell is not periodic, or is or will be less than two of the largest grains wide.
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
                const Report& report = {});
 

@@ -20,8 +20,11 @@ constexpr std::size_t slices = 100'000;
 
 Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   const io::Series table = io::from_tsv(text, where);
-  const io::Column& size = table.at("diameter");
-  const io::Column& finer = table.at("finer_by_mass");
+  const auto named = [&](const char* name) -> const io::Column& {
+    if (const io::Column* column = table.find(name)) return *column;
+    throw DataError(fmt::format("{}: no column {}: head the columns diameter [mm] and finer_by_mass [1]", where, name));
+  };
+  const io::Column &size = named("diameter"), &finer = named("finer_by_mass");
   const double unit = size.unit == "mm" ? 1e-3 : 1.0;
   if (size.unit != "mm" && size.unit != "m")
     throw DataError(fmt::format("{}: diameter is in \"{}\": write [mm] or [m]", where, size.unit));

@@ -48,6 +48,20 @@ mentions() {
   [[ $stderr != *$'\n'* ]] || show "wanted one line"
 }
 
+# refuses STATUS TOOL WORDS ARGUMENTS...: as mentions, and nothing was written: no standard output, and in this folder
+# the same files with the same bytes.
+refuses() {
+  local before
+  before=$(here)
+  mentions "$@" || return
+  [[ -z $output ]] || { show "wanted nothing on standard output"; return 1; }
+  [[ $before == "$(here)" ]] || show "the folder changed: $(diff <(echo "$before") <(here))"
+}
+
+here() {
+  find -L . -type f -exec sha256sum {} + | sort -k 2
+}
+
 # same_bytes ONE OTHER
 same_bytes() {
   cmp "$1" "$2" || show "$1 and $2 differ"

@@ -166,6 +166,15 @@ PY
   [ ! -e out ]
 }
 
+@test "errors: states of equal time are told before anything is written" {
+  cp "$IN/sheared.h5" same.h5
+  "$PYTHON" -c 'import h5py; f = h5py.File("same.h5", "r+"); f["particles/grains/position/time"][2] = 0
+f["particles/grains/position/time"][1] = 0'
+  mentions 65 to-vtk "the states of grains do not advance in time: 0 s after 0 s" same.h5 -o out
+  [ ! -e out ]
+  exits 0 to-vtk --quiet same.h5 -o out --state 1
+}
+
 @test "errors: output that cannot be made" {
   mentions 73 to-vtk "/proc/none" "$IN/bare.h5" -o /proc/none
   : > file

@@ -1,0 +1,152 @@
+// How long the engine's hot loops take: contact sweep by law, neighbour lists, motion, whole steps. One thread.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <utility>
+
+#include "dem/contact_sweep.h"
+#include "dem/motion.h"
+#include "dem/neighbours.h"
+#include "dem/scenario.h"
+#include "support/assemblies.h"
+
+namespace soilweave::dem {
+namespace {
+
+using testing::linear_sand;
+using testing::sand;
+
+constexpr double time_step = 1e-7;  // s; far below the stable one: the grains stay where they are, whatever the count
+constexpr std::size_t base = 1000;
+constexpr int settling = 200;  // steps in which copies, whose contacts are new, come to rest
+
+void repeat(io::Snapshot& state, std::size_t copies) {
+  io::GrainsRecord& g = state.grains;
+  const std::size_t n = g.size();
+  const double height = state.cell.matrix(2, 2);
+  for (std::size_t copy = 1; copy < copies; ++copy)
+    for (std::size_t i = 0; i < n; ++i) {
+      g.body_id.push_back(static_cast<std::int64_t>(g.size()));
+      g.position.push_back(g.position[i] + static_cast<double>(copy) * height * Vec3::UnitZ());
+      g.orientation.push_back(g.orientation[i]);
+      g.velocity.push_back(g.velocity[i]);
+      g.angular_velocity.push_back(g.angular_velocity[i]);
+      g.radius.push_back(g.radius[i]);
+      g.mass.push_back(g.mass[i]);
+      g.material_id.push_back(0);
+      g.copy_id.push_back(0);
+    }
+  state.cell.matrix(2, 2) = static_cast<double>(copies) * height;
+  state.contacts = {};  // of one copy; those of all are found again
+}
+
+/// Dense grains at rest under 0.1 MPa; more than 1000 are copies of 1000 on top of each other. Made once.
+const io::Snapshot& assembly(std::size_t grains, const Model& model) {
+  static std::map<std::pair<std::size_t, std::size_t>, io::Snapshot> made;
+  const std::pair key(model.materials.index(), grains);
+  const auto known = made.find(key);
+  if (known != made.end()) return known->second;
+  constexpr double slippery = 5 * testing::degree;
+  io::Snapshot state =
+      grains > base ? assembly(base, model) : testing::packed(with_friction(model, slippery), 1e5, grains);
+  if (grains > base) repeat(state, grains / base);
+  return made.emplace(key, std::move(state)).first->second;
+}
+
+/// What the loops work on, after one sweep.
+struct Loops {
+  Loops(std::size_t grains, const Model& model)
+      : bodies(assembly(grains, model).grains),
+        cell(assembly(grains, model).cell, 3),
+        neighbours(bodies.largest_radius()),
+        motion(bodies.size(), 1),
+        sweep(make_contact_sweep(model)) {
+    neighbours.rebuild(bodies, cell, planes, contacts);
+    sums = sweep->run(bodies, cell, planes, 0, 1, contacts);
+    motion.gather(contacts, Vec3::Zero(), bodies);
+  }
+  Bodies bodies;
+  Cell cell;
+  Planes planes;
+  Contacts contacts;
+  Neighbours neighbours;
+  Motion motion;
+  std::unique_ptr<ContactSweep> sweep;
+  SweepSums sums;
+};
+
+/// Seconds for one of `count` things, and things per second.
+void tell(benchmark::State& state, const char* thing, double count) {
+  const double all = count * static_cast<double>(state.iterations());
+  state.counters[std::string("per_") + thing] =
+      benchmark::Counter(all, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.SetItemsProcessed(static_cast<std::int64_t>(all));
+}
+
+std::size_t grains_of(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
+
+void contact_sweep(benchmark::State& state, const Model& model) {
+  Loops loops(grains_of(state), model);
+  for (auto _ : state)
+    loops.sums = loops.sweep->run(loops.bodies, loops.cell, loops.planes, time_step, 1, loops.contacts);
+  tell(state, "contact", static_cast<double>(loops.sums.contacts));
+}
+
+Model without_moments() { return {std::vector<HertzMindlin::Material>{{4e9, 0.33, 29 * testing::degree, {}, {}, {}}}}; }
+
+void neighbour_search(benchmark::State& state) {
+  Loops loops(grains_of(state), sand());
+  for (auto _ : state) {
+    Neighbours fresh(loops.bodies.largest_radius());
+    fresh.rebuild(loops.bodies, loops.cell, loops.planes, loops.contacts);
+  }
+  tell(state, "grain", static_cast<double>(loops.bodies.size()));
+}
+
+void neighbour_filter(benchmark::State& state) {
+  Loops loops(grains_of(state), sand());
+  for (auto _ : state) loops.neighbours.rebuild(loops.bodies, loops.cell, loops.planes, loops.contacts);
+  tell(state, "grain", static_cast<double>(loops.bodies.size()));
+}
+
+void gathering(benchmark::State& state) {
+  Loops loops(grains_of(state), sand());
+  for (auto _ : state) benchmark::DoNotOptimize(loops.motion.gather(loops.contacts, Vec3::Zero(), loops.bodies));
+  tell(state, "grain", static_cast<double>(loops.bodies.size()));
+}
+
+void integration(benchmark::State& state) {
+  Loops loops(grains_of(state), sand());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(loops.motion.advance(loops.cell, Vec3::Zero(), 0.2, time_step, loops.bodies));
+  tell(state, "grain", static_cast<double>(loops.bodies.size()));
+}
+
+// A step as run-dem takes it: servo, motion, sweep, sums, now and then the stable step and the neighbour list.
+void whole_step(benchmark::State& state, const Model& model) {
+  Simulation simulation(assembly(grains_of(state), model), model, {});
+  Servo servo;
+  const AxisGoal lateral{AxisGoal::Kind::stress, 1e5, 1.0}, axial{AxisGoal::Kind::strain, 0.1, 1e-2};
+  const auto advance = [&] {
+    servo.drive({lateral, lateral, axial}, 3, simulation);
+    simulation.step();
+  };
+  for (int k = 0; k < settling; ++k) advance();
+  for (auto _ : state) advance();
+  tell(state, "contact", static_cast<double>(simulation.measures().contacts));
+  state.counters["steps"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK_CAPTURE(contact_sweep, hertz_mindlin, sand())->Arg(base)->Arg(10 * base);
+BENCHMARK_CAPTURE(contact_sweep, hertz_mindlin_without_moments, without_moments())->Arg(base)->Arg(10 * base);
+BENCHMARK_CAPTURE(contact_sweep, linear, linear_sand())->Arg(base)->Arg(10 * base);
+BENCHMARK(neighbour_search)->Arg(base)->Arg(10 * base);
+BENCHMARK(neighbour_filter)->Arg(base)->Arg(10 * base);
+BENCHMARK(gathering)->Arg(base)->Arg(10 * base);
+BENCHMARK(integration)->Arg(base)->Arg(10 * base);
+BENCHMARK_CAPTURE(whole_step, hertz_mindlin, sand())->Arg(base)->Arg(10 * base);
+BENCHMARK_CAPTURE(whole_step, linear, linear_sand())->Arg(base)->Arg(10 * base);
+
+}  // namespace
+}  // namespace soilweave::dem

@@ -1,0 +1,217 @@
+#!/usr/bin/env bats
+# pack-generate: packings from gradings and imports, the same bytes each time, and every class of error.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  cd "$BATS_FILE_TMPDIR" || return
+  pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 -o packing.h5
+  cat > open.txt << 'TXT'
+1 1 1 0.5
+3 1 1 0.5
+1 3 1 0.4
+TXT
+}
+
+setup() {
+  mkdir "$BATS_TEST_TMPDIR/here"
+  cd "$BATS_TEST_TMPDIR/here" || return
+  ln -s "$BATS_FILE_TMPDIR"/* .
+}
+
+small() {
+  pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 "$@"
+}
+
+refused() {
+  refuses "$1" pack-generate "$2" --quiet "${@:3}"
+}
+
+# unmade STATUS WORDS ARGUMENTS...: the same of a small packing from nothing.
+unmade() {
+  refused "${@:1:2}" --grains 60 --aspect 1 --tolerance 1e-2 "${@:3}"
+}
+
+@test "the same call gives the same bytes, with one thread and with four; another seed another packing" {
+  local n
+  for n in 1 4; do small --threads $n -o "$n.h5"; done
+  same_bytes packing.h5 1.h5
+  same_bytes 1.h5 4.h5
+  OMP_NUM_THREADS=3 small -o variable.h5
+  same_bytes 1.h5 variable.h5
+  small --seed 1 -o other.h5
+  ! cmp -s 1.h5 other.h5 || show "the seed changes nothing"
+}
+
+@test "a pressure with a unit is the same pressure" {
+  small --pressure 0.1MPa -o one.h5
+  small --pressure "1e5 Pa" -o two.h5
+  diff <(homogenize --tsv one.h5) <(homogenize --tsv two.h5)
+}
+
+@test "the packing holds the pressure and the void ratio that were asked for" {
+  small --void-ratio 0.7 -o dense.h5
+  exits 0 homogenize --tsv dense.h5
+  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[substr($i, 1, index($i, " [") - 1)] = i }
+    NR == 2 { exit !($at["mean_stress"] > 0.98e5 && $at["mean_stress"] < 1.02e5 &&
+                     $at["void_ratio"] > 0.698 && $at["void_ratio"] < 0.702) }' <<< "$output" || show "another packing"
+}
+
+@test "nobody at a terminal: quiet, and nothing but the packing on standard output" {
+  small -o - > piped.h5 2> said
+  [[ ! -s said ]] || show "$(cat said)"
+  pack-generate --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 -o - > loud.h5 2> said
+  [[ ! -s said ]] || show "a short run needs no lines: $(cat said)"
+  same_bytes packing.h5 piped.h5
+  same_bytes packing.h5 loud.h5
+}
+
+@test "an import comes back as text, and its cell can be given" {
+  pack-generate --quiet --import "$BATS_TEST_DIRNAME/examples/spheres.txt" --as-is -o imported.h5
+  to-vtk --text imported.h5 | diff "$BATS_TEST_DIRNAME/examples/spheres.txt" -
+  pack-generate --quiet --import open.txt --cell 4,4,4 --as-is -o closed.h5
+  to-vtk --text closed.h5 | diff <(echo "##PERIODIC:: 4 4 4"; cat open.txt) -
+  pack-generate --quiet --import packing.h5 --as-is -o again.h5
+  diff <(to-vtk --text packing.h5) <(to-vtk --text again.h5)
+  to-vtk --history again.h5 | grep -q "command: pack-generate --grains 60"
+}
+
+@test "errors: usage" {
+  unmade 64 "--output is missing"
+  unmade 64 "'extra' is one file too many" extra -o out.h5
+  unmade 64 "-1 is out of range: must be between 0 and 1e12 Pa" --pressure -1 -o out.h5
+  unmade 64 "'nan' is not a finite number" --pressure nan -o out.h5
+  unmade 64 "'m' does not measure what 'Pa' measures" --pressure 5m -o out.h5
+  unmade 64 "'kilo' is not a known unit" --pressure "5 kilo" -o out.h5
+  unmade 64 "'' is not a number" --pressure "" -o out.h5
+  unmade 64 "5 is out of range: must be from 10 to 1e8 (fewer cannot carry a load)" --grains 5 -o out.h5
+  unmade 64 "'60.5' is not a whole number" --grains 60.5 -o out.h5
+  unmade 64 "must be from 2 to 3" --dimension 4 -o out.h5
+  unmade 64 "--void-ratio: 9 is out of range" --void-ratio 9 -o out.h5
+  unmade 64 "--threads: 0 is out of range" --threads 0 -o out.h5
+  unmade 64 "--seed: '-1' is not a whole number" --seed -1 -o out.h5
+  refused 64 "--cell needs --import FILE" --cell 1,2,3 -o out.h5
+  refused 64 "--as-is needs --import FILE" --as-is -o out.h5
+  refused 64 "are of a new packing: leave them out with --import" --import open.txt --grains 500 -o out.h5
+  refused 64 "would change the packing: leave out --as-is" --import packing.h5 --as-is --void-ratio 0.7 -o out.h5
+  refused 64 "--cell: packing.h5 has a cell of its own" --import packing.h5 --cell 1,1,1 -o out.h5
+  refused 64 "give three positive lengths in m" --import open.txt --cell 4,4 -o out.h5
+  refused 64 "give three positive lengths in m" --import open.txt --cell 4,nan,4 -o out.h5
+}
+
+@test "errors: an input that is missing, a folder, damaged, or something else" {
+  refused 66 "none.txt: no such file; check the path" --import none.txt -o out.h5
+  unmade 66 "none.tsv: no such file" --grading none.tsv -o out.h5
+  unmade 66 "none.toml: no such file" --material none.toml -o out.h5
+  refused 65 ".: a directory; name a file in it" --import . -o out.h5
+  unmade 65 ".: a directory; name a file in it" --grading . -o out.h5
+  unmade 65 ".: a directory; name a file in it" --material . -o out.h5
+  refused 65 "/dev/null: holds no spheres; write x y z r a line" --import /dev/null -o out.h5
+  head -c 3000 packing.h5 > cut.h5
+  refused 65 "cut.h5: truncated: 3000 bytes of $(stat -Lc %s packing.h5)" --import cut.h5 --as-is -o out.h5
+  cp open.txt words.h5
+  refused 65 "words.h5: not an HDF5 file" --import words.h5 --as-is -o out.h5
+  cp packing.h5 packing.txt
+  refused 65 "packing.txt: not a text file; name the spheres as text" --import packing.txt -o out.h5
+  unmade 65 "packing.h5: not a text file; name the material as text" --material packing.h5 -o out.h5
+  homogenize --quiet packing.h5 -o fields.h5
+  refused 65 "fields.h5: holds fields, but packing or run is needed here" --import fields.h5 --as-is -o out.h5
+}
+
+@test "errors: a file of a newer version" {
+  "$PYTHON" -c 'import h5py' || skip "no Python with h5py"
+  cp packing.h5 newer.h5
+  "$PYTHON" -c "import h5py; h5py.File('newer.h5', 'r+').attrs['format_version'] = [2, 1]"
+  refused 65 "newer.h5: has the format version 2.1, this program reads 1.0 at most" --import newer.h5 --as-is -o out.h5
+}
+
+@test "errors: sphere texts name line and column" {
+  local text
+  spheres() { printf '##PERIODIC:: 4 4 4\n1 1 1 0.5\n%s\n' "$1" > spheres.txt; }
+  for text in nan inf -nan 1e999 x; do
+    spheres "3 $text 1 0.5"
+    refused 65 "spheres.txt: line 3, column 2: \"$text\" is no finite number" --import spheres.txt --as-is -o out.h5
+  done
+  spheres "3 1 1"
+  refused 65 "spheres.txt: line 3, column 4: x y z r are needed" --import spheres.txt --as-is -o out.h5
+  spheres "3 1 1 -0.5"
+  refused 65 "spheres.txt: line 3, column 4: a radius that is not positive" --import spheres.txt --as-is -o out.h5
+  printf '##PERIODIC:: 4 -4 4\n1 1 1 0.5\n' > spheres.txt
+  refused 65 "line 1, column 2: a cell length that is not positive" --import spheres.txt --as-is -o out.h5
+  printf '##PERIODIC:: 4 4\n1 1 1 0.5\n' > spheres.txt
+  refused 65 "three cell lengths belong behind ##PERIODIC::" --import spheres.txt --as-is -o out.h5
+}
+
+@test "errors: grains that overlap, that are too large for the cell, a cell that is not periodic" {
+  printf '##PERIODIC:: 4 4 4\n1 1 1 0.5\n1.2 1 1 0.5\n' > deep.txt
+  refused 65 "grains 0 and 1 overlap by 0.8 m, 160 % of the radius" --import deep.txt --as-is -o out.h5
+  refused 65 "grains 0 and 1 overlap by 0.8 m" --import deep.txt -o out.h5
+  printf '##PERIODIC:: 4 4 4\n1 1 1 0.5\n1 1 1 0.5\n' > twice.txt
+  refused 65 "grains 0 and 1 overlap by 1 m" --import twice.txt --as-is -o out.h5
+  printf '##PERIODIC:: 4 4 4\n1 1 1 0.5\n3 1 1 1.1\n' > large.txt
+  refused 65 "(2.2 m across) is not smaller than half the cell along axis x" --import large.txt --as-is -o out.h5
+  refused 65 "the packing's cell is not periodic" --import open.txt -o out.h5
+}
+
+@test "errors: too few grains for the cell they will have are told at once" {
+  unmade 65 "not less than half the cell; take more grains" --grains 20 --void-ratio 0.7 -o out.h5
+  unmade 65 "more than half the cell; take more grains or a more even cell" --aspect 0.2 -o out.h5
+  unmade 65 "not less than half the cell; take more grains" --grains 20 -o out.h5
+  # Whoever asks for ten million steps waits for none of them.
+  SECONDS=0
+  unmade 65 "not less than half the cell" --grains 20 --void-ratio 0.7 --max-rate 1e-6 -o out.h5
+  [[ $SECONDS -le 5 ]] || show "noticed after $SECONDS s"
+}
+
+@test "errors: gradings" {
+  printf 'diameter [mm]\tfiner_by_mass [1]\n2\t0.5\n1\t1\n' > grading.tsv
+  unmade 65 "grading.tsv: row 2: diameter 1 is not above the one before" --grading grading.tsv -o out.h5
+  printf 'diameter [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t0.9\n' > grading.tsv
+  unmade 65 "grading.tsv: the last finer_by_mass must be 1" --grading grading.tsv -o out.h5
+  printf 'diameter [mm]\tfiner_by_mass [1]\n1\tnan\n2\t1\n' > grading.tsv
+  unmade 65 "grading.tsv: row 1: finer_by_mass nan must rise from 0 to 1" --grading grading.tsv -o out.h5
+  printf 'diameter [inch]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
+  unmade 65 "diameter is in \"inch\": write [mm] or [m]" --grading grading.tsv -o out.h5
+  printf 'size [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
+  unmade 65 "grading.tsv: no column diameter: head the columns diameter [mm] and finer_by_mass [1]" \
+    --grading grading.tsv -o out.h5
+  printf 'diameter [mm]\tfiner_by_mass [1]\n1 0.5\n' > grading.tsv
+  unmade 65 "grading.tsv: line 2, column 2: 1 values where the header names 2 columns" --grading grading.tsv -o out.h5
+}
+
+@test "errors: materials" {
+  material() {
+    printf '[contact]\nlaw = "linear"\nyoung_modulus = "0.5 GPa"\nstiffness_ratio = 0.1\n%s\n' "$1" > m.toml
+  }
+  material 'friction_angle = 90'
+  unmade 65 "m.toml:5: contact.friction_angle: 90 is out of range: must be from 0 to 89.9 deg (the tangent" \
+    --material m.toml -o out.h5
+  material 'friction_angel = 30'
+  unmade 65 "unknown key 'contact.friction_angel'; did you mean 'friction_angle'?" --material m.toml -o out.h5
+  material 'friction_angle = "30 Pa"'
+  unmade 65 "m.toml:5: contact.friction_angle: 'Pa' does not measure what 'deg' measures" --material m.toml -o out.h5
+  [[ ! -e out.h5 ]]
+}
+
+@test "errors: void ratios out of reach say what was reached and why" {
+  unmade 1 "without friction the packing stays at 0." --void-ratio 0.2 -o out.h5
+  unmade 1 "at the full friction angle of 29 deg the packing is already at 0." --void-ratio 1.5 -o out.h5
+}
+
+@test "errors: an output that cannot be made; one of another run is kept" {
+  unmade 73 ".: is a directory; name a file to be written" -o .
+  unmade 73 "out.h5/: is a directory; name a file to be written" -o out.h5/
+  unmade 73 "none/out.h5: cannot be created: none is not a directory; make it first" -o none/out.h5
+  unmade 73 "/proc/out.h5: cannot be created" -o /proc/out.h5
+  cp packing.h5 mine.h5
+  unmade 73 "mine.h5: exists; give --force to overwrite it" --seed 7 -o mine.h5
+  same_bytes packing.h5 mine.h5
+  exits 0 small --seed 7 --force -o mine.h5
+  ! cmp -s packing.h5 mine.h5 || show "--force wrote nothing"
+  # An error later on keeps the former file, too.
+  cp packing.h5 mine.h5
+  unmade 1 "is not reached" --void-ratio 0.2 --force -o mine.h5
+  same_bytes packing.h5 mine.h5
+}
