@@ -175,8 +175,9 @@ bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 	@$(B)/tests/bench $(BENCH_FLAGS)
 
 .PHONY: crosscheck
-crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, where one is installed
+crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, live and recorded, where there is one
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh
+	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/recorded.sh
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 .PHONY: format
