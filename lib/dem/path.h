@@ -17,14 +17,14 @@ namespace soilweave::dem {
 struct PathState {
   int dimension;
   Mat3 stress;  // Pa, compression positive
-  Vec3 strain;  // natural, since the reference
+  Vec3 strain;  // natural, since the start of the stage
 };
 
 class Path {
  public:
   virtual ~Path() = default;
   virtual std::size_t stations() const = 0;
-  /// Goals on the way to a station (0 to stations() - 1).
+  /// Goals on the way to a station (0 to stations() - 1); strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
 };
 

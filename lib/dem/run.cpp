@@ -81,16 +81,28 @@ class Runner {
       simulation_.set_model(model_);
     }
     simulation_.set_damping(stage.damping.value_or(scenario_.numerics.damping));
-    if (!stage.reset_strain) return;
-    simulation_.set_reference();
-    if (n > 0) keep(static_cast<int>(n), false);  // strains start at zero in the table, too
+    if (stage.reset_strain) {
+      simulation_.set_reference();
+      if (n > 0) keep(static_cast<int>(n), false);  // strains start at zero in the table, too
+    }
+    start_of_stage_ = simulation_.strain();
+  }
+
+  // A path counts strains from the start of its stage, the simulation from its reference.
+  AxisGoals goals_of(const Stage& stage, std::size_t station) const {
+    AxisGoals goals =
+        stage.path->goals(station, {dimension_, simulation_.measures().stress, simulation_.strain() - start_of_stage_});
+    for (int a = 0; a < 3; ++a) {
+      AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      if (goal.kind == AxisGoal::Kind::strain) goal.value += start_of_stage_[a];
+    }
+    return goals;
   }
 
   void travel(const Stage& stage, std::size_t station) {
     const std::int64_t first = simulation_.steps();
     for (;;) {
-      const AxisGoals goals =
-          stage.path->goals(station, {dimension_, simulation_.measures().stress, simulation_.strain()});
+      const AxisGoals goals = goals_of(stage, station);
       servo_.drive(goals, dimension_, simulation_);
       simulation_.step();
       if (Servo::settled(goals, dimension_, scenario_.tolerances, simulation_)) break;
@@ -137,6 +149,7 @@ class Runner {
   Model model_;
   Simulation simulation_;
   Servo servo_;
+  Vec3 start_of_stage_ = Vec3::Zero();  // strain
   io::RunFile result_;
   std::size_t done_ = 0, total_ = 0;
 };

@@ -81,13 +81,13 @@ contact_path() {
     printf '[numerics]\ntime_step = 1e-4\n[equilibrium]\nunbalanced_force = 1e-6\n'; } > lattice.toml
   for stage in "${path[@]}"; do
     read -r x z rate_x rate_z <<< "$stage"
-    # Path "free" divides the way from zero strain: each part is a stage of its own.
+    read -r sx sz < <(awk -v a="$x0" -v b="$x" -v c="$z0" -v d="$z" 'BEGIN { printf "%.12g %.12g\n", b - a, d - c }')
+    printf '[[stage]]\npath = "free"\nparts = %s\n' "$parts" >> lattice.toml
+    printf '[stage.%s]\nstrain = %s\nmax_rate = %s\n' \
+      x "$sx" "$rate_x" y "$sx" "$rate_x" z "$sz" "$rate_z" >> lattice.toml
     for ((k = 1; k <= parts; ++k)); do
       read -r sx sz < <(awk -v a="$x0" -v b="$x" -v c="$z0" -v d="$z" -v s="$k/$parts" 'BEGIN {
         split(s, f, "/"); printf "%.12g %.12g\n", a + (b - a) * f[1] / f[2], c + (d - c) * f[1] / f[2] }')
-      printf '[[stage]]\npath = "free"\n' >> lattice.toml
-      printf '[stage.%s]\nstrain = %s\nmax_rate = %s\n' \
-        x "$sx" "$rate_x" y "$sx" "$rate_x" z "$sz" "$rate_z" >> lattice.toml
       stations+=("[[$sx, $sx, $sz], [$rate_x, $rate_x, $rate_z]]")
     done
     x0=$x z0=$z

@@ -52,6 +52,23 @@ TEST(Path, TriaxialHoldsTheLateralStressAtEveryStation) {
   EXPECT_GT(last(run, "stress_ratio"), 1.5);
 }
 
+TEST(Path, CountsStrainsFromTheStartOfItsStage) {
+  const io::RunFile run = loaded(
+      "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.006\nincrement = 0.003\n"
+      "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = -0.002\nincrement = 0.001\n"
+      "[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.001\n"
+      "[[stage]]\npath = \"free\"\nparts = 2\n[stage.x]\nstrain = 0\n[stage.y]\nstrain = 0\n[stage.z]\nstrain = 0.002\n"
+      "[[stage]]\npath = \"k0\"\naxial_stress = [2e5]\n");
+  const std::vector<double> expected = {0, 0.003, 0.006, 0.005, 0.004, 0.005, 0.006, 0.007};
+  const std::vector<double>& axial = run.series.at("strain_axial").values;
+  ASSERT_EQ(run.series.rows(), expected.size() + 1);
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(axial[k], expected[k], 1e-8) << "station " << k;
+  // Constant volume, then no lateral strain in what follows.
+  const std::vector<double>&x = run.series.at("strain_xx").values, &v = run.series.at("strain_volumetric").values;
+  EXPECT_NEAR(v[5], v[4], 1e-8);
+  for (std::size_t k = 6; k < x.size(); ++k) EXPECT_NEAR(x[k], x[5], 1e-8);
+}
+
 TEST(Path, ConstantVolumeKeepsTheVoidRatio) {
   const io::RunFile run = loaded("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.02\nincrement = 0.01\n");
   EXPECT_NEAR(last(run, "void_ratio"), run.series.at("void_ratio").values.front(), 1e-9);

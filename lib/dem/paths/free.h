@@ -16,7 +16,7 @@ class Free final : public Path {
   /// `max_rate`; `stations`: how many equal parts the strains (and ramped stresses) are cut into.
   static Free read(Settings& table) {
     static constexpr Parameter count{"parts", "1", 1, 1e6, false, "equal parts the goals are approached in"};
-    static constexpr Parameter strain{"strain", "1", -2, 2, false, "natural strain at the end, compression positive"};
+    static constexpr Parameter strain{"strain", "1", -2, 2, false, "natural strain of the stage, compression positive"};
     static constexpr Parameter from{"stress_from", "Pa", 0, 1e12, false, "stress at the start of the stage"};
     Free path;
     path.parts_ = static_cast<std::size_t>(table.integer(count, 1));
