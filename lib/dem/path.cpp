@@ -51,8 +51,8 @@ StrainStations read_strain_stations(Settings& table) {
                                    "natural axial strain of the stage, compression positive",
                                    "beyond it the cell has changed by more than a factor of seven"};
   static constexpr Parameter increment{"increment", "1", 0, 1, true, "axial strain between recorded stations"};
-  static constexpr Parameter list_key{"stations", "1",   -2,
-                                      2,          false, "axial strains of the stage to record at, instead of axial_strain"};
+  static constexpr Parameter list_key{
+      "stations", "1", -2, 2, false, "axial strains of the stage to record at, instead of axial_strain"};
   static constexpr Parameter rate{"rate", "1/s", 0, 1e3, true, "largest axial strain rate"};
   StrainStations s;
   s.rate = table.number(rate, 0.1);
