@@ -35,7 +35,7 @@ struct FabricTool {
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(classes, classes_parameter);
-    t.optional_output(output, "fields file to write, - for standard output");
+    t.optional_output(output, "fields file to write");
   }
 
   void validate() const {

@@ -35,7 +35,7 @@ struct Homogenize {
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
     t.flag(grains, "grains", "one row per grain");
     t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
-    t.optional_output(output, "fields file to write, - for standard output");
+    t.optional_output(output, "fields file to write");
   }
 
   void validate() const {

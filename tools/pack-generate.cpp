@@ -1,6 +1,7 @@
 // pack-generate: from a grading curve to a packing of given void ratio at given pressure.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -40,9 +41,10 @@ constexpr std::string_view default_material =
     "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
     "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = \"none\"\n";
 
-// Solid volume of the thesis's representative volume, 46.2202 x 46.1205 x 92.1203 mm at a void ratio of 0.6798, m3: the
-// built-in curve is scaled so that the grains fill it, however many they are.
-constexpr double thesis_solids = 1.169e-4;
+// Solid volume per grain of the thesis's representative volume of 1000 grains, 46.2202 x 46.1205 x 92.1203 mm at a void
+// ratio of 0.6798, m3: the built-in curve is scaled to it. Grains are of the same size however many they are, since
+// parameters that hold a length, as the absolute rolling stiffness does, belong to a size.
+constexpr double thesis_solids = 1.169e-7;
 
 struct PackGenerate {
   std::filesystem::path output, material, import;
@@ -75,7 +77,7 @@ struct PackGenerate {
     table.option(import, "import", "FILE", "start from this packing (x y z r text, or a packing file)");
     table.option(cell, "cell", "LX,LY,LZ", "periodic cell of an imported text without a ##PERIODIC:: line, m");
     table.flag(as_is, "as-is", "write the imported packing unchanged");
-    table.output(output, "packing to write, - for standard output");
+    table.output(output, "packing to write");
     table.seed();
     table.threads();
   }
@@ -156,7 +158,7 @@ struct PackGenerate {
     if (mean_radius)
       factor = *mean_radius * static_cast<double>(radii.size()) / sum;
     else if (grading == "toyoura")
-      factor = std::cbrt(thesis_solids / (4.0 / 3.0 * 3.14159265358979323846 * cubes));
+      factor = std::cbrt(thesis_solids * static_cast<double>(radii.size()) / (4.0 / 3.0 * std::numbers::pi * cubes));
     for (double& r : radii) r *= factor;
   }
 

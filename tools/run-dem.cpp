@@ -36,7 +36,7 @@ struct RunDem {
     table.example("run-dem packing.h5 triaxial.toml --set stage.0.pressure=0.5e6 -o run.h5", "at another pressure");
     table.input(packing, "PACKING", "packing or run to start from, - for standard input");
     table.input(scenario, "SCENARIO", "scenario (TOML)");
-    table.output(output, "run to write, - for standard output");
+    table.output(output, "run to write");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in numerics.damping=0.3");
     table.option(perturbation, perturb);
     table.seed();

@@ -128,7 +128,7 @@ void Table::optional_input(std::filesystem::path& field, std::string name, std::
 void Table::output(std::filesystem::path& field, std::string sentence) {
   impl_->output = &field;
   impl_->output_required = field.empty();
-  option(field, "output,o", "FILE", sentence + "; '-' for standard output");
+  option(field, "output,o", "FILE", sentence + ", - for standard output");
   bool& force = impl_->invocation.force;
   flag(force, "force", "overwrite an existing output file");
   for (auto entry = impl_->options.end() - 2; entry != impl_->options.end(); ++entry) entry->general = true;

@@ -22,7 +22,7 @@ increment = 0.0005
 rate = 0.5
 TOML
   pack-generate --quiet --grains 120 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o packing.h5
-  pack-generate --quiet --grains 60 --dimension 2 --void-ratio 0.17 --pressure 1e5 -o disks.h5
+  pack-generate --quiet --grains 60 --dimension 2 --void-ratio 0.12 --pressure 1e5 -o disks.h5
   pack-generate --quiet --import "$BATS_TEST_DIRNAME/examples/spheres.txt" --as-is -o imported.h5
   run-dem --quiet packing.h5 short.toml -o run.h5
   homogenize --quiet run.h5 --grains -o fields.h5

@@ -158,7 +158,7 @@ unmade() {
 @test "errors: too few grains for the cell they will have are told at once" {
   unmade 65 "not less than half the cell; take more grains" --grains 20 --void-ratio 0.7 -o out.h5
   unmade 65 "more than half the cell; take more grains or a more even cell" --aspect 0.2 -o out.h5
-  unmade 65 "not less than half the cell; take more grains" --grains 20 -o out.h5
+  unmade 65 "not less than half the cell; take more grains" --grains 12 -o out.h5
   # Whoever asks for ten million steps waits for none of them.
   SECONDS=0
   unmade 65 "not less than half the cell" --grains 20 --void-ratio 0.7 --max-rate 1e-6 -o out.h5
