@@ -18,13 +18,15 @@ fs::path data_folder(const std::string& folder) {
   std::error_code failure;
   if (const char* given = std::getenv("SOILWEAVE_DATA")) {
     if (fs::is_directory(fs::path(given) / folder, failure)) return fs::path(given) / folder;
-    throw MissingInput(fmt::format("SOILWEAVE_DATA: {}: has no folder {}; name the folder data/ of the source", given, folder));
+    throw MissingInput(
+        fmt::format("SOILWEAVE_DATA: {}: has no folder {}; name the folder data/ of the source", given, folder));
   }
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
   for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path())
     for (const char* place : {"share/soilweave", "data"})
       if (fs::is_directory(at / place / folder, failure)) return at / place / folder;
-  throw MissingInput(fmt::format("{}: not found beside the program; set SOILWEAVE_DATA to the folder data/ of the source", folder));
+  throw MissingInput(
+      fmt::format("{}: not found beside the program; set SOILWEAVE_DATA to the folder data/ of the source", folder));
 }
 
 }  // namespace

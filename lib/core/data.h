@@ -8,8 +8,8 @@
 
 namespace soilweave {
 
-/// The path of data/FOLDER/FILE. Looks in $SOILWEAVE_DATA, else beside and above the program that runs, for share/soilweave and
-/// data. Throws MissingInput.
+/// The path of data/FOLDER/FILE. Looks in $SOILWEAVE_DATA, else beside and above the program that runs, for
+/// share/soilweave and data. Throws MissingInput.
 std::filesystem::path data_file(const std::string& folder, const std::string& file);
 
 /// The names of the files of data/FOLDER with this ending, without it, sorted.

@@ -30,8 +30,8 @@ inline constexpr Parameter failure_strain_range{
 /// The geotextiles that data/geotextiles holds, sorted.
 std::vector<std::string> geotextile_names();
 
-/// By name ("PP"), by a multiple of one ("3PP", "0.5PP": thesis Fig. 5.15), or from a TOML file (a path with "/" or ".toml").
-/// Throws DataError naming the nearest known one.
+/// By name ("PP"), by a multiple of one ("3PP", "0.5PP": thesis Fig. 5.15), or from a TOML file (a path with "/" or
+/// ".toml"). Throws DataError naming the nearest known one.
 Geotextile find_geotextile(const std::string& name);
 
 /// Reads one from TOML text. `where` names the document.

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double greatest_pressure = 1e9;  // Pa
 
-/// eta from eta = A - kappa / (D + G eta), the branch that goes over into A - kappa / D as G vanishes; NaN where there is none.
+/// eta from eta = A - kappa / (D + G eta), the branch that goes over into A - kappa / D as G vanishes; NaN where there
+/// is none.
 double stress_ratio(double A, double D, double G, double kappa) {
   const double b = D - A * G, c = kappa - A * D;
   const double discriminant = b * b - 4 * G * c;
@@ -106,14 +107,13 @@ SoilState soil_state(const Soil& soil, double E, double p, const Plastic& plasti
   const double K_psi = at.plastic_ratio = plastic_ratio(at.dilatancy);
   const auto [c_0, c_1] = generalized_stress(soil, K_psi);
 
-  // Derivatives by ln p: eta' = -n M_f + h eps_d', eps_d' = factor (eta' eps_v^e + eta eps_v^e') + 2/3 (1 - K_psi) eps_a^p',
-  // eps_a^p' = (100 p / E)(c_0 + c_1 s), s = eta + eta'.
+  // Derivatives by ln p: eta' = -n M_f + h eps_d', eps_d' = factor (eta' eps_v^e + eta eps_v^e') + 2/3 (1 - K_psi)
+  // eps_a^p', eps_a^p' = (100 p / E)(c_0 + c_1 s), s = eta + eta'.
   const double h = soil.kappa / ((at.strain_deviatoric + soil.lambda) * (at.strain_deviatoric + soil.lambda));
   const double scale = 100 * p / E, shear = 2.0 / 3.0 * (1 - K_psi) * scale;
   const double resistance = 1 - h * (factor * elastic + shear * c_1);
   if (!(resistance > 0)) return ended(End::unstable);
-  const double slope =
-      (-soil.n * failure + h * (factor * eta * elastic_rate + shear * (c_0 + c_1 * eta))) / resistance;
+  const double slope = (-soil.n * failure + h * (factor * eta * elastic_rate + shear * (c_0 + c_1 * eta))) / resistance;
   at.path_slope = eta + slope;
   at.plastic_rate = scale * (c_0 + c_1 * at.path_slope);
   if (!(at.plastic_rate >= 0)) return ended(End::stiffness);

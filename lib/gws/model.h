@@ -1,5 +1,5 @@
-// The wrapped soil at one moment (thesis section 5.3): stress ratio, dilatancy, elastic and plastic strain, and the balance of
-// forces between soil, geotextile and surcharge. Pure functions; nothing here integrates.
+// The wrapped soil at one moment (thesis section 5.3): stress ratio, dilatancy, elastic and plastic strain, and the
+// balance of forces between soil, geotextile and surcharge. Pure functions; nothing here integrates.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -36,12 +36,12 @@ std::string_view reason(End end);
 struct SoilState {
   End end = End::none;  // other than none: the state does not exist, the numbers after the cause mean nothing
   double p = 0;         // Pa
-  double failure_obliquity = 0, obliquity = 0;                           // M_f, eta = q/p
+  double failure_obliquity = 0, obliquity = 0;  // M_f, eta = q/p
   double strain_axial = 0, strain_radial = 0, strain_volumetric = 0, strain_deviatoric = 0;
-  double dilatancy = 0;                                                  // X = d eps_v^p / d eps_d^p, contraction positive
-  double plastic_ratio = 0;                                              // K_psi = d eps_r^p / d eps_a^p
-  double path_slope = 0;                                                 // s = dq/dp along the path
-  double plastic_rate = 0;                                               // d eps_a^p / d ln p, percent
+  double dilatancy = 0;      // X = d eps_v^p / d eps_d^p, contraction positive
+  double plastic_ratio = 0;  // K_psi = d eps_r^p / d eps_a^p
+  double path_slope = 0;     // s = dq/dp along the path
+  double plastic_rate = 0;   // d eps_a^p / d ln p, percent
 
   double axial_stress() const { return p * (3 + 2 * obliquity) / 3; }
   double lateral_stress() const { return p * (3 - obliquity) / 3; }
@@ -61,9 +61,9 @@ double plastic_ratio(double dilatancy);
 /// dp*/dp of Eq. 5.14 is linear in s = dq/dp: coefficients of 1 and of s.
 std::array<double, 2> generalized_stress(const Soil& soil, double plastic_ratio);
 
-/// The state at p with the plastic strain accumulated so far. q/p and the deviatoric strain depend on each other through Eq. 5.7
-/// (a quadratic equation), so do the plastic rate and the slope of the stress path (a linear one): both are solved in closed form,
-/// the limit of the thesis's ever smaller increments. E: Young's modulus, Pa.
+/// The state at p with the plastic strain accumulated so far. q/p and the deviatoric strain depend on each other
+/// through Eq. 5.7 (a quadratic equation), so do the plastic rate and the slope of the stress path (a linear one): both
+/// are solved in closed form, the limit of the thesis's ever smaller increments. E: Young's modulus, Pa.
 SoilState soil_state(const Soil& soil, double E, double p, const Plastic& plastic);
 
 /// A bag: B and H, m.
@@ -71,7 +71,8 @@ struct Bag {
   double width = 0.4, height = 0.08;
 };
 
-/// Share of (sigma_r - sigma_rs) that the hoops take off the surcharge, over two: (H/B)(1 - eps_a) / ((1 + H/B)(1 - eps_r)).
+/// Share of (sigma_r - sigma_rs) that the hoops take off the surcharge, over two: (H/B)(1 - eps_a) / ((1 + H/B)(1 -
+/// eps_r)).
 double hoop_share(const Bag& bag, const SoilState& state);
 /// Surcharge sigma_as, Pa, with lateral stress sigma_rs outside, Eq. 5.3.
 double surcharge(const Bag& bag, const SoilState& state, double outer_lateral);

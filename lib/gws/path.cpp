@@ -9,9 +9,9 @@
 namespace soilweave::gws {
 namespace {
 
-constexpr double share_of_step = 0.01;     // of the tolerance of the whole path
-constexpr double smallest_strain = 1e-2;   // percent; errors are relative to the strain, but not to less
-constexpr double longest_step = 0.5;       // in ln p
+constexpr double share_of_step = 0.01;    // of the tolerance of the whole path
+constexpr double smallest_strain = 1e-2;  // percent; errors are relative to the strain, but not to less
+constexpr double longest_step = 0.5;      // in ln p
 
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
 
@@ -72,7 +72,8 @@ Plastic Path::stepped(const Node& from, double x) const {
 }
 
 SoilState Path::at(double x) const {
-  const auto after = std::upper_bound(nodes_.begin(), nodes_.end(), x, [](double value, const Node& n) { return value < n.x; });
+  const auto after =
+      std::upper_bound(nodes_.begin(), nodes_.end(), x, [](double value, const Node& n) { return value < n.x; });
   const Node& from = after == nodes_.begin() ? nodes_.front() : *(after - 1);
   return soil_state(soil_, E_, std::exp(x), x > from.x ? stepped(from, x) : from.plastic);
 }

@@ -1,6 +1,6 @@
-// The soil's path from its first mean stress upwards: adaptive Runge-Kutta steps in ln p with a controlled error. It depends on
-// the soil and on E alone; surcharge, lateral stress and bag enter only the balance of forces at each of its states.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// The soil's path from its first mean stress upwards: adaptive Runge-Kutta steps in ln p with a controlled error. It
+// depends on the soil and on E alone; surcharge, lateral stress and bag enter only the balance of forces at each of its
+// states. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,16 @@
 
 namespace soilweave::gws {
 
-/// The path grows step by step; any p within it can be asked for. Each step and each answer is one step of the fifth-order method of
-/// Dormand and Prince, so that the error between nodes is no greater than at them.
+/// The path grows step by step; any p within it can be asked for. Each step and each answer is one step of the
+/// fifth-order method of Dormand and Prince, so that the error between nodes is no greater than at them.
 class Path {
  public:
-  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end of the path; a step is held to a hundredth.
+  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end of the path; a step is held to a
+  /// hundredth.
   Path(const Soil& soil, double E, double tolerance);
 
-  /// One more step. False where the path has ended; end() then says why, and the last node lies within `resolution` of there.
+  /// One more step. False where the path has ended; end() then says why, and the last node lies within `resolution` of
+  /// there.
   bool advance();
   End end() const { return end_; }
   std::size_t steps() const { return nodes_.size() - 1; }

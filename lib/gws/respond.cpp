@@ -14,8 +14,9 @@
 namespace soilweave::gws {
 namespace {
 
-/// The surcharge that balances the state, and the lateral stress that goes with it: Eq. 5.3 is linear in both on each straight piece
-/// of the lateral stress, and grows faster with the surcharge than the lateral stress takes away (LateralStress::check).
+/// The surcharge that balances the state, and the lateral stress that goes with it: Eq. 5.3 is linear in both on each
+/// straight piece of the lateral stress, and grows faster with the surcharge than the lateral stress takes away
+/// (LateralStress::check).
 std::pair<double, double> balance(const Bag& bag, const SoilState& state, const LateralStress& lateral) {
   if (lateral.surcharge.empty()) return {surcharge(bag, state, 0), 0};
   const double share = 2 * hoop_share(bag, state);
@@ -51,17 +52,20 @@ void LateralStress::check(const Bag& bag) const {
   if (surcharge.size() != lateral.size()) throw DataError("lateral stress: as many stresses as surcharges are needed");
   for (std::size_t i = 0; i < surcharge.size(); ++i) {
     if (!(lateral[i] >= 0) || !(surcharge[i] >= 0))
-      throw DataError(fmt::format("lateral stress: row {}: {} Pa at a surcharge of {} Pa; both must be at least 0 Pa, compression",
-                                  i + 1, lateral[i], surcharge[i]));
+      throw DataError(
+          fmt::format("lateral stress: row {}: {} Pa at a surcharge of {} Pa; both must be at least 0 Pa, compression",
+                      i + 1, lateral[i], surcharge[i]));
     if (i == 0) continue;
     if (!(surcharge[i] > surcharge[i - 1]))
-      throw DataError(fmt::format("lateral stress: row {}: the surcharge {} Pa is not above the one before; the model cannot unload",
-                                  i + 1, surcharge[i]));
+      throw DataError(fmt::format(
+          "lateral stress: row {}: the surcharge {} Pa is not above the one before; the model cannot unload", i + 1,
+          surcharge[i]));
     const double slope = (lateral[i] - lateral[i - 1]) / (surcharge[i] - surcharge[i - 1]);
     if (!(slope < steepest))
-      throw DataError(fmt::format("lateral stress: row {}: it rises {:.3g} times as fast as the surcharge; must be below {:.3g}, or "
-                                  "the bag is loaded from its sides",
-                                  i + 1, slope, steepest));
+      throw DataError(fmt::format(
+          "lateral stress: row {}: it rises {:.3g} times as fast as the surcharge; must be below {:.3g}, or "
+          "the bag is loaded from its sides",
+          i + 1, slope, steepest));
   }
 }
 
@@ -78,11 +82,13 @@ Response::Response(const Case& what)
   begin_ = finish_ = path_.first();
   start_ = last_ = point(begin_);
   if (last_.hoop_strain >= case_.hoop_limit())
-    throw DataError(fmt::format("geotextile {}: fails under the first stress of the model already, at a hoop strain of {:.3g}",
-                                what.geotextile.name, last_.hoop_strain));
+    throw DataError(
+        fmt::format("geotextile {}: fails under the first stress of the model already, at a hoop strain of {:.3g}",
+                    what.geotextile.name, last_.hoop_strain));
   if (case_.until && *case_.until < start_.surcharge)
-    throw DataError(fmt::format("surcharge: {} Pa is below the initial one, {:.6g} Pa (mean stress {} Pa); the model has no state there",
-                                *case_.until, start_.surcharge, what.soil.p_0));
+    throw DataError(fmt::format(
+        "surcharge: {} Pa is below the initial one, {:.6g} Pa (mean stress {} Pa); the model has no state there",
+        *case_.until, start_.surcharge, what.soil.p_0));
   march();
   compact();
 }
@@ -148,9 +154,10 @@ void Response::compact() {
     start_ = at_strain(*case_.initial_settlement);
   } else if (case_.initial_surcharge) {
     if (*case_.initial_surcharge < start_.surcharge || *case_.initial_surcharge >= last_.surcharge)
-      throw DataError(fmt::format("initial surcharge: {} Pa is not from {:.6g} Pa, where the model begins, to {:.6g} Pa, where the "
-                                  "response ends: {}",
-                                  *case_.initial_surcharge, start_.surcharge, last_.surcharge, reason(end_)));
+      throw DataError(
+          fmt::format("initial surcharge: {} Pa is not from {:.6g} Pa, where the model begins, to {:.6g} Pa, where the "
+                      "response ends: {}",
+                      *case_.initial_surcharge, start_.surcharge, last_.surcharge, reason(end_)));
     start_ = at_surcharge(*case_.initial_surcharge);
   }
   begin_ = std::log(start_.soil.p);
@@ -158,15 +165,16 @@ void Response::compact() {
 
 Point Response::at_surcharge(double load) const {
   if (!(load >= start_.surcharge && load <= last_.surcharge))
-    throw DataError(fmt::format("surcharge: {} Pa is not from the initial {:.6g} Pa to {:.6g} Pa, where the response ends: {}", load,
-                                start_.surcharge, last_.surcharge, reason(end_)));
+    throw DataError(
+        fmt::format("surcharge: {} Pa is not from the initial {:.6g} Pa to {:.6g} Pa, where the response ends: {}",
+                    load, start_.surcharge, last_.surcharge, reason(end_)));
   return point(root(begin_, finish_, [&](const Point& p) { return p.surcharge - load; }));
 }
 
 Point Response::at_strain(double axial_strain) const {
   if (!(axial_strain >= start_.settlement() && axial_strain <= last_.settlement()))
-    throw DataError(fmt::format("settlement: {} is not from {:.4g} to {:.4g}, where the response ends: {}", axial_strain,
-                                start_.settlement(), last_.settlement(), reason(end_)));
+    throw DataError(fmt::format("settlement: {} is not from {:.4g} to {:.4g}, where the response ends: {}",
+                                axial_strain, start_.settlement(), last_.settlement(), reason(end_)));
   return point(root(begin_, finish_, [&](const Point& p) { return p.settlement() - axial_strain; }));
 }
 

@@ -10,14 +10,15 @@
 
 namespace soilweave::gws {
 
-/// Lateral stress sigma_rs outside the bag as a function of the surcharge: straight between the points, constant beyond them.
+/// Lateral stress sigma_rs outside the bag as a function of the surcharge: straight between the points, constant beyond
+/// them.
 struct LateralStress {
   std::vector<double> surcharge, lateral;  // Pa; empty: none
 
   static LateralStress constant(double stress) { return {{0}, {stress}}; }
   double at(double surcharge) const;
-  /// Throws DataError: surcharges that fall (the model cannot unload), negative stresses, or a lateral stress that rises so fast with
-  /// the surcharge that it alone would carry the rise, (1 + H/B)/(2 H/B) in the beginning.
+  /// Throws DataError: surcharges that fall (the model cannot unload), negative stresses, or a lateral stress that
+  /// rises so fast with the surcharge that it alone would carry the rise, (1 + H/B)/(2 H/B) in the beginning.
   void check(const Bag& bag) const;
 };
 
@@ -46,8 +47,8 @@ struct Point {
   double settlement() const { return soil.strain_axial / 100; }
 };
 
-/// The whole response. Throws DataError where it cannot even begin: inadmissible constants at the first stress, a compaction beyond
-/// the bag's capacity.
+/// The whole response. Throws DataError where it cannot even begin: inadmissible constants at the first stress, a
+/// compaction beyond the bag's capacity.
 class Response {
  public:
   explicit Response(const Case& what);
@@ -60,8 +61,8 @@ class Response {
   bool failed() const { return end_ != End::surcharge; }
   std::size_t steps() const { return path_.steps(); }
 
-  /// The state at a surcharge between start() and last(), or at an axial strain (from the unloaded bag). Throws DataError with the
-  /// range beyond them. Roots are bracketed (TOMS 748) to the last bits.
+  /// The state at a surcharge between start() and last(), or at an axial strain (from the unloaded bag). Throws
+  /// DataError with the range beyond them. Roots are bracketed (TOMS 748) to the last bits.
   Point at_surcharge(double surcharge) const;
   Point at_strain(double axial_strain) const;
   /// n+1 states, equal in settlement, from start() to `to` (a surcharge; default: the last).

@@ -20,16 +20,19 @@ constexpr std::array table{
     Constant{"compression_line",
              {"p_0", "Pa", 0, 1e9, true, "mean stress where strains begin", "the model has no unstressed state"},
              &Soil::p_0},
-    Constant{"failure_line", {"M", "1", 0, 3, true, "q/p at failure at p_c", "q/p = 3 is a lateral stress of zero"},
+    Constant{"failure_line",
+             {"M", "1", 0, 3, true, "q/p at failure at p_c", "q/p = 3 is a lateral stress of zero"},
              &Soil::M},
     Constant{"failure_line", {"n", "1", 0, 1, false, "decrease of q/p at failure with pressure"}, &Soil::n},
     Constant{"failure_line", {"p_c", "Pa", 0, 1e12, true, "mean stress where q/p at failure is M"}, &Soil::p_c},
-    Constant{"near_failure_line", {"kappa", "1", 0, 1e3, false, "numerator of the hyperbola, strain in percent"},
+    Constant{"near_failure_line",
+             {"kappa", "1", 0, 1e3, false, "numerator of the hyperbola, strain in percent"},
              &Soil::kappa},
     Constant{"near_failure_line",
              {"lambda", "1", 0, 1e3, true, "strain added, percent", "at lambda = 0 the line begins at infinity"},
              &Soil::lambda},
-    Constant{"near_failure_line", {"xi", "1", -1, 1, false, "distance to failure beyond which the hyperbola ends"},
+    Constant{"near_failure_line",
+             {"xi", "1", -1, 1, false, "distance to failure beyond which the hyperbola ends"},
              &Soil::xi},
     Constant{"dilatancy_line", {"p_1", "1", 0, 1e3, false, "slope of the stress-dilatancy line"}, &Soil::p_1},
     Constant{"dilatancy_line", {"p_2", "1", -10, 10, false, "intercept of the stress-dilatancy line"}, &Soil::p_2},
@@ -60,8 +63,8 @@ Scatter read_scatter(Settings& at, const std::string& line) {
   for (std::size_t i = 0; i < size; ++i) independent[i * size + i] = 1;
   scatter.correlation = at.numbers(correlation, independent);
   if (scatter.correlation.size() != size * size)
-    at.mistake("correlation", fmt::format("has {} numbers; the {} constants need {}", scatter.correlation.size(), size,
-                                          size * size));
+    at.mistake("correlation",
+               fmt::format("has {} numbers; the {} constants need {}", scatter.correlation.size(), size, size * size));
   return scatter;
 }
 

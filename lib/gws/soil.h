@@ -1,5 +1,5 @@
-// The constants of the wrapped soil (thesis Table 5.2): what they are, where they may lie, how they are read and written.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// The constants of the wrapped soil (thesis Table 5.2): what they are, where they may lie, how they are read and
+// written. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
@@ -13,8 +13,9 @@
 
 namespace soilweave::gws {
 
-/// SI. kappa, lambda, xi and C_t belong to strains in percent, alpha to J in MN/m. Defaults: thesis Table 5.2, Toyoura sand at a
-/// void ratio of 0.68; Poisson's ratio is not in the table: 0.33 is what the author's DEM series are met with.
+/// SI. kappa, lambda, xi and C_t belong to strains in percent, alpha to J in MN/m. Defaults: thesis Table 5.2, Toyoura
+/// sand at a void ratio of 0.68; Poisson's ratio is not in the table: 0.33 is what the author's DEM series are met
+/// with.
 struct Soil {
   double C_t = 1.372, m = 0.3, p_a = 100e3, p_0 = 2.6e3;  // compression line, Eq. 5.6
   double M = 1.35, n = 0.0723, p_c = 3.255e6;             // failure-state line, Eq. 5.5
@@ -31,14 +32,15 @@ struct Soil {
 struct Constant {
   std::string_view line;  // "compression_line", "failure_line", ...
   Parameter parameter;
-  double Soil::* field;
+  double Soil::*field;
 
   std::string key() const;  // "compression_line.C_t"
 };
 std::span<const Constant> constants();
 
-/// What is known of the scatter of the constants of one line: the standard errors, and the correlation (row by row; the unit
-/// matrix where the source gives none). An interval of 95 % is estimate ± t * standard error, t of `freedom` degrees.
+/// What is known of the scatter of the constants of one line: the standard errors, and the correlation (row by row; the
+/// unit matrix where the source gives none). An interval of 95 % is estimate ± t * standard error, t of `freedom`
+/// degrees.
 struct Scatter {
   std::vector<std::string> keys;  // "near_failure_line.kappa", ...
   std::vector<double> standard_errors, correlation;

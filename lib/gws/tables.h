@@ -1,0 +1,26 @@
+// What gws-solve writes: tables in SI for files and pipes, and the same for a reader's eyes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gws/respond.h"
+#include "io/records.h"
+
+namespace soilweave::gws {
+
+/// One row per state, SI, strains as fractions, counted from the unloaded bag; `settlement` from the compacted one.
+io::Series response_table(const std::vector<Point>& points, const Case& what);
+
+/// The main columns in kPa, kN/m and percent.
+io::Series readable(const std::vector<Point>& points);
+
+/// What the bag is, and how the response ends, in a few lines.
+std::string heading(const Case& what, const std::string& soil);
+std::string verdict(const Response& response, const Case& what);
+
+/// Aligned columns for a terminal: names, units, then numbers with `digits` significant digits.
+std::string aligned(const io::Series& table, int digits = 4);
+
+}  // namespace soilweave::gws
