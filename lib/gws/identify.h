@@ -1,0 +1,73 @@
+// The lines of the wrapped soil (thesis Figs. 5.6, 5.7, 5.10 to 5.14) identified from discrete-element or laboratory
+// series. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gws/fit.h"
+#include "gws/soil.h"
+#include "io/records.h"
+
+namespace soilweave::gws {
+
+/// One bag under rising surcharge. Strains as fractions, engineering (of the initial lengths), compression positive;
+/// Pa.
+struct BagSeries {
+  std::string name;
+  double stiffness = 0;  // J of its geotextile, N/m
+  std::vector<double> strain_axial, strain_volumetric, mean_stress, deviatoric_stress;
+  std::vector<bool> contracting;  // rows of the compression line; empty: chosen by contraction()
+
+  std::size_t size() const { return mean_stress.size(); }
+  double strain_deviatoric(std::size_t i) const { return strain_axial[i] - strain_volumetric[i] / 3; }
+};
+
+/// Columns strain_axial, strain_volumetric, mean_stress, deviatoric_stress in any unit of their kind, as the tools
+/// write them; optional contracting (0 or 1) and tensile_stiffness (the same in every row; else `stiffness`, NaN: none
+/// given). natural: strains are logarithmic, as homogenize writes them. Rows after the greatest axial stress (global
+/// failure) are left out. Throws DataError naming `where`.
+BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural);
+
+/// Points of one line: what is plotted, what is fitted, from which series and row.
+struct Line {
+  std::string name;                    // "near_failure_line"
+  std::vector<std::string> constants;  // keys, in the order of fit.estimates
+  std::vector<double> given;           // the constants of the soil that identification started from
+  std::vector<double> x, y;            // as the thesis's figure plots them
+  std::vector<std::size_t> series, row;
+  std::string x_name, x_unit, y_name, y_unit;
+  Fit fit;
+};
+
+/// Points of plain tables: (p, eps_v) of the compression line, (p, q/p) at failure. SI.
+struct Points {
+  std::vector<double> x, y;
+};
+
+struct Identification {
+  std::vector<Line> lines;            // those that the data allow, in the order of Table 5.2
+  std::vector<std::string> left_out;  // why a line is not among them
+  SoilFile soil;                      // the identified constants with their scatter, the others as given
+};
+
+enum class Difference { central, backward };
+
+/// Each line is fitted with the constants of the other lines as `soil` has them. `compression` and `failure` (empty:
+/// none): points of their lines from other tests. M, p_a, m and Poisson's ratio are not identified: M and p_c are one
+/// constant together, m and nu are taken as the thesis takes them. Increments between rows: their stress ratio in the
+/// middle (central) or at the end (backward, as the thesis's figures). No point is dropped.
+Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
+                        const Points& failure, Difference difference);
+
+/// Rows of a series that count as contraction: from the first as long as the slope of eps_v over (p/p_a)^m is at least
+/// half of the steepest before it.
+std::size_t contraction(const BagSeries& series, const Soil& soil);
+
+/// dp* of Eq. 5.14 and the plastic axial strain (a fraction) from row i to i + 1, with K_psi from the dilatancy line.
+struct Increment {
+  double generalized_stress = 0, plastic_axial = 0, dilation_rate = 0, failure_obliquity = 0, obliquity = 0;
+};
+Increment increment(const BagSeries& series, std::size_t i, const Soil& soil, Difference difference);
+
+}  // namespace soilweave::gws
