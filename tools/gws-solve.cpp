@@ -2,97 +2,203 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "core/tool.h"
 #include "gws/options.h"
-#include "gws/respond.h"
+#include "gws/output.h"
+#include "gws/report.h"
 #include "gws/tables.h"
-#include "io/files.h"
 #include "io/table.h"
 
 namespace {
 
 using namespace soilweave;
-
-constexpr Parameter initial_settlement_parameter{
-    "initial_settlement", "1", 0, 1, false, "compact the bag by this axial strain first", "at 1 the bag is flat"};
-constexpr Parameter initial_surcharge_parameter{
-    "initial_surcharge", "Pa", 0, 1e9, true, "compact the bag to this pressure first", "1 GPa is beyond any test"};
-constexpr Parameter points_parameter{"points", "1", 1, 1e6, false, "rows of the table, equal steps of settlement"};
+using gws::Groups;
 
 struct Respond {
   gws::CaseOptions bag;
-  std::optional<double> surcharge, initial_settlement, initial_surcharge;
-  std::int64_t points = 20;
-  bool tsv = false;
-  std::filesystem::path output;
+  std::optional<double> surcharge;
+  std::int64_t points = 20, samples = 0;
+  double share = 0.1;
+  bool sensitivity = false;
+  gws::Output output;
 
   void options(tool::Table& t) {
     t.about("gws-solve respond", "strains, stresses and hoop tension of a bag under a rising surcharge");
     t.example("gws-solve respond --geotextile PP --surcharge 1000e3", "a table to read, and what the bag bears");
-    t.example("gws-solve respond --geotextile 3PP --lateral-stress \"50 kPa\" --tsv", "triaxial, as text in SI units");
-    t.option(surcharge, {"surcharge", "Pa", 0, 1e9, true, "end at this pressure; else at the ultimate one",
-                         "1 GPa is far beyond any test of soil"});
+    t.example("gws-solve respond --geotextile 3PP --lateral-stress 50e3 --tsv > 3PP.tsv", "triaxial, in SI units");
+    t.option(surcharge, gws::last_surcharge);
     bag.declare(t);
-    t.option(initial_settlement, initial_settlement_parameter);
-    t.option(initial_surcharge, initial_surcharge_parameter);
-    t.option(points, points_parameter);
-    t.flag(tsv, "tsv", "print tab-separated text in SI units");
-    t.optional_output(output, "fields file to write");
+    t.option(points, gws::points_range);
+    t.flag(sensitivity, "sensitivity", "how capacity and settlement hang on each constant");
+    t.option(share, gws::share_range);
+    t.option(samples, gws::samples_range);
+    output.declare(t);
+    t.seed();
   }
 
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(true);
-    if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
-    if (initial_settlement && initial_surcharge)
-      wrong.emplace_back("--initial-settlement and --initial-surcharge: give one of them");
-    if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
+    if (sensitivity && samples > 0) wrong.emplace_back("--sensitivity and --samples: give one of them");
+    output.check(wrong);
   }
 
   void run(const tool::Invocation& invocation) const {
     gws::ReadCase read = bag.read();
     gws::Case& c = read.the_case;
-    c.initial_settlement = initial_settlement;
-    c.initial_surcharge = initial_surcharge;
     c.until = surcharge;
     const gws::Response response(c);
-    const std::vector<gws::Point> states = response.points(static_cast<std::size_t>(points));
-    const io::Series table = gws::response_table(states, c);
-    if (tsv)
-      std::fputs(io::to_tsv(table).c_str(), stdout);
-    else if (output != "-")
-      fmt::print("{}{}{}", gws::heading(c, read.soil.name), gws::aligned(gws::readable(states)),
-                 gws::verdict(response, c));
-    if (!output.empty())
-      io::write_fields(output, {{{"response", "response of the bag to surcharge", table}}, {}},
-                       io::extend(read.sources, invocation, read.scenario));
-    if (surcharge && response.failed())
-      throw TargetNotReached(fmt::format("{:.6g} Pa are not reached: the bag bears {:.6g} Pa: {}", *surcharge,
-                                         response.last().surcharge, gws::reason(response.end())));
+    const auto states = response.points(static_cast<std::size_t>(points));
+    Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
+    std::string text = gws::heading(c, read.soil.name);
+    if (sensitivity) {
+      const auto rows = gws::sensitivities(c, read.soil, share);
+      groups.push_back({"sensitivity", "capacity and settlement with each constant", gws::sensitivity_table(rows)});
+      text += gws::describe(rows);
+    } else if (samples > 0) {
+      const auto bands = gws::monte_carlo(c, read.soil, samples, invocation.seed, points);
+      groups.push_back({"bands", "quantiles of the response over the constants' scatter", gws::bands_table(bands)});
+      text += gws::aligned(gws::readable(bands)) + gws::describe(bands);
+    } else {
+      text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
+    }
+    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation);
+    gws::demand_reached(response, surcharge);
   }
 };
 
-constexpr std::string_view model =
-    "The elastoplastic solution of H. Cheng's dissertation (Hiroshima University, 2016, section 5.3) for a cuboid of "
-    "soil wrapped in a geotextile, under vertical pressure and, if asked, lateral stress. It assumes principal "
-    "stresses along the axes, uniform in the soil (no friction at the fabric, no corners); q/p and dilatancy on lines "
-    "identified by discrete-element analysis of Toyoura sand, unique for all geotextiles; one elastic tension in all "
-    "hoops; and, empirically, Young's modulus as a power of the geotextile's stiffness. It knows no unloading, no "
-    "creep, no tilting or stacking of bags. Failure is counted at half the strength; loads there lie 20-25 % above "
-    "the discrete elements' own, settlements agree. Beyond 53 to 1160 kN/m and 100 kPa of lateral stress it is "
-    "untested; a lateral stress makes its beginning too soft.";
+struct Identify {
+  std::vector<std::filesystem::path> inputs;
+  std::vector<std::string> geotextiles, assignments;
+  std::string soil = "toyoura-gws", group = "cell", strains = "engineering", difference = "central",
+              table = "constants";
+  std::filesystem::path failure, compression;
+  bool toml = false;
+  gws::Output output;
+
+  void options(tool::Table& t) {
+    t.about("gws-solve identify", "the constants of a soil from series of wrapped bags, with intervals and residuals");
+    t.example("gws-solve identify 3PP.tsv", "from what respond or a discrete-element analysis wrote");
+    t.example("gws-solve identify 3PP.tsv --toml > soil.toml",
+              "a soil file, for respond --soil soil.toml --samples 1000");
+    t.inputs(inputs, "SERIES",
+             "one bag each: TSV or fields with strain_axial, strain_volumetric, mean_stress, deviatoric_stress");
+    t.option(geotextiles, "geotextile", "NAME|FILE", "of each series in turn, where it has no tensile_stiffness");
+    t.option(group, "group", "NAME", "table of a fields file");
+    t.choice(strains, "strains", {"engineering", "natural"}, "of the series; homogenize writes natural ones");
+    t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
+    t.option(compression, "compression", "FILE",
+             "TSV with mean_stress, strain_volumetric: the compression line's points");
+    t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
+    t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
+    t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
+    t.choice(table, "table", gws::table_names(), "what --tsv prints");
+    t.flag(toml, "toml", "print the identified soil as a TOML file");
+    output.declare(t);
+  }
+
+  void validate() const {
+    std::vector<std::string> wrong;
+    if (toml && (output.tsv || output.file == "-")) wrong.emplace_back("--toml: print one thing at a time");
+    if (!geotextiles.empty() && geotextiles.size() != inputs.size())
+      wrong.push_back(
+          fmt::format("--geotextile: {} for {} series; give one for each", geotextiles.size(), inputs.size()));
+    output.check(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    std::vector<io::Source> sources;
+    std::string scenario;
+    const gws::SoilFile given = gws::find_soil(soil, assignments, sources, scenario);
+    const auto series = gws::read_bags(inputs, group, geotextiles, strains == "natural", sources);
+    const auto found = gws::identify(
+        series, given, gws::read_points(compression, "mean_stress", "Pa", "strain_volumetric", "1", sources),
+        gws::read_points(failure, "confining_pressure", "Pa", "obliquity_at_failure", "1", sources),
+        difference == "central" ? gws::Difference::central : gws::Difference::backward);
+    const Groups groups = gws::groups_of(found);
+    std::size_t chosen = 0;
+    while (chosen < groups.size() && groups[chosen].name != table) ++chosen;
+    if (output.tsv && chosen == groups.size())
+      throw DataError(table + ": not identified; see the report without --tsv");
+    output.put(groups, chosen,
+               toml ? gws::soil_text(found.soil, "Identified by " + invocation.command) : gws::describe(found, series),
+               sources, scenario, invocation);
+  }
+};
+
+struct Design {
+  gws::CaseOptions bag;
+  std::optional<double> surcharge, settlement;
+  double safety = 1, from = 1e3, to = 1e8;
+  std::int64_t points = 25;
+  bool chart = false;
+  gws::Output output;
+
+  void options(tool::Table& t) {
+    t.about("gws-solve design",
+            "the geotextile that carries a surcharge within a settlement, or the surcharge a bag carries");
+    t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5",
+              "smallest stiffness and strength");
+    t.example("gws-solve design --geotextile PP --settlement 0.05 --safety 1.5", "what a bag of PP carries");
+    t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3 --to 1e6",
+              "a chart over stiffnesses");
+    t.option(surcharge, gws::surcharge_range);
+    t.option(settlement, gws::settlement_range);
+    t.option(safety, gws::safety_range);
+    t.flag(chart, "chart", "capacity, settlement, efficiency over stiffness; geotextiles of one kind");
+    t.option(from,
+             {"from", "N/m", 0, 1e10, true, "lowest stiffness", "without stiffness the geotextile holds nothing"});
+    t.option(to, gws::highest_stiffness);
+    t.option(points, gws::points_range);
+    bag.declare(t);
+    output.declare(t);
+  }
+
+  void validate() const {
+    std::vector<std::string> wrong = bag.mistakes(chart || !surcharge);
+    if (!surcharge && !settlement && !chart)
+      wrong.emplace_back("nothing to design for: give --surcharge, --settlement or both");
+    if (from >= to) wrong.emplace_back("--from: must be below --to");
+    output.check(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    gws::ReadCase read = bag.read();
+    gws::Case& c = read.the_case;
+    const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety};
+    Groups groups;
+    std::string text;
+    if (chart) {
+      const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
+      groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
+      text = gws::aligned(gws::readable(rows));
+    } else if (surcharge) {
+      const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
+      groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
+      text = gws::describe(found, demand, c);
+    } else {
+      const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, safety);
+      groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
+      text = gws::describe(found, demand.settlement, safety, c);
+    }
+    output.put(groups, 0, text, read.sources, read.scenario, invocation);
+  }
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Respond respond;
+  Identify identify;
+  Design design;
   return tool::main(argc, argv,
                     {"gws-solve",
                      "bearing capacity and settlement of soil wrapped in a geotextile",
-                     std::string(model),
-                     {{"respond", tool::program(respond)}}});
+                     std::string(gws::assumptions),
+                     {{"respond", tool::program(respond)},
+                      {"identify", tool::program(identify)},
+                      {"design", tool::program(design)}}});
 }

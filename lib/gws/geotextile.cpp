@@ -48,8 +48,8 @@ Geotextile find_geotextile(const std::string& name) {
         throw DataError(fmt::format("geotextile {}: {} layers; must be above 0 and at most 1000", name, layers));
       return found.layers(layers);
     }
-  throw DataError(fmt::format("geotextile {}: unknown{}; multiples such as 3{} and paths of TOML files are taken too",
-                              name, suggestion(base, known), known.empty() ? "PP" : known.back()));
+  throw DataError(fmt::format("geotextile {}: unknown; multiples such as 3PP and paths of TOML files are taken too{}",
+                              name, suggestion(base, known)));
 }
 
 }  // namespace soilweave::gws

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace soilweave::gws {
 namespace {
@@ -69,13 +70,34 @@ void LateralStress::check(const Bag& bag) const {
   }
 }
 
+void check(const Case& what) {
+  std::string wrong;
+  const auto judge = [&](double value, const std::string& name, const Parameter& range) {
+    if (range.contains(value)) return;
+    wrong += fmt::format("{}{}: {} is out of range: must be {} ({})", wrong.empty() ? "" : "\n", name,
+                         number_text(value), range_text(range), range.why);
+  };
+  for (const Constant& c : constants()) judge(what.soil.*c.field, c.key(), c.parameter);
+  judge(what.bag.width, "width", bag_extent);
+  judge(what.bag.height, "height", bag_extent);
+  judge(what.geotextile.stiffness, "stiffness", tensile_stiffness);
+  if (!(what.geotextile.strength > 0) || !(what.geotextile.failure_strain > 0))
+    judge(std::min(what.geotextile.strength, what.geotextile.failure_strain), "strength and failure strain",
+          tensile_strength);
+  judge(what.strength_fraction, "strength_fraction", strength_fraction_range);
+  judge(what.tolerance, "tolerance", tolerance_range);
+  if (what.initial_settlement && what.initial_surcharge)
+    wrong += "compaction: give an initial settlement or an initial surcharge, not both";
+  if (!wrong.empty()) throw DataError(wrong);
+  what.lateral.check(what.bag);
+}
+
 double Case::hoop_limit() const {
   return std::min(strength_fraction * geotextile.strength / geotextile.stiffness, geotextile.failure_strain);
 }
 
 Response::Response(const Case& what)
-    : case_(what), path_(what.soil, what.soil.young_modulus(what.geotextile.stiffness), what.tolerance) {
-  case_.lateral.check(case_.bag);
+    : case_((check(what), what)), path_(what.soil, what.soil.young_modulus(what.geotextile.stiffness), what.tolerance) {
   if (path_.end() != End::none)
     throw DataError(fmt::format("soil: its constants allow no state at the first mean stress, {} Pa: {}", what.soil.p_0,
                                 reason(path_.end())));
@@ -145,8 +167,6 @@ void Response::march() {
 }
 
 void Response::compact() {
-  if (case_.initial_settlement && case_.initial_surcharge)
-    throw DataError("compaction: give an initial settlement or an initial surcharge, not both");
   if (case_.initial_settlement) {
     if (*case_.initial_settlement >= last_.settlement())
       throw DataError(fmt::format("initial settlement: {} is not below the {:.4g} at which the response ends: {}",

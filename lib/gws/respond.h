@@ -22,6 +22,22 @@ struct LateralStress {
   void check(const Bag& bag) const;
 };
 
+inline constexpr Parameter bag_extent{"extent", "m", 0, 100, true, "width or height of the bag", "a bag has an extent"};
+inline constexpr Parameter strength_fraction_range{"strength_fraction",
+                                                   "1",
+                                                   0,
+                                                   1,
+                                                   true,
+                                                   "of the strength where the bag fails",
+                                                   "a hoop bears no more than its strength, and some"};
+inline constexpr Parameter tolerance_range{"tolerance",
+                                           "1",
+                                           1e-10,
+                                           1e-2,
+                                           false,
+                                           "relative error of surcharge and settlement",
+                                           "below it rounding takes over, above it the result means little"};
+
 /// What a response is computed from.
 struct Case {
   Soil soil;
@@ -46,6 +62,10 @@ struct Point {
 
   double settlement() const { return soil.strain_axial / 100; }
 };
+
+/// Throws DataError with all that is out of its range, and why: constants, bag, geotextile, fraction, tolerance,
+/// lateral stress.
+void check(const Case& what);
 
 /// The whole response. Throws DataError where it cannot even begin: inadmissible constants at the first stress, a
 /// compaction beyond the bag's capacity.

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/error.h"
+
 namespace soilweave::gws {
 namespace {
 
@@ -104,17 +106,25 @@ std::string verdict(const Response& response, const Case& what) {
   return text;
 }
 
+void demand_reached(const Response& response, std::optional<double> surcharge) {
+  if (surcharge && response.failed())
+    throw TargetNotReached(fmt::format("{:.6g} kPa are not reached: the bag bears {:.6g} kPa: {}", *surcharge / 1e3,
+                                       response.last().surcharge / 1e3, reason(response.end())));
+}
+
 std::string aligned(const io::Series& table, int digits) {
   std::vector<std::vector<std::string>> columns;
   for (const io::Column& column : table.columns) {
     std::vector<std::string> cells{column.name, column.unit == "1" ? "" : column.unit};
+    double greatest = 0;
+    bool whole = true;
     for (const double v : column.values) {
-      // As many decimals as leave `digits` significant ones, so that a column's points stand below each other.
-      const double size = std::abs(v) > 0 ? std::floor(std::log10(std::abs(v))) : 0;
-      cells.push_back(std::isfinite(v) && size >= -4 && size < 9
-                          ? fmt::format("{:.{}f}", v, std::clamp(digits - 1 - static_cast<int>(size), 0, digits - 1))
-                          : fmt::format("{:.{}g}", v, digits));
+      if (std::isfinite(v)) greatest = std::max(greatest, std::abs(v));
+      whole = whole && v == std::floor(v);
     }
+    const int before = greatest >= 1 ? static_cast<int>(std::log10(greatest)) + 1 : 1;
+    for (const double v : column.values)
+      cells.push_back(fmt::format("{:.{}f}", v, whole ? 0 : std::clamp(digits - before, 0, 3)));
     columns.push_back(std::move(cells));
   }
   std::string text;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,11 @@ io::Series readable(const std::vector<Point>& points);
 std::string heading(const Case& what, const std::string& soil);
 std::string verdict(const Response& response, const Case& what);
 
-/// Aligned columns for a terminal: names, units, then numbers with `digits` significant digits.
-std::string aligned(const io::Series& table, int digits = 4);
+/// Throws TargetNotReached where the response ended before the surcharge asked for.
+void demand_reached(const Response& response, std::optional<double> surcharge);
+
+/// Aligned columns for a terminal: names, units, then numbers; each column has the decimals that leave its
+/// greatest number `digits` significant digits, three at most.
+std::string aligned(const io::Series& table, int digits = 5);
 
 }  // namespace soilweave::gws
