@@ -82,16 +82,13 @@ struct Identify {
   void options(tool::Table& t) {
     t.about("gws-solve identify", "the constants of a soil from series of wrapped bags, with intervals and residuals");
     t.example("gws-solve identify 3PP.tsv", "from what respond or a discrete-element analysis wrote");
-    t.example("gws-solve identify 3PP.tsv --toml > soil.toml",
-              "a soil file, for respond --soil soil.toml --samples 1000");
-    t.inputs(inputs, "SERIES",
-             "one bag each: TSV or fields with strain_axial, strain_volumetric, mean_stress, deviatoric_stress");
+    t.example("gws-solve identify 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
+    t.inputs(inputs, "SERIES", "TSV or fields: strain_axial, strain_volumetric, mean_stress, deviatoric_stress");
     t.option(geotextiles, "geotextile", "NAME|FILE", "of each series in turn, where it has no tensile_stiffness");
     t.option(group, "group", "NAME", "table of a fields file");
     t.choice(strains, "strains", {"engineering", "natural"}, "of the series; homogenize writes natural ones");
     t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
-    t.option(compression, "compression", "FILE",
-             "TSV with mean_stress, strain_volumetric: the compression line's points");
+    t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");
     t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
     t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
     t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
@@ -138,10 +135,8 @@ struct Design {
   gws::Output output;
 
   void options(tool::Table& t) {
-    t.about("gws-solve design",
-            "the geotextile that carries a surcharge within a settlement, or the surcharge a bag carries");
-    t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5",
-              "smallest stiffness and strength");
+    t.about("gws-solve design", "the geotextile that carries a surcharge, or the surcharge that a bag carries");
+    t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5", "stiffness and strength");
     t.example("gws-solve design --geotextile PP --settlement 0.05 --safety 1.5", "what a bag of PP carries");
     t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3 --to 1e6",
               "a chart over stiffnesses");
@@ -149,8 +144,7 @@ struct Design {
     t.option(settlement, gws::settlement_range);
     t.option(safety, gws::safety_range);
     t.flag(chart, "chart", "capacity, settlement, efficiency over stiffness; geotextiles of one kind");
-    t.option(from,
-             {"from", "N/m", 0, 1e10, true, "lowest stiffness", "without stiffness the geotextile holds nothing"});
+    t.option(from, gws::lowest_stiffness);
     t.option(to, gws::highest_stiffness);
     t.option(points, gws::points_range);
     bag.declare(t);
@@ -160,7 +154,7 @@ struct Design {
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(chart || !surcharge);
     if (!surcharge && !settlement && !chart)
-      wrong.emplace_back("nothing to design for: give --surcharge, --settlement or both");
+      wrong.emplace_back("nothing to design for: give --surcharge or --settlement");
     if (from >= to) wrong.emplace_back("--from: must be below --to");
     output.check(wrong);
   }

@@ -44,8 +44,12 @@ Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
 template <class Excess>
 double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
   const auto f = [&](double x) {
-    const Trial trial = try_stiffness(bag, demand, std::exp(x));
-    return trial.carried ? excess(trial) : 1.0;  // the soil gives way before the load is on: too soft
+    try {
+      const Trial trial = try_stiffness(bag, demand, std::exp(x));
+      return trial.carried ? excess(trial) : 1.0;  // the soil gives way before the load is on: too soft
+    } catch (const DataError&) {
+      return 1.0;  // so soft that it cannot begin; the demand itself was tried on the stiffest before
+    }
   };
   const double low = std::log(range.low), high = std::log(range.high);
   const double f_low = f(low), f_high = f(high);
@@ -56,11 +60,31 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
   return std::exp(boost::math::tools::toms748_solve(f, low, high, f_low, f_high, close, evaluations).second);
 }
 
+/// NaN in all columns where so soft a bag cannot begin.
+ChartRow chart_row(const Case& bag, const Demand& demand) {
+  ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached};
+  try {
+    const Response response(bag);
+    const double compacted = response.start().settlement();
+    row.capacity = response.last().surcharge;
+    row.settlement = response.last().settlement() - compacted;
+    row.hoop_strain = response.last().hoop_strain;
+    if (demand.surcharge >= response.start().surcharge && demand.surcharge <= row.capacity)
+      row.service_settlement = response.at_surcharge(demand.surcharge).settlement() - compacted;
+    if (row.capacity / demand.safety > response.start().surcharge)
+      row.allowable_surcharge = allowable_surcharge(bag, demand.settlement, demand.safety).surcharge;
+  } catch (const DataError&) {
+    return row;
+  }
+  return row;
+}
+
 }  // namespace
 
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range) {
   if (!(demand.safety >= 1)) throw DataError("safety: must be at least 1");
   if (!(range.low > 0 && range.low < range.high)) throw DataError("stiffness: the range must go up from above 0 N/m");
+  try_stiffness(bag, demand, range.high);
   const double limit = bag.geotextile.strength > 0 ? bag.hoop_limit() : unlimited;
   const double for_settlement = smallest_stiffness(bag, demand, range, [&](const Trial& t) {
     return t.service.settlement() - t.start.settlement() - demand.settlement;
@@ -108,6 +132,7 @@ Allowance allowable_surcharge(const Case& bag, double settlement, double safety)
 }
 
 std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n) {
+  check(bag);
   if (!(bag.geotextile.strength > 0)) throw DataError("chart: the geotextile needs a strength");
   std::vector<ChartRow> rows;
   for (std::size_t i = 0; i < n; ++i) {
@@ -116,17 +141,7 @@ std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const 
     one.until.reset();
     one.geotextile.stiffness = range.low * std::pow(range.high / range.low, share);
     one.geotextile.strength *= one.geotextile.stiffness / bag.geotextile.stiffness;
-    ChartRow row{one.geotextile, unreached, unreached, unreached, unreached, unreached};
-    const Response response(one);
-    const double compacted = response.start().settlement();
-    row.capacity = response.last().surcharge;
-    row.settlement = response.last().settlement() - compacted;
-    row.hoop_strain = response.last().hoop_strain;
-    if (demand.surcharge >= response.start().surcharge && demand.surcharge <= row.capacity)
-      row.service_settlement = response.at_surcharge(demand.surcharge).settlement() - compacted;
-    if (row.capacity / demand.safety > response.start().surcharge)
-      row.allowable_surcharge = allowable_surcharge(one, demand.settlement, demand.safety).surcharge;
-    rows.push_back(row);
+    rows.push_back(chart_row(one, demand));
   }
   return rows;
 }

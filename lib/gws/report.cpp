@@ -117,7 +117,8 @@ std::string describe(const Identification& found, const std::vector<BagSeries>& 
       text += fmt::format(
           "  {:<8} {:>11.5g} {:<4} 95 %: {:>10.5g} to {:<10.5g} given {:.5g}: {} ({})\n", short_name(line.constants[k]),
           value, unit_of(line.constants[k]) == "1" ? "" : unit_of(line.constants[k]), value - half, value + half, given,
-          std::abs(given - value) <= half ? "inside" : "outside", difference(value, given));
+          std::abs(given - value) <= std::max(half, 1e-9 * std::abs(given)) ? "inside" : "outside",
+          difference(value, given));
     }
     for (std::size_t i = 0; i < line.x.size(); ++i)
       if (std::abs(line.fit.studentized[i]) > outlier_distance)

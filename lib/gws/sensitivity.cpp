@@ -89,6 +89,11 @@ class Draw {
 };
 
 std::optional<Response> answered(const Case& bag, Bands& bands) {
+  for (const Constant& c : constants())
+    if (!c.parameter.contains(bag.soil.*c.field)) {
+      ++bands.left_out[c.key() + " out of its range"];
+      return std::nullopt;
+    }
   try {
     return Response(bag);
   } catch (const DataError& error) {
