@@ -106,8 +106,9 @@ Fit fit(const std::string& what, const std::vector<double>& observed, const std:
   status = gsl_multifit_nlinear_driver(1000, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, solver.get());
   if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw undetermined(status);
   Fit found = evaluated(solver, observed);
-  for (const double error : found.standard_errors)
-    if (!std::isfinite(error)) throw undetermined(GSL_ESING);
+  // GSL leaves out the columns that others make up for: their variance is then zero.
+  for (std::size_t i = 0; i < k; ++i)
+    if (!std::isfinite(found.correlation[i * k + i])) throw undetermined(GSL_ESING);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.h"
@@ -18,15 +19,40 @@ const Constant& constant(const std::string& key) {
   return *std::find_if(constants().begin(), constants().end(), [&](const Constant& c) { return c.key() == key; });
 }
 
-/// Fits `line` once its points and constants are there; `model` gives the fitted y from a soil whose constants are the
-/// parameters.
-void fit_line(Line& line, const Soil& soil, const std::function<double(const Soil&, double x)>& model) {
+/// Fits `line` once its points and constants are there. model(soil, i): the fitted value that belongs to observed[i];
+/// ordinate(soil, x): the line in its figure.
+void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
+              const std::function<double(const Soil&, std::size_t)>& model,
+              const std::function<double(const Soil&, double)>& ordinate) {
   for (const std::string& key : line.constants) line.given.push_back(soil.*constant(key).field);
-  line.fit = fit(line.name, line.y, line.given, [&](const double* parameters, double* fitted) {
-    Soil trial = soil;
-    for (std::size_t k = 0; k < line.constants.size(); ++k) trial.*constant(line.constants[k]).field = parameters[k];
-    for (std::size_t i = 0; i < line.x.size(); ++i) fitted[i] = model(trial, line.x[i]);
+  Soil trial = soil;
+  const auto set = [&](const double* values) {
+    for (std::size_t k = 0; k < line.constants.size(); ++k) trial.*constant(line.constants[k]).field = values[k];
+  };
+  line.fit = fit(line.name, observed, line.given, [&](const double* parameters, double* fitted) {
+    set(parameters);
+    for (std::size_t i = 0; i < observed.size(); ++i) fitted[i] = model(trial, i);
   });
+  set(line.fit.estimates.data());
+  for (const double x : line.x) line.ordinate.push_back(ordinate(trial, x));
+}
+
+/// The same where the points of the figure are what is fitted.
+void fit_line(Line& line, const Soil& soil, const std::function<double(const Soil&, double)>& ordinate) {
+  fit_line(
+      line, soil, line.y, [&](const Soil& trial, std::size_t i) { return ordinate(trial, line.x[i]); }, ordinate);
+}
+
+/// A line without points: its constants and the axes of its figure.
+Line started(const std::string& name, const std::vector<std::string>& symbols, const std::array<const char*, 4>& axes) {
+  Line line;
+  line.name = name;
+  for (const std::string& symbol : symbols) line.constants.push_back(name + "." + symbol);
+  line.x_name = axes[0];
+  line.x_unit = axes[1];
+  line.residual_name = line.y_name = axes[2];
+  line.residual_unit = line.y_unit = axes[3];
+  return line;
 }
 
 void put(Line& line, double x, double y, std::size_t series, std::size_t row) {
@@ -37,18 +63,7 @@ void put(Line& line, double x, double y, std::size_t series, std::size_t row) {
 }
 
 Line compression_line(const std::vector<BagSeries>& series, const Soil& soil, const Points& points) {
-  Line line{"compression_line",
-            {"compression_line.C_t", "compression_line.p_0"},
-            {},
-            {},
-            {},
-            {},
-            {},
-            "mean_stress",
-            "Pa",
-            "strain_volumetric",
-            "1",
-            {}};
+  Line line = started("compression_line", {"C_t", "p_0"}, {"mean_stress", "Pa", "strain_volumetric", "1"});
   for (std::size_t i = 0; i < points.x.size(); ++i) put(line, points.x[i], points.y[i], series.size(), i);
   if (points.x.empty())
     for (std::size_t s = 0; s < series.size(); ++s) {
@@ -62,92 +77,77 @@ Line compression_line(const std::vector<BagSeries>& series, const Soil& soil, co
 }
 
 Line failure_line(const std::vector<BagSeries>& series, const Soil& soil, const Points& points) {
-  Line line{"failure_line",
-            {"failure_line.n", "failure_line.p_c"},
-            {},
-            {},
-            {},
-            {},
-            {},
-            "mean_stress",
-            "Pa",
-            "failure_obliquity",
-            "1",
-            {}};
+  Line line = started("failure_line", {"n", "p_c"}, {"mean_stress", "Pa", "failure_obliquity", "1"});
   for (std::size_t i = 0; i < points.x.size(); ++i) put(line, points.x[i], points.y[i], series.size(), i);
   fit_line(line, soil, [](const Soil& trial, double p) { return failure_obliquity(trial, p); });
   return line;
 }
 
 Line near_failure_line(const std::vector<BagSeries>& series, const Soil& soil) {
-  Line line{"near_failure_line",
-            {"near_failure_line.kappa", "near_failure_line.lambda", "near_failure_line.xi"},
-            {},
-            {},
-            {},
-            {},
-            {},
-            "strain_deviatoric",
-            "1",
-            "distance_to_failure",
-            "1",
-            {}};
+  Line line =
+      started("near_failure_line", {"kappa", "lambda", "xi"}, {"strain_deviatoric", "1", "distance_to_failure", "1"});
   for (std::size_t s = 0; s < series.size(); ++s)
-    for (std::size_t i = 0; i < series[s].size(); ++i)
-      put(line, series[s].strain_deviatoric(i),
-          failure_obliquity(soil, series[s].mean_stress[i]) - series[s].deviatoric_stress[i] / series[s].mean_stress[i],
-          s, i);
+    for (std::size_t i = 0; i < series[s].size(); ++i) {
+      const double p = series[s].mean_stress[i], obliquity = series[s].deviatoric_stress[i] / p;
+      put(line, series[s].strain_deviatoric(i), failure_obliquity(soil, p) - obliquity, s, i);
+    }
   fit_line(line, soil,
            [](const Soil& trial, double strain) { return trial.kappa / (100 * strain + trial.lambda) - trial.xi; });
   return line;
 }
 
 Line dilatancy_line(const std::vector<BagSeries>& series, const Soil& soil, Difference difference) {
-  Line line{"dilatancy_line",
-            {"dilatancy_line.p_1", "dilatancy_line.p_2"},
-            {},
-            {},
-            {},
-            {},
-            {},
-            "distance_to_failure",
-            "1",
-            "distance_of_dilation_rate",
-            "1",
-            {}};
+  Line line = started("dilatancy_line", {"p_1", "p_2"}, {"distance_to_failure", "1", "distance_of_dilation_rate", "1"});
+  line.residual_name = "plastic_volumetric_increment";
+  std::vector<Increment> increments;
+  std::vector<double> observed;
   for (std::size_t s = 0; s < series.size(); ++s)
     for (std::size_t i = 0; i + 1 < series[s].size(); ++i) {
-      const Increment d = increment(series[s], i, soil, difference);
-      put(line, d.failure_obliquity - d.obliquity, d.failure_obliquity - soil.M - d.dilation_rate, s, i + 1);
+      const Increment d = increments.emplace_back(increment(series[s], i, soil, difference));
+      observed.push_back(d.plastic_volumetric);
+      put(line, d.failure_obliquity - d.obliquity,
+          d.failure_obliquity - soil.M + d.plastic_volumetric / d.plastic_deviatoric, s, i + 1);
     }
-  fit_line(line, soil, [](const Soil& trial, double distance) { return trial.p_1 * distance - trial.p_2; });
+  fit_line(
+      line, soil, observed,
+      [&](const Soil& trial, std::size_t i) {
+        // d eps_v^p = X d eps_d^p with d eps_d^p = d eps_a^p - d eps_v^p / 3, solved for d eps_v^p.
+        const double X = dilatancy(trial, increments[i].failure_obliquity, increments[i].obliquity);
+        return X / (1 + X / 3) * increments[i].plastic_axial;
+      },
+      [](const Soil& trial, double distance) { return trial.p_1 * distance - trial.p_2; });
   return line;
 }
 
-/// E of one bag: least squares of dp* = E d eps_a^p.
+/// E of one bag: least squares of eps_a^p = p* / E, both accumulated.
 double young_modulus(const BagSeries& series, const Soil& soil, Difference difference) {
-  std::vector<double> stress, strain;
+  double stress = 0, strain = 0, squares = 0, products = 0;
   for (std::size_t i = 0; i + 1 < series.size(); ++i) {
     const Increment d = increment(series, i, soil, difference);
-    stress.push_back(d.generalized_stress);
-    strain.push_back(d.plastic_axial);
+    stress += d.generalized_stress;
+    strain += d.plastic_axial;
+    squares += stress * stress;
+    products += stress * strain;
   }
-  const Fit found = fit("Young's modulus of " + series.name, stress, {1e6}, [&](const double* E, double* fitted) {
-    for (std::size_t i = 0; i < strain.size(); ++i) fitted[i] = *E * strain[i];
-  });
-  return found.estimates.front();
+  if (!(products > 0))
+    throw DataError("stiffness: " + series.name +
+                    ": the plastic axial strain does not grow with the stress; check its columns");
+  return squares / products;
 }
 
 Line stiffness_line(const std::vector<BagSeries>& series, const Soil& soil, Difference difference) {
-  Line line{"stiffness", {"stiffness.alpha", "stiffness.beta"},
-            {},          {},
-            {},          {},
-            {},          "tensile_stiffness",
-            "N/m",       "log_young_modulus",
-            "1",         {}};
-  for (std::size_t s = 0; s < series.size(); ++s)
-    put(line, series[s].stiffness, std::log(young_modulus(series[s], soil, difference)), s, 0);
-  fit_line(line, soil, [](const Soil& trial, double J) { return std::log(trial.young_modulus(J)); });
+  Line line = started("stiffness", {"alpha", "beta"}, {"tensile_stiffness", "N/m", "young_modulus", "Pa"});
+  line.residual_name = "log_young_modulus";
+  line.residual_unit = "1";
+  std::vector<double> observed;
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    put(line, series[s].stiffness, young_modulus(series[s], soil, difference), s, 0);
+    observed.push_back(std::log(line.y.back()));
+  }
+  const auto ordinate = [](const Soil& trial, double J) { return trial.young_modulus(J); };
+  fit_line(
+      line, soil, observed, [&](const Soil& trial, std::size_t i) { return std::log(ordinate(trial, line.x[i])); },
+      ordinate);
   return line;
 }
 
@@ -217,14 +217,15 @@ Increment increment(const BagSeries& series, std::size_t i, const Soil& soil, Di
   const bool central = difference == Difference::central;
   const auto between = [&](double a, double b) { return central ? (a + b) / 2 : b; };
   Increment d;
-  d.dilation_rate = -volumetric / deviatoric;
+  d.plastic_volumetric = volumetric;
+  d.plastic_deviatoric = deviatoric;
+  d.plastic_axial = deviatoric + volumetric / 3;
   d.obliquity = between(obliquity(i), obliquity(j));
   d.failure_obliquity =
       between(failure_obliquity(soil, series.mean_stress[i]), failure_obliquity(soil, series.mean_stress[j]));
   const double K_psi = plastic_ratio(dilatancy(soil, d.failure_obliquity, d.obliquity));
   const auto [c_0, c_1] = generalized_stress(soil, K_psi);
   d.generalized_stress = c_0 * dp + c_1 * dq;
-  d.plastic_axial = deviatoric + volumetric / 3;
   return d;
 }
 

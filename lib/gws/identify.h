@@ -37,6 +37,8 @@ struct Line {
   std::vector<double> x, y;            // as the thesis's figure plots them
   std::vector<std::size_t> series, row;
   std::string x_name, x_unit, y_name, y_unit;
+  std::vector<double> ordinate;              // of the line at x
+  std::string residual_name, residual_unit;  // of what is fitted: y, or increments of strain where y is a ratio of them
   Fit fit;
 };
 
@@ -57,6 +59,10 @@ enum class Difference { central, backward };
 /// none): points of their lines from other tests. M, p_a, m and Poisson's ratio are not identified: M and p_c are one
 /// constant together, m and nu are taken as the thesis takes them. Increments between rows: their stress ratio in the
 /// middle (central) or at the end (backward, as the thesis's figures). No point is dropped.
+///
+/// Where the thesis plots ratios or increments, what is fitted has equal errors: the dilatancy line, increments of
+/// plastic volumetric strain (a ratio of two small increments has errors of its own size); Young's modulus, the plastic
+/// axial strain accumulated over the accumulated p*.
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference);
 
@@ -64,9 +70,11 @@ Identification identify(const std::vector<BagSeries>& series, const SoilFile& so
 /// half of the steepest before it.
 std::size_t contraction(const BagSeries& series, const Soil& soil);
 
-/// dp* of Eq. 5.14 and the plastic axial strain (a fraction) from row i to i + 1, with K_psi from the dilatancy line.
+/// What happens from row i to i + 1. Strains are fractions; K_psi in dp* (Eq. 5.14) is from the dilatancy line.
 struct Increment {
-  double generalized_stress = 0, plastic_axial = 0, dilation_rate = 0, failure_obliquity = 0, obliquity = 0;
+  double plastic_axial = 0, plastic_volumetric = 0, plastic_deviatoric = 0;
+  double generalized_stress = 0;                // dp*, Pa
+  double failure_obliquity = 0, obliquity = 0;  // that the increment belongs to
 };
 Increment increment(const BagSeries& series, std::size_t i, const Soil& soil, Difference difference);
 

@@ -88,8 +88,9 @@ io::Series line_table(const Line& line) {
   put(table, "row", "1", "row in its series, from 0", numbers(line.row));
   put(table, line.x_name, line.x_unit, "abscissa", line.x);
   put(table, line.y_name, line.y_unit, "ordinate", line.y);
-  put(table, "fitted", line.y_unit, "ordinate of the line", line.fit.fitted);
-  put(table, "residual", line.y_unit, "ordinate less that of the line", line.fit.residuals);
+  put(table, "fitted", line.y_unit, "ordinate of the line", line.ordinate);
+  put(table, "residual", line.residual_unit, "what is fitted less what the line gives: " + line.residual_name,
+      line.fit.residuals);
   put(table, "studentized", "1", "residual over its standard error", line.fit.studentized);
   put(table, "outlier", "1", "1 where that is more than 3",
       column(line.fit.studentized, [](double t) { return std::abs(t) > outlier_distance ? 1.0 : 0.0; }));

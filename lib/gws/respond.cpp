@@ -129,7 +129,8 @@ template <class Value>
 double Response::root(double low, double high, const Value& value) const {
   const auto f = [&](double x) { return value(point(x)); };
   const double f_low = f(low), f_high = f(high);
-  if (f_low == 0) return low;
+  // A sign that is missing at an end is a rounding of what the end was cut to.
+  if (f_low == 0 || (f_low > 0) == (f_high > 0)) return std::abs(f_low) < std::abs(f_high) ? low : high;
   if (f_high == 0) return high;
   std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the last bit
   const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
@@ -155,8 +156,10 @@ void Response::march() {
     if (now.hoop_strain >= limit)
       cut(limit < case_.geotextile.failure_strain ? End::strength : End::failure_strain,
           [&](const Point& p) { return p.hoop_strain - limit; });
-    if (case_.until && now.surcharge >= *case_.until)
+    if (case_.until && now.surcharge >= *case_.until) {
       cut(End::surcharge, [&](const Point& p) { return p.surcharge - *case_.until; });
+      now.surcharge = *case_.until;  // but for rounding
+    }
     if (!(now.surcharge > before.surcharge)) {
       end_ = End::softening;
       return;
