@@ -73,26 +73,26 @@ struct Respond {
 struct Identify {
   std::vector<std::filesystem::path> inputs;
   std::vector<std::string> geotextiles, assignments;
-  std::string soil = "toyoura-gws", group = "cell", strains = "engineering", difference = "central",
-              table = "constants";
+  std::string soil = "toyoura-gws", group, strains = "engineering", difference = "central", table = "constants";
   std::filesystem::path failure, compression;
   bool toml = false;
   gws::Output output;
 
   void options(tool::Table& t) {
     t.about("gws-solve identify", "the constants of a soil from series of wrapped bags, with intervals and residuals");
-    t.example("gws-solve identify 3PP.tsv", "from what respond or a discrete-element analysis wrote");
-    t.example("gws-solve identify 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
-    t.inputs(inputs, "SERIES", "TSV or fields: strain_axial, strain_volumetric, mean_stress, deviatoric_stress");
+    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -",
+              "from a response, or analyses of grains");
+    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
+    t.inputs(inputs, "SERIES", "TSV or fields with strain_axial and _volumetric, mean_ and deviatoric_stress");
     t.option(geotextiles, "geotextile", "NAME|FILE", "of each series in turn, where it has no tensile_stiffness");
-    t.option(group, "group", "NAME", "table of a fields file");
+    t.option(group, "group", "NAME", "table of a fields file; else cell or response");
     t.choice(strains, "strains", {"engineering", "natural"}, "of the series; homogenize writes natural ones");
     t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
     t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");
     t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
     t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
     t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
-    t.choice(table, "table", gws::table_names(), "what --tsv prints");
+    t.option(table, "table", "NAME", "for --tsv: constants, increments or a line (near_failure_line)");
     t.flag(toml, "toml", "print the identified soil as a TOML file");
     output.declare(t);
   }
@@ -103,6 +103,7 @@ struct Identify {
     if (!geotextiles.empty() && geotextiles.size() != inputs.size())
       wrong.push_back(
           fmt::format("--geotextile: {} for {} series; give one for each", geotextiles.size(), inputs.size()));
+    gws::check_table(table, wrong);
     output.check(wrong);
   }
 

@@ -248,6 +248,10 @@ Identification identify(const std::vector<BagSeries>& series, const SoilFile& so
     add([&] { return dilatancy_line(series, soil.soil, difference); });
     add([&] { return stiffness_line(series, soil.soil, difference); });
   }
+  for (const BagSeries& one : series) {
+    auto& list = found.increments.emplace_back();
+    for (std::size_t i = 0; i + 1 < one.size(); ++i) list.push_back(increment(one, i, soil.soil, difference));
+  }
   for (const Line& line : found.lines) {
     for (std::size_t k = 0; k < line.constants.size(); ++k)
       found.soil.soil.*constant(line.constants[k]).field = line.fit.estimates[k];

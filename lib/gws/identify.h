@@ -47,10 +47,17 @@ struct Points {
   std::vector<double> x, y;
 };
 
+/// What happens from row i to i + 1. Strains are fractions; K_psi in dp* (Eq. 5.14) is from the dilatancy line.
+struct Increment {
+  double plastic_axial = 0, plastic_volumetric = 0, plastic_deviatoric = 0;
+  double generalized_stress = 0;                // dp*, Pa
+  double failure_obliquity = 0, obliquity = 0;  // that the increment belongs to
+};
 struct Identification {
-  std::vector<Line> lines;            // those that the data allow, in the order of Table 5.2
-  std::vector<std::string> left_out;  // why a line is not among them
-  SoilFile soil;                      // the identified constants with their scatter, the others as given
+  std::vector<Line> lines;                         // those that the data allow, in the order of Table 5.2
+  std::vector<std::vector<Increment>> increments;  // of each series
+  std::vector<std::string> left_out;               // why a line is not among them
+  SoilFile soil;                                   // the identified constants with their scatter, the others as given
 };
 
 enum class Difference { central, backward };
@@ -70,12 +77,7 @@ Identification identify(const std::vector<BagSeries>& series, const SoilFile& so
 /// half of the steepest before it.
 std::size_t contraction(const BagSeries& series, const Soil& soil);
 
-/// What happens from row i to i + 1. Strains are fractions; K_psi in dp* (Eq. 5.14) is from the dilatancy line.
-struct Increment {
-  double plastic_axial = 0, plastic_volumetric = 0, plastic_deviatoric = 0;
-  double generalized_stress = 0;                // dp*, Pa
-  double failure_obliquity = 0, obliquity = 0;  // that the increment belongs to
-};
+/// From row i of a series to the next.
 Increment increment(const BagSeries& series, std::size_t i, const Soil& soil, Difference difference);
 
 }  // namespace soilweave::gws

@@ -141,7 +141,7 @@ io::Series read_series(const std::filesystem::path& path, const std::string& gro
   sources.push_back(file.source);
   std::vector<std::string> names;
   for (const auto& one : file.groups) {
-    if (one.name == group) return one.table;
+    if (one.name == group || (group.empty() && (one.name == "cell" || one.name == "response"))) return one.table;
     names.push_back(one.name);
   }
   throw DataError(

@@ -97,14 +97,49 @@ io::Series line_table(const Line& line) {
   return table;
 }
 
+io::Series increments_table(const Identification& found) {
+  std::vector<double> series, row;
+  std::vector<Increment> all;
+  for (std::size_t s = 0; s < found.increments.size(); ++s)
+    for (std::size_t i = 0; i < found.increments[s].size(); ++i) {
+      series.push_back(static_cast<double>(s));
+      row.push_back(static_cast<double>(i + 1));
+      all.push_back(found.increments[s][i]);
+    }
+  io::Series table;
+  using I = const Increment&;
+  put(table, "series", "1", "number of the series, from 0", series);
+  put(table, "row", "1", "row in its series that the increment ends at, from 0", row);
+  put(table, "generalized_stress", "Pa", "increment of p*", column(all, [](I d) { return d.generalized_stress; }));
+  put(table, "plastic_axial", "1", "increment of plastic axial strain",
+      column(all, [](I d) { return d.plastic_axial; }));
+  put(table, "plastic_volumetric", "1", "increment of plastic volumetric strain",
+      column(all, [](I d) { return d.plastic_volumetric; }));
+  put(table, "plastic_deviatoric", "1", "increment of plastic deviatoric strain",
+      column(all, [](I d) { return d.plastic_deviatoric; }));
+  put(table, "obliquity", "1", "q/p that the increment belongs to", column(all, [](I d) { return d.obliquity; }));
+  put(table, "failure_obliquity", "1", "q/p at failure there", column(all, [](I d) { return d.failure_obliquity; }));
+  return table;
+}
+
 std::vector<std::string> table_names() {
-  return {"constants", "compression_line", "failure_line", "near_failure_line", "dilatancy_line", "stiffness"};
+  return {"constants",      "compression_line", "failure_line", "near_failure_line",
+          "dilatancy_line", "stiffness",        "increments"};
+}
+
+void check_table(const std::string& name, std::vector<std::string>& mistakes) {
+  const std::vector<std::string> known = table_names();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    mistakes.push_back(fmt::format("--table: '{}' is not one of {}{}", name, fmt::join(known, ", "),
+                                   nearest(name, known).empty() ? "" : suggestion(name, known)));
 }
 
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found) {
   std::vector<io::FieldsFile::Group> groups{{"constants", "identified constants", constants_table(found)}};
   for (const Line& line : found.lines)
     groups.push_back({line.name, "points of the line and their residuals", line_table(line)});
+  if (!found.increments.empty())
+    groups.push_back({"increments", "plastic strain and generalized stress from row to row", increments_table(found)});
   return groups;
 }
 

@@ -30,8 +30,12 @@ io::Series constants_table(const Identification& found);
 /// One row per point: series (number from 0; as many as there are: a table of its own), row, x, y, fitted, residual,
 /// studentized residual, and whether it is an outlier.
 io::Series line_table(const Line& line);
+/// One row per increment of each series (thesis Fig. 5.13).
+io::Series increments_table(const Identification& found);
 /// The names of what groups_of() can give.
 std::vector<std::string> table_names();
+/// Adds a mistake if there is no such table.
+void check_table(const std::string& name, std::vector<std::string>& mistakes);
 /// All of them as groups of a fields file.
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
 /// Lines, constants, intervals, differences from what was given, outliers, and what was left out.
