@@ -79,7 +79,7 @@ struct Identify {
   gws::Output output;
 
   void options(tool::Table& t) {
-    t.about("gws-solve identify", "the constants of a soil from series of wrapped bags, with intervals and residuals");
+    t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
     t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -",
               "from a response, or analyses of grains");
     t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
@@ -138,7 +138,6 @@ struct Design {
   void options(tool::Table& t) {
     t.about("gws-solve design", "the geotextile that carries a surcharge, or the surcharge that a bag carries");
     t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5", "stiffness and strength");
-    t.example("gws-solve design --geotextile PP --settlement 0.05 --safety 1.5", "what a bag of PP carries");
     t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3 --to 1e6",
               "a chart over stiffnesses");
     t.option(surcharge, gws::surcharge_range);

@@ -14,8 +14,13 @@
 
 namespace soilweave::gws {
 
-inline constexpr Parameter surcharge_range{
-    "surcharge", "Pa", 0, 1e9, true, "vertical pressure on the bag", "1 GPa is far beyond any test of soil"};
+inline constexpr Parameter surcharge_range{"surcharge",
+                                           "Pa",
+                                           0,
+                                           1e9,
+                                           true,
+                                           "pressure the geotextile is looked for; without, the bag's own",
+                                           "1 GPa is far beyond any test of soil"};
 inline constexpr Parameter last_surcharge{"surcharge",
                                           "Pa",
                                           0,

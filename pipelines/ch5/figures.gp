@@ -10,6 +10,7 @@ line(name) = sprintf("%s/%s.tsv", out, name)
 dem(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 geotextiles = "PE 0.5PP PP 2PP 3PP 4PP"
 analysed = "PE PP 3PP"
+pressures = "10 50 100"
 blue = "#1f6fb2"; orange = "#d9772b"; green = "#2f8f6b"; grey = "#667080"; red = "#b5394e"; violet = "#7458a6"
 colour(g) = g eq "PE" ? blue : g eq "0.5PP" ? grey : g eq "PP" ? orange : g eq "2PP" ? red : g eq "3PP" ? green : violet
 percent(name) = 100 * column(name . " [1]")
@@ -29,7 +30,7 @@ set style fill transparent solid 0.20 noborder
 W = 640; H = 420; @start
 set output figure("tension")
 set xlabel "tensile strain (%)" offset 0,0.4; set ylabel "tension (kN/m)" offset 0.9,0
-set xrange [0:9]; set yrange [0:*]; set key top left
+set xrange [0:9]; set yrange [0:22]; set key top left
 plot for [g in "PE PP"] dem(g) using (column("strain_yarn_face [%]")):(column("tension_yarn_face [N]") / 5) every ::1 with points \
     pointtype 7 pointsize 0.5 linecolor rgb colour(g) title g . ", yarns of the discrete elements", \
   for [g in "PE PP"] uniaxial(g) using (percent("hoop_strain")):(kilo("hoop_tension [N/m]")) with lines linewidth 2.2 \
@@ -38,7 +39,7 @@ plot for [g in "PE PP"] dem(g) using (column("strain_yarn_face [%]")):(column("t
 # --- Figs. 5.10, 5.6c, 5.7, 5.12: the lines and their points
 W = 900; H = 760; @start
 set output figure("lines")
-set multiplot layout 2,2 margins 0.085,0.985,0.08,0.985 spacing 0.11,0.11
+set multiplot layout 2,2 margins 0.105,0.97,0.085,0.985 spacing 0.13,0.12
 symbol(k) = int(k) == 0 ? 6 : int(k) == 1 ? 4 : int(k) == 2 ? 8 : 2
 set xrange [0:*]; set yrange [0:*]; set key top left
 name = "compression_line"
@@ -71,14 +72,14 @@ unset multiplot
 # --- Figs. 5.13 and 5.14: plastic axial strain over p*, Young's modulus over the geotextile's stiffness
 W = 900; H = 420; @start
 set output figure("stiffness")
-set multiplot layout 1,2 margins 0.085,0.985,0.15,0.96 spacing 0.11
-set xrange [0:*]; set yrange [0:10]; set key bottom right
+set multiplot layout 1,2 margins 0.085,0.97,0.16,0.96 spacing 0.12
+set xtics 500; set xrange [0:*]; set yrange [0:10]; set key bottom right
 set xlabel "accumulated p* (kPa)"; set ylabel "plastic axial strain (%)"
 plot for [k = 1:3] line("accumulated") using ($1 == k - 1 ? column("generalized_stress [kPa]") : NaN):(column("plastic_axial [%]")) \
     with points pointtype symbol(k - 1) linecolor rgb colour(word(analysed, k)) title word(analysed, k), \
   for [k = 1:3] line("accumulated") using ($1 == k - 1 ? column("generalized_stress [kPa]") : NaN):(column("fitted [%]")) \
     with lines linewidth 1.4 linecolor rgb colour(word(analysed, k))
-set logscale xy; set xrange [30:1300]; set yrange [1:40]; set key top left
+set xtics autofreq; set logscale xy; set xrange [30:1300]; set yrange [1:40]; set key top left
 set xlabel "stiffness of the geotextile (kN/m)"; set ylabel "Young's modulus (MPa)"
 plot line("stiffness") using (column("tensile_stiffness [N/m]") / 1e3):(column("young_modulus [Pa]") / 1e6) with points pointtype 7 \
     linecolor rgb "#303840" title "from the discrete elements", \
@@ -86,13 +87,14 @@ plot line("stiffness") using (column("tensile_stiffness [N/m]") / 1e3):(column("
 unset multiplot; unset logscale
 
 # --- Fig. 5.15: surcharge over settlement, six geotextiles
-W = 900; H = 560; @start
+W = 900; H = 600; @start
 set output figure("surcharge")
-set multiplot layout 2,3 margins 0.085,0.985,0.10,0.95 spacing 0.075,0.13
-set xlabel "axial strain (%)"; set xrange [0:18]; set yrange [0:*]; set key bottom right
+set multiplot layout 2,3 margins 0.105,0.98,0.12,0.985 spacing 0.085,0.12
+set xtics 5; set xrange [0:18]; set yrange [0:*]; set key bottom right
 do for [g in geotextiles] {
-  set title g offset 0,-0.5
-  set ylabel (g eq "PE" || g eq "2PP" ? "surcharge (kPa)" : "")
+  set label 1 g at graph 0.06,0.92 font ",16" textcolor rgb colour(g)
+  set xlabel (strstrt(" 2PP 3PP 4PP ", " " . g . " ") > 0 ? "axial strain (%)" : "")
+  set ylabel (g eq "PE" || g eq "2PP" ? "surcharge (kPa)" : "") offset 0.5,0
   if (strstrt(" PE PP 3PP ", " " . g . " ") > 0) {
     plot uniaxial(g) using (percent("strain_axial")):(kilo("surcharge [Pa]")) with lines linewidth 2.2 linecolor rgb colour(g), \
       dem(g) using (column("strain_axial [%]")):(column("surcharge [kPa]")) with points pointtype 6 pointsize 0.6 linecolor rgb "#303840"
@@ -100,12 +102,12 @@ do for [g in geotextiles] {
     plot uniaxial(g) using (percent("strain_axial")):(kilo("surcharge [Pa]")) with lines linewidth 2.2 linecolor rgb colour(g)
   }
 }
-unset multiplot; unset title
+unset multiplot; unset label 1; set xtics autofreq
 
 # --- Fig. 5.16: internal stresses, hoop strain, volumetric strain
 W = 900; H = 760; @start
 set output figure("internal")
-set multiplot layout 2,2 margins 0.09,0.985,0.08,0.985 spacing 0.11,0.11
+set multiplot layout 2,2 margins 0.105,0.97,0.085,0.985 spacing 0.13,0.12
 set xrange [0:18]; set key top left
 set xlabel "axial strain (%)"; set ylabel "axial stress (kPa)"
 plot for [g in geotextiles] uniaxial(g) using (percent("strain_axial")):(kilo("axial_stress [Pa]")) with lines linewidth 2 linecolor rgb colour(g) title g, \
@@ -131,41 +133,43 @@ do for [k = 1:4] {
   ordinate = word("surcharge axial_stress radial_stress strain_volumetric", k)
   W = 900; H = 360; @start
   set output figure(name)
-  set multiplot layout 1,3 margins 0.085,0.985,0.17,0.90 spacing 0.075
+  set multiplot layout 1,3 margins 0.115,0.975,0.18,0.96 spacing 0.085
+  set xtics 5
   set xrange [0:*]; if (k < 4) { set yrange [0:*] } else { set yrange [*:*] }
   if (k < 4) { set key top left } else { set key bottom left }
   set xlabel (k == 4 ? "deviatoric strain (%)" : "axial strain (%)")
   do for [g in "PE PP 5PP"] {
-    set title g offset 0,-0.5
-    set ylabel (g eq "PE" ? word("surcharge_(kPa) axial_stress_(kPa) lateral_stress_(kPa) volumetric_strain_(%)", k) : "") noenhanced
-    plot for [s in "10 50 100"] triaxial(g, s) using (percent(abscissa)): \
-      (k == 4 ? percent(ordinate) : kilo(ordinate . " [Pa]")) with lines linewidth 2 dashtype (s eq "10" ? 1 : s eq "50" ? 2 : 4) \
-      linecolor rgb colour(g eq "5PP" ? "4PP" : g) title s . " kPa"
+    set label 1 g at graph 0.85,(k == 4 ? 0.92 : 0.08) right font ",16" textcolor rgb colour(g eq "5PP" ? "4PP" : g)
+    set ylabel (g ne "PE" ? "" : k == 1 ? "surcharge (kPa)" : k == 2 ? "axial stress (kPa)" : k == 3 ? "lateral stress (kPa)" : "volumetric strain (%)")
+    plot for [j = 1:3] triaxial(g, word(pressures, j)) using (percent(abscissa)): \
+      (k == 4 ? percent(ordinate) : kilo(ordinate . " [Pa]")) with lines linewidth 2 dashtype j \
+      linecolor rgb colour(g eq "5PP" ? "4PP" : g) title word(pressures, j) . " kPa"
   }
-  unset multiplot; unset title
+  unset multiplot; unset label 1
 }
+set xtics autofreq
 
 # --- Efficiency and design chart: geotextiles of PP's kind
 W = 900; H = 420; @start
 set output figure("chart")
-set multiplot layout 1,2 margins 0.085,0.93,0.15,0.96 spacing 0.16
-set logscale x; set xrange [30:1160]; set yrange [0:*]; set key top left
-set xlabel "stiffness of the geotextile (kN/m)"; set ylabel "surcharge (kPa)" enhanced; set logscale y; set yrange [100:10000]
+set multiplot layout 1,2 margins 0.115,0.92,0.16,0.96 spacing 0.13
+set logscale x; set xrange [30:1160]; set yrange [0:*]; set key bottom right
+set xlabel "stiffness of the geotextile (kN/m)"; set ylabel "surcharge (kPa)"; set logscale y; set yrange [100:10000]
 plot line("chart") using (kilo("stiffness [N/m]")):(kilo("capacity [Pa]")) with lines linewidth 2.2 linecolor rgb "#303840" title "ultimate", \
   "" using (kilo("stiffness [N/m]")):(kilo("allowable_surcharge [Pa]")) with lines linewidth 2.2 linecolor rgb orange \
-    title "within 6 % and with a safety of 1.5"
-unset logscale y; set yrange [0:20]; set y2range [6:9]; set y2tics out scale 0.6; set ytics nomirror; set key top right
+    title "within 6 %, safety 1.5"
+unset logscale y; set yrange [0:28]; set y2range [0:12]; set y2tics out scale 0.6; set ytics nomirror; set key top right
 set ylabel "settlement (%)"; set y2label "efficiency (1/m)"
-plot line("chart") using (kilo("stiffness [N/m]")):(percent("settlement")) with lines linewidth 2.2 linecolor rgb "#303840" title "at the ultimate surcharge", \
+plot line("chart") using (kilo("stiffness [N/m]")):(percent("settlement")) with lines linewidth 2.2 linecolor rgb "#303840" title "at the ultimate load", \
   "" using (kilo("stiffness [N/m]")):(percent("service_settlement")) with lines linewidth 2.2 linecolor rgb orange title "at 300 kPa", \
   "" using (kilo("stiffness [N/m]")):(column("reinforcing_efficiency [1/m]")) axes x1y2 with lines linewidth 2.2 dashtype 2 \
-    linecolor rgb green title "capacity over stiffness (right)"
+    linecolor rgb green title "efficiency (right)"
 unset multiplot; unset logscale; unset y2tics; unset y2label
 
 # --- Bands of the identified constants
 W = 900; H = 420; @start
 set output figure("bands")
-set multiplot layout 1,2 margins 0.085,0.985,0.15,0.96 spacing 0.11
+set multiplot layout 1,2 margins 0.115,0.97,0.16,0.96 spacing 0.12
 set xrange [0:14]; set yrange [0:*]; set key top left; set xlabel "axial strain (%)"; set ylabel "surcharge (kPa)"
 plot line("bands") using (percent("settlement")):(kilo("surcharge_low [Pa]")):(kilo("surcharge_high [Pa]")) with filledcurves fillcolor rgb orange \
     title "95 % of the draws", \

@@ -70,7 +70,7 @@ FILENAME != current {
 }
 { ++rows[file]; for (i = 1; i <= NF; ++i) value[file, column[i], rows[file]] = $i * scale[i] }
 
-function uniaxial(g, file, dem, i, above, points, model, limit) {
+function uniaxial(g, file, dem, i, above, points, model, limit, beyond) {
   file = "uniaxial_" g
   dem = "soilbag_uniaxial_" g
   for (i = 1; i <= rows[dem]; ++i)
@@ -85,13 +85,16 @@ function uniaxial(g, file, dem, i, above, points, model, limit) {
   put("volumetric_" g, 100 * last(file, "strain_volumetric"))
   put("volumetric_difference_" g, 100 * (last(file, "strain_volumetric") - value[dem, "strain_volumetric", peak[g]]))
   # Share of the discrete elements' points of surcharge over hoop strain that lie above the model.
-  above = points = 0
+  above = points = beyond = 0
   for (i = 2; i <= peak[g]; ++i) {
     limit = hoop(g, i)
     if (limit <= 0 || limit > last(file, "hoop_strain")) continue
     ++points
-    if (value[dem, "surcharge", i] > between(file, "hoop_strain", "surcharge", limit)) ++above
+    model = between(file, "hoop_strain", "surcharge", limit)
+    if (value[dem, "surcharge", i] > model) ++above
+    beyond += value[dem, "surcharge", i] / model - 1
   }
+  put("hoops_excess_" g, 100 * beyond / points)
   put("hoops_above_" g, 100 * above / points)
 }
 

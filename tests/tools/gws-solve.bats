@@ -29,6 +29,7 @@ refuses() {
   local wanted=$1 verb=$2 message=$3
   shift 3
   exits "$wanted" gws-solve "$verb" "$@"
+  # shellcheck disable=SC2154  # stderr is set by run
   [[ $stderr == "gws-solve $verb: $message" ]] || show "wanted: gws-solve $verb: $message"
   [[ -z $output ]] || show "wanted nothing on standard output"
 }
@@ -188,6 +189,7 @@ fraction of the geotextile's strength" ]] || show
       echo \${COMPREPLY[@]}"
     [[ $output == --geotextile ]] || show "completes --geo to this after $verb"
   done
+  # shellcheck disable=SC2016  # expanded by the inner shell
   exits 0 bash -c 'source <(gws-solve --completion); COMP_WORDS=(gws-solve re); COMP_CWORD=1; _gws_solve; echo ${COMPREPLY[@]}'
   [[ $output == respond ]] || show "completes re to this"
 }
