@@ -8,6 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -21,7 +22,7 @@ namespace {
 std::pair<double, double> balance(const Bag& bag, const SoilState& state, const LateralStress& lateral) {
   if (lateral.surcharge.empty()) return {surcharge(bag, state, 0), 0};
   const double share = 2 * hoop_share(bag, state);
-  const auto [s, r] = std::tie(lateral.surcharge, lateral.lateral);
+  const std::vector<double>&s = lateral.surcharge, &r = lateral.lateral;
   const auto solve = [&](std::size_t i, double slope) {
     return (surcharge(bag, state, 0) + share * (r[i] - slope * s[i])) / (1 - share * slope);
   };
