@@ -164,7 +164,8 @@ std::vector<double> in_unit(const io::Series& table, std::string_view name, std:
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural) {
   BagSeries s;
   s.name = where;
-  s.strain_axial = in_unit(table, "strain_axial", "1");
+  s.strain_axial =
+      in_unit(table, !table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
   s.strain_volumetric = in_unit(table, "strain_volumetric", "1");
   s.mean_stress = in_unit(table, "mean_stress", "Pa");
   s.deviatoric_stress = in_unit(table, "deviatoric_stress", "Pa");

@@ -30,7 +30,7 @@ set style fill transparent solid 0.20 noborder
 W = 640; H = 420; @start
 set output figure("tension")
 set xlabel "tensile strain (%)" offset 0,0.4; set ylabel "tension (kN/m)" offset 0.9,0
-set xrange [0:9]; set yrange [0:22]; set key top left
+set xrange [0:9]; set yrange [0:26]; set key top left
 plot for [g in "PE PP"] dem(g) using (column("strain_yarn_face [%]")):(column("tension_yarn_face [N]") / 5) every ::1 with points \
     pointtype 7 pointsize 0.5 linecolor rgb colour(g) title g . ", yarns of the discrete elements", \
   for [g in "PE PP"] uniaxial(g) using (percent("hoop_strain")):(kilo("hoop_tension [N/m]")) with lines linewidth 2.2 \
@@ -152,7 +152,7 @@ set xtics autofreq
 # --- Efficiency and design chart: geotextiles of PP's kind
 W = 900; H = 420; @start
 set output figure("chart")
-set multiplot layout 1,2 margins 0.115,0.92,0.16,0.96 spacing 0.13
+set multiplot layout 1,2 margins 0.125,0.92,0.16,0.96 spacing 0.13
 set logscale x; set xrange [30:1160]; set yrange [0:*]; set key bottom right
 set xlabel "stiffness of the geotextile (kN/m)"; set ylabel "surcharge (kPa)"; set logscale y; set yrange [100:10000]
 plot line("chart") using (kilo("stiffness [N/m]")):(kilo("capacity [Pa]")) with lines linewidth 2.2 linecolor rgb "#303840" title "ultimate", \

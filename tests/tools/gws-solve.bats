@@ -109,6 +109,37 @@ PY
   same_bytes file.tsv text.tsv
 }
 
+@test "identify reads what homogenize wrote: natural strains of the cell, up to the greatest axial stress" {
+  cat > cell.py <<'PY'
+import h5py, math, sys
+rows = [line.rstrip("\n").split("\t") for line in open("PP.tsv")]
+names = [name.split(" [")[0] for name in rows[0]]
+column = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(names)}
+natural = lambda values: [-math.log1p(-value) for value in values]
+with h5py.File("cell.h5", "r+") as file:
+    cell = file["fields/cell"]
+    for name in cell:
+        attributes = dict(cell[name].attrs)
+        old = cell[name][()]
+        values = {"strain_zz": natural(column["strain_axial"]), "strain_volumetric": natural(column["strain_volumetric"]),
+                  "mean_stress": column["mean_stress"], "deviatoric_stress": column["deviatoric_stress"]}.get(name)
+        del cell[name]
+        data = values if values else [old[0]] * len(column["mean_stress"])
+        cell.create_dataset(name, data=data, dtype=old.dtype)
+        for key, value in attributes.items():
+            cell[name].attrs[key] = value
+PY
+  gws-solve respond --geotextile PP --points 100 --tsv > PP.tsv
+  "$PYTHON" "$BATS_TEST_DIRNAME/vtk_states.py" sheared states.h5
+  homogenize --quiet states.h5 -o cell.h5
+  "$PYTHON" cell.py
+  exits 0 gws-solve identify cell.h5 --geotextile PP --strains natural --tsv
+  printf '%s\n' "$output" > constants.tsv
+  near "$(value constants.tsv kappa 1)" 1.386 1e-6
+  exits 65 gws-solve identify cell.h5
+  [[ $stderr == *"cell.h5: no stiffness of the geotextile: give --geotextile for it"* ]] || show
+}
+
 @test "the discrete-element points give Table 5.2 where they can, and say by how much where not" {
   exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP,3PP}.tsv --failure "$LAB/toyoura_peak_obliquity.tsv"
   local constant
