@@ -247,6 +247,9 @@ install: all $(MAN) $(COMPLETION) ## tools, manual pages and completion into DES
 	  '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
 	$(if $(TOOLS),install -m 755 $(TOOLS) '$(DESTDIR)$(PREFIX)/bin')
 	$(if $(MAN),install -m 644 $(MAN) '$(DESTDIR)$(PREFIX)/share/man/man1')
+	install -d '$(DESTDIR)$(PREFIX)/share/soilweave/geotextiles' '$(DESTDIR)$(PREFIX)/share/soilweave/soils'
+	install -m 644 data/geotextiles/*.toml '$(DESTDIR)$(PREFIX)/share/soilweave/geotextiles'
+	install -m 644 data/soils/*.toml '$(DESTDIR)$(PREFIX)/share/soilweave/soils'
 	$(if $(MAN),install -m 644 $(COMPLETION) '$(DESTDIR)$(PREFIX)/share/bash-completion/completions')
 
 # ---- Studies --------------------------------------------------------------------------------------------------------

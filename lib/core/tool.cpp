@@ -64,7 +64,7 @@ void check_output(const Table::Impl& table) {
     throw CannotCreate(fmt::format("{}: exists; give --force to overwrite it", path.string()));
 }
 
-std::string asked_text(const Table::Impl& table, Ask ask) {
+std::string asked_text(Table::Impl& table, Ask ask) {
   switch (ask) {
     case Ask::help:
       return help_text(table);

@@ -85,11 +85,27 @@ struct Program {
 int main(int argc, char** argv, const Program& program);
 
 template <class Tool>
+Program program(Tool& t) {
+  return {[&t](Table& table) { t.options(table); }, [&t] { t.validate(); },
+          [&t](const Invocation& invocation) { t.run(invocation); }};
+}
+
+template <class Tool>
 int main(int argc, char** argv) {
   Tool t;
-  return main(argc, argv,
-              {[&](Table& table) { t.options(table); }, [&] { t.validate(); },
-               [&](const Invocation& invocation) { t.run(invocation); }});
+  return main(argc, argv, program(t));
 }
+
+/// A tool of several verbs ("gws-solve respond"): each is a program with an option table of its own, named "TOOL VERB".
+/// The first argument names the verb; the tool's own help, manual page and completion tell of them all.
+struct Suite {
+  struct Verb {
+    std::string name;
+    Program program;
+  };
+  std::string name, sentence, description;
+  std::vector<Verb> verbs;
+};
+int main(int argc, char** argv, const Suite& suite);
 
 }  // namespace soilweave::tool

@@ -39,8 +39,9 @@ void append_rows(std::string& text, std::string_view title, const std::vector<Ro
 }
 
 std::string synopsis(const Table::Impl& table) {
-  std::string text = table.name + " [OPTION]...";
+  std::string text = table.name + (table.verbs.empty() ? " [OPTION]..." : " VERB [OPTION]...");
   for (const Positional& place : table.inputs) {
+    if (!table.verbs.empty()) break;
     const std::string file = place.name + (place.many ? "..." : "");
     text += place.required ? " " + file : " [" + file + "]";
   }
@@ -70,22 +71,28 @@ const std::vector<Status>& exit_statuses() {
   return statuses;
 }
 
-std::string help_text(const Table::Impl& table) {
+std::string help_text(Table::Impl& table) {
   std::string text = fmt::format("{}: {}\nUsage: {}\n", table.name, table.sentence, synopsis(table));
   if (!table.examples.empty()) text += table.examples.size() == 1 ? "Example:\n" : "Examples:\n";
   for (const auto& [command, sentence] : table.examples) text += fmt::format("  {}\n      {}\n", command, sentence);
 
-  std::vector<Row> files;
-  for (const Positional& place : table.inputs) files.emplace_back(place.name, place.sentence);
+  if (!table.verbs.empty())
+    for (const std::string& line : wrapped(table.description, screen_width)) text += line + "\n";
+
+  std::vector<Row> files, verbs;
+  for (Table& verb : table.verbs) verbs.emplace_back(verb_name(verb), verb.impl().sentence);
+  if (table.verbs.empty())
+    for (const Positional& place : table.inputs) files.emplace_back(place.name, place.sentence);
   std::vector<Row> own = option_rows(table, false);
   std::vector<Row> general = option_rows(table, true);
   general.emplace_back("-h, --help, --version", "this text; name, version and licence");
   general.emplace_back("--man, --completion", "manual page (pipe it into 'man -l -'); completion script for bash");
 
   std::size_t column = 0;
-  for (const auto* rows : {&files, &own, &general})
+  for (const auto* rows : {&verbs, &files, &own, &general})
     for (const Row& row : *rows)
       if (row.first.size() <= widest_label) column = std::max(column, row.first.size());
+  append_rows(text, fmt::format("Verbs ('{} VERB --help' tells their options)", table.name), verbs, column);
   append_rows(text, "Files", files, column);
   append_rows(text, "Options", own, column);
   append_rows(text, "General", general, column);

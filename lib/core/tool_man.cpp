@@ -33,6 +33,11 @@ std::string sentence_of(std::string text) {
   return text;
 }
 
+std::string uppercase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
 std::string option_man(const Entry& entry) {
   std::string names = entry.letter.empty() ? "" : fmt::format("\\fB\\-{}\\fR", entry.letter);
   if (!entry.name.empty()) names += fmt::format("{}\\fB\\-\\-{}\\fR", names.empty() ? "" : ", ", roff(entry.name));
@@ -56,12 +61,16 @@ std::string options_man(const Table::Impl& table) {
     for (const Entry& entry : table.options)
       if (listed(entry)) text += option_man(entry);
   }
+  return text;
+}
+
+std::string informing_man() {
   constexpr std::string_view informing =
       ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint a summary on one screen.\n"
       ".TP\n\\fB\\-\\-version\\fR\nPrint name, version and licence.\n"
       ".TP\n\\fB\\-\\-man\\fR\nPrint this page as roff source.\n"
       ".TP\n\\fB\\-\\-completion\\fR\nPrint a completion script for bash.\n";
-  return text.append(informing);
+  return std::string(informing);
 }
 
 std::string files_man(const Table::Impl& table) {
@@ -71,32 +80,27 @@ std::string files_man(const Table::Impl& table) {
   return text;
 }
 
-std::string words(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); }
-
-}  // namespace
-
-std::string man_text(const Table::Impl& table) {
-  std::string text = fmt::format(".TH {} 1 \"\" \"soilweave {}\" \"Soilweave\"\n", roff(table.name), version);
-  text += fmt::format(".SH NAME\n{} \\- {}\n", roff(table.name), roff(table.sentence));
-  text += fmt::format(".SH SYNOPSIS\n\\fB{}\\fR [\\fIOPTION\\fR]...", roff(table.name));
-  for (const Positional& place : table.inputs) {
-    const std::string file = fmt::format("\\fI{}\\fR{}", roff(place.name), place.many ? "..." : "");
-    text += place.required ? " " + file : " [" + file + "]";
-  }
-  text += "\n.SH DESCRIPTION\n" + roff(sentence_of(table.description.empty() ? table.sentence : table.description)) +
-          "\n" + files_man(table);
-  text += options_man(table);
-  if (!table.examples.empty()) text += ".SH EXAMPLES\n";
-  for (const auto& [command, sentence] : table.examples)
-    text += fmt::format(".PP\n{}\n.PP\n.RS\n.EX\n{}\n.EE\n.RE\n", roff(sentence_of(sentence)), roff(command));
-  text += ".SH EXIT STATUS\n";
-  for (const Status& status : exit_statuses()) text += fmt::format(".TP\n{}\n{}\n", status.code, status.meaning);
+/// A verb's section in the page of its tool.
+std::string verb_man(const Table::Impl& verb) {
+  std::string text = fmt::format(".SH {}\n{}\n", roff(uppercase(verb.name)), roff(sentence_of(verb.sentence)));
+  if (!verb.description.empty()) text += ".PP\n" + roff(sentence_of(verb.description)) + "\n";
+  text += files_man(verb);
+  for (const Entry& entry : verb.options)
+    if (entry.name != "quiet") text += option_man(entry);
   return text;
 }
 
-std::string completion_text(const Table::Impl& table) {
+std::string words(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); }
+
+std::string function_name(const Table::Impl& table) {
   std::string function = "_" + table.name;
-  std::replace(function.begin(), function.end(), '-', '_');
+  for (char& c : function)
+    if (c == '-' || c == ' ') c = '_';
+  return function;
+}
+
+/// The bash function that completes the options of one table.
+std::string completion_function(const Table::Impl& table) {
   std::string cases;
   for (const Entry& entry : table.options) {
     if (entry.kind == Kind::flag) continue;
@@ -112,18 +116,71 @@ std::string completion_text(const Table::Impl& table) {
   std::vector<std::string> names = table.names();
   names.insert(names.end(), {"--help", "--version", "--man", "--completion"});
   return fmt::format(
-      "# bash completion for {0}\n"
-      "{1}() {{\n"
+      "{0}() {{\n"
       "  local current=\"${{COMP_WORDS[COMP_CWORD]}}\" previous=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
-      "  case \"$previous\" in\n{2}    *) ;;\n  esac\n"
+      "  case \"$previous\" in\n{1}    *) ;;\n  esac\n"
       "  if [[ $current == -* ]]; then\n"
-      "    mapfile -t COMPREPLY < <(compgen -W \"{3}\" -- \"$current\")\n"
+      "    mapfile -t COMPREPLY < <(compgen -W \"{2}\" -- \"$current\")\n"
       "  else\n"
       "    mapfile -t COMPREPLY < <(compgen -f -- \"$current\")\n"
       "  fi\n"
-      "}}\n"
-      "complete -o filenames -F {1} {0}\n",
-      table.name, function, cases, words(names));
+      "}}\n",
+      function_name(table), cases, words(names));
+}
+
+}  // namespace
+
+std::string man_text(Table::Impl& table) {
+  std::string page = table.name;
+  std::replace(page.begin(), page.end(), ' ', '-');
+  std::string text = fmt::format(".TH {} 1 \"\" \"soilweave {}\" \"Soilweave\"\n", roff(page), version);
+  text += fmt::format(".SH NAME\n{} \\- {}\n", roff(page), roff(table.sentence));
+  text += fmt::format(".SH SYNOPSIS\n\\fB{}\\fR {}[\\fIOPTION\\fR]...", roff(table.name),
+                      table.verbs.empty() ? "" : "\\fIVERB\\fR ");
+  for (const Positional& place : table.inputs) {
+    if (!table.verbs.empty()) break;
+    const std::string file = fmt::format("\\fI{}\\fR{}", roff(place.name), place.many ? "..." : "");
+    text += place.required ? " " + file : " [" + file + "]";
+  }
+  text += "\n.SH DESCRIPTION\n" + roff(sentence_of(table.description.empty() ? table.sentence : table.description)) +
+          "\n" + (table.verbs.empty() ? files_man(table) : "");
+  if (table.verbs.empty())
+    text += options_man(table);
+  else
+    text += ".SH OPTIONS\nEach verb has options of its own; these are of them all.\n";
+  text += informing_man();
+  for (Table& verb : table.verbs) text += verb_man(verb.impl());
+  if (!table.examples.empty()) text += ".SH EXAMPLES\n";
+  for (const auto& [command, sentence] : table.examples)
+    text += fmt::format(".PP\n{}\n.PP\n.RS\n.EX\n{}\n.EE\n.RE\n", roff(sentence_of(sentence)), roff(command));
+  text += ".SH EXIT STATUS\n";
+  for (const Status& status : exit_statuses()) text += fmt::format(".TP\n{}\n{}\n", status.code, status.meaning);
+  return text;
+}
+
+std::string completion_text(Table::Impl& table) {
+  const std::string function = function_name(table);
+  std::string text = fmt::format("# bash completion for {}\n", table.name);
+  if (table.verbs.empty()) {
+    text += completion_function(table);
+  } else {
+    std::string cases, verbs;
+    for (Table& verb : table.verbs) {
+      text += completion_function(verb.impl());
+      cases += fmt::format("    {}) {} ;;\n", verb_name(verb), function_name(verb.impl()));
+      verbs += verb_name(verb) + " ";
+    }
+    text += fmt::format(
+        "{}() {{\n"
+        "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
+        "    mapfile -t COMPREPLY < <(compgen -W \"{}--help --version --man --completion\" -- \"${{COMP_WORDS[1]}}\")\n"
+        "    return\n"
+        "  fi\n"
+        "  case \"${{COMP_WORDS[1]}}\" in\n{}    *) ;;\n  esac\n"
+        "}}\n",
+        function, verbs, cases);
+  }
+  return text + fmt::format("complete -o filenames -F {} {}\n", function, table.name);
 }
 
 }  // namespace soilweave::tool

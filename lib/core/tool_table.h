@@ -49,7 +49,8 @@ struct Table::Impl {
   std::deque<Entry> options;  // a deque: references stay good while options are added
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
-  bool understood = true;  // false: an option is unknown, so what the user means is not known as a whole
+  bool understood = true;   // false: an option is unknown, so what the user means is not known as a whole
+  std::deque<Table> verbs;  // of a tool that has verbs: their tables, for what it says about itself
   Invocation invocation;
 
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
@@ -60,18 +61,21 @@ struct Table::Impl {
 /// Which of the informing options was asked for; the tool then does nothing else.
 enum class Ask { nothing, help, version, man, completion };
 
+/// The last word of a table's name: what the user types.
+std::string verb_name(Table& verb);
+
 /// Reads the arguments into the fields. Returns what was asked; every mistake is appended to `mistakes`.
 Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
 
 /// Tool and result-relevant options that differ from their defaults, in table order, quoted for a shell where needed.
 std::string canonical_command(const Table::Impl& table);
 
-std::string help_text(const Table::Impl& table);
+std::string help_text(Table::Impl& table);
 std::string version_text(const Table::Impl& table);
 /// man(7) source. The same table gives the same bytes.
-std::string man_text(const Table::Impl& table);
+std::string man_text(Table::Impl& table);
 /// bash source: completes option names, choices and files.
-std::string completion_text(const Table::Impl& table);
+std::string completion_text(Table::Impl& table);
 
 struct Status {
   int code;

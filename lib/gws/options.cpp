@@ -1,0 +1,170 @@
+// The options that say which bag is meant.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "core/data.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "core/units.h"
+#include "io/files.h"
+#include "io/table.h"
+
+namespace soilweave::gws {
+namespace {
+
+constexpr Parameter lateral_range{"lateral_stress",        "Pa", 0, 1e9, false, "lateral stress outside the bag",
+                                  "no soil pulls on a bag"};
+
+constexpr Parameter compacted_by{"initial_settlement",  "1", 0, 1, false, "compact the bag by this axial strain first",
+                                 "at 1 the bag is flat"};
+constexpr Parameter compacted_to{
+    "initial_surcharge", "Pa", 0, 1e9, true, "compact the bag to this pressure first", "1 GPa is beyond any test"};
+
+/// One parameter under another name.
+constexpr Parameter named(Parameter parameter, std::string_view name, std::string_view sentence) {
+  parameter.name = name;
+  parameter.sentence = sentence;
+  return parameter;
+}
+
+/// The column in SI units.
+std::vector<double> in_unit(const io::Column& column, std::string_view unit) {
+  const double factor = unit_factor(column.unit.empty() ? unit : std::string_view(column.unit), unit);
+  std::vector<double> values = column.values;
+  for (double& v : values) v *= factor;
+  return values;
+}
+
+}  // namespace
+
+void CaseOptions::declare(tool::Table& t) {
+  t.option(geotextile, "geotextile", "NAME|FILE", "of data/geotextiles, a multiple (3PP), or a TOML");
+  t.option(stiffness, tensile_stiffness);
+  t.option(strength, tensile_strength);
+  t.option(failure_strain, failure_strain_range);
+  t.option(fraction, strength_fraction_range);
+  t.option(width, named(bag_extent, "width", "width of the bag, B"));
+  t.option(height, named(bag_extent, "height", "height of the bag after compaction, H"));
+  t.option(soil, "soil", "NAME|FILE", "constants: of data/soils, or a TOML");
+  t.option(assignments, "set", "KEY=VALUE", "replace a constant, as near_failure_line.kappa=1.4");
+  t.option(lateral, lateral_range);
+  t.option(history, "lateral-history", "FILE", "TSV with surcharge [Pa], lateral_stress [Pa]");
+  t.option(initial_settlement, compacted_by);
+  t.option(initial_surcharge, compacted_to);
+  t.option(tolerance, tolerance_range);
+}
+
+std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
+  std::vector<std::string> wrong;
+  if (needs_geotextile && geotextile.empty() && !(stiffness && (strength || failure_strain)))
+    wrong.emplace_back("no geotextile: give --geotextile NAME, or --stiffness and one of --strength, --failure-strain");
+  if (!history.empty() && lateral > 0) wrong.emplace_back("--lateral-stress and --lateral-history: give one of them");
+  if (initial_settlement && initial_surcharge)
+    wrong.emplace_back("--initial-settlement and --initial-surcharge: give one of them");
+  return wrong;
+}
+
+Geotextile CaseOptions::read_geotextile() const {
+  Geotextile found;
+  if (!geotextile.empty()) found = find_geotextile(geotextile);
+  if (stiffness || strength || failure_strain) {
+    found.stiffness = stiffness.value_or(found.stiffness);
+    if (!geotextile.empty()) found.name += " (changed)";
+    found.strength = strength                               ? *strength
+                     : failure_strain && geotextile.empty() ? *failure_strain * found.stiffness
+                                                            : found.strength;
+    found.failure_strain = failure_strain       ? *failure_strain
+                           : geotextile.empty() ? found.strength / found.stiffness
+                                                : found.failure_strain;
+  }
+  if (found.name.empty()) found.name = "given by its numbers";
+  return found;
+}
+
+LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const {
+  if (history.empty()) return lateral > 0 ? LateralStress::constant(lateral) : LateralStress{};
+  const io::TextFile text = io::read_text(history, "lateral history");
+  sources.push_back(text.source);
+  const io::Series table = io::from_tsv(text.text, history.string());
+  return {in_unit(table.at("surcharge"), "Pa"), in_unit(table.at("lateral_stress"), "Pa")};
+}
+
+ReadCase CaseOptions::read() const {
+  ReadCase read;
+  Case& c = read.the_case;
+  read.soil = find_soil(soil, assignments, read.sources, read.scenario);
+  c.soil = read.soil.soil;
+  c.geotextile = read_geotextile();
+  c.bag = {width, height};
+  c.lateral = read_lateral(read.sources);
+  c.strength_fraction = fraction;
+  c.tolerance = tolerance;
+  c.initial_settlement = initial_settlement;
+  c.initial_surcharge = initial_surcharge;
+  c.lateral.check(c.bag);
+  return read;
+}
+
+SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
+                   std::vector<io::Source>& sources, std::string& resolved) {
+  const bool file = name.find('/') != std::string::npos || name.ends_with(".toml");
+  const std::vector<std::string> known = file ? std::vector<std::string>() : data_names("soils", ".toml");
+  if (!file && std::find(known.begin(), known.end(), name) == known.end())
+    throw DataError(
+        fmt::format("soil {}: unknown; paths of TOML files are taken too{}", name, suggestion(name, known)));
+  const std::filesystem::path path = file ? std::filesystem::path(name) : data_file("soils", name + ".toml");
+  const io::TextFile text = io::read_text(path, "soil");
+  sources.push_back(text.source);
+  Settings document = Settings::parse(text.text, file ? name : "soil " + name);
+  for (const std::string& assignment : assignments) document.set(assignment);
+  SoilFile read = read_soil(document);
+  document.finish();
+  resolved = document.resolved();
+  return read;
+}
+
+io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources) {
+  std::array<char, 4> first{};
+  if (path != "-") std::ifstream(path, std::ios::binary).read(first.data(), first.size());
+  if (path != "-" && std::string_view(first.data(), first.size()) != "\x89HDF") {
+    const io::TextFile text = io::read_text(path, "series");
+    sources.push_back(text.source);
+    return io::from_tsv(text.text, path.string());
+  }
+  const io::FieldsFile file = io::read_fields(path, "series");
+  sources.push_back(file.source);
+  std::vector<std::string> names;
+  for (const auto& one : file.groups) {
+    if (one.name == group || (group.empty() && (one.name == "cell" || one.name == "response"))) return one.table;
+    names.push_back(one.name);
+  }
+  throw DataError(
+      fmt::format("{}: has no table {}; choose --group from {}", path.string(), group, fmt::join(names, ", ")));
+}
+
+std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
+                                 const std::vector<std::string>& geotextiles, bool natural,
+                                 std::vector<io::Source>& sources) {
+  std::vector<BagSeries> bags;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    bags.push_back(bag_series(read_series(paths[i], group, sources), paths[i].string(),
+                              geotextiles.empty() ? 0 : find_geotextile(geotextiles[i]).stiffness, natural));
+  return bags;
+}
+
+Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
+                   const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources) {
+  if (path.empty()) return {};
+  const io::TextFile text = io::read_text(path, "points");
+  sources.push_back(text.source);
+  const io::Series table = io::from_tsv(text.text, path.string());
+  return {in_unit(table.at(x), x_unit), in_unit(table.at(y), y_unit)};
+}
+
+}  // namespace soilweave::gws

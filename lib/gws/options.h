@@ -1,0 +1,88 @@
+// The options that say which bag is meant: geotextile, bag, soil, lateral stress. Shared by the verbs of gws-solve.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/tool.h"
+#include "gws/identify.h"
+#include "gws/respond.h"
+#include "io/provenance.h"
+
+namespace soilweave::gws {
+
+inline constexpr Parameter surcharge_range{"surcharge",
+                                           "Pa",
+                                           0,
+                                           1e9,
+                                           true,
+                                           "pressure the geotextile is looked for; without, the bag's own",
+                                           "1 GPa is far beyond any test of soil"};
+inline constexpr Parameter last_surcharge{"surcharge",
+                                          "Pa",
+                                          0,
+                                          1e9,
+                                          true,
+                                          "end at this pressure; else at the ultimate one",
+                                          "1 GPa is far beyond any test of soil"};
+inline constexpr Parameter settlement_range{"settlement",          "1", 0, 1, true, "axial strain, of the height",
+                                            "at 1 the bag is flat"};
+inline constexpr Parameter points_range{"points", "1", 1, 1e6, false, "rows of the table", "a table has rows"};
+inline constexpr Parameter share_range{
+    "range", "1", 0, 1, true, "share varied where no interval is known", "a constant keeps its sign"};
+inline constexpr Parameter samples_range{"samples",         "1", 2, 1e6, false, "bands from this many draws",
+                                         "a band needs two"};
+inline constexpr Parameter safety_range{"safety",          "1", 1, 100, false, "on the surcharge, against failure",
+                                        "below 1 it fails"};
+inline constexpr Parameter lowest_stiffness{
+    "from", "N/m", 0, 1e10, true, "lowest stiffness", "without stiffness the geotextile holds nothing"};
+inline constexpr Parameter highest_stiffness{
+    "to", "N/m", 0, 1e10, true, "highest stiffness", "without stiffness the geotextile holds nothing"};
+
+/// A case with where its parts came from.
+struct ReadCase {
+  Case the_case;
+  SoilFile soil;
+  std::vector<io::Source> sources;
+  std::string scenario;  // the soil as TOML, for provenance
+};
+
+struct CaseOptions {
+  std::string geotextile, soil = "toyoura-gws";
+  std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
+  std::vector<std::string> assignments;
+  std::filesystem::path history;
+  double width = 0.4, height = 0.08, lateral = 0, fraction = 0.5, tolerance = 1e-6;
+
+  void declare(tool::Table& table);
+  /// Usage mistakes, one a line.
+  std::vector<std::string> mistakes(bool needs_geotextile) const;
+  /// Reads the files and names. Throws DataError, MissingInput.
+  ReadCase read() const;
+
+ private:
+  Geotextile read_geotextile() const;
+  LateralStress read_lateral(std::vector<io::Source>& sources) const;
+};
+
+/// A soil by name (data/soils) or from a TOML file, with --set assignments.
+SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
+                   std::vector<io::Source>& sources, std::string& resolved);
+
+/// A table from TSV text, or a group of an HDF5 fields file (the file's first bytes tell); "-" is such a file on
+/// standard input.
+io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources);
+
+/// One bag a path; geotextiles: of each in turn, or none.
+std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
+                                 const std::vector<std::string>& geotextiles, bool natural,
+                                 std::vector<io::Source>& sources);
+
+/// Columns x and y of a TSV, in SI.
+Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
+                   const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources);
+
+}  // namespace soilweave::gws

@@ -1,0 +1,28 @@
+// Where the results of gws-solve go: a text for a reader, one table as TSV, all tables as a fields file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/tool.h"
+#include "io/files.h"
+
+namespace soilweave::gws {
+
+using Groups = std::vector<io::FieldsFile::Group>;
+
+struct Output {
+  bool tsv = false;
+  std::filesystem::path file;
+
+  void declare(tool::Table& table);
+  /// Throws UsageError with these mistakes and its own.
+  void check(std::vector<std::string> mistakes) const;
+  /// Prints the text, or the table `chosen` as TSV, unless the file itself goes to standard output; writes the file.
+  void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
+           const std::string& scenario, const tool::Invocation& invocation) const;
+};
+
+}  // namespace soilweave::gws

@@ -1,0 +1,81 @@
+// The soil's path by adaptive Runge-Kutta steps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/path.h"
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+
+namespace soilweave::gws {
+namespace {
+
+constexpr double share_of_step = 0.01;    // of the tolerance of the whole path
+constexpr double smallest_strain = 1e-2;  // percent; errors are relative to the strain, but not to less
+constexpr double longest_step = 0.5;      // in ln p
+
+using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
+
+/// Right-hand side d plastic / d ln p. A state that does not exist gives zero and is remembered.
+struct Rates {
+  const Soil& soil;
+  double E;
+  End& end;
+
+  void operator()(const Plastic& plastic, Plastic& rate, double x) const {
+    const SoilState state = soil_state(soil, E, std::exp(x), plastic);
+    if (state.end != End::none && end == End::none) end = state.end;
+    rate = state.end == End::none ? Plastic{state.plastic_rate, state.plastic_ratio * state.plastic_rate} : Plastic{};
+  }
+};
+
+}  // namespace
+
+Path::Path(const Soil& soil, double E, double tolerance) : soil_(soil), E_(E), tolerance_(tolerance) {
+  nodes_.push_back({std::log(soil.p_0), {}});
+  end_ = soil_state(soil_, E_, soil_.p_0, {}).end;
+}
+
+bool Path::advance() {
+  while (end_ == End::none) {
+    const Node& from = nodes_.back();
+    End cause = End::none;
+    Stepper stepper;
+    Plastic to{}, error{};
+    stepper.do_step(Rates{soil_, E_, cause}, from.plastic, from.x, to, step_, error);
+    double worst = 0;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const double scale = std::max({std::abs(from.plastic[i]), std::abs(to[i]), smallest_strain});
+      worst = std::max(worst, std::abs(error[i]) / (share_of_step * tolerance_ * scale));
+    }
+    if (cause == End::none) cause = soil_state(soil_, E_, std::exp(from.x + step_), to).end;
+    const double tried = step_;
+    if (cause != End::none || !std::isfinite(worst)) {
+      step_ = tried / 4;
+      if (step_ < resolution) end_ = cause != End::none ? cause : End::resolution;
+      continue;
+    }
+    step_ = std::min(longest_step, tried * std::clamp(0.9 * std::pow(worst, -0.2), 0.2, 4.0));
+    if (worst <= 1) {
+      nodes_.push_back({from.x + tried, to});
+      return true;
+    }
+    if (step_ < resolution) end_ = End::resolution;
+  }
+  return false;
+}
+
+Plastic Path::stepped(const Node& from, double x) const {
+  End cause = End::none;
+  Plastic to{};
+  Stepper().do_step(Rates{soil_, E_, cause}, from.plastic, from.x, to, x - from.x);
+  return to;
+}
+
+SoilState Path::at(double x) const {
+  const auto after =
+      std::upper_bound(nodes_.begin(), nodes_.end(), x, [](double value, const Node& n) { return value < n.x; });
+  const Node& from = after == nodes_.begin() ? nodes_.front() : *(after - 1);
+  return soil_state(soil_, E_, std::exp(x), x > from.x ? stepped(from, x) : from.plastic);
+}
+
+}  // namespace soilweave::gws

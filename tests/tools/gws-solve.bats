@@ -1,0 +1,232 @@
+#!/usr/bin/env bats
+# gws-solve: what its verbs print and write, loops that close, what is refused, and what each verb says about itself.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+}
+
+DEM=$BATS_TEST_DIRNAME/../../data/discrete_element
+LAB=$BATS_TEST_DIRNAME/../../data/laboratory
+
+# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last".
+value() {
+  awk -F '\t' -v name="$2" -v row="$3" '
+    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } next }
+    { last = $column } NR == row + 1 { print $column } END { if (row == "last") print last }' "$1"
+}
+
+# near ONE OTHER TOLERANCE (relative)
+near() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
+    show "$1 is not $2 to $3"
+}
+
+# refuses STATUS VERB MESSAGE ARGUMENTS...: exactly one line, "gws-solve VERB: MESSAGE", and nothing on standard output.
+refuses() {
+  local wanted=$1 verb=$2 message=$3
+  shift 3
+  exits "$wanted" gws-solve "$verb" "$@"
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == "gws-solve $verb: $message" ]] || show "wanted: gws-solve $verb: $message"
+  [[ -z $output ]] || show "wanted nothing on standard output"
+}
+
+@test "respond prints a table a person can read, and what the bag bears" {
+  exits 0 gws-solve respond --geotextile PP --surcharge 1000e3
+  [[ ${lines[0]} == "Geotextile PP: stiffness 232 kN/m, strength 31.75 kN/m, strain at failure 14.25 %" ]] || show
+  [[ ${lines[2]} == *surcharge*settlement*sigma_a*sigma_r*hoop* ]] || show
+  [[ ${lines[24]} =~ ^\ *1000\.0\ +8\.241 ]] || show "the last row is not 1000 kPa"
+  [[ $output == *"Ends at 1000.0 kPa at a settlement of 8.24 % (6.6 mm)"* ]] || show
+  [[ $(wc -L <<<"$output") -le 140 ]] || show "lines of $(wc -L <<<"$output") columns"
+  exits 0 gws-solve respond --geotextile PP
+  [[ $output == *"Ultimate bearing capacity 1730.6 kPa at a settlement of 12.50 % (10.0 mm): the hoop strain"* ]] || show
+}
+
+@test "--help tells the model's assumptions, limits and source in a paragraph" {
+  exits 0 gws-solve --help
+  local paragraph
+  paragraph=$(tr '\n' ' ' <<<"$output")
+  for words in "H. Cheng's dissertation (Hiroshima University, 2016, section 5.3)" "It assumes" "It knows no unloading" \
+    "20-25 % above"; do
+    [[ $paragraph == *"$words"* ]] || show "not in the help: $words"
+  done
+}
+
+@test "text, file and pipe say the same" {
+  gws-solve respond --geotextile PE --tsv > response.tsv
+  gws-solve respond --geotextile PE -o response.h5 > /dev/null
+  gws-solve respond --geotextile PE -o - > piped.h5
+  same_bytes response.h5 piped.h5
+  exits 0 "$PYTHON" - <<'PY'
+import h5py
+rows = [line.split("\t") for line in open("response.tsv")]
+with h5py.File("response.h5") as file:
+    table = file["fields/response"]
+    for i, head in enumerate(rows[0]):
+        name, unit = head.strip().split(" [")
+        assert table[name].attrs["units"] in (unit.rstrip("]"), unit.rstrip("]").encode()), name
+        assert table[name][()].tolist() == [float(row[i]) for row in rows[1:]], name
+PY
+}
+
+@test "design, then respond: the loop closes to 0.1 %" {
+  gws-solve design --surcharge "300 kPa" --settlement 0.05 --safety 1.5 --tsv > design.tsv
+  local stiffness strength
+  stiffness=$(value design.tsv stiffness 1) strength=$(value design.tsv strength 1)
+  gws-solve respond --stiffness "$stiffness" --strength "$strength" --surcharge "300 kPa" --tsv > service.tsv
+  near "$(value service.tsv settlement last)" 0.05 1e-3
+  gws-solve respond --stiffness "$stiffness" --strength "$strength" --tsv > ultimate.tsv
+  near "$(value ultimate.tsv surcharge last)" 450e3 1e-3
+}
+
+@test "the surcharge a bag is said to carry is the one it settles so much under" {
+  gws-solve design --geotextile PP --settlement 0.05 --safety 1.5 --tsv > allowance.tsv
+  gws-solve respond --geotextile PP --surcharge "$(value allowance.tsv surcharge 1)" --tsv > service.tsv
+  near "$(value service.tsv settlement last)" 0.05 1e-6
+}
+
+@test "a chart has a row for each stiffness, and the capacity of a known one" {
+  gws-solve design --geotextile PP --surcharge 3e5 --chart --from 232e3 --to 1160e3 --points 5 --tsv > chart.tsv
+  [[ $(wc -l < chart.tsv) -eq 6 ]] || show "$(cat chart.tsv)"
+  gws-solve respond --geotextile 5PP --tsv > 5PP.tsv
+  near "$(value chart.tsv capacity last)" "$(value 5PP.tsv surcharge last)" 1e-9
+}
+
+@test "identify reads what respond wrote, as text and as a file" {
+  local geotextile
+  for geotextile in PE PP 3PP; do gws-solve respond --geotextile "$geotextile" --points 100 --tsv > "$geotextile.tsv"; done
+  exits 0 gws-solve identify PE.tsv PP.tsv 3PP.tsv --tsv
+  printf '%s\n' "$output" > constants.tsv
+  near "$(value constants.tsv kappa 1)" 1.386 1e-6
+  near "$(value constants.tsv p_1 1)" 1.68 0.01
+  near "$(value constants.tsv alpha 1)" 26.1e6 0.01
+  gws-solve respond --geotextile PP --points 100 -o PP.h5 > /dev/null
+  gws-solve identify PP.h5 --tsv --table near_failure_line > file.tsv
+  gws-solve identify PP.tsv --tsv --table near_failure_line > text.tsv
+  same_bytes file.tsv text.tsv
+}
+
+@test "identify reads what homogenize wrote: natural strains of the cell, up to the greatest axial stress" {
+  cat > cell.py <<'PY'
+import h5py, math, sys
+rows = [line.rstrip("\n").split("\t") for line in open("PP.tsv")]
+names = [name.split(" [")[0] for name in rows[0]]
+column = {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(names)}
+natural = lambda values: [-math.log1p(-value) for value in values]
+with h5py.File("cell.h5", "r+") as file:
+    cell = file["fields/cell"]
+    for name in cell:
+        attributes = dict(cell[name].attrs)
+        old = cell[name][()]
+        values = {"strain_zz": natural(column["strain_axial"]), "strain_volumetric": natural(column["strain_volumetric"]),
+                  "mean_stress": column["mean_stress"], "deviatoric_stress": column["deviatoric_stress"]}.get(name)
+        del cell[name]
+        data = values if values else [old[0]] * len(column["mean_stress"])
+        cell.create_dataset(name, data=data, dtype=old.dtype)
+        for key, value in attributes.items():
+            cell[name].attrs[key] = value
+PY
+  gws-solve respond --geotextile PP --points 100 --tsv > PP.tsv
+  "$PYTHON" "$BATS_TEST_DIRNAME/vtk_states.py" sheared states.h5
+  homogenize --quiet states.h5 -o cell.h5
+  "$PYTHON" cell.py
+  exits 0 gws-solve identify cell.h5 --geotextile PP --strains natural --tsv
+  printf '%s\n' "$output" > constants.tsv
+  near "$(value constants.tsv kappa 1)" 1.386 1e-6
+  exits 65 gws-solve identify cell.h5
+  [[ $stderr == *"cell.h5: no stiffness of the geotextile: give --geotextile for it"* ]] || show
+}
+
+@test "the discrete-element points give Table 5.2 where they can, and say by how much where not" {
+  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP,3PP}.tsv --failure "$LAB/toyoura_peak_obliquity.tsv"
+  local constant
+  for constant in kappa lambda xi C_t n p_c; do
+    grep -qE "^  $constant .*: inside" <<<"$output" || show "$constant is outside its interval"
+  done
+  grep -qE "^  p_1 .*given 1.68: outside \(-23.1 %\)" <<<"$output" || show "p_1"
+  grep -qE "^  alpha .*given 2.61e\+07: inside \(-2.4 %\)" <<<"$output" || show "alpha"
+  grep -q "outlier, kept: row 1 of .*soilbag_uniaxial_PE.tsv" <<<"$output" || show "no outlier"
+}
+
+@test "an identified soil can be used, with bands; the same seed gives the same bytes" {
+  gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP,3PP}.tsv --toml > soil.toml
+  gws-solve respond --geotextile PP --soil soil.toml --samples 200 --seed 3 -o one.h5 > text
+  gws-solve respond --geotextile PP --soil soil.toml --samples 200 --seed 3 -o other.h5 > /dev/null
+  same_bytes one.h5 other.h5
+  grep -qE "^200 draws: ultimate bearing capacity [0-9.]+ kPa \(95 %: [0-9.]+ to [0-9.]+\)" text || show "$(cat text)"
+}
+
+@test "the sensitivity names every constant" {
+  exits 0 gws-solve respond --geotextile PP --sensitivity
+  local constant
+  for constant in C_t kappa p_1 alpha poisson_ratio geotextile.strength height; do
+    [[ $output == *"$constant "* ]] || show "no $constant"
+  done
+  exits 0 gws-solve respond --geotextile PP --sensitivity --tsv
+  [[ ${#lines[@]} -eq 21 ]] || show "${#lines[@]} lines"
+}
+
+@test "a lateral history and a compaction are followed" {
+  printf 'surcharge [kPa]\tlateral_stress [kPa]\n20\t0\n500\t100\n' > history.tsv
+  gws-solve respond --geotextile PP --lateral-history history.tsv --surcharge 500e3 --tsv > response.tsv
+  near "$(value response.tsv lateral_stress last)" 100e3 1e-9
+  exits 0 gws-solve respond --geotextile PP --initial-settlement 0.02
+  [[ $output == *"Compacted to 134.9 kPa, which it took 2.00 % of its height to reach"* ]] || show
+}
+
+@test "what is inadmissible is refused with range and reason" {
+  refuses 64 respond "--stiffness: -5 is out of range: must be between 0 and 1e10 N/m (without stiffness the \
+geotextile holds nothing)" --geotextile PP --stiffness -5
+  refuses 64 respond "--height: 0 is out of range: must be between 0 and 100 m (a bag has an extent)" \
+    --geotextile PP --height 0
+  refuses 65 respond "surcharge: 1000 Pa is below the initial one, 4169.3 Pa (mean stress 2600 Pa); the model \
+has no state there" --geotextile PP --surcharge 1000
+  refuses 65 respond "geotextile PO: unknown; multiples such as 3PP and paths of TOML files are taken too; did \
+you mean 'PE'?" --geotextile PO
+  exits 65 gws-solve respond --geotextile PP --set stiffness.poisson_ratio=0.5
+  [[ $stderr == *"stiffness.poisson_ratio: 0.5 is out of range: must be between -1 and 0.5 (at 0.5 the soil"* ]] || show
+  exits 65 gws-solve respond --geotextile PP --initial-surcharge 1000
+  [[ $stderr == *"initial surcharge: 1000 Pa is not from 4169.3 Pa"* ]] || show
+  refuses 64 respond "no geotextile: give --geotextile NAME, or --stiffness and one of --strength, \
+--failure-strain"
+  refuses 64 identify "--table: 'kappa' is not one of constants, compression_line, failure_line, near_failure_line, \
+dilatancy_line, stiffness, increments" "$DEM/soilbag_uniaxial_PE.tsv" --table kappa
+  refuses 64 design "nothing to design for: give --surcharge or --settlement" --geotextile PP
+}
+
+@test "a surcharge that is not reached has status 1, its table is printed all the same" {
+  exits 1 gws-solve respond --geotextile PE --surcharge 1e6
+  [[ $output == *"Ultimate bearing capacity 584.6 kPa"* ]] || show
+  [[ $stderr == "gws-solve respond: 1000 kPa are not reached: the bag bears 584.592 kPa: the hoop strain reaches the stated \
+fraction of the geotextile's strength" ]] || show
+  exits 1 gws-solve design --surcharge 300e3 --settlement 0.001
+}
+
+@test "each verb has help that fits a screen, a page, and examples that run" {
+  local verb command
+  for geotextile in PE PP 3PP; do gws-solve respond --geotextile "$geotextile" --tsv > "$geotextile.tsv"; done
+  for verb in respond identify design; do
+    exits 0 gws-solve "$verb" --help
+    [[ $(wc -l <<<"$output") -le 40 && $(wc -L <<<"$output") -le 100 ]] || show "$verb --help is too large"
+    while IFS= read -r command; do
+      exits 0 bash -c "set -o pipefail; $command" || show "example of $verb: $command"
+    done < <(awk '/^[A-Z]/ { on = /^Example/ } on && /^  [^ ]/ { sub(/^  /, ""); print }' <<<"$output")
+    exits 0 gws-solve "$verb" --man
+    [[ ${lines[0]} == ".TH gws\\-solve\\-$verb 1 "* ]] || show "$verb --man"
+    exits 0 bash -c "source <(gws-solve --completion); COMP_WORDS=(gws-solve $verb --geo); COMP_CWORD=2; _gws_solve; \
+      echo \${COMPREPLY[@]}"
+    [[ $output == --geotextile ]] || show "completes --geo to this after $verb"
+  done
+  # shellcheck disable=SC2016  # expanded by the inner shell
+  exits 0 bash -c 'source <(gws-solve --completion); COMP_WORDS=(gws-solve re); COMP_CWORD=1; _gws_solve; echo ${COMPREPLY[@]}'
+  [[ $output == respond ]] || show "completes re to this"
+}
+
+@test "a verb is needed, comes first, and is told by its nearest" {
+  complains 64 gws-solve "a verb is missing; give one of respond, identify, design, or see 'gws-solve --help'"
+  complains 64 gws-solve "'respnd' is no verb; did you mean 'respond'?" respnd
+  complains 64 gws-solve "respond: the verb comes first: 'gws-solve respond ...'" --quiet respond
+}

@@ -1,0 +1,137 @@
+// Design closes its loop with the response; sensitivities and bands agree with what they are made from.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "gws/design.h"
+#include "gws/sensitivity.h"
+#include "support/gws_reference.h"
+
+namespace soilweave::gws {
+namespace {
+
+const StiffnessRange range{1e3, 1e8};
+
+Case nothing_yet() { return test::bag_of(0, 0, 0); }
+
+TEST(GwsDesign, the_designed_bag_settles_as_admitted_and_fails_at_the_safety) {
+  for (const double surcharge : {50e3, 300e3, 1000e3})
+    for (const double settlement : {0.04, 0.08})
+      for (const double lateral : {0.0, 10e3}) {
+        const Demand demand{surcharge, settlement, 1.5};
+        Case bag = nothing_yet();
+        if (lateral > 0) bag.lateral = LateralStress::constant(lateral);
+        const Design design = smallest_geotextile(bag, demand, range);
+        bag.geotextile = design.geotextile;
+        bag.geotextile.failure_strain = 1;
+        const Response response(bag);
+        EXPECT_NEAR(response.at_surcharge(surcharge).settlement() / settlement, 1, 1e-3) << surcharge;
+        EXPECT_NEAR(response.last().surcharge / (1.5 * surcharge), 1, 1e-3) << surcharge;
+        EXPECT_EQ(design.governs, Governs::settlement);
+      }
+}
+
+TEST(GwsDesign, geotextiles_of_one_kind_are_held_to_their_strength) {
+  const Demand demand{300e3, 0.05, 4};
+  Case bag = test::bag_of("PP");
+  const Design design = smallest_geotextile(bag, demand, range);
+  EXPECT_EQ(design.governs, Governs::strength);
+  EXPECT_NEAR(design.geotextile.strength / design.geotextile.stiffness, 31.754 / 232, 1e-9);
+  bag.geotextile = design.geotextile;
+  const Response response(bag);
+  EXPECT_NEAR(response.last().surcharge / 1200e3, 1, 1e-3);
+  EXPECT_LT(response.at_surcharge(300e3).settlement(), 0.05);
+}
+
+TEST(GwsDesign, compaction_counts_settlement_from_there) {
+  Case bag = nothing_yet();
+  bag.initial_surcharge = 50e3;
+  const Design design = smallest_geotextile(bag, {300e3, 0.03, 1}, range);
+  bag.geotextile = design.geotextile;
+  bag.geotextile.failure_strain = 1;
+  const Response response(bag);
+  EXPECT_NEAR((response.at_surcharge(300e3).settlement() - response.start().settlement()) / 0.03, 1, 1e-3);
+}
+
+TEST(GwsDesign, the_allowable_surcharge_is_the_lesser_of_the_two) {
+  const Case bag = test::bag_of("PP");
+  const Response response(bag);
+  const Allowance by_settlement = allowable_surcharge(bag, 0.05, 1.5),
+                  by_strength = allowable_surcharge(bag, 0.12, 1.5);
+  EXPECT_EQ(by_settlement.governs, Governs::settlement);
+  EXPECT_NEAR(response.at_surcharge(by_settlement.surcharge).settlement(), 0.05, 1e-9);
+  EXPECT_EQ(by_strength.governs, Governs::strength);
+  EXPECT_NEAR(by_strength.surcharge, response.last().surcharge / 1.5, 1e-6);
+}
+
+TEST(GwsDesign, what_no_stiffness_carries_is_said) {
+  EXPECT_THROW(smallest_geotextile(nothing_yet(), {300e3, 0.001, 1}, range), TargetNotReached);
+  EXPECT_THROW(smallest_geotextile(nothing_yet(), {1e3, 0.1, 1}, range), DataError);
+  EXPECT_THROW(smallest_geotextile(nothing_yet(), {300e3, 0.1, 0.5}, range), DataError);
+}
+
+TEST(GwsDesign, a_chart_is_the_responses_of_its_bags) {
+  const auto rows = design_chart(test::bag_of("PP"), {300e3, 0.06, 2}, {232e3, 5 * 232e3}, 5);
+  ASSERT_EQ(rows.size(), 5u);
+  const Response one(test::bag_of("PP")), five(test::bag_of("5PP"));
+  EXPECT_NEAR(rows[0].capacity / one.last().surcharge, 1, 1e-9);
+  EXPECT_NEAR(rows[4].capacity / five.last().surcharge, 1, 1e-9);
+  EXPECT_NEAR(rows[4].settlement / five.last().settlement(), 1, 1e-9);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    // Thesis section 5.4.2: weak geotextiles reinforce more efficiently.
+    EXPECT_LT(rows[i].capacity / rows[i].geotextile.stiffness, rows[i - 1].capacity / rows[i - 1].geotextile.stiffness);
+    EXPECT_LT(rows[i].service_settlement, rows[i - 1].service_settlement);
+  }
+}
+
+TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
+  const Case bag = test::bag_of("PP");
+  const auto rows = sensitivities(bag, {"test", bag.soil, {}}, 0.1);
+  EXPECT_EQ(rows.size(), constants().size() + 5);
+  for (const Sensitivity& row : rows) {
+    if (row.key != "geotextile.strength") continue;
+    // A wider difference quotient, second order: two settlements per strength.
+    Case low = bag, high = bag;
+    low.geotextile.strength *= 0.99;
+    high.geotextile.strength *= 1.01;
+    const double slope =
+        (Response(high).last().surcharge - Response(low).last().surcharge) / (0.02 * bag.geotextile.strength);
+    EXPECT_NEAR(row.capacity_derivative, slope, 1e-3 * slope);
+    EXPECT_NEAR(row.low, 0.9 * bag.geotextile.strength, 1e-6);
+    EXPECT_LT(row.capacity_low, row.capacity_high);
+  }
+}
+
+TEST(GwsSensitivity, bands_of_a_known_scatter_have_its_width) {
+  // Only xi scatters, and so little that the capacity is linear in it: quantiles are those of the t distribution.
+  const Case bag = test::bag_of("PP");
+  const double error = 1e-4;
+  const SoilFile soil{"test", bag.soil, {{{"near_failure_line.xi"}, {error}, {1}, 1e6}}};
+  const Bands bands = monte_carlo(bag, soil, 4000, 7, 4);
+  double slope = 0;
+  for (const Sensitivity& row : sensitivities(bag, soil, 0.1))
+    if (row.key == "near_failure_line.xi") slope = row.capacity_derivative;
+  // The error of a quantile of 2.5 % from 4000 draws is about 3.5 % of the half width.
+  EXPECT_NEAR((bands.capacity.high - bands.capacity.low) / (2 * 1.96 * error * slope), 1, 0.08);
+  EXPECT_NEAR(bands.capacity.middle, Response(bag).last().surcharge, 3 * error * slope / std::sqrt(1000.0));
+  EXPECT_TRUE(bands.left_out.empty());
+  ASSERT_EQ(bands.rows.size(), 5u);
+  const Bands again = monte_carlo(bag, soil, 4000, 7, 4);
+  EXPECT_EQ(again.capacity.low, bands.capacity.low);
+}
+
+TEST(GwsSensitivity, draws_out_of_range_are_counted) {
+  const Case bag = test::bag_of("PP");
+  const SoilFile soil{"test", bag.soil, {{{"stiffness.poisson_ratio"}, {0.2}, {1}, 1e6}}};
+  const Bands bands = monte_carlo(bag, soil, 200, 7, 2);
+  std::size_t left_out = 0;
+  for (const auto& [why, count] : bands.left_out) left_out += count;
+  EXPECT_GT(left_out, 20u);
+  EXPECT_TRUE(bands.left_out.contains("stiffness.poisson_ratio out of its range"));
+  EXPECT_THROW(monte_carlo(bag, {"test", bag.soil, {}}, 10, 1, 2), DataError);
+}
+
+}  // namespace
+}  // namespace soilweave::gws

@@ -1,0 +1,198 @@
+// gws-solve: the elastoplastic solution for soil wrapped in a geotextile: response, identification, design.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/tool.h"
+#include "gws/options.h"
+#include "gws/output.h"
+#include "gws/report.h"
+#include "gws/tables.h"
+#include "io/table.h"
+
+namespace {
+
+using namespace soilweave;
+using gws::Groups;
+
+struct Respond {
+  gws::CaseOptions bag;
+  std::optional<double> surcharge;
+  std::int64_t points = 20, samples = 0;
+  double share = 0.1;
+  bool sensitivity = false;
+  gws::Output output;
+
+  void options(tool::Table& t) {
+    t.about("gws-solve respond", "strains, stresses and hoop tension of a bag under a rising surcharge");
+    t.example("gws-solve respond --geotextile PP --surcharge 1000e3", "a table to read, and what the bag bears");
+    t.example("gws-solve respond --geotextile 3PP --lateral-stress 50e3 --tsv > 3PP.tsv", "triaxial, in SI units");
+    t.option(surcharge, gws::last_surcharge);
+    bag.declare(t);
+    t.option(points, gws::points_range);
+    t.flag(sensitivity, "sensitivity", "how capacity and settlement hang on each constant");
+    t.option(share, gws::share_range);
+    t.option(samples, gws::samples_range);
+    output.declare(t);
+    t.seed();
+  }
+
+  void validate() const {
+    std::vector<std::string> wrong = bag.mistakes(true);
+    if (sensitivity && samples > 0) wrong.emplace_back("--sensitivity and --samples: give one of them");
+    output.check(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    gws::ReadCase read = bag.read();
+    gws::Case& c = read.the_case;
+    c.until = surcharge;
+    const gws::Response response(c);
+    const auto states = response.points(static_cast<std::size_t>(points));
+    Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
+    std::string text = gws::heading(c, read.soil.name);
+    if (sensitivity) {
+      const auto rows = gws::sensitivities(c, read.soil, share);
+      groups.push_back({"sensitivity", "capacity and settlement with each constant", gws::sensitivity_table(rows)});
+      text += gws::describe(rows);
+    } else if (samples > 0) {
+      const auto bands = gws::monte_carlo(c, read.soil, samples, invocation.seed, points);
+      groups.push_back({"bands", "quantiles of the response over the constants' scatter", gws::bands_table(bands)});
+      text += gws::aligned(gws::readable(bands)) + gws::describe(bands);
+    } else {
+      text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
+    }
+    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation);
+    gws::demand_reached(response, surcharge);
+  }
+};
+
+struct Identify {
+  std::vector<std::filesystem::path> inputs;
+  std::vector<std::string> geotextiles, assignments;
+  std::string soil = "toyoura-gws", group, strains = "engineering", difference = "central", table = "constants";
+  std::filesystem::path failure, compression;
+  bool toml = false;
+  gws::Output output;
+
+  void options(tool::Table& t) {
+    t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
+    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -",
+              "from a response, or analyses of grains");
+    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
+    t.inputs(inputs, "SERIES", "TSV or fields with strain_axial and _volumetric, mean_ and deviatoric_stress");
+    t.option(geotextiles, "geotextile", "NAME|FILE", "of each series in turn, where it has no tensile_stiffness");
+    t.option(group, "group", "NAME", "table of a fields file; else cell or response");
+    t.choice(strains, "strains", {"engineering", "natural"}, "of the series; homogenize writes natural ones");
+    t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
+    t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");
+    t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
+    t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
+    t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
+    t.option(table, "table", "NAME", "for --tsv: constants, increments or a line (near_failure_line)");
+    t.flag(toml, "toml", "print the identified soil as a TOML file");
+    output.declare(t);
+  }
+
+  void validate() const {
+    std::vector<std::string> wrong;
+    if (toml && (output.tsv || output.file == "-")) wrong.emplace_back("--toml: print one thing at a time");
+    if (!geotextiles.empty() && geotextiles.size() != inputs.size())
+      wrong.push_back(
+          fmt::format("--geotextile: {} for {} series; give one for each", geotextiles.size(), inputs.size()));
+    gws::check_table(table, wrong);
+    output.check(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    std::vector<io::Source> sources;
+    std::string scenario;
+    const gws::SoilFile given = gws::find_soil(soil, assignments, sources, scenario);
+    const auto series = gws::read_bags(inputs, group, geotextiles, strains == "natural", sources);
+    const auto found = gws::identify(
+        series, given, gws::read_points(compression, "mean_stress", "Pa", "strain_volumetric", "1", sources),
+        gws::read_points(failure, "confining_pressure", "Pa", "obliquity_at_failure", "1", sources),
+        difference == "central" ? gws::Difference::central : gws::Difference::backward);
+    const Groups groups = gws::groups_of(found);
+    std::size_t chosen = 0;
+    while (chosen < groups.size() && groups[chosen].name != table) ++chosen;
+    if (output.tsv && chosen == groups.size())
+      throw DataError(table + ": not identified; see the report without --tsv");
+    output.put(groups, chosen,
+               toml ? gws::soil_text(found.soil, "Identified by " + invocation.command) : gws::describe(found, series),
+               sources, scenario, invocation);
+  }
+};
+
+struct Design {
+  gws::CaseOptions bag;
+  std::optional<double> surcharge, settlement;
+  double safety = 1, from = 1e3, to = 1e8;
+  std::int64_t points = 25;
+  bool chart = false;
+  gws::Output output;
+
+  void options(tool::Table& t) {
+    t.about("gws-solve design", "the geotextile that carries a surcharge, or the surcharge that a bag carries");
+    t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5", "stiffness and strength");
+    t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3 --to 1e6",
+              "a chart over stiffnesses");
+    t.option(surcharge, gws::surcharge_range);
+    t.option(settlement, gws::settlement_range);
+    t.option(safety, gws::safety_range);
+    t.flag(chart, "chart", "capacity, settlement, efficiency over stiffness; geotextiles of one kind");
+    t.option(from, gws::lowest_stiffness);
+    t.option(to, gws::highest_stiffness);
+    t.option(points, gws::points_range);
+    bag.declare(t);
+    output.declare(t);
+  }
+
+  void validate() const {
+    std::vector<std::string> wrong = bag.mistakes(chart || !surcharge);
+    if (!surcharge && !settlement && !chart)
+      wrong.emplace_back("nothing to design for: give --surcharge or --settlement");
+    if (from >= to) wrong.emplace_back("--from: must be below --to");
+    output.check(wrong);
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    gws::ReadCase read = bag.read();
+    gws::Case& c = read.the_case;
+    const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety};
+    Groups groups;
+    std::string text;
+    if (chart) {
+      const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
+      groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
+      text = gws::aligned(gws::readable(rows));
+    } else if (surcharge) {
+      const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
+      groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
+      text = gws::describe(found, demand, c);
+    } else {
+      const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, safety);
+      groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
+      text = gws::describe(found, demand.settlement, safety, c);
+    }
+    output.put(groups, 0, text, read.sources, read.scenario, invocation);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Respond respond;
+  Identify identify;
+  Design design;
+  return tool::main(argc, argv,
+                    {"gws-solve",
+                     "bearing capacity and settlement of soil wrapped in a geotextile",
+                     std::string(gws::assumptions),
+                     {{"respond", tool::program(respond)},
+                      {"identify", tool::program(identify)},
+                      {"design", tool::program(design)}}});
+}
