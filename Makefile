@@ -77,10 +77,12 @@ $(B)/obj/%.o: %.cpp $(B)/flags
 	@echo '  c++   $<'
 	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
-# CGAL's interval arithmetic needs the rounding mode respected.
-$(B)/obj/lib/analysis/tessellation.o: CXXFLAGS += -frounding-math
+# CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
+$(B)/obj/lib/analysis/tessellation.o: CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): CPPFLAGS += $(VTK_CPPFLAGS)
 $(B)/obj/tests/%.o: CPPFLAGS += -Itests
+# Under the sanitizers the tests themselves need not be fast, and compile in half the time.
+$(B)/obj/tests/%.o: CXXFLAGS += $(if $(SANITIZE),-O0)
 
 # $(B)/sources remembers which files the archive is made of: a source taken away must leave it too.
 $(B)/sources: always
