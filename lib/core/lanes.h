@@ -1,6 +1,7 @@
 // Arithmetic shared by one contact (a double) and several at once (a GCC vector of doubles), so that a law is written
 // once and gives the same bits in every lane. No branch may depend on a value: select() instead. A multiplication and
-// an addition become one operation where fused() says so and nowhere else. SPDX-License-Identifier: GPL-3.0-or-later
+// an addition become one operation where fused() says so and nowhere else.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <immintrin.h>
