@@ -63,10 +63,10 @@ bool whole_numbers(const std::vector<double>& values) {
                      [](double v) { return std::abs(v) < 9007199254740992.0 && v == std::nearbyint(v); });
 }
 
-/// `step` is kept as integers, as H5MD wants it; only if that loses nothing.
+/// `step` is kept as integers, as H5MD wants it, and so are the `id`s of an ensemble; only if that loses nothing.
 void write_column(Writer& file, const std::string& place, const Column& column) {
   const Label label = {column.unit, column.long_name};
-  if (column.name == "step" && whole_numbers(column.values)) {
+  if ((column.name == "step" || place == "/members/id") && whole_numbers(column.values)) {
     const std::vector<std::int64_t> steps(column.values.begin(), column.values.end());
     file.write<std::int64_t>(place, steps, {steps.size()}, label);
   } else {
@@ -98,8 +98,8 @@ OpenFile::OpenFile(std::string bytes, const std::string& where, std::string role
     throw DataError(fmt::format("{}: has the format version {}.{}, this program reads {}.{} at most; use a newer one",
                                 where, version[0], version[1], format_major, format_minor));
   kind = reader.text_attribute("/", "kind");
-  if (kind != "packing" && kind != "run" && kind != "fields")
-    throw DataError(where + ": has the unknown kind \"" + kind + "\"; known are packing, run, fields");
+  if (kind != "packing" && kind != "run" && kind != "fields" && kind != "ensemble")
+    throw DataError(where + ": has the unknown kind \"" + kind + "\"; known are packing, run, fields, ensemble");
 }
 
 void OpenFile::demand_kind(std::string_view kinds) const {

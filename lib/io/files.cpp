@@ -1,10 +1,12 @@
-// Packings, runs and fields, each whole.
+// Packings, runs, fields and ensembles, each whole.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,7 +18,7 @@
 namespace soilweave::io {
 namespace {
 
-const std::string series_group = "/series", fields_group = "/fields";
+const std::string series_group = "/series", fields_group = "/fields", members_group = "/members";
 
 std::string output_name(const std::filesystem::path& path) { return path == "-" ? "standard output" : path.string(); }
 
@@ -67,6 +69,35 @@ void write_file(const std::filesystem::path& path, const std::string& kind, cons
   write_bytes(path, file.image());
 }
 
+void write_text(Writer& file, const std::string& path, const std::string& text) {
+  const Entry& e = entry(path);
+  file.write_text(path, text, {std::string(e.units), std::string(e.long_name)});
+}
+
+void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups) {
+  file.group(fields_group);
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const std::string place = child_path(fields_group, groups[k].name);
+    if (!names.insert(groups[k].name).second) throw DataError(place + ": two groups of this name");
+    write_columns(file, place, groups[k].table);
+    file.attribute(place, "long_name", groups[k].long_name);
+    file.attribute(place, "order", static_cast<std::int64_t>(k));
+  }
+}
+
+std::vector<FieldsFile::Group> read_groups(const Reader& file) {
+  std::map<std::int64_t, FieldsFile::Group> ordered;
+  for (const std::string& name : file.children(fields_group)) {
+    const std::string place = fields_group + "/" + name;
+    ordered[file.integer<std::int64_t>(place, "order")] = {name, file.text_attribute(place, "long_name"),
+                                                           read_columns(file, place)};
+  }
+  std::vector<FieldsFile::Group> groups;
+  for (auto& [order, group] : ordered) groups.push_back(std::move(group));
+  return groups;
+}
+
 }  // namespace
 
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history) {
@@ -84,23 +115,19 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
     write_states(file, states, history);
     write_columns(file, series_group, run.series);
     link_observables(file, run.series);
-    const Entry& e = entry("/scenario");
-    file.write_text("/scenario", run.scenario, {std::string(e.units), std::string(e.long_name)});
+    write_text(file, "/scenario", run.scenario);
   });
 }
 
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history) {
-  write_file(path, "fields", history, [&](Writer& file) {
-    file.group(fields_group);
-    std::set<std::string> names;
-    for (std::size_t k = 0; k < fields.groups.size(); ++k) {
-      const FieldsFile::Group& group = fields.groups[k];
-      const std::string place = child_path(fields_group, group.name);
-      if (!names.insert(group.name).second) throw DataError(place + ": two groups of this name");
-      write_columns(file, place, group.table);
-      file.attribute(place, "long_name", group.long_name);
-      file.attribute(place, "order", static_cast<std::int64_t>(k));
-    }
+  write_file(path, "fields", history, [&](Writer& file) { write_groups(file, fields.groups); });
+}
+
+void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history) {
+  write_file(path, "ensemble", history, [&](Writer& file) {
+    write_text(file, "/prior", ensemble.prior);
+    write_columns(file, members_group, ensemble.members);
+    write_groups(file, ensemble.groups);
   });
 }
 
@@ -134,16 +161,27 @@ FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
   OpenFile file(path, std::move(role));
   file.demand_kind("fields");
   FieldsFile fields;
-  std::map<std::int64_t, FieldsFile::Group> ordered;
-  for (const std::string& name : file.reader.children(fields_group)) {
-    const std::string place = fields_group + "/" + name;
-    ordered[file.reader.integer<std::int64_t>(place, "order")] = {name, file.reader.text_attribute(place, "long_name"),
-                                                                  read_columns(file.reader, place)};
-  }
-  for (auto& [order, group] : ordered) fields.groups.push_back(std::move(group));
+  fields.groups = read_groups(file.reader);
   fields.source = std::move(file.source);
   fields.source.history = read_history(file.reader);
   return fields;
+}
+
+EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("ensemble");
+  EnsembleFile ensemble{read_columns(file.reader, members_group), file.reader.read_text("/prior"),
+                        read_groups(file.reader), std::move(file.source)};
+  ensemble.source.history = read_history(file.reader);
+  return ensemble;
+}
+
+SeriesFile read_run_series(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("run");
+  SeriesFile read{read_columns(file.reader, series_group), std::move(file.source)};
+  read.source.history = read_history(file.reader);
+  return read;
 }
 
 TextFile read_text(const std::filesystem::path& path, std::string role) {
@@ -153,6 +191,12 @@ TextFile read_text(const std::filesystem::path& path, std::string role) {
     throw DataError(fmt::format("{}: not a text file; name the {} as text", input_name(path), role));
   file.source = {std::move(role), sha256(file.text), {}};
   return file;
+}
+
+bool is_hdf5(const std::filesystem::path& path) {
+  std::array<char, 4> first{};
+  std::ifstream(path, std::ios::binary).read(first.data(), first.size());
+  return std::string_view(first.data(), first.size()) == "\x89HDF";
 }
 
 std::string read_kind(const std::filesystem::path& path) { return OpenFile(path, "").kind; }

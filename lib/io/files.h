@@ -42,24 +42,43 @@ struct FieldsFile {
   Source source;
 };
 
+/// An ensemble: parameter sets drawn from a prior, one row each; once assimilated, their weights and what follows.
+struct EnsembleFile {
+  Series members;     // id, the parameters, log_importance; weight after assimilation
+  std::string prior;  // TOML
+  std::vector<FieldsFile::Group> groups;
+  Source source;
+};
+
+/// The series of a run without its states.
+struct SeriesFile {
+  Series series;
+  Source source;
+};
+
 /// Writes of every kind: atomically (temporary name, fsync, rename), equal content gives equal bytes.
 /// Throws CannotCreate, IoError.
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
+void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
 
 /// Readers reject an unknown kind or a newer major version. Throw MissingInput, DataError (truncated, wrong kind,
 /// NaN, overlapping array lengths that disagree ...), IoError. `role` names the input in provenance.
 PackingFile read_packing(const std::filesystem::path& path, std::string role = "packing");
 RunFile read_run(const std::filesystem::path& path, std::string role = "run");
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
+EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role = "ensemble");
+SeriesFile read_run_series(const std::filesystem::path& path, std::string role = "run");
 TextFile read_text(const std::filesystem::path& path, std::string role);
 
 /// A packing, or the last snapshot of a run: whatever a tool can start from.
 PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
 /// All states in a file: a packing gives one.
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");
-/// The kind written in the file's root ("packing", "run", "fields"), its version, and its history alone.
+/// Whether a file's first bytes are HDF5's; false where it cannot be opened.
+bool is_hdf5(const std::filesystem::path& path);
+/// The kind written in the file's root ("packing", "run", "fields", "ensemble"), its version, and its history alone.
 std::string read_kind(const std::filesystem::path& path);
 History read_history(const std::filesystem::path& path);
 

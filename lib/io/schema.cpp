@@ -13,10 +13,10 @@ using enum Type;
 
 Section every_file() {
   return {"Every file",
-          "packing run fields",
+          "packing run fields ensemble",
           {{"/provenance/<n>/scenario", text, "", "1", "scenario as it was resolved, TOML", true}},
           {{"/", "format", "\"soilweave\"", "what reads it"},
-           {"/", "kind", "\"packing\", \"run\" or \"fields\"", "which of the kinds below it is"},
+           {"/", "kind", "\"packing\", \"run\", \"fields\" or \"ensemble\"", "which of the kinds below it is"},
            {"/", "format_version", "int64[2]", "major, minor; readers refuse a greater major"},
            {"/", "creator", "text", "tool that wrote the file"},
            {"/", "creator_version", "text", "its version"},
@@ -109,7 +109,7 @@ Section run() {
 
 Section fields() {
   return {"Fields: the tables of an analysis",
-          "fields",
+          "fields ensemble",
           {{"/fields/<group>/step", int64, "R", "its own", "its own", true},
            {"/fields/<group>/<column>", float64, "R", "its own", "its own", true}},
           {{"/fields/<group>", "long_name", "text", "what the table is of"},
@@ -117,11 +117,20 @@ Section fields() {
            {"/fields/<group>/<column>", "column", "int64", "place among the columns, from 0"}}};
 }
 
+Section ensemble() {
+  return {"An ensemble besides: one value a parameter set",
+          "ensemble",
+          {{"/prior", text, "", "1", "ranges and scales of the parameters, TOML"},
+           {"/members/id", int64, "R", "1", "number that stays with the parameter set and names its run"},
+           {"/members/<column>", float64, "R", "its own", "its own", true}},
+          {{"/members/<column>", "column", "int64", "place among the columns, from 0"}}};
+}
+
 }  // namespace
 
 const std::vector<Section>& schema() {
   static const std::vector<Section> sections = {every_file(), trajectory(), cell(),  contacts(),
-                                                planes(),     run(),        fields()};
+                                                planes(),     run(),        fields(), ensemble()};
   return sections;
 }
 

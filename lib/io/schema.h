@@ -37,7 +37,7 @@ struct AttributeEntry {
 /// A part of a file: what kinds have it, what is in it.
 struct Section {
   std::string_view title;
-  std::string_view kinds;  // "packing run fields"
+  std::string_view kinds;  // "packing run fields ensemble"
   std::vector<Entry> entries;
   std::vector<AttributeEntry> attributes;
 };

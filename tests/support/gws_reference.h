@@ -5,40 +5,13 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "gws/respond.h"
+#include "support/reference.h"
 
 namespace soilweave::test {
-
-using Columns = std::map<std::string, std::vector<double>>;
-
-/// A comma-separated table of the reference folder; empty where there is none.
-inline Columns reference_table(const std::string& name) {
-  Columns table;
-  const char* folder = std::getenv("SOILWEAVE_REFERENCE");
-  if (folder == nullptr) return table;
-  std::ifstream file(std::string(folder) + "/" + name);
-  std::string line;
-  std::vector<std::string> names;
-  while (std::getline(file, line)) {
-    std::istringstream cells(line);
-    std::string cell;
-    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
-      if (table.size() < names.size() || names.size() <= i) {
-        names.push_back(cell);
-      } else {
-        table[names[i]].push_back(std::strtod(cell.c_str(), nullptr));
-      }
-    }
-    for (const std::string& one : names) table[one];
-  }
-  return table;
-}
 
 inline gws::Case bag_of(double stiffness, double strength, double failure_strain) {
   gws::Case bag;

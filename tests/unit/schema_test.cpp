@@ -67,6 +67,7 @@ std::string in_schema(const std::string& path) {
       {std::regex("^/fields/[^/]+/step$"), "/fields/<group>/step"},
       {std::regex("^/fields/[^/]+/(?!step$).*"), "/fields/<group>/<column>"},
       {std::regex("^/series/(?!step$).*"), "/series/<column>"},
+      {std::regex("^/members/(?!id$).*"), "/members/<column>"},
       {std::regex("^(/particles/grains/(radius|mass|species|id|copy_id))/value$"), "$1"},
       {std::regex("^/particles/grains/.*/(step|time)$"), "/particles/grains/position/$1"}};
   std::string general = path;
@@ -108,6 +109,9 @@ TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
   fields.groups = {{"grains", "per grain", test::example_run().series}};
   write_fields(path, fields, {});
   check_datasets(Reader(test::bytes_of(path), "fields"), "/", seen);
+  EnsembleFile ensemble{{{{"id", "1", "number", {0, 1}}, {"E", "Pa", "modulus", {1e7, 2e7}}}}, "", fields.groups, {}};
+  write_ensemble(path, ensemble, {});
+  check_datasets(Reader(test::bytes_of(path), "ensemble"), "/", seen);
   for (const Section& section : schema())
     for (const Entry& e : section.entries) EXPECT_TRUE(seen.contains(std::string(e.path))) << e.path;
 }

@@ -1,0 +1,158 @@
+// Ensembles to and from tables.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibration/ensemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+#include "io/bytes.h"
+#include "io/table.h"
+
+namespace soilweave::calibration {
+namespace {
+
+constexpr const char* importance_name = "log_importance";
+constexpr const char* weight_name = "weight";
+
+std::vector<double> column_of(const Vector& values) { return {values.data(), values.data() + values.size()}; }
+
+Vector vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+io::Series table_of(const Ensemble& e, bool importance) {
+  io::Series table;
+  const std::vector<double> id(e.id.begin(), e.id.end());
+  table.columns.push_back({"id", "1", "number that stays with the parameter set", id});
+  for (std::size_t k = 0; k < e.prior.size(); ++k) {
+    const Range& range = e.prior.ranges[k];
+    table.columns.push_back(
+        {range.name, range.unit, range.long_name, column_of(e.values.col(static_cast<Eigen::Index>(k)))});
+  }
+  if (importance)
+    table.columns.push_back(
+        {importance_name, "1", "log of the prior density over the density drawn from", column_of(e.log_importance)});
+  if (e.weight.size() > 0) table.columns.push_back({weight_name, "1", "posterior weight", column_of(e.weight)});
+  return table;
+}
+
+/// Numbers without a column of their own: what a table lacks does not hold it back.
+Vector optional_column(const io::Series& table, const char* name, Eigen::Index rows, const std::string& where) {
+  const io::Column* column = table.find(name);
+  if (column == nullptr) return name == weight_name ? Vector() : Vector(Vector::Zero(rows));
+  for (const double v : column->values)
+    if (std::isnan(v)) throw DataError(fmt::format("{}: {}: holds NaN; every member needs a number", where, name));
+  return vector_of(column->values);
+}
+
+std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& where) {
+  std::vector<std::int64_t> ids;
+  std::set<double> seen;
+  for (const double v : table.at("id").values) {
+    if (v != std::nearbyint(v) || std::abs(v) > 9e15)
+      throw DataError(fmt::format("{}: row {}: id {} is no whole number", where, ids.size() + 1, v));
+    if (!seen.insert(v).second)
+      throw DataError(fmt::format("{}: row {}: id {} is there twice", where, ids.size() + 1, v));
+    ids.push_back(static_cast<std::int64_t>(v));
+  }
+  if (ids.empty()) throw DataError(where + ": has no members; draw some first");
+  return ids;
+}
+
+Ensemble from_table(const io::Series& table, Prior prior, const std::string& where) {
+  Ensemble e;
+  e.prior = std::move(prior);
+  e.id = read_ids(table, where);
+  const auto rows = static_cast<Eigen::Index>(e.size());
+  e.values.resize(rows, static_cast<Eigen::Index>(e.prior.size()));
+  for (std::size_t k = 0; k < e.prior.size(); ++k) {
+    const io::Column& column = table.at(e.prior.ranges[k].name);
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+      if (!std::isfinite(column.values[i]))
+        throw DataError(fmt::format("{}: {} of member {} is not finite", where, column.name, e.id[i]));
+    e.values.col(static_cast<Eigen::Index>(k)) = vector_of(column.values);
+  }
+  e.log_importance = optional_column(table, importance_name, rows, where);
+  e.weight = optional_column(table, weight_name, rows, where);
+  return e;
+}
+
+Prior spanned(const io::Series& table, const std::string& where) {
+  Prior prior;
+  for (const io::Column& column : table.columns) {
+    if (column.name == "id" || column.name == importance_name || column.name == weight_name) continue;
+    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+    if (!(*low < *high))
+      throw DataError(
+          fmt::format("{}: {} has one value only: no range to find it in; give --prior", where, column.name));
+    prior.ranges.push_back({column.name, column.unit.empty() ? "1" : column.unit, column.name, *low, *high});
+  }
+  if (prior.ranges.empty()) throw DataError(where + ": has no parameters beside id; give a column for each");
+  return prior;
+}
+
+}  // namespace
+
+Matrix Ensemble::coordinates() const {
+  Matrix all(values.rows(), values.cols());
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+    all.row(i) = prior.coordinates(values.row(i).transpose()).transpose();
+  return all;
+}
+
+Vector Ensemble::log_prior_weight() const {
+  const Vector logs = log_importance.array() - log_importance.maxCoeff();
+  return logs.array() - std::log(logs.array().exp().sum());
+}
+
+Ensemble members_at(const Prior& prior, const Matrix& coordinates, std::int64_t first_id) {
+  Ensemble e;
+  e.prior = prior;
+  e.values.resize(coordinates.rows(), coordinates.cols());
+  for (Eigen::Index i = 0; i < coordinates.rows(); ++i) {
+    e.id.push_back(first_id + i);
+    e.values.row(i) = prior.values(coordinates.row(i).transpose()).transpose();
+  }
+  e.log_importance = Vector::Zero(coordinates.rows());
+  return e;
+}
+
+io::Series members_table(const Ensemble& ensemble) {
+  return table_of(ensemble, (ensemble.log_importance.array() != 0).any());
+}
+
+io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsFile::Group> groups) {
+  return {table_of(ensemble, true), prior_text(ensemble.prior), std::move(groups), {}};
+}
+
+Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem::path& prior,
+                       std::vector<io::Source>& sources) {
+  const std::string where = io::input_name(path);
+  std::optional<Prior> given;
+  if (!prior.empty()) {
+    const io::TextFile text = io::read_text(prior, "prior");
+    sources.push_back(text.source);
+    Settings document = Settings::parse(text.text, prior.string());
+    given = read_prior(document);
+    document.finish();
+  }
+  if (path != "-" && !io::is_hdf5(path)) {
+    const io::TextFile text = io::read_text(path, "ensemble");
+    sources.push_back(text.source);
+    const io::Series table = io::from_tsv(text.text, where);
+    return from_table(table, given ? *given : spanned(table, where), where);
+  }
+  const io::EnsembleFile file = io::read_ensemble(path);
+  sources.push_back(file.source);
+  Settings document = Settings::parse(file.prior, where + ": /prior");
+  Prior own = read_prior(document);
+  document.finish();
+  return from_table(file.members, given ? *given : own, where);
+}
+
+}  // namespace soilweave::calibration

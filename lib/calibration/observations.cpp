@@ -1,0 +1,244 @@
+// What the laboratory measured, and the runs brought to the same stations.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibration/observations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "io/provenance.h"
+#include "io/table.h"
+
+namespace soilweave::calibration {
+namespace {
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// "NAME=COLUMN,COLUMN": the observed column and those of a run.
+Observable observable(const std::string& text, const io::Series& table) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const io::Column& column = table.at(text.substr(0, equals));
+  Observable one{column.name, column.unit, {}};
+  for (std::size_t at = equals + 1; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    one.columns.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  if (one.columns.empty()) one.columns.push_back(column.name);
+  return one;
+}
+
+/// The mean of the columns of a run, in the observation's unit.
+std::vector<double> column_of(const io::Series& run, const Observable& what) {
+  std::vector<double> mean(run.rows(), 0);
+  for (const std::string& name : what.columns) {
+    const io::Column& column = run.at(name);
+    const double factor = column.unit.empty() || what.unit.empty() ? 1 : unit_factor(column.unit, what.unit);
+    for (std::size_t r = 0; r < mean.size(); ++r)
+      mean[r] += column.values[r] * factor / static_cast<double>(what.columns.size());
+  }
+  return mean;
+}
+
+/// The rows of a table for which every condition holds.
+io::Series selected(const io::Series& table, const std::vector<std::pair<std::string, double>>& conditions) {
+  if (conditions.empty()) return table;
+  std::vector<bool> keep(table.rows(), true);
+  for (const auto& [name, value] : conditions) {
+    const io::Column& column = table.at(name);
+    for (std::size_t r = 0; r < keep.size(); ++r) keep[r] = keep[r] && column.values[r] == value;
+  }
+  io::Series rows = table;
+  for (io::Column& column : rows.columns) {
+    std::size_t kept = 0;
+    for (std::size_t r = 0; r < keep.size(); ++r)
+      if (keep[r]) column.values[kept++] = column.values[r];
+    column.values.resize(kept);
+  }
+  return rows;
+}
+
+struct Unfit {
+  Fate fate;
+  std::string why;
+};
+
+/// A run at the stations. Throws Unfit.
+Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
+  const io::Series run = selected(whole, choice.where);
+  if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
+  const std::vector<double> x = column_of(run, observed.station);
+  for (std::size_t r = 0; r < x.size(); ++r) {
+    if (!std::isfinite(x[r]))
+      throw Unfit{Fate::not_finite, fmt::format("{} of row {} is not finite", observed.station.name, r + 1)};
+    if (r > 0 && !(x[r] > x[r - 1]))
+      throw Unfit{Fate::unordered,
+                  fmt::format("{} does not increase from row {} to {}", observed.station.name, r, r + 1)};
+  }
+  const double slack = 1e-6 * (std::abs(observed.at.back()) + std::abs(observed.at.front()));
+  const auto& name = observed.station.name;
+  if (x.back() < observed.at.back() - slack)
+    throw Unfit{Fate::too_short,
+                fmt::format("ends at {} {:.6g}, the observations at {:.6g}", name, x.back(), observed.at.back())};
+  if (x.front() > observed.at.front() + slack)
+    throw Unfit{Fate::too_short,
+                fmt::format("begins at {} {:.6g}, the observations at {:.6g}", name, x.front(), observed.at.front())};
+  Matrix values(index(observed.stations()), index(observed.observables.size()));
+  for (std::size_t c = 0; c < observed.observables.size(); ++c) {
+    const std::vector<double> y = column_of(run, observed.observables[c]);
+    std::size_t r = 0;
+    for (std::size_t t = 0; t < observed.stations(); ++t) {
+      while (r + 2 < x.size() && x[r + 1] < observed.at[t]) ++r;
+      const double at = std::clamp(observed.at[t], x.front(), x.back());
+      const double value = x.size() == 1 ? y[0] : std::lerp(y[r], y[r + 1], (at - x[r]) / (x[r + 1] - x[r]));
+      if (!std::isfinite(value))
+        throw Unfit{Fate::not_finite,
+                    fmt::format("{} at {} {:.6g} is not finite", observed.observables[c].name, name, observed.at[t])};
+      values(index(t), index(c)) = value;
+    }
+  }
+  return values;
+}
+
+/// One table for all members, cut up by its column id.
+std::map<std::int64_t, io::Series> by_member(const io::Series& table) {
+  std::map<std::int64_t, io::Series> members;
+  const io::Column& id = table.at("id");
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    io::Series& member = members[static_cast<std::int64_t>(id.values[r])];
+    if (member.columns.empty())
+      for (const io::Column& c : table.columns) member.columns.push_back({c.name, c.unit, c.long_name, {}});
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      member.columns[c].values.push_back(table.columns[c].values[r]);
+  }
+  return members;
+}
+
+std::string path_of(const std::string& pattern, std::int64_t id) {
+  try {
+    return fmt::format(fmt::runtime(pattern), fmt::arg("id", id));
+  } catch (const fmt::format_error& error) {
+    throw UsageError(
+        fmt::format("--runs {}: {}; write the member's number as {{id}} or {{id:06}}", pattern, error.what()));
+  }
+}
+
+/// The series of one run. Throws Unfit where it is not there or cannot be read.
+io::SeriesFile read_member(const std::string& path) {
+  try {
+    if (io::is_hdf5(path)) return io::read_run_series(path);
+    const io::TextFile text = io::read_text(path, "run");
+    return {io::from_tsv(text.text, path), text.source};
+  } catch (const MissingInput&) {
+    throw Unfit{Fate::missing, path + ": no such file"};
+  } catch (const Error& error) {
+    throw Unfit{Fate::unreadable, error.what()};
+  }
+}
+
+/// All runs as one source: a digest of the lines "id digest", the history of the first.
+io::Source together(const std::vector<std::pair<std::int64_t, io::Source>>& runs) {
+  std::string lines;
+  for (const auto& [id, source] : runs) lines += fmt::format("{} {}\n", id, source.sha256);
+  return {"runs", io::sha256(lines), runs.empty() ? io::History{} : runs.front().second.history};
+}
+
+}  // namespace
+
+std::string_view word(Fate fate) {
+  switch (fate) {
+    case Fate::used:
+      return "used";
+    case Fate::missing:
+      return "missing";
+    case Fate::unreadable:
+      return "unreadable";
+    case Fate::unordered:
+      return "out of order";
+    case Fate::not_finite:
+      return "diverged";
+    case Fate::too_short:
+      return "too short";
+  }
+  return "";
+}
+
+std::size_t Simulated::used() const {
+  return static_cast<std::size_t>(std::count(fate.begin(), fate.end(), Fate::used));
+}
+
+Observations observations(const io::Series& table, const Choice& choice, const std::string& where) {
+  if (table.columns.empty()) throw DataError(where + ": has no columns");
+  Observations found;
+  found.station = observable(choice.station.empty() ? table.columns.front().name : choice.station, table);
+  for (const std::string& name : choice.observables) found.observables.push_back(observable(name, table));
+  if (found.observables.empty())
+    for (const io::Column& column : table.columns)
+      if (column.name != found.station.name) found.observables.push_back(observable(column.name, table));
+  if (found.observables.empty()) throw DataError(where + ": nothing observed beside " + found.station.name);
+  const std::vector<double>& at = table.at(found.station.name).values;
+  std::size_t rows = 0;
+  const double limit = choice.until.value_or(INFINITY);
+  while (rows < at.size() && !(at[rows] > limit + 1e-9 * std::abs(limit))) ++rows;
+  if (rows == 0) throw DataError(fmt::format("{}: no observations{}", where, at.empty() ? "" : " up to --until"));
+  found.at.assign(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(rows));
+  for (std::size_t r = 0; r < rows; ++r) {
+    if (!std::isfinite(at[r]))
+      throw DataError(fmt::format("{}: row {}: {} is not finite", where, r + 1, found.station.name));
+    if (r > 0 && !(at[r] > at[r - 1]))
+      throw DataError(fmt::format("{}: row {}: {} {} is not above {}; sort the rows, keep one of equal ones", where,
+                                  r + 1, found.station.name, at[r], at[r - 1]));
+  }
+  found.values.resize(index(rows), index(found.observables.size()));
+  for (std::size_t c = 0; c < found.observables.size(); ++c) {
+    const io::Column& column = table.at(found.observables[c].name);
+    for (std::size_t r = 0; r < rows; ++r) {
+      if (!std::isfinite(column.values[r]))
+        throw DataError(
+            fmt::format("{}: row {}: {} is not finite; take the row out, or leave the column out by --observe", where,
+                        r + 1, column.name));
+      found.values(index(r), index(c)) = column.values[r];
+    }
+  }
+  return found;
+}
+
+Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
+                    const Choice& choice, std::vector<io::Source>& sources) {
+  Simulated all;
+  const bool one_table = pattern.find('{') == std::string::npos;
+  std::map<std::int64_t, io::Series> members;
+  if (one_table) {
+    const io::TextFile text = io::read_text(pattern, "runs");
+    sources.push_back(text.source);
+    const io::Series table = io::from_tsv(text.text, pattern);
+    column_of(table, observed.station);
+    members = by_member(table);
+  }
+  std::vector<std::pair<std::int64_t, io::Source>> read;
+  for (const std::int64_t id : ids) {
+    try {
+      if (one_table && !members.contains(id))
+        throw Unfit{Fate::missing, fmt::format("{}: no rows with id {}", pattern, id)};
+      const io::SeriesFile file = one_table ? io::SeriesFile{members.at(id), {}} : read_member(path_of(pattern, id));
+      if (!one_table) read.emplace_back(id, file.source);
+      all.values.push_back(at_stations(file.series, observed, choice));
+      all.fate.push_back(Fate::used);
+      all.why.emplace_back();
+    } catch (const Unfit& unfit) {
+      all.values.emplace_back();
+      all.fate.push_back(unfit.fate);
+      all.why.push_back(unfit.why);
+    } catch (const DataError& error) {
+      throw DataError(fmt::format("run of member {}: {}", id, error.what()));
+    }
+  }
+  if (!one_table) sources.push_back(together(read));
+  return all;
+}
+
+}  // namespace soilweave::calibration

@@ -1,0 +1,64 @@
+// The options of pf-weight, and where its results go.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/observations.h"
+#include "calibration/particle_filter.h"
+#include "core/tool.h"
+#include "io/files.h"
+
+namespace soilweave::calibration {
+
+inline constexpr Parameter samples_range{"samples,n", "1", 1, 1e7, false, "parameter sets", "an ensemble has members"};
+inline constexpr Parameter first_range{
+    "first", "1", 0, 1e15, false, "row of the sequence to begin with (0: the origin)", "rows count from 0"};
+inline constexpr Parameter first_id_range{
+    "first-id", "1", 0, 1e15, false, "number of the first parameter set", "numbers count from 0"};
+inline constexpr Parameter until_range{.name = "until", .unit = "", .sentence = "last station to use, in its unit"};
+inline constexpr Parameter least_size_range{
+    "least-size", "1", 0, 1, true, "seek the error that keeps this share effective", "it is a share of the members"};
+inline constexpr Parameter kept_size_range{"least-size",
+                                           "1",
+                                           0,
+                                           1,
+                                           true,
+                                           "temper weights until this share of sets is effective",
+                                           "it is a share of the members"};
+inline constexpr Parameter components_range{"components",         "1", 1, 100, false, "most Gaussians of a mixture",
+                                            "a mixture has parts"};
+inline constexpr Parameter prior_share_range{
+    "prior-share", "1", 0, 1, false, "share drawn from the prior, which bounds importance", "it is a share"};
+
+/// Which observations are compared with what of the runs, and how exact they are.
+struct ComparisonOptions {
+  std::string station, error;
+  std::string covariance = "uniform";
+  std::vector<std::string> observables, where, stations;
+  std::optional<double> until, least_size;
+
+  void declare(tool::Table& table);
+  void check(std::vector<std::string>& mistakes) const;
+  Choice choice() const;
+  ErrorModel model() const;
+  /// Of --at.
+  std::vector<double> chosen_stations() const;
+};
+
+struct Output {
+  bool tsv = false;
+  std::filesystem::path file;
+
+  void declare(tool::Table& table, std::string_view sentence);
+  /// Throws UsageError with these mistakes and its own.
+  void check(std::vector<std::string> mistakes, bool needed) const;
+  /// Prints the table (--tsv) or the text, unless the file itself goes to standard output; writes the file.
+  void put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
+           const std::vector<io::Source>& sources, const tool::Invocation& invocation) const;
+};
+
+}  // namespace soilweave::calibration

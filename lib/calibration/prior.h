@@ -1,0 +1,46 @@
+// What is known of the parameters before any observation: each lies anywhere in its range, on a linear or log scale.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/settings.h"
+
+namespace soilweave::calibration {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+enum class Scale { linear, log };
+
+/// One parameter. Its coordinate u runs from 0 at `low` to 1 at `high`; the prior is uniform in it.
+struct Range {
+  std::string name, unit, long_name;
+  double low = 0, high = 1;
+  Scale scale = Scale::linear;
+
+  double value(double u) const;
+  double coordinate(double value) const;
+  /// How much of the scale (decades of a log one) the range covers.
+  double width() const;
+};
+
+struct Prior {
+  std::vector<Range> ranges;
+
+  std::size_t size() const { return ranges.size(); }
+  std::vector<std::string> names() const;
+  /// Between a row of coordinates and one of values.
+  Vector values(const Vector& coordinates) const;
+  Vector coordinates(const Vector& values) const;
+};
+
+/// [[parameter]] tables: name, low, high; unit ("1"), scale ("linear" or "log"), long_name. Mistakes go to the
+/// document's list.
+Prior read_prior(Settings& document);
+/// The inverse, with SI numbers.
+std::string prior_text(const Prior& prior);
+
+}  // namespace soilweave::calibration

@@ -1,0 +1,56 @@
+// Where the next parameter sets are drawn from: Gaussians around the posterior, with their density for the importance
+// correction. All in the prior's coordinates, the unit cube, where the prior density is 1.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "calibration/ensemble.h"
+
+namespace soilweave::calibration {
+
+struct Gaussian {
+  double share;  // of the mixture
+  Vector mean;
+  Matrix root;  // lower triangular, covariance = root root^T
+};
+
+/// A mixture of Gaussians cut off at the cube's faces, and a share drawn from the prior, which bounds the importance
+/// weights (a defensive mixture: Hesterberg 1995).
+class Proposal {
+ public:
+  /// One Gaussian about each member with weight; covariance that of the whole times Silverman's (1986) factor squared.
+  static Proposal kernels(const Matrix& points, const Vector& weight, double prior_share);
+  /// Up to `most` Gaussians fitted by expectation maximisation with weights; their number by the least Bayesian
+  /// information criterion, with the effective sample size in place of the number of points.
+  static Proposal mixture(const Matrix& points, const Vector& weight, std::size_t most, double prior_share);
+
+  /// Points, a row each, from a Sobol sequence shifted at random by the seed. The same seed gives the same points.
+  Matrix draw(std::size_t rows, std::uint64_t seed) const;
+  /// log density of a point in the cube.
+  double log_density(const Vector& point) const;
+
+  const std::vector<Gaussian>& gaussians() const { return gaussians_; }
+  /// How much of all that lies within the cube.
+  double inside() const { return inside_; }
+
+ private:
+  Proposal(std::vector<Gaussian> gaussians, double prior_share);
+  /// A point, maybe outside of the cube, from one of the unit cube with a dimension more: the first chooses the part.
+  Vector drawn(const Vector& uniform) const;
+
+  std::vector<Gaussian> gaussians_;
+  double prior_share_, inside_ = 1;
+};
+
+/// Weights raised to the greatest power not above 1 that leaves an effective size of `least`, as far as there are as
+/// many members with weight. A proposal made from them is wide enough though the posterior has degenerated; what it is
+/// not is corrected by importance.
+Vector tempered(const Vector& weight, double least, double& power);
+
+/// `rows` members drawn from the proposal, numbered from first_id, with their importance.
+Ensemble members_from(const Proposal& proposal, const Prior& prior, std::size_t rows, std::uint64_t seed,
+                      std::int64_t first_id);
+
+}  // namespace soilweave::calibration

@@ -1,0 +1,39 @@
+// Comma-separated tables of the reference data, which tests read through SOILWEAVE_REFERENCE.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace soilweave::test {
+
+using Columns = std::map<std::string, std::vector<double>>;
+
+/// A comma-separated table of the reference folder; empty where there is none.
+inline Columns reference_table(const std::string& name) {
+  Columns table;
+  const char* folder = std::getenv("SOILWEAVE_REFERENCE");
+  if (folder == nullptr) return table;
+  std::ifstream file(std::string(folder) + "/" + name);
+  std::string line;
+  std::vector<std::string> names;
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
+      if (table.size() < names.size() || names.size() <= i) {
+        names.push_back(cell);
+      } else {
+        table[names[i]].push_back(std::strtod(cell.c_str(), nullptr));
+      }
+    }
+    for (const std::string& one : names) table[one];
+  }
+  return table;
+}
+
+}  // namespace soilweave::test
