@@ -28,7 +28,7 @@ Vector vector_of(const std::vector<double>& values) {
 io::Series table_of(const Ensemble& e, bool importance) {
   io::Series table;
   const std::vector<double> id(e.id.begin(), e.id.end());
-  table.columns.push_back({"id", "1", "number that stays with the parameter set", id});
+  table.columns.push_back({"id", "1", "number that stays with the parameter set and names its run", id});
   for (std::size_t k = 0; k < e.prior.size(); ++k) {
     const Range& range = e.prior.ranges[k];
     table.columns.push_back(

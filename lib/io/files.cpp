@@ -178,8 +178,10 @@ EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role) 
 
 SeriesFile read_run_series(const std::filesystem::path& path, std::string role) {
   OpenFile file(path, std::move(role));
-  file.demand_kind("run");
-  SeriesFile read{read_columns(file.reader, series_group), std::move(file.source)};
+  file.demand_kind("run fields");
+  const std::string place = file.kind == "run" ? series_group : fields_group + "/series";
+  if (!file.reader.has(place)) file.reader.fail(place, "is missing: the fields are not those of a run");
+  SeriesFile read{read_columns(file.reader, place), std::move(file.source)};
   read.source.history = read_history(file.reader);
   return read;
 }

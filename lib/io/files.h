@@ -50,7 +50,7 @@ struct EnsembleFile {
   Source source;
 };
 
-/// The series of a run without its states.
+/// The series of a run without its states, from the run or from the fields that homogenize made of it.
 struct SeriesFile {
   Series series;
   Source source;

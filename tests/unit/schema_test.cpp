@@ -109,7 +109,11 @@ TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
   fields.groups = {{"grains", "per grain", test::example_run().series}};
   write_fields(path, fields, {});
   check_datasets(Reader(test::bytes_of(path), "fields"), "/", seen);
-  EnsembleFile ensemble{{{{"id", "1", "number", {0, 1}}, {"E", "Pa", "modulus", {1e7, 2e7}}}}, "", fields.groups, {}};
+  EnsembleFile ensemble{
+      {{{"id", "1", std::string(entry("/members/id").long_name), {0, 1}}, {"E", "Pa", "modulus", {1e7, 2e7}}}},
+      "",
+      fields.groups,
+      {}};
   write_ensemble(path, ensemble, {});
   check_datasets(Reader(test::bytes_of(path), "ensemble"), "/", seen);
   for (const Section& section : schema())
