@@ -86,6 +86,9 @@ Prior spanned(const io::Series& table, const std::string& where) {
   Prior prior;
   for (const io::Column& column : table.columns) {
     if (column.name == "id" || column.name == importance_name || column.name == weight_name) continue;
+    for (std::size_t r = 0; r < column.values.size(); ++r)
+      if (!std::isfinite(column.values[r]))
+        throw DataError(fmt::format("{}: row {}: {} is not finite", where, r + 1, column.name));
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
     if (!(*low < *high))
       throw DataError(

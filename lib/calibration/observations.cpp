@@ -70,6 +70,8 @@ struct Unfit {
 /// A run at the stations. Throws Unfit.
 Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
   const io::Series run = selected(whole, choice.where);
+  std::vector<std::vector<double>> columns;  // first, since a column that is not there is no fault of the run
+  for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
   if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
   const std::vector<double> x = column_of(run, observed.station);
   for (std::size_t r = 0; r < x.size(); ++r) {
@@ -89,7 +91,7 @@ Matrix at_stations(const io::Series& whole, const Observations& observed, const 
                 fmt::format("begins at {} {:.6g}, the observations at {:.6g}", name, x.front(), observed.at.front())};
   Matrix values(index(observed.stations()), index(observed.observables.size()));
   for (std::size_t c = 0; c < observed.observables.size(); ++c) {
-    const std::vector<double> y = column_of(run, observed.observables[c]);
+    const std::vector<double>& y = columns[c];
     std::size_t r = 0;
     for (std::size_t t = 0; t < observed.stations(); ++t) {
       while (r + 2 < x.size() && x[r + 1] < observed.at[t]) ++r;

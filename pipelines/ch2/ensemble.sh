@@ -1,0 +1,81 @@
+#!/bin/bash
+# Runs every row of an ensemble's table, one row one job one folder: by GNU parallel on this machine or on those of
+# SSHLOGINFILE, which see the same folder, or as a Slurm array job (ENGINE=slurm). Stopped at any point, it goes on with the rows
+# that are missing. Rows whose physics fail are listed and stay failed; other trouble is tried again, then told.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: BIN=build/bin ensemble.sh TABLE.tsv FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_%
+set -euo pipefail
+table=$1 folder=$2 packing=$4 scenario=$5
+common=("${@:2}")
+here=$(dirname "$0")
+name=$(basename "$table" .tsv)
+joblog=$folder/$name.joblog
+mkdir -p "$folder/runs"
+
+# One at a time: jobs of a make that was killed may still be under way, and their results count.
+exec 9> "$folder/lock"
+flock -n 9 || { echo "  $folder: waiting for runs that are still under way" >&2; flock 9; }
+
+# Results of other inputs, programs or scenarios are not resumed from.
+key=$(cat "$packing" "$scenario" "$here/run.sh" "$BIN/run-dem" "$BIN/homogenize" | sha256sum)
+if [[ $(cat "$folder/key" 2>/dev/null) != "$key" ]]; then
+  rm -rf "$folder/runs" "$folder"/*.joblog
+  mkdir -p "$folder/runs"
+  printf '%s\n' "$key" > "$folder/key"
+fi
+
+# unfinished: the lines of the table, from 1, whose rows have neither result nor failure.
+unfinished() {
+  local line=0 id rest
+  while IFS=$'\t' read -r id rest; do
+    ((line++)) || continue
+    local row
+    row=$folder/runs/$(printf %06d "$id")
+    [[ -e $row/series.h5 || -e $row/failed ]] || echo $((line - 1))
+  done < "$table"
+}
+
+rows=$(($(wc -l < "$table") - 1))
+mapfile -t todo < <(unfinished)
+first=$(sed -n 2p "$table" | cut -f 1)
+printf '%s %s %s %s\n' "$first" "$rows" $((rows - ${#todo[@]})) "$(date +%s)" > "$folder/progress"
+rm -f "$folder/told"
+start=$(date +%s)
+
+if ((${#todo[@]} > 0)); then
+  echo "  run   $folder $name: ${#todo[@]} of $rows rows"
+  if [[ ${ENGINE:-parallel} == slurm ]]; then
+    printf '%s\n' "${todo[@]}" > "$folder/$name.todo"
+    "$here/slurm.sh" "$table" "$folder/$name.todo" "${common[@]}"
+  else
+    # The joblog keeps whole lines of rows that have their result: a killed machine may leave half a line, a user take a
+    # folder away.
+    if [[ -e $joblog ]]; then
+      printf '%s\n' "${todo[@]}" | awk -F '\t' 'NR == FNR { todo[$1] = 1; next } FNR == 1 || (NF >= 9 && !($1 in todo))' \
+        - "$joblog" > "$joblog.part" && mv "$joblog.part" "$joblog"
+    fi
+    export BIN
+    parallel --header : --colsep '\t' --jobs "${JOBS:-100%}" --joblog "$joblog" --resume-failed --retries 3 \
+      ${SSHLOGINFILE:+--sshloginfile "$SSHLOGINFILE" --workdir "$PWD"} --env BIN \
+      "$here/run.sh" "${common[@]}" '{1}' '{2}' '{3}' '{4}' '{5}' '{6}' :::: "$table" || true
+  fi
+fi
+
+mapfile -t todo < <(unfinished)
+failed=0
+while IFS=$'\t' read -r id _; do
+  file=$folder/runs/$(printf %06d "$id")/failed
+  [[ $id == id* || ! -e $file ]] && continue
+  ((failed++)) || echo "  $folder $name: rows that failed, with the reason:"
+  ((failed <= 10)) && echo "    $id: $(head -n 1 "$file")"
+done < "$table"
+((failed <= 10)) || echo "    and $((failed - 10)) more (FOLDER/runs/*/failed)"
+if [[ -s $joblog ]]; then
+  awk -F '\t' -v failed="$failed" -v name="$folder $name" -v spent=$(($(date +%s) - start)) '
+    FNR > 1 && $4 > 0.5 { seconds += $4; ++runs }
+    END { if (runs) printf "  %s: %d runs, %d failed, %.0f runs per hour and core\n", name, runs, failed, 3600 * runs / seconds }' "$joblog"
+fi
+if ((${#todo[@]} > 0)); then
+  echo "$folder: ${#todo[@]} rows did not finish (see $joblog); make again tries them" >&2
+  exit 1
+fi

@@ -1,0 +1,201 @@
+// Observations and runs: stations, columns, units, interpolation, and what becomes of runs that are missing or unfit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "calibration/assimilation.h"
+#include "calibration/sampling.h"
+#include "core/error.h"
+#include "io/table.h"
+#include "support/states.h"
+
+namespace soilweave::calibration {
+namespace {
+
+const std::string lab =
+    "strain_axial [%]\tratio [1]\tstrain_radial [%]\n"
+    "0.5\t2\t-0.1\n1\t3\t-0.3\n2\t4\t-0.9\n";
+
+Observations observed(const Choice& choice = {}) {
+  return observations(io::from_tsv(lab, "lab.tsv"), choice, "lab.tsv");
+}
+
+std::string mistake(const std::string& text, const Choice& choice = {}) {
+  try {
+    observations(io::from_tsv(text, "lab.tsv"), choice, "lab.tsv");
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Observations, all_columns_or_those_asked_for_up_to_a_station) {
+  const Observations all = observed();
+  EXPECT_EQ(all.station.name, "strain_axial");
+  ASSERT_EQ(all.observables.size(), 2u);
+  EXPECT_EQ(all.values(2, 1), -0.9);
+  const Observations some = observed({"strain_axial", {"strain_radial=strain_xx,strain_yy"}, 1.0, {}});
+  EXPECT_EQ(some.stations(), 2u);
+  EXPECT_EQ(some.observables[0].columns, (std::vector<std::string>{"strain_xx", "strain_yy"}));
+}
+
+TEST(Observations, what_cannot_be_used_is_said) {
+  EXPECT_EQ(mistake("x\ty\n1\tnan\n"),
+            "lab.tsv: row 1: y is not finite; take the row out, or leave the column out by --observe");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n1\t2\n"), "lab.tsv: row 2: x 1 is not above 1; sort the rows, keep one of equal ones");
+  EXPECT_EQ(mistake("x\ty\nnan\t1\n"), "lab.tsv: row 1: x is not finite");
+  EXPECT_EQ(mistake("x\n1\n"), "lab.tsv: nothing observed beside x");
+  EXPECT_EQ(mistake("x\ty\n"), "lab.tsv: no observations");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {}, 0.5, {}}), "lab.tsv: no observations up to --until");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "no column z; the nearest is x");
+}
+
+/// A folder with runs 0.tsv, 1.tsv, ... and what became of them against the laboratory.
+struct Runs {
+  io::test::Folder folder;
+  std::vector<std::int64_t> ids;
+  std::vector<io::Source> sources;
+
+  void add(const std::string& text) {
+    io::test::put_bytes(folder / (std::to_string(ids.size()) + ".tsv"), text);
+    ids.push_back(static_cast<std::int64_t>(ids.size()));
+  }
+  Simulated read(const Choice& choice) {
+    return simulated((folder / "{id}.tsv").string(), ids, observations(io::from_tsv(lab, "lab.tsv"), choice, "lab.tsv"),
+                     choice, sources);
+  }
+};
+
+const Choice compared{"strain_axial", {"ratio", "strain_radial=strain_xx,strain_yy"}, {}, {{"stage", 1}}};
+const std::string header = "stage\tstrain_axial [1]\tratio\tstrain_xx [1]\tstrain_yy [1]\n";
+
+TEST(Runs, are_interpolated_at_the_stations_in_the_units_of_the_observations) {
+  Runs runs;
+  runs.add(header + "0\t0.5\t9\t9\t9\n1\t0\t1\t0\t0\n1\t0.01\t2\t-0.002\t-0.004\n1\t0.03\t6\t-0.004\t-0.004\n");
+  const Simulated s = runs.read(compared);
+  ASSERT_EQ(s.used(), 1u);
+  EXPECT_DOUBLE_EQ(s.values[0](0, 0), 1.5);
+  EXPECT_DOUBLE_EQ(s.values[0](1, 0), 2);
+  EXPECT_DOUBLE_EQ(s.values[0](2, 0), 4);
+  EXPECT_NEAR(s.values[0](0, 1), -0.15, 1e-12);
+  EXPECT_NEAR(s.values[0](2, 1), -0.35, 1e-12);
+  ASSERT_EQ(runs.sources.size(), 1u);
+  EXPECT_EQ(runs.sources[0].role, "runs");
+}
+
+TEST(Runs, that_are_missing_or_unfit_have_no_values_and_a_reason) {
+  Runs runs;
+  const std::string good = header + "1\t0\t1\t0\t0\n1\t0.03\t6\t0\t0\n";
+  runs.add(good);
+  runs.add(header + "1\t0\t1\t0\t0\n1\t0.015\t6\t0\t0\n");
+  runs.add(header + "1\t0\t1\t0\t0\n1\t0.03\tnan\t0\t0\n");
+  runs.add(header + "1\t0\t1\t0\t0\n1\t0.02\t2\t0\t0\n1\t0.01\t6\t0\t0\n");
+  runs.add("1\t2\n");
+  runs.add(header + "0\t0\t1\t0\t0\n");
+  runs.add(header + "1\t0.01\t1\t0\t0\n1\t0.03\t6\t0\t0\n");
+  runs.ids.push_back(7);
+  const Simulated s = runs.read(compared);
+  using enum Fate;
+  EXPECT_EQ(s.fate, (std::vector{used, too_short, not_finite, unordered, unreadable, too_short, too_short, missing}));
+  EXPECT_EQ(s.why[1], "ends at strain_axial 1.5, the observations at 2");
+  EXPECT_EQ(s.why[2], "ratio at strain_axial 0.5 is not finite");
+  EXPECT_EQ(s.why[3], "strain_axial does not increase from row 2 to 3");
+  EXPECT_NE(s.why[4].find("4.tsv"), std::string::npos);
+  EXPECT_EQ(s.why[5], "has no rows");
+  EXPECT_EQ(s.why[6], "begins at strain_axial 1, the observations at 0.5");
+  EXPECT_NE(s.why[7].find("7.tsv: no such file"), std::string::npos);
+  const Prior prior{{{"a", "1", "", 0, 1, Scale::linear}}};
+  const Assimilation a = assimilate(members_at(prior, halton(8, {2}, 1)), observed(compared), s,
+                                    {ErrorModel::Kind::uniform, {1}}, std::nullopt, {});
+  EXPECT_EQ(a.ensemble.weight[0], 1);
+  EXPECT_EQ(a.ensemble.weight.tail(7).norm(), 0);
+  EXPECT_NE(
+      describe(a).find("8 parameter sets, 1 runs used, 1 missing, 1 unreadable, 1 out of order, 1 diverged, 3 too "
+                       "short; those have no weight:\n  1 too short: ends at"),
+      std::string::npos)
+      << describe(a);
+  for (const auto& group : groups_of(a))
+    for (const io::Column& column : group.table.columns)
+      for (const double value : column.values)
+        EXPECT_TRUE(std::isfinite(value) || column.name == "misfit" || column.name == "correlation")
+            << group.name << " " << column.name;
+}
+
+TEST(Runs, a_column_that_is_not_there_is_an_error_of_the_whole) {
+  Runs runs;
+  runs.add("stage\tstrain_axial [1]\trate\n1\t0\t1\n");
+  EXPECT_THROW(runs.read(compared), DataError);
+  runs.add("stage\tstrain_axial [kPa]\tratio\tstrain_xx\tstrain_yy\n1\t0\t1\t0\t0\n");
+  EXPECT_THROW(runs.read(compared), DataError);
+}
+
+TEST(Runs, one_table_holds_the_runs_of_all_members) {
+  const io::test::Folder folder;
+  io::test::put_bytes(folder / "runs.tsv",
+                      "id\tstrain_axial [%]\tratio\tstrain_radial [%]\n"
+                      "4\t0\t1\t0\n4\t2\t5\t-1\n2\t0\t1\t0\n2\t1\t5\t-1\n");
+  std::vector<io::Source> sources;
+  const Simulated s = simulated((folder / "runs.tsv").string(), {4, 2, 3}, observed(), {}, sources);
+  EXPECT_EQ(s.fate, (std::vector{Fate::used, Fate::too_short, Fate::missing}));
+  EXPECT_DOUBLE_EQ(s.values[0](1, 0), 3);
+  EXPECT_THROW(simulated("{nonsense}", {1}, observed(), {}, sources), UsageError);
+}
+
+TEST(Runs, the_series_of_run_files_are_read_without_their_states) {
+  const io::test::Folder folder;
+  const io::RunFile run = io::test::example_run();
+  io::write_run(folder / "0.h5", run, {});
+  const io::SeriesFile read = io::read_run_series(folder / "0.h5");
+  EXPECT_EQ(read.series.columns.size(), run.series.columns.size());
+  EXPECT_EQ(read.series.rows(), run.series.rows());
+  io::write_fields(folder / "1.h5", {{{"series", "", run.series}}, {}}, {});
+  EXPECT_EQ(io::read_run_series(folder / "1.h5").series.rows(), run.series.rows());
+  io::write_fields(folder / "2.h5", {{{"cell", "", run.series}}, {}}, {});
+  EXPECT_THROW(io::read_run_series(folder / "2.h5"), DataError);
+}
+
+TEST(Ensembles, go_through_files_and_tables_unchanged) {
+  const io::test::Folder folder;
+  const Prior prior{{{"E", "Pa", "modulus", 1e7, 1e11, Scale::log}, {"mu", "deg", "friction", 0, 60, Scale::linear}}};
+  Ensemble e = members_at(prior, halton(5, {2, 3}, 1), 10);
+  e.log_importance[2] = -0.25;
+  e.weight = Vector::Constant(5, 0.2);
+  io::write_ensemble(folder / "e.h5", ensemble_file(e), {});
+  io::test::put_bytes(folder / "e.tsv", io::to_tsv(members_table(e)));
+  io::test::put_bytes(folder / "prior.toml", prior_text(prior));
+  std::vector<io::Source> sources;
+  for (const Ensemble& read :
+       {read_ensemble(folder / "e.h5", {}, sources), read_ensemble(folder / "e.tsv", folder / "prior.toml", sources)}) {
+    EXPECT_EQ(read.id, e.id);
+    EXPECT_EQ(read.values, e.values);
+    EXPECT_EQ(read.log_importance, e.log_importance);
+    EXPECT_EQ(read.weight, e.weight);
+    EXPECT_EQ(read.prior.ranges[0].scale, Scale::log);
+    EXPECT_LT((read.coordinates() - halton(5, {2, 3}, 1)).norm(), 1e-12);
+  }
+  EXPECT_EQ(read_ensemble(folder / "e.tsv", {}, sources).prior.ranges[1].low, e.values.col(1).minCoeff());
+}
+
+TEST(Ensembles, tables_that_are_none_are_refused) {
+  const io::test::Folder folder;
+  std::vector<io::Source> sources;
+  const auto mistake = [&](const std::string& text) -> std::string {
+    io::test::put_bytes(folder / "e.tsv", text);
+    try {
+      read_ensemble(folder / "e.tsv", {}, sources);
+    } catch (const DataError& error) {
+      return std::string(error.what()).substr(std::string(error.what()).find("e.tsv"));
+    }
+    return "";
+  };
+  EXPECT_EQ(mistake("id\tE\n1\t1\n1\t2\n"), "e.tsv: row 2: id 1 is there twice");
+  EXPECT_EQ(mistake("id\tE\n1.5\t1\n2\t2\n"), "e.tsv: row 1: id 1.5 is no whole number");
+  EXPECT_EQ(mistake("id\tE\n1\t1\n2\t1\n"), "e.tsv: E has one value only: no range to find it in; give --prior");
+  EXPECT_EQ(mistake("id\n1\n"), "e.tsv: has no parameters beside id; give a column for each");
+  EXPECT_EQ(mistake("id\tE\tmu\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: row 2: mu is not finite");
+  EXPECT_EQ(mistake("id\tE\tweight\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: weight: holds NaN; every member needs a number");
+}
+
+}  // namespace
+}  // namespace soilweave::calibration
