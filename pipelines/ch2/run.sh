@@ -2,18 +2,19 @@
 # One row of an ensemble: isotropic compression, then drained triaxial compression with the row's contact parameters. What
 # the filter reads is kept in the row's folder; a row that has it already, with the same parameters, is not run again.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: BIN=build/bin run.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_% ID E NU KR ETA MU
+# usage: BIN=build/bin run.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_% ID E NU KR ETA MU [TWIN]
+# TWIN: number of a twin whose grains start 1e-6 of a radius apart; 0, the packing itself.
 # Leaves FOLDER/runs/ID/series.h5 and peak.tsv, or `failed` with the reason where the physics of these parameters fail;
 # any other trouble is this script's exit status, and the row is tried again.
 set -u
 folder=$1 law=$2 packing=$3 scenario=$4 pressure=$5 strain=$6
 id=$7 modulus=$8 ratio=$9
 shift 9
-rolling=$1 limit=$2 friction=$3
+rolling=$1 limit=$2 friction=$3 twin=${4:-0}
 here=$(dirname "$0")
 row=$(printf '%s/runs/%06d' "$folder" "$id")
 
-parameters="$law $pressure $strain $modulus $ratio $rolling $limit $friction"
+parameters="$law $pressure $strain $modulus $ratio $rolling $limit $friction $twin"
 if [ -e "$row/series.h5" ] || [ -e "$row/failed" ]; then
   [ "$(cat "$row/parameters" 2>/dev/null)" = "$parameters" ] && exit 0
 fi
@@ -23,13 +24,15 @@ mkdir -p "$row" && printf '%s\n' "$parameters" > "$row/parameters" || exit 73
 # The author's scripts: in Hertz-Mindlin contacts a limit of 0 is none, and twisting has none; nu of linear ones is k_s/k_n.
 ratio_key=poisson_ratio twisting_limit=none
 [ "$law" = cl ] && ratio_key=stiffness_ratio twisting_limit=$limit
+perturb=0
+[ "$twin" = 0 ] || perturb=1e-6
 [ "$law" = hm ] && [ "$(awk -v x="$limit" 'BEGIN { print (x == 0) }')" = 1 ] && limit=none
 
 OMP_NUM_THREADS=1 "$BIN/run-dem" "$packing" "$scenario" --set "contact.young_modulus=$modulus" --set "contact.$ratio_key=$ratio" \
   --set "contact.rolling.stiffness=$rolling" --set "contact.twisting.stiffness=$rolling" --set "contact.rolling.limit=$limit" \
   --set "contact.twisting.limit=$twisting_limit" --set "contact.friction_angle=$friction" \
   --set "stage.0.pressure=${pressure}e6" --set "stage.1.confining_pressure=${pressure}e6" \
-  --set "stage.1.axial_strain=${strain}e-2" --threads 1 --quiet -o "$row/run.h5" 2> "$row/log"
+  --set "stage.1.axial_strain=${strain}e-2" --perturb "$perturb" --seed "$twin" --threads 1 --quiet -o "$row/run.h5" 2> "$row/log"
 status=$?
 case $status in
   0) ;;
