@@ -85,6 +85,7 @@ std::vector<double> ComparisonOptions::chosen_stations() const {
 
 void Output::declare(tool::Table& table, std::string_view sentence) {
   table.flag(tsv, "tsv", "print tab-separated text");
+  table.unrecorded("tsv");
   table.optional_output(file, std::string(sentence));
 }
 

@@ -64,8 +64,9 @@ fi
 mapfile -t todo < <(unfinished)
 failed=0
 while IFS=$'\t' read -r id _; do
+  [[ $id == id* ]] && continue
   file=$folder/runs/$(printf %06d "$id")/failed
-  [[ $id == id* || ! -e $file ]] && continue
+  [[ -e $file ]] || continue
   ((failed++)) || echo "  $folder $name: rows that failed, with the reason:"
   ((failed <= 10)) && echo "    $id: $(head -n 1 "$file")"
 done < "$table"

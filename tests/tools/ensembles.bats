@@ -1,0 +1,88 @@
+#!/usr/bin/env bats
+# Ensembles of runs: what was stopped goes on and ends in the same bytes, failed rows are told, changed inputs run anew.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+ROOT=$BATS_TEST_DIRNAME/../..
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+  command -v parallel >/dev/null || skip "GNU parallel is not installed"
+}
+
+# The studies' rules with the tools as they are, in a folder of the test's own, on a small ensemble.
+study() { # OUT TARGET...
+  printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
+    > "$BATS_TEST_TMPDIR/study.mk"
+  local out=$1
+  shift
+  (cd "$ROOT" && exec make -r -f "$BATS_TEST_TMPDIR/study.mk" BIN="$BIN" OUT="$out" C2_CASES=hm_200_0.2 C2_SAMPLES="6 4" C2_STRAIN=0.5 "$@")
+}
+
+@test "an ensemble that is killed three times ends in the same bytes as one that is not" {
+  local whole=$PWD/whole killed=$PWD/killed posterior=ch2/hm_200_0.2/posterior2.h5 k
+  export JOBS=2 PROGRESS_INTERVAL=0
+  exits 0 study "$whole" "$whole/$posterior"
+  for k in 1 2 3; do
+    set -m
+    study "$killed" "$killed/$posterior" > "make$k.log" 2>&1 &
+    local make=$!
+    set +m
+    sleep "$((RANDOM % 2)).$((RANDOM % 900 + 100))"
+    # Twice everything that make started, whatever process groups it is in; once make alone, whose jobs live on.
+    if ((k < 3)); then family "$make" | xargs -r kill -KILL; else kill -KILL "$make" || true; fi
+    wait "$make" || true
+  done 2>/dev/null
+  exits 0 study "$killed" "$killed/$posterior"
+  same_bytes "$whole/$posterior" "$killed/$posterior"
+  exits 0 study "$killed" "$killed/$posterior"
+  [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
+}
+
+# family PID: the process and all its descendants.
+family() {
+  local child
+  for child in $(pgrep -P "$1"); do family "$child"; done
+  echo "$1"
+}
+
+# ensemble TABLE: on a small packing, into the folder `case`.
+ensemble() {
+  "$ROOT/pipelines/ch2/ensemble.sh" "$1" case hm packing.h5 scenario.toml 0.1 0.4
+}
+
+small_inputs() {
+  pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
+  cp "$ROOT/pipelines/ch2/hertz-mindlin.toml" scenario.toml
+  printf 'id [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\n%s\n%s\n%s\n' $'0\t4e9\t0.2\t0.1\t0.2\t30' $'1\t1e3\t0.2\t0.1\t0.2\t30' \
+    $'2\t4e9\t0.2\t0.1\t0\t25' > sets.tsv
+}
+
+@test "rows whose physics fail are listed with the reason and not run again; lost rows are" {
+  small_inputs
+  exits 0 ensemble sets.tsv
+  [[ $output == *"case sets: rows that failed, with the reason:"*"1: run-dem:"* ]] || show
+  [[ $output =~ "case sets: 3 runs, 1 failed, "[0-9]+" runs per hour and core" || $output == *"1 failed"* ]] || show
+  [[ -e case/runs/000000/series.h5 && -e case/runs/000002/series.h5 && -e case/runs/000001/failed ]] || show
+  local before
+  before=$(stat -c %Y.%i case/runs/*/series.h5)
+  exits 0 ensemble sets.tsv
+  [[ $before == "$(stat -c %Y.%i case/runs/*/series.h5)" ]] || show "rows ran again"
+  rm -r case/runs/000002
+  printf '3\tlocalhost\t17' >> case/sets.joblog
+  exits 0 ensemble sets.tsv
+  [[ $output == *"1 of 3 rows"* && -e case/runs/000002/series.h5 ]] || show "a lost row did not run again"
+  printf '# changed\n' >> scenario.toml
+  exits 0 ensemble sets.tsv
+  [[ $output == *"3 of 3 rows"* ]] || show "a changed scenario did not run all rows again"
+}
+
+@test "trouble that is not the physics' stops the study, with the rows that are missing" {
+  small_inputs
+  printf '[nonsense]\n' >> scenario.toml
+  exits 1 ensemble sets.tsv
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == *"case: 3 rows did not finish (see case/sets.joblog); make again tries them"* ]] || show
+  [[ $stderr == *"unknown key 'nonsense'"* ]] || show
+}

@@ -1,0 +1,255 @@
+#!/usr/bin/env bats
+# pf-weight: what its verbs print and write, the tables of thesis chapter 2, pipes, what is refused and what is told.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+  cp "$BATS_TEST_DIRNAME"/examples/{prior.toml,observed.tsv,runs.tsv} .
+}
+
+# refuses STATUS VERB MESSAGE ARGUMENTS...: exactly these lines, each "pf-weight VERB: MESSAGE", nothing on standard output.
+refuses() {
+  local wanted=$1 verb=$2 message=$3
+  shift 3
+  exits "$wanted" pf-weight "$verb" "$@"
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == "pf-weight $verb: $message" ]] || show "wanted: pf-weight $verb: $message"
+  [[ -z $output ]] || show "wanted nothing on standard output"
+}
+
+thesis_prior() {
+  cat <<'TOML'
+[[parameter]]
+name = "young_modulus"
+unit = "Pa"
+scale = "log"
+low = 1e7
+high = 1e11
+[[parameter]]
+name = "poisson_ratio"
+low = 0
+high = 0.5
+[[parameter]]
+name = "rolling_stiffness"
+low = 0
+high = 1
+[[parameter]]
+name = "rolling_limit"
+low = 0
+high = 1
+[[parameter]]
+name = "friction_angle"
+unit = "deg"
+low = 0
+high = 60
+TOML
+}
+
+@test "draw: the thesis's table has bases 2, 5, 7, 9, 11 and begins with the origin" {
+  thesis_prior > thesis.toml
+  exits 0 pf-weight draw thesis.toml --samples 2000 --bases 2,5,7,9,11 --tsv
+  [[ ${#lines[@]} -eq 2001 ]] || show "${#lines[@]} lines"
+  [[ ${lines[0]} == $'id [1]\tyoung_modulus [Pa]\tpoisson_ratio [1]\trolling_stiffness [1]\trolling_limit [1]\tfriction_angle [deg]' ]] || show
+  [[ ${lines[1]} == $'0\t1e+07\t0\t0\t0\t0' || ${lines[1]} == $'0\t10000000\t0\t0\t0\t0' ]] || show "${lines[1]}"
+  # Row 10: 1010, 20, 13, 11, 0.1 in the bases; 0.0101 = 5/16, 0.02 = 2/25, 0.31 = 22/49, 0.11 = 10/81, 0.01... of 11.
+  awk -F '\t' 'function near(a, b) { return (a - b) ^ 2 <= (1e-12 * b) ^ 2 }
+    $1 == 10 { exit !(near($2, 10 ^ (7 + 4 * 5 / 16)) && near($3, 0.5 * 2 / 25) && near($4, 22 / 49) && near($5, 10 / 81) &&
+      near($6, 60 * 10 / 11)) }' <<<"$output" || show "row 10: ${lines[11]}"
+}
+
+@test "draw: the stored table of 100 sets, digit by digit" {
+  needs_reference ch2/mc100_parameters.csv
+  cat > mc100.toml <<'TOML'
+parameter = [
+  { name = "E_Pa", unit = "Pa", scale = "log", low = 5.4e8, high = 5.5e8 },
+  { name = "nu", low = 0, high = 0.2 },
+  { name = "kr", low = 0.5, high = 0.6 },
+  { name = "eta", low = 0.1, high = 0.2 },
+  { name = "mu_deg", unit = "deg", low = 29, high = 31 },
+]
+TOML
+  pf-weight draw mc100.toml -n 100 --bases 2,3,5,7,11 --first 1 --tsv |
+    awk -F '\t' 'NR > 1 { printf "%d", $1; for (i = 2; i <= NF; ++i) printf ",%.6g", $i; print "" }' > drawn
+  # shellcheck disable=SC2154  # reference is set by needs_reference
+  tail -n +2 "$reference" > published
+  same_bytes drawn published
+}
+
+@test "draw: table and file say the same, a pipe too, and the same call gives the same bytes" {
+  pf-weight draw prior.toml -n 20 --method sobol --tsv -o one.h5 > one.tsv
+  pf-weight draw prior.toml -n 20 --method sobol -o - > other.h5
+  same_bytes one.h5 other.h5
+  exits 0 "$PYTHON" - <<'PY'
+import h5py
+rows = [line.rstrip("\n").split("\t") for line in open("one.tsv")]
+with h5py.File("one.h5") as file:
+    assert file.attrs["kind"] in ("ensemble", b"ensemble")
+    assert "low = -2" in file["prior"][()].decode()
+    for i, head in enumerate(rows[0]):
+        name, unit = head.split(" [")
+        assert file["members"][name][()].tolist() == [float(row[i]) for row in rows[1:]], name
+PY
+  pf-weight draw prior.toml -n 20 --method latin-hypercube --seed 5 --tsv > one.tsv
+  pf-weight draw prior.toml -n 20 --method latin-hypercube --seed 5 --tsv > other.tsv
+  same_bytes one.tsv other.tsv
+  exits 73 pf-weight draw prior.toml -n 20 -o one.h5
+  [[ $stderr == *"one.h5"*"--force"* ]] || show
+}
+
+@test "draw: what is wrong with a prior or the options is said" {
+  refuses 64 draw "nothing to do: give --tsv or -o FILE" prior.toml
+  refuses 64 draw "--bases 2,4: 2 and 4 share a factor, so that the points would lie on lines; choose others" \
+    prior.toml --bases 2,4 --tsv
+  refuses 64 draw "--bases 2,3,5: 3 for 2 parameters; give one for each" prior.toml --bases 2,3,5 --tsv
+  refuses 64 draw "--bases: only the Halton sequence has bases" prior.toml --bases 2,3 --method sobol --tsv
+  refuses 66 draw "none.toml: no such file; check the name" none.toml --tsv
+  printf '[[parameter]]\nname = "E"\nscale = "log"\nlow = 0\nhigh = 1\n' > bad.toml
+  refuses 65 draw "bad.toml:4: parameter.0.low: 0 on a log scale; must be above 0" bad.toml --tsv
+  printf '[[parameter]]\nname = "E"\nlow = 2\nhigh = 1\n' > bad.toml
+  refuses 65 draw "bad.toml:4: parameter.0.high: 1 is not above low, 2" bad.toml --tsv
+  printf 'title = 1\n' > bad.toml
+  exits 65 pf-weight draw bad.toml --tsv
+  [[ $stderr == *"no parameters; give [[parameter]] tables with name, low and high"* ]] || show
+}
+
+@test "assimilate: the stored ensemble has the expected means, weights and degeneracy" {
+  needs_reference ch2/mc100_simulations.csv
+  local folder=${reference%/*}
+  sed '1s/.*/id,E_Pa,nu,kr,eta,mu_deg/; s/,/\t/g' "$folder/mc100_parameters.csv" > sets.tsv
+  sed '1s/.*/id,step,eps_r,ratio,eps_v/; s/,/\t/g' "$folder/mc100_simulations.csv" > runs.tsv
+  awk -F , 'BEGIN { print "step\teps_r\tratio\teps_v" } NR > 1 { print NR - 1 "\t" $2 "\t" $3 "\t" $4 }' \
+    "$folder/toyoura_obs_0.5MPa_100steps.csv" > observed.tsv
+  exits 0 pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --error 0.1 --tsv
+  [[ $stderr == *"degenerate: an effective sample size of 1.055 of 100 for 5 parameters"*"0.973 of the weight is on member 50"* ]] || show
+  awk -F '[\t,]' 'NR == FNR { if (FNR > 1) for (i = 2; i <= 6; ++i) wanted[FNR - 1, i - 1] = $i; next }
+    FNR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } next }
+    { n = split("E_Pa nu kr eta mu_deg", name, " ")
+      for (k = 1; k <= n; ++k) { d = $at[name[k]] / wanted[FNR - 1, k] - 1; if (d < 0) d = -d; if (d > most) most = d } }
+    END { exit !(FNR == 101 && most < 1e-6) }' "$folder/mc100_expected_weighted_means_var0.1.csv" - <<<"$output" ||
+    show "means differ"
+}
+
+@test "assimilate: text, table, file and pipe agree; files open elsewhere and tell their history" {
+  pf-weight draw prior.toml -n 100 -o ensemble.h5
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01
+  [[ $output == "100 parameter sets, 100 runs used."* ]] || show
+  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --at 2 --tsv -o posterior.h5 > steps.tsv
+  pf-weight draw prior.toml -n 100 -o - | pf-weight assimilate - observed.tsv --runs runs.tsv --error 0.01 --at 2 -o - > piped.h5
+  same_bytes posterior.h5 piped.h5
+  exits 0 "$PYTHON" - <<'PY'
+import h5py, math
+rows = [line.rstrip("\n").split("\t") for line in open("steps.tsv")]
+with h5py.File("posterior.h5") as file:
+    fields = file["fields"]
+    assert sorted(fields) == ["covariance", "density", "runs", "steps", "weights"]
+    for i, head in enumerate(rows[0]):
+        assert fields["steps"][head.split(" [")[0]][()].tolist() == [float(row[i]) for row in rows[1:]], head
+    weight = file["members/weight"][()]
+    assert abs(weight.sum() - 1) < 1e-12
+    assert abs(fields["steps/effective_size"][-1] - 1 / (weight ** 2).sum()) < 1e-9
+    for name in ("a", "b"):
+        assert abs((file["members"][name][()] * weight).sum() - fields["steps"][name][-1]) < 1e-12
+PY
+  exits 0 to-vtk --history posterior.h5
+  [[ $output == *"pf-weight draw"*"pf-weight assimilate"*"runs"* ]] || show
+  exits 65 to-vtk posterior.h5 -o pictures
+  exits 65 homogenize posterior.h5 --tsv
+  exits 65 pf-weight resample ensemble.h5 -n 5 --tsv
+  [[ $stderr == "pf-weight resample: ensemble.h5: has no weights; assimilate observations first" ]] || show
+}
+
+@test "assimilate: runs that are missing, failed or diverged are listed and have no weight" {
+  pf-weight draw prior.toml -n 4 -o ensemble.h5
+  mkdir runs
+  awk -F '\t' '/^#/ { next } $1 == "id" { for (i = 2; i <= NF; ++i) head = head (i > 2 ? "\t" : "") $i; next }
+    $1 < 4 { file = "runs/" $1 ".tsv"; if (!(file in seen)) { print head > file; seen[file] = 1 } print $2 "\t" $3 "\t" $4 > file }' runs.tsv
+  rm runs/0.tsv
+  sed -i '$ s/[^\t]*$/nan/' runs/1.tsv
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01
+  [[ $output == *"4 parameter sets, 2 runs used, 1 missing, 1 diverged; those have no weight:"* ]] || show
+  [[ $output == *"  0 missing: runs/0.tsv: no such file"* ]] || show
+  [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
+  [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01 --tsv --table runs
+  [[ ${lines[1]} == $'0\t1\tnan\t0' && ${lines[2]} == $'1\t4\tnan\t0' ]] || show
+  rm -r runs
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01
+  [[ $stderr == "pf-weight assimilate: none of 4 runs can be used; the first: runs/0.tsv: no such file" ]] || show
+}
+
+@test "assimilate: observations with NaN, repeated or unreached stations get a clear message" {
+  pf-weight draw prior.toml -n 10 -o ensemble.h5
+  local try=(ensemble.h5 bad.tsv --runs runs.tsv --error 0.01)
+  sed '4 s/[^\t]*$/nan/' observed.tsv > bad.tsv
+  refuses 65 assimilate "bad.tsv: row 2: two is not finite; take the row out, or leave the column out by --observe" "${try[@]}"
+  { cat observed.tsv; tail -n 1 observed.tsv; } > bad.tsv
+  refuses 65 assimilate "bad.tsv: row 6: t 5 is not above 5; sort the rows, keep one of equal ones" "${try[@]}"
+  { cat observed.tsv; printf '9\t1\t1\n'; } > bad.tsv
+  refuses 65 assimilate "none of 10 runs can be used; the first: ends at t 5, the observations at 9" "${try[@]}"
+  exits 0 pf-weight assimilate "${try[@]}" --until 5
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe three
+  [[ $stderr == *"no column three; the nearest is "* ]] || show
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe one=three
+  [[ $stderr == *"run of member 0: no column three"* ]] || show
+}
+
+@test "assimilate: likelihoods that are all zero are told, with status 1 and numbers all the same" {
+  pf-weight draw prior.toml -n 10 -o ensemble.h5
+  exits 1 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 1e-12 --tsv
+  [[ $output != *nan* && ${#lines[@]} -eq 6 ]] || show
+  [[ $stderr == *"at t 1 every likelihood is zero: the nearest run has a squared deviation of "*" variances"* ]] || show
+}
+
+@test "assimilate: the error that keeps a share of the sets effective" {
+  pf-weight draw prior.toml -n 100 -o ensemble.h5
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --least-size 0.3 --tsv
+  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "effective_size [1]") c = i; next }
+    { if (least == "" || $c < least) least = $c } END { exit !(least > 29.99 && least < 30.01) }' <<<"$output" || show
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --covariance component --error 0.01,0.02
+  [[ $output == *"standard deviation of their error: one 0.1, two 0.1414."* ]] || show
+  refuses 64 assimilate "how exact are the observations? Give --error, as 0.1, or --least-size, as 0.2" \
+    ensemble.h5 observed.tsv --runs runs.tsv
+  refuses 64 assimilate "--error 0.1,x: give numbers above 0, as 0.1 or 0.1,0.02" ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,x
+  refuses 64 assimilate "no runs: give --runs, as 'runs/{id}/run.h5'" ensemble.h5 observed.tsv --error 1
+  refuses 65 assimilate "--variance: 2 given; one is needed, or --covariance component" \
+    ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,0.2
+}
+
+# two A B: the linear model that the examples' runs come from, of one parameter set.
+@test "resample: rounds of 40 sets come to the parameters that the observations were made with" {
+  # observed.tsv is made with a = 0.3, b = -0.4 and no noise: y = a + b t / 5, a t / 5 - b.
+  local ensemble=ensemble.h5 round
+  pf-weight draw prior.toml -n 40 --method sobol --first 1 -o ensemble.h5
+  pf-weight draw prior.toml -n 40 --method sobol --first 1 --tsv > sets.tsv
+  for round in 1 2 3; do
+    awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" }
+      NR > 1 { for (t = 1; t <= 5; ++t) printf "%d\t%d\t%.17g\t%.17g\n", $1, t, $2 + $3 * t / 5, $2 * t / 5 - $3 }' sets.tsv > runs.tsv
+    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --error 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
+    pf-weight resample "posterior$round.h5" -n 40 --seed "$round" --tsv --quiet -o "next$round.h5" > sets.tsv
+    ensemble=next$round.h5
+  done
+  [[ $(sed -n 2p sets.tsv | cut -f 1) -eq 120 ]] || show "ids go on: $(sed -n 2p sets.tsv)"
+  tail -n 1 steps3.tsv | awk -F '\t' 'NR == FNR { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } nextfile }
+    { exit !(($at["a"] - 0.3) ^ 2 < 0.05 ^ 2 && ($at["b"] + 0.4) ^ 2 < 0.05 ^ 2 && $at["effective_size"] > 8) }' steps3.tsv - ||
+    show "$(tail -n 1 steps3.tsv)"
+  exits 0 pf-weight resample posterior3.h5 -n 5 --method kernel --tsv
+  [[ ${lines[0]} == *log_importance* ]] || show
+}
+
+@test "each verb has help that fits a screen, a page, and examples that run" {
+  local verb command
+  pf-weight draw prior.toml --samples 100 --tsv > sets.tsv
+  for verb in draw assimilate resample; do
+    exits 0 pf-weight "$verb" --help
+    [[ $(wc -l <<<"$output") -le 40 && $(wc -L <<<"$output") -le 100 ]] || show "$verb --help is too large: $(wc -l <<<"$output")"
+    while IFS= read -r command; do
+      [[ $command == *" -o "* ]] && command+=" --force"
+      exits 0 bash -c "set -o pipefail; $command" || show "example of $verb: $command"
+    done < <(awk '/^[A-Z]/ { on = /^Example/ } on && /^  [^ ]/ { sub(/^  /, ""); print }' <<<"$output")
+    exits 0 pf-weight "$verb" --man
+    [[ ${lines[0]} == ".TH pf\\-weight\\-$verb 1 "* ]] || show "$verb --man"
+  done
+  complains 64 pf-weight "a verb is missing; give one of draw, assimilate, resample, or see 'pf-weight --help'"
+}
