@@ -129,7 +129,7 @@ Section ensemble() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),  contacts(),
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),   contacts(),
                                                 planes(),     run(),        fields(), ensemble()};
   return sections;
 }

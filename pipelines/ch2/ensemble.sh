@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs every row of an ensemble's table, one row one job one folder: by GNU parallel on this machine or on those of
 # SSHLOGINFILE, which see the same folder, or as a Slurm array job (ENGINE=slurm). Stopped at any point, it goes on with the rows
-# that are missing. Rows whose physics fail are listed and stay failed; other trouble is tried again, then told.
+# that are missing. Rows that will fail each time are listed and stay failed; other trouble is tried again, then told.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin ensemble.sh TABLE.tsv FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_%
 set -euo pipefail

@@ -4,8 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin run.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_% ID E NU KR ETA MU [TWIN]
 # TWIN: number of a twin whose grains start 1e-6 of a radius apart; 0, the packing itself.
-# Leaves FOLDER/runs/ID/series.h5 and peak.tsv, or `failed` with the reason where the physics of these parameters fail;
-# any other trouble is this script's exit status, and the row is tried again.
+# Leaves FOLDER/runs/ID/series.h5 and peak.tsv, or `failed` with the reason where these parameters will fail each time (out of
+# range, not settled, physics broken); any other trouble is this script's exit status, and the row is tried again.
 set -u
 folder=$1 law=$2 packing=$3 scenario=$4 pressure=$5 strain=$6
 id=$7 modulus=$8 ratio=$9
@@ -36,7 +36,7 @@ OMP_NUM_THREADS=1 "$BIN/run-dem" "$packing" "$scenario" --set "contact.young_mod
 status=$?
 case $status in
   0) ;;
-  1 | 70) mv "$row/log" "$row/failed"; exec "$here/progress.sh" "$folder" ;;
+  1 | 65 | 70) mv "$row/log" "$row/failed"; exec "$here/progress.sh" "$folder" ;;
   *) cat "$row/log" >&2; exit $status ;;
 esac
 
