@@ -28,8 +28,8 @@ struct Draw {
 
   void options(tool::Table& t) {
     t.about("pf-weight draw", "parameter sets that fill the ranges of a prior evenly");
-    t.example("pf-weight draw prior.toml --samples 100 --tsv > sets.tsv", "a table whose rows feed GNU parallel");
-    t.example("pf-weight draw prior.toml -n 100 -o ensemble.h5", "an ensemble, for assimilate");
+    t.example("pf-weight draw prior.toml --samples 100 -o ensemble.h5", "an ensemble, for assimilate");
+    t.example("pf-weight draw prior.toml -n 100 --tsv > sets.tsv", "a table whose rows feed GNU parallel");
     t.input(prior, "PRIOR", "parameters with their ranges and scales (TOML)");
     t.option(samples, calibration::samples_range);
     t.choice(method, "method", {"halton", "sobol", "latin-hypercube"}, "sequence, or slices at random");

@@ -5,7 +5,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin ensemble.sh TABLE.tsv FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_%
 set -euo pipefail
-table=$1 folder=$2 packing=$4 scenario=$5
+table=$1 folder=$2 law=$3 packing=$4 scenario=$5 pressure=$6 strain=$7
 common=("${@:2}")
 here=$(dirname "$0")
 name=$(basename "$table" .tsv)
@@ -24,14 +24,17 @@ if [[ $(cat "$folder/key" 2>/dev/null) != "$key" ]]; then
   printf '%s\n' "$key" > "$folder/key"
 fi
 
-# unfinished: the lines of the table, from 1, whose rows have neither result nor failure.
+# unfinished: the lines of the table, from 1, whose rows have neither result nor failure with these parameters.
 unfinished() {
-  local line=0 id rest
-  while IFS=$'\t' read -r id rest; do
+  local line=0 id modulus ratio rolling limit friction row
+  while IFS=$'\t' read -r id modulus ratio rolling limit friction _; do
     ((line++)) || continue
-    local row
     row=$folder/runs/$(printf %06d "$id")
-    [[ -e $row/series.h5 || -e $row/failed ]] || echo $((line - 1))
+    if [[ -e $row/series.h5 || -e $row/failed ]] &&
+      [[ $(cat "$row/parameters") == "$law $pressure $strain $modulus $ratio $rolling $limit $friction 0" ]]; then
+      continue
+    fi
+    echo $((line - 1))
   done < "$table"
 }
 

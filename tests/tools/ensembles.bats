@@ -73,6 +73,9 @@ small_inputs() {
   printf '3\tlocalhost\t17' >> case/sets.joblog
   exits 0 ensemble sets.tsv
   [[ $output == *"1 of 3 rows"* && -e case/runs/000002/series.h5 ]] || show "a lost row did not run again"
+  sed -i '$ s/25$/26/' sets.tsv
+  exits 0 ensemble sets.tsv
+  [[ $output == *"1 of 3 rows"* ]] || show "a row with other parameters did not run again"
   printf '# changed\n' >> scenario.toml
   exits 0 ensemble sets.tsv
   [[ $output == *"3 of 3 rows"* ]] || show "a changed scenario did not run all rows again"
