@@ -38,7 +38,7 @@ awk -F '\t' -v radial="${deviations[0]}" -v ratio="${deviations[1]}" -v volume="
     if (x in wanted) printf "%s\t%.6g\t%.6g\t%.6g\n", x, 50 * ($at["strain_xx"] + $at["strain_yy"]) + radial * normal(),
       $at["stress_ratio"] + ratio * normal(), 100 * $at["strain_volumetric"] + volume * normal() }' hidden/runs/000000/series.tsv > observed.tsv
 
-errors=$(printf '%s\n' "${deviations[@]}" | awk '{ printf "%s%.6g", NR > 1 ? "," : "", $1 * $1 }')
+errors=$(printf '%s\n' "${deviations[@]}" | awk '{ printf "%s%.6g", (NR > 1 ? "," : ""), $1 * $1 }')
 pf-weight draw "$study/prior_quick_$law.toml" --samples "$sets" --first 1 --tsv --force -o round0.h5 > round0.tsv
 for round in 0 1 2 3; do
   "$study/ensemble.sh" "round$round.tsv" case "$law" packing.h5 "$scenario" 0.2 $strain
@@ -51,7 +51,7 @@ for round in 0 1 2 3; do
       printf "round %d: effective %.3g; E %.4g Pa (%+.1f %%), 5 to 95 %% %.4g to %.4g; friction %.2f deg (%+.1f %%), %.2f to %.2f\n", round,
         $at["effective_size"], $at["young_modulus"], 100 * e, $at["young_modulus_low"], $at["young_modulus_high"], $at["friction_angle"],
         100 * m, $at["friction_angle_low"], $at["friction_angle_high"]
-      print (e < 0 ? -e : e) < 0.1 && (m < 0 ? -m : m) < 0.1 ? 0 : 1 > "verdict" }'
+      print (e * e < 0.01 && m * m < 0.01 ? 0 : 1) > "verdict" }'
   ((round == 3)) || pf-weight resample "posterior$round.h5" --samples "$sets" --seed "$round" --tsv --quiet --force -o "round$((round + 1)).h5" \
     > "round$((round + 1)).tsv"
 done
