@@ -7,8 +7,9 @@ set encoding utf8
 part(c, k) = word(system("echo " . c . " | tr _ ' '"), k)
 steps(c, r) = sprintf("%s/%s/steps%s.tsv", out, c, r)
 density(c, r) = sprintf("%s/%s/density%s.tsv", out, c, r)
-run(c, id) = sprintf("%s/%s/check/runs/%06d/series.tsv", out, c, id)
-exists(name) = system("test -s " . name . " && echo 1 || echo 0") + 0
+# Series of the identified set (00000?) or of the thesis's (000010), those that are there.
+runs(c, which) = system(sprintf("ls %s/%s/check/runs/%s/series.tsv 2>/dev/null || true", out, c, which))
+later = system("for r in " . rounds . "; do [ $r = 1 ] || printf '%s ' $r; done")
 lab(p) = sprintf("data/laboratory/toyoura_drained_triaxial_%sMPa.tsv", p)
 blue = "#1f6fb2"; orange = "#d9772b"; green = "#2f8f6b"; grey = "#667080"; red = "#b5394e"; violet = "#7458a6"
 colours = blue . " " . orange . " " . green . " " . red . " " . violet . " " . grey
@@ -39,19 +40,19 @@ do for [l in "cl hm"] {
   if (words(group) > 0) {
     W = 900; H = 560; @start
     set output figure("means_" . l)
-    set multiplot layout 2,3 margins 0.08,0.985,0.10,0.97 spacing 0.09,0.13
+    set multiplot layout 2,3 margins 0.085,0.97,0.12,0.97 spacing 0.11,0.15
     set xrange [0:until]; set yrange [*:*]
     do for [k = 1:5] {
       set xlabel (k > 2 ? "axial strain (%)" : "") offset 0,0.4; set ylabel label_of(k) offset 0.9,0
       if (k == 1) { set logscale y } else { unset logscale y }
       plot for [i = 1:words(group)] steps(word(group, i), "1") using (column("strain_axial [%]")):(scaled(k, column(head(k)))) with lines \
           linewidth 2 linecolor rgb word(colours, i), \
-        for [i = 1:words(group)] for [r in rounds] r eq "1" ? "/dev/null" : steps(word(group, i), r) using \
+        for [i = 1:words(group)] for [r in later] steps(word(group, i), r) using \
           (column("strain_axial [%]")):(scaled(k, column(head(k)))) with lines dashtype 2 linewidth 1.6 linecolor rgb word(colours, i)
     }
     unset logscale y; unset border; unset tics; unset grid; unset xlabel; unset ylabel; set key center center
     set xrange [0:1]; set yrange [0:1]
-    plot for [i = 1:words(group)] keyentry with lines linewidth 2 linecolor rgb word(colours, i) title part(word(group, i), 2) . " grains", \
+    plot -1 with lines, for [i = 1:words(group)] keyentry with lines linewidth 2 linecolor rgb word(colours, i) title part(word(group, i), 2) . " grains", \
       keyentry with lines dashtype 2 linewidth 1.6 linecolor rgb grey title "after resampling"
     unset multiplot
     set border 3; set tics; set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6; set grid; set key top right
@@ -71,7 +72,7 @@ do for [l in "hm cl"] {
       print part(c, 3) . "\t" . system(sprintf("awk -F '\\t' -v names='%s' 'NR == 1 { for (i = 1; i <= NF; ++i) { k = $i; sub(/ .*/, \"\", k); at[k] = i } n = split(names, name, \" \") } { row = $0 } END { split(row, v, FS); for (k = 1; k <= n; ++k) printf \"%%s\\t\", v[at[name[k]]] }' %s", names, steps(c, last)))
     }
     unset print
-    set multiplot layout 2,3 margins 0.08,0.985,0.10,0.97 spacing 0.09,0.13
+    set multiplot layout 2,3 margins 0.085,0.97,0.12,0.97 spacing 0.11,0.15
     set logscale x 2; set xrange [0.15:11]; set yrange [*:*]
     do for [k = 1:5] {
       set xlabel "confining pressure (MPa)" offset 0,0.4; set ylabel label_of(k) offset 0.9,0
@@ -85,7 +86,7 @@ do for [l in "hm cl"] {
 n = words(checked)
 W = 900; H = 400 * n; @start
 set output figure("prediction")
-set multiplot layout n,2 margins 0.085,0.985,0.14 / n,1 - 0.09 / n spacing 0.12,0.24 / n
+set multiplot layout n,2 margins 0.095,0.985,0.15 / n,1 - 0.10 / n spacing 0.12,0.30 / n
 set xrange [0:9]
 do for [c in checked] {
   p = part(c, 3)
@@ -93,17 +94,20 @@ do for [c in checked] {
   set xlabel "axial strain (%)" offset 0,0.4
   set ylabel "stress ratio σ_a/σ_r" offset 0.9,0; set yrange [1:5]; set key bottom right
   shear(y) = column("stage [1]") == 1 ? y : NaN
-  thesis = exists(run(c, 10)) ? run(c, 10) : "/dev/null"
+  identified = runs(c, "00000?"); thesis = runs(c, "000010")
   plot lab(p) using 1:3 every 3 with points pointtype 6 pointsize 0.6 linecolor rgb "#303840" title "Toyoura sand", \
-    for [t = 0:2] exists(run(c, t)) ? run(c, t) : "/dev/null" using (100 * column("strain_axial [1]")):(shear(column("stress_ratio [1]"))) with lines \
-      linewidth 2 linecolor rgb blue title (t == 0 ? "identified, twins" : ""), \
-    thesis using (100 * column("strain_axial [1]")):(shear(column("stress_ratio [1]"))) with lines dashtype 2 linewidth 1.8 linecolor rgb orange \
-      title "thesis's set"
+    for [file in identified] file using (100 * column("strain_axial [1]")):(shear(column("stress_ratio [1]"))) with lines \
+      linewidth 2 linecolor rgb blue, \
+    for [file in thesis] file using (100 * column("strain_axial [1]")):(shear(column("stress_ratio [1]"))) with lines dashtype 2 linewidth 1.8 \
+      linecolor rgb orange, \
+    keyentry with lines linewidth 2 linecolor rgb blue title "identified, twins", \
+    keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb orange title "thesis's set"
   set ylabel "volumetric strain ε_v (%)" offset 0.9,0; set yrange [*:*]; set key bottom left
   plot lab(p) using 1:4 every 3 with points pointtype 6 pointsize 0.6 linecolor rgb "#303840", \
-    for [t = 0:2] exists(run(c, t)) ? run(c, t) : "/dev/null" using (100 * column("strain_axial [1]")):(shear(100 * column("strain_volumetric [1]"))) with lines \
+    for [file in identified] file using (100 * column("strain_axial [1]")):(shear(100 * column("strain_volumetric [1]"))) with lines \
       linewidth 2 linecolor rgb blue, \
-    thesis using (100 * column("strain_axial [1]")):(shear(100 * column("strain_volumetric [1]"))) with lines dashtype 2 linewidth 1.8 linecolor rgb orange
+    for [file in thesis] file using (100 * column("strain_axial [1]")):(shear(100 * column("strain_volumetric [1]"))) with lines dashtype 2 linewidth 1.8 \
+      linecolor rgb orange
 }
 unset multiplot; unset title
 
@@ -111,11 +115,12 @@ unset multiplot; unset title
 do for [c in checked] {
   W = 900; H = 560; @start
   set output figure("density_" . c)
-  set multiplot layout 2,3 margins 0.08,0.985,0.10,0.97 spacing 0.09,0.13
+  set multiplot layout 2,3 margins 0.085,0.97,0.12,0.97 spacing 0.11,0.15
   set xrange [*:*]; set yrange [0:*]; set key top right
   stations = system(sprintf("awk -F '\\t' 'NR > 1 && !seen[$2]++ { printf \"%%s \", $2 }' %s", density(c, "1")))
   do for [k = 1:5] {
     if (k == 1) { set logscale x } else { unset logscale x }
+    if (k == 1 || k == 5) { set xtics autofreq } else { set xtics 0.1 }
     set xlabel label_of(k) offset 0,0.4; set ylabel (k == 1 || k == 4 ? "density" : "") offset 0.9,0
     plot for [i = 1:words(stations)] density(c, "1") using \
         (column("parameter [1]") == k - 1 && abs(column("strain_axial [%]") - word(stations, i)) < 1e-9 ? scaled(k, column("value [its own]")) : NaN): \
@@ -123,9 +128,9 @@ do for [c in checked] {
       density(c, last) using (column("parameter [1]") == k - 1 && abs(column("strain_axial [%]") - word(stations, words(stations))) < 1e-9 ? \
         scaled(k, column("value [its own]")) : NaN):(column("density [1 per its own]")) with lines dashtype 2 linewidth 1.8 linecolor rgb "#303840"
   }
-  unset logscale x; unset border; unset tics; unset grid; unset xlabel; unset ylabel; set key center center
+  unset logscale x; set xtics autofreq; unset border; unset tics; unset grid; unset xlabel; unset ylabel; set key center center
   set xrange [0:1]; set yrange [0:1]
-  plot for [i = 1:words(stations)] keyentry with lines linewidth 1.8 linecolor rgb word(colours, i) title sprintf("to %.2g %% strain", word(stations, i) + 0), \
+  plot -1 with lines, for [i = 1:words(stations)] keyentry with lines linewidth 1.8 linecolor rgb word(colours, i) title sprintf("to %.2g %% strain", word(stations, i) + 0), \
     keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb "#303840" title "last round, at the end"
   unset multiplot
   set border 3; set tics; set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6; set grid; set key top right
