@@ -238,6 +238,19 @@ PY
   [[ ${lines[0]} == *log_importance* ]] || show
 }
 
+@test "2000 sets and 100 steps of three observables take less than a second" {
+  [[ $BIN == */build/bin ]] || skip "not the build that users have"
+  thesis_prior > thesis.toml
+  pf-weight draw thesis.toml -n 2000 -o ensemble.h5
+  awk 'BEGIN { srand(1); print "id\tt\tone\ttwo\tthree"; for (i = 0; i < 2000; ++i) { a = rand()
+    for (t = 1; t <= 100; ++t) printf "%d\t%d\t%.6g\t%.6g\t%.6g\n", i, t, a * t, a + t, a * a * t } }' > runs.tsv
+  awk 'BEGIN { print "t\tone\ttwo\tthree"; for (t = 1; t <= 100; ++t) printf "%d\t%.6g\t%.6g\t%.6g\n", t, t / 2, t + 0.5, t / 4 }' > observed.tsv
+  local seconds TIMEFORMAT=%U
+  seconds=$({ time pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 --quiet -o posterior.h5 > /dev/null; } 2>&1)
+  echo "$seconds s" >&3
+  awk -v s="$seconds" 'BEGIN { exit !(s < 1) }' || show "$seconds s"
+}
+
 @test "each verb has help that fits a screen, a page, and examples that run" {
   local verb command
   pf-weight draw prior.toml --samples 100 --tsv > sets.tsv

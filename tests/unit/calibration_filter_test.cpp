@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "calibration/particle_filter.h"
 #include "calibration/posterior.h"
@@ -176,32 +174,6 @@ TEST(ParticleFilter, evidence_of_a_flat_prior_is_one_over_its_volume_times_the_i
   const Matrix misfit = (ensemble.values.array() - 0.3).square() / 0.01;
   const Filtered f = filter(misfit, Matrix::Constant(1, 1, 0.01), ensemble.log_prior_weight());
   EXPECT_NEAR(f.log_evidence[0], std::log(0.25), 1e-3);
-}
-
-TEST(ParticleFilter, two_thousand_sets_and_a_hundred_steps_take_less_than_a_second) {
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  Simulated runs;
-  Observations observed;
-  observed.observables = {{"a", "1", {}}, {"b", "1", {}}, {"c", "1", {}}};
-  observed.values = Matrix::Zero(100, 3);
-  for (int t = 0; t < 100; ++t) observed.at.push_back(t);
-  for (int i = 0; i < 2000; ++i) {
-    runs.values.push_back(Matrix::NullaryExpr(100, 3, [&] { return normal(random); }));
-    runs.fate.push_back(Fate::used);
-    runs.why.emplace_back();
-  }
-  const Ensemble ensemble =
-      members_at(test::contact_prior({1e7, 0, 0, 0, 0}, {1e11, 0.5, 1, 1, 60}), halton(2000, {2, 5, 7, 9, 11}, 0));
-  const auto start = std::chrono::steady_clock::now();
-  const Assimilation a = assimilate(ensemble, observed, runs, {ErrorModel::Kind::uniform, {1}}, std::nullopt, {20, 50});
-  const auto groups = groups_of(a);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("[   info   ] 2000 sets, 100 steps, all tables: %.3f s\n", seconds);
-  EXPECT_EQ(groups.size(), 5u);
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-  EXPECT_LT(seconds, 1);
-#endif
 }
 
 TEST(Posterior, moments_and_quantiles_of_weights) {
