@@ -247,7 +247,7 @@ PY
   awk 'BEGIN { print "t\tone\ttwo\tthree"; for (t = 1; t <= 100; ++t) printf "%d\t%.6g\t%.6g\t%.6g\n", t, t / 2, t + 0.5, t / 4 }' > observed.tsv
   local seconds TIMEFORMAT=%U
   seconds=$({ time pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 --quiet -o posterior.h5 > /dev/null; } 2>&1)
-  echo "$seconds s" >&3
+  echo "# $seconds s" >&3
   awk -v s="$seconds" 'BEGIN { exit !(s < 1) }' || show "$seconds s"
 }
 
