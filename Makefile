@@ -199,6 +199,7 @@ bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, live and recorded, where there is one
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh
 	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/recorded.sh
+	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/packings.sh
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 .PHONY: format
