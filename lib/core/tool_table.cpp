@@ -242,6 +242,18 @@ void Table::unrecorded(std::string_view name) {
     if (entry.name == name) entry.recorded = false;
 }
 
+void Table::resume() {
+  flag(impl_->invocation.resume, "resume", "go on with a run that was stopped; ends in the same bytes");
+  impl_->options.back().general = true;
+  unrecorded("resume");
+}
+
+void Table::instead_of_output(bool& field, std::string_view name, std::string_view sentence) {
+  flag(field, name, sentence);
+  unrecorded(name);
+  impl_->no_output = &field;
+}
+
 void Table::seed() {
   static constexpr Parameter random_seed{
       "seed", "1", 0, 1.8446744073709552e19, false, "seed of the random numbers; the same seed gives the same result"};

@@ -10,16 +10,18 @@
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
+#include "dem/guard.h"
+#include "dem/ledger.h"
 #include "dem/motion.h"
 #include "dem/neighbours.h"
 
 namespace soilweave::dem {
 namespace {
 
-// A pair overlapping by more than this fraction of the smaller radius is no longer a contact of stiff grains.
-constexpr double overlap_guard = 0.5;
 // Steps between two looks at the stiffness: it changes slowly against the step it limits.
 constexpr std::int64_t stiffness_interval = 8;
+// Steps between two passes over the grains by the guards.
+constexpr std::int64_t guard_interval = 256;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
 // The fastest grain moves at most this fraction of the smallest radius in a step.
@@ -28,7 +30,7 @@ constexpr double largest_move = 1e-2;
 }  // namespace
 
 struct Simulation::Impl {
-  Impl(const io::Snapshot& state, const Model& model, const Numerics& settings)
+  Impl(const io::Snapshot& state, const Model& model, const Numerics& settings, Archive* kept)
       : numerics(settings),
         record(state),
         bodies(state.grains),
@@ -37,12 +39,20 @@ struct Simulation::Impl {
         neighbours(bodies.largest_radius()),
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
+        guard(settings, bodies, cell, planes),
         time(state.time),
         steps(state.step) {
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
+    if (kept)
+      archive(*kept);
+    else
+      begin();
+  }
+
+  void begin() {
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    if (sums.largest_relative_overlap > overlap_guard)
+    if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
     measure(motion.gather(contacts, numerics.gravity, bodies));
     estimate_step();
@@ -81,25 +91,44 @@ struct Simulation::Impl {
       for (int lane = 0; lane < contacts.blocks[b].count; ++lane) contacts.set_history(b, lane, histories[k++]);
   }
 
+  void archive(Archive& a) {
+    archive_rows(a, "force", bodies.force);
+    archive_rows(a, "torque", bodies.torque);
+    a.item("damping", numerics.damping);
+    a.item("stable_time_step", stable), a.item("time_step", time_step);
+    a.item("contact_steps", contact_steps);
+    dem::archive(a, sums);
+    dem::archive(a, measures);
+    dem::archive(a, energies);
+    guard.archive(a);
+  }
+
   void step() {
     const double dt = time_step;
+    StepWatch clock(times, steps);
     const MotionSums moved = motion.advance(cell, numerics.gravity, numerics.damping, dt, bodies);
     const Mat3 force_branch_before = sums.force_branch;
     const Mat3 gradient = cell.velocity_gradient();
     cell.advance(dt);
     planes.advance(dt);
+    clock.lap(Phase::integration);
     if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
+    clock.lap(Phase::neighbours);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
+    clock.lap(Phase::contacts);
     const double resultants = motion.gather(contacts, numerics.gravity, bodies);
+    clock.lap(Phase::integration);
     ++steps;
     time += dt;
+    contact_steps += sums.contacts;
 
     account(moved, dt, force_branch_before, gradient);
     measure(resultants);
-    guard();
+    watch();
     if (steps % stiffness_interval == 0) estimate_step();
     limit_move(moved.fastest);
+    clock.lap(Phase::contacts);
   }
 
   void account(const MotionSums& moved, double dt, const Mat3& force_branch_before, const Mat3& gradient) {
@@ -132,14 +161,19 @@ struct Simulation::Impl {
     measures.unbalanced_force = mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  void guard() const {
-    if (!std::isfinite(sums.force_magnitude) || !std::isfinite(energies.elastic_normal))
-      throw PhysicsError(fmt::format(
-          "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps",
-          steps));
-    if (sums.largest_relative_overlap > overlap_guard)
-      throw PhysicsError(
-          fmt::format("step {}: {}: lower the time step or the loading rate, or check the packing", steps, deepest()));
+  void watch() const {
+    guard.finite(steps, bodies, sums.force_magnitude + energies.elastic_normal, energies.damping);
+    guard.overlap(steps, measures, [this] { return deepest(); });
+    if (steps % stiffness_interval == 0) guard.room(steps, cell);
+    if (steps % guard_interval != 0) return;
+    guard.balance(steps, energies_now());
+    guard.escape(steps, bodies);
+  }
+
+  Energies energies_now() const {
+    Energies e = energies;
+    e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
+    return e;
   }
 
   std::string deepest() const {
@@ -187,12 +221,14 @@ struct Simulation::Impl {
   Neighbours neighbours;
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
+  Guard guard;
   Contacts contacts;
   SweepSums sums;
   Measures measures;
   Energies energies;
   double stable = 0, time_step = 0, time = 0;
-  std::int64_t steps = 0;
+  std::int64_t steps = 0, contact_steps = 0;
+  StepTimes times;
 };
 
 io::ContactsRecord Simulation::Impl::contacts_record() const {
@@ -239,20 +275,20 @@ io::ContactsRecord Simulation::Impl::contacts_record() const {
 }
 
 Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics)
-    : impl_(std::make_unique<Impl>(state, model, numerics)) {}
+    : impl_(std::make_unique<Impl>(state, model, numerics, nullptr)) {}
+Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept)
+    : impl_(std::make_unique<Impl>(state, model, numerics, &kept)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 void Simulation::step() { impl_->step(); }
+void Simulation::archive(Archive& archive) const { impl_->archive(archive); }
+std::int64_t Simulation::contact_steps() const { return impl_->contact_steps; }
+const StepTimes& Simulation::step_times() const { return impl_->times; }
 const Measures& Simulation::measures() const { return impl_->measures; }
 
-Energies Simulation::energies() const {
-  Energies e = impl_->energies;
-  e.kinetic = kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
-  return e;
-}
-
+Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
@@ -286,8 +322,10 @@ void Simulation::scale_radii(double factor) {
 }
 
 void Simulation::stop_motion() {
+  const double moving = impl_->energies_now().kinetic;
   for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
     for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
+  impl_->energies.damping += moving - impl_->energies_now().kinetic;
 }
 
 io::Snapshot Simulation::snapshot() const {

@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "core/archive.h"
 #include "dem/model.h"
+#include "dem/step_times.h"
 #include "io/records.h"
 
 namespace soilweave::dem {
@@ -44,6 +46,8 @@ class Simulation {
   /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
   /// Throws DataError where grains overlap by more than half a radius.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
+  /// Goes on from a snapshot taken between two steps and what archive() kept then, bit by bit.
+  Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
@@ -73,7 +77,12 @@ class Simulation {
   void scale_radii(double factor);  // masses follow at constant density
   void stop_motion();               // zero fluctuation velocities and spins
 
-  io::Snapshot snapshot() const;  // complete: a Simulation made from it goes on bit by bit
+  /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.
+  io::Snapshot snapshot() const;
+  /// Keeps what a snapshot leaves out.
+  void archive(Archive& archive) const;
+  std::int64_t contact_steps() const;  // contacts, summed over the steps
+  const StepTimes& step_times() const;
 
  private:
   struct Impl;

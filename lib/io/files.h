@@ -18,11 +18,17 @@ struct PackingFile {
   Source source;  // of the file this was read from
 };
 
+/// What a run took, as far as equal runs take the same: no seconds.
+struct Work {
+  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: contacts, summed over the steps
+};
+
 /// A run: series over all recorded states, snapshots at some of them; the last snapshot is the state to continue from.
 struct RunFile {
   std::vector<Snapshot> snapshots;
   Series series;
   std::string scenario;  // resolved TOML
+  Work work;             // zeros where the file does not say
   Source source;
 };
 
