@@ -7,7 +7,9 @@
 #include "core/progress.h"
 #include "core/stop_signals.h"
 #include "core/tool.h"
+#include "dem/forecast.h"
 #include "dem/run.h"
+#include "io/bytes.h"
 #include "io/files.h"
 #include "io/safe_output.h"
 
@@ -22,9 +24,6 @@ constexpr Parameter perturb{"perturb",
                             false,
                             "move the grains at random by up to this fraction of the radius",
                             "more would make another packing"};
-
-constexpr Parameter checkpoint_every{
-    "checkpoint_every", "s", 0, 1e9, false, "seconds between checkpoints; 0: at recorded states only"};
 
 struct RunDem {
   std::filesystem::path packing, scenario, output;
@@ -48,9 +47,7 @@ struct RunDem {
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in numerics.damping=0.3");
     table.option(perturbation, perturb);
     table.instead_of_output(check, "check", "check the input and say what the run will take; write nothing");
-    table.option(interval, checkpoint_every);
-    table.unrecorded("checkpoint-every");
-    table.resume();
+    table.resume(interval);
     table.seed();
     table.threads();
   }
@@ -64,13 +61,13 @@ struct RunDem {
     const io::PackingFile start = io::read_state(packing);
     io::Snapshot state = dem::prepare(start.state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
+    if (check) return io::write_bytes("-", dem::forecast(state, plan).text());
     Progress progress("run-dem", invocation.quiet);
     const dem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::extend({start.source, text.source}, invocation, plan.resolved);
     const StopSignals signals;
     io::SafeOutput safe(output, history, invocation);
-    if (!safe.note().empty()) progress.note("run-dem: " + safe.note());
-    if (safe.finished()) return;
+    if (safe.finished(progress)) return;
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals});
     outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
     progress.note("run-dem: " + outcome.price.line());

@@ -64,8 +64,8 @@ class Table {
   void flag(bool& field, std::string_view name, std::string_view sentence);
   /// The option cannot change the result (--resume): it stays out of Invocation::command.
   void unrecorded(std::string_view name);
-  /// --resume, into Invocation::resume: an existing output is then the tool's to judge.
-  void resume();
+  /// --checkpoint-every, s; --resume, into Invocation::resume: an existing output is then the tool's to judge.
+  void resume(double& interval);
   /// A flag with which the tool writes no file, so that none need be named.
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
   void seed();     // --seed N, into Invocation::seed

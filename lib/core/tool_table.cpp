@@ -242,7 +242,12 @@ void Table::unrecorded(std::string_view name) {
     if (entry.name == name) entry.recorded = false;
 }
 
-void Table::resume() {
+void Table::resume(double& interval) {
+  static constexpr Parameter checkpoint_every{
+      "checkpoint_every", "s", 0, 1e9, false, "seconds between checkpoints; 0: none but at recorded states"};
+  option(interval, checkpoint_every);
+  impl_->options.back().general = true;
+  unrecorded("checkpoint-every");
   flag(impl_->invocation.resume, "resume", "go on with a run that was stopped; ends in the same bytes");
   impl_->options.back().general = true;
   unrecorded("resume");

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <new>
 
+#include "core/error.h"
 #include "core/stop_signals.h"
 #include "io/part.h"
 
@@ -45,5 +47,23 @@ class Keeper {
   Clock::time_point due_;
   double seconds_ = 0;
 };
+
+/// work.run(). Where the work is kept, an error says what is whole and how to go on, and a guard leaves
+/// work.snapshot() to be looked at.
+template <class Work>
+auto carry_out(Work& work, const io::Part* part) {
+  if (!part) return work.run();
+  try {
+    return work.run();
+  } catch (const PhysicsError& error) {
+    throw part->stopped(error, work.snapshot());
+  } catch (const TargetNotReached& error) {
+    throw part->stopped(error, work.snapshot());
+  } catch (const Error& error) {
+    throw part->explained(error);
+  } catch (const std::bad_alloc&) {
+    throw part->explained(Error(Exit::internal, "not enough memory; use fewer grains or a machine with more"));
+  }
+}
 
 }  // namespace soilweave::dem

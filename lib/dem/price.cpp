@@ -22,10 +22,26 @@ std::string Price::line() const {
       total > 0 ? 100 * output / total : 0);
 }
 
-void Price::archive(Archive& a) {
-  a.item("seconds_stepping", stepping), a.item("seconds_output", output);
-  a.item("seconds_contacts", times.seconds[0]), a.item("seconds_integration", times.seconds[1]);
-  a.item("seconds_neighbours", times.seconds[2]), a.item("steps_looked_at", times.looked_at);
+Price PriceClock::price(const Simulation& simulation, double keeping) const {
+  Price p;
+  p.grains = simulation.grains();
+  p.steps = simulation.steps();
+  p.contact_steps = simulation.contact_steps();
+  const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  p.stepping = stepping_ + now - keeping;
+  p.output = output_ + keeping;
+  p.times = simulation.step_times();
+  for (std::size_t k = 0; k < p.times.seconds.size(); ++k) p.times.seconds[k] += times_.seconds[k];
+  p.times.looked_at += times_.looked_at;
+  return p;
+}
+
+void PriceClock::archive(const Simulation& simulation, double keeping, Archive& a) {
+  Price p = price(simulation, keeping);
+  a.item("seconds_stepping", p.stepping), a.item("seconds_output", p.output);
+  a.item("seconds_contacts", p.times.seconds[0]), a.item("seconds_integration", p.times.seconds[1]);
+  a.item("seconds_neighbours", p.times.seconds[2]), a.item("steps_looked_at", p.times.looked_at);
+  if (a.giving_back()) stepping_ = p.stepping, output_ = p.output, times_ = p.times;
 }
 
 }  // namespace soilweave::dem

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
 #include "core/archive.h"
-#include "dem/step_times.h"
+#include "dem/simulation.h"
 
 namespace soilweave::dem {
 
@@ -23,8 +24,20 @@ struct Price {
   double share(Phase phase) const;
   /// One line of it all.
   std::string line() const;
-  /// The seconds, so that a run that goes on later counts on.
-  void archive(Archive& archive);
+};
+
+/// Counts the price of work that may take several sittings.
+class PriceClock {
+ public:
+  /// So far, of all sittings; the simulation counted its steps from 0. keeping: s, spent in keeping in this sitting.
+  Price price(const Simulation& simulation, double keeping) const;
+  /// Keeps the seconds of all sittings, or gives back those of the sittings before.
+  void archive(const Simulation& simulation, double keeping, Archive& archive);
+
+ private:
+  double stepping_ = 0, output_ = 0;  // s, of the sittings before
+  StepTimes times_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace soilweave::dem

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <new>
 #include <random>
 #include <utility>
 
@@ -80,9 +78,7 @@ class Runner {
     result_.series = last ? std::move(last->series) : empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
-    price_.grains = start.grains.size();
     if (last) go_on();
-    began_ = Clock::now();
   }
 
   Outcome run() {
@@ -102,7 +98,7 @@ class Runner {
         if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1)) keep_state();
       }
     }
-    const Price price = price_now();
+    const Price price = clock_.price(simulation_, keeper_.seconds());
     result_.work = {price.steps, price.contact_steps};
     if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
     return {std::move(result_), price};
@@ -111,12 +107,10 @@ class Runner {
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void go_on() {
     servo_.archive(kept_);
     at_.archive(kept_);
-    price_.archive(kept_);
+    clock_.archive(simulation_, keeper_.seconds(), kept_);
     for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
   }
 
@@ -125,21 +119,8 @@ class Runner {
     simulation_.archive(archive);
     servo_.archive(archive);
     at_.archive(archive);
-    price_now().archive(archive);
+    clock_.archive(simulation_, keeper_.seconds(), archive);
     return {simulation_.snapshot(), result_.series, archive.numbers()};
-  }
-
-  // Of all sittings.
-  Price price_now() const {
-    Price price = price_;
-    price.steps = simulation_.steps();
-    price.contact_steps = simulation_.contact_steps();
-    price.stepping += std::chrono::duration<double>(Clock::now() - began_).count() - keeper_.seconds();
-    price.output += keeper_.seconds();
-    const StepTimes& times = simulation_.step_times();
-    for (std::size_t k = 0; k < times.seconds.size(); ++k) price.times.seconds[k] += times.seconds[k];
-    price.times.looked_at += times.looked_at;
-    return price;
   }
 
   // What a stage changes in the grains.
@@ -231,24 +212,8 @@ class Runner {
   Position at_;
   io::RunFile result_;
   std::size_t total_ = 0;
-  Price price_;  // of the sittings before this one
-  Clock::time_point began_;
+  PriceClock clock_;
 };
-
-// Errors of a run that is kept say what is kept.
-Outcome run_kept(Runner& runner, const io::Part& part) {
-  try {
-    return runner.run();
-  } catch (const PhysicsError& error) {
-    throw part.stopped(error, runner.snapshot());
-  } catch (const TargetNotReached& error) {
-    throw part.stopped(error, runner.snapshot());
-  } catch (const Error& error) {
-    throw part.explained(error);
-  } catch (const std::bad_alloc&) {
-    throw part.explained(Error(Exit::internal, "not enough memory; use fewer grains or a machine with more"));
-  }
-}
 
 }  // namespace
 
@@ -283,7 +248,7 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping) {
   io::Part* part = safekeeping.part;
   Runner runner(start, scenario, report, safekeeping, part ? part->take_last() : std::nullopt);
-  return part ? run_kept(runner, *part) : runner.run();
+  return carry_out(runner, part);
 }
 
 }  // namespace soilweave::dem

@@ -186,16 +186,16 @@ struct Simulation::Impl {
                        100 * sums.largest_relative_overlap);
   }
 
+  double stability_limit() {
+    const double r = bodies.smallest_radius();
+    const double reference =
+        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
+    sweep->stiffnesses(bodies, cell, planes, numerics.threads, contacts);
+    return std::min(reference, motion.stable_time_step(bodies, contacts));
+  }
+
   void estimate_step() {
-    if (numerics.time_step) {
-      stable = *numerics.time_step;
-    } else {
-      const double r = bodies.smallest_radius();
-      const double reference =
-          std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-      sweep->stiffnesses(bodies, cell, planes, numerics.threads, contacts);
-      stable = numerics.time_step_safety * std::min(reference, motion.stable_time_step(bodies, contacts));
-    }
+    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
     time_step = stable;
   }
 
@@ -290,11 +290,13 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
+double Simulation::stability_limit() { return impl_->stability_limit(); }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
 const Mat3& Simulation::deformation_gradient() const { return impl_->cell.deformation_gradient(); }
 double Simulation::volume() const { return impl_->cell.volume(); }
+std::size_t Simulation::grains() const { return impl_->bodies.size(); }
 double Simulation::mass() const { return impl_->bodies.total_mass(); }
 double Simulation::solid_volume() const { return impl_->bodies.solid_volume(); }
 double Simulation::void_ratio() const { return volume() / solid_volume() - 1; }

@@ -58,12 +58,14 @@ class Simulation {
   const Measures& measures() const;  // of the last step
   Energies energies() const;
   double time_step() const;  // s, of the next step
+  double stability_limit();  // s, from the present stiffness
   double time() const;
   std::int64_t steps() const;
 
   const Mat3& cell_matrix() const;
   const Mat3& deformation_gradient() const;
-  double volume() const;        // m3 (2D: m2)
+  double volume() const;  // m3 (2D: m2)
+  std::size_t grains() const;
   double mass() const;          // kg (2D: kg/m), of all grains
   double solid_volume() const;  // m3 (2D: m2), overlaps counted twice
   double void_ratio() const;

@@ -86,6 +86,13 @@ void write_packing(const std::filesystem::path& path, const Snapshot& state, con
   write_file(path, "packing", history, [&](Writer& file) { write_states(file, {&state}, history); });
 }
 
+std::size_t packing_bytes(const Snapshot& state) {
+  Writer file;
+  write_head(file, "packing", {});
+  write_states(file, {&state}, {});
+  return file.image().size();
+}
+
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history) {
   std::vector<const Snapshot*> states;
   for (const Snapshot& state : run.snapshots) {

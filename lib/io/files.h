@@ -51,6 +51,8 @@ struct FieldsFile {
 /// Writes of every kind: atomically (temporary name, fsync, rename), equal content gives equal bytes.
 /// Throws CannotCreate, IoError.
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
+/// The size of the file that write_packing would write of a state, bytes.
+std::size_t packing_bytes(const Snapshot& state);
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
 

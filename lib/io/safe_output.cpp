@@ -28,13 +28,19 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
   if (!has_folder(output)) return;
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
-    note_ = output.string() + " is finished already";
+    note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;
   }
   part_.emplace(output, history, entry_of(invocation));
   if (!invocation.resume) return;
-  note_ = part_->last().empty() ? part_of(output).string() + " holds nothing to go on from; beginning anew"
-                                : "going on from " + part_->last().string();
+  note_ = invocation.tool + ": ";
+  note_ += part_->last().empty() ? part_of(output).string() + " holds nothing to go on from; beginning anew"
+                                 : "going on from " + part_->last().string();
+}
+
+bool SafeOutput::finished(Progress& progress) const {
+  if (!note_.empty()) progress.note(note_);
+  return finished_;
 }
 
 double SafeOutput::write(const std::function<void()>& write) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/progress.h"
 #include "io/part.h"
 
 namespace soilweave::io {
@@ -17,12 +18,10 @@ class SafeOutput {
   /// none. Throws what Part does, CannotCreate where a finished output of another history is in the way.
   SafeOutput(const std::filesystem::path& output, const History& history, const tool::Invocation& invocation);
 
-  /// Whether there is nothing left to do.
-  bool finished() const { return finished_; }
+  /// Whether there is nothing left to do; says on the way where the work begins.
+  bool finished(Progress& progress) const;
   /// nullptr where there is no folder.
   Part* part() { return part_ ? &*part_ : nullptr; }
-  /// A line for the user about where it begins; empty where there is nothing to say.
-  const std::string& note() const { return note_; }
   /// Calls write(), then removes the folder. Errors say what is kept. Returns the seconds it took.
   double write(const std::function<void()>& write);
 
