@@ -131,8 +131,8 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   Forecast f;
   f.time_step = simulation.time_step();
   f.stability_limit = simulation.stability_limit();
-  f.unbalanced_force = simulation.measures().unbalanced_force;
-  f.largest_overlap = simulation.measures().largest_overlap;
+  f.unbalanced_force = simulation.unbalanced_force();
+  f.largest_overlap = simulation.largest_overlap();
   Walk walk(simulation, scenario, dimension, start.grains.size());
   std::size_t stations = 0;
   double steps = 0;

@@ -62,8 +62,8 @@ void Guard::finite(std::int64_t step, const Bodies& bodies, double force, double
       step, force, spent, lower_step()));
 }
 
-void Guard::too_deep(std::int64_t step, const Measures& m, const std::string& deepest) const {
-  const bool loaded = m.unbalanced_force < quiet && !fixed_step_;
+void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force) const {
+  const bool loaded = unbalanced_force < quiet && !fixed_step_;
   throw PhysicsError(fmt::format(
       "step {}: {}, more than the {:.3g} % of guards.overlap: {}", step, deepest, 100 * limits_.overlap,
       loaded ? "the load is too high for grains of this stiffness; lower it, or take stiffer grains"

@@ -22,11 +22,8 @@ class Guard {
   /// Every number of the state is finite. force: sum over the contacts; spent: what damping took, which no grain with a
   /// velocity that is none leaves finite.
   void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
-  /// No contact is deeper than it may be. deepest: names it, "grains 3 and 5 overlap by ..."; called only then.
-  template <class Deepest>
-  void overlap(std::int64_t step, const Measures& measures, const Deepest& deepest) const {
-    if (measures.largest_overlap > limits_.overlap) too_deep(step, measures, deepest());
-  }
+  /// A contact is deeper than it may be. deepest: names it, "grains 3 and 5 overlap by ..."
+  [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force) const;
   /// No grain spans half the cell along a periodic axis.
   void room(std::int64_t step, const Cell& cell) const;
   /// Energy is neither created nor lost, kinetic energy being that of the moment.
@@ -37,7 +34,6 @@ class Guard {
   void archive(Archive& archive) { archive.item("guard_low", low_), archive.item("guard_high", high_); }
 
  private:
-  [[noreturn]] void too_deep(std::int64_t step, const Measures& measures, const std::string& deepest) const;
   std::string lower_step() const;
 
   Limits limits_;

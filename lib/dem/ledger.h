@@ -11,26 +11,20 @@
 
 namespace soilweave::dem {
 
-static_assert(sizeof(SweepSums) == 27 * sizeof(double) && sizeof(Measures) == 15 * sizeof(double) &&
+static_assert(sizeof(SweepSums) == 18 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
                   sizeof(Energies) == 13 * sizeof(double),
               "a number was added that is not in the lists below");
 
 inline void archive(Archive& a, SweepSums& s) {
-  a.item("sum_force_branch", s.force_branch), a.item("sum_axial_stiffness", s.axial_stiffness);
-  a.item("sum_force_magnitude", s.force_magnitude), a.item("sum_largest_overlap", s.largest_relative_overlap);
-  a.item("sum_elastic_normal", s.elastic_normal), a.item("sum_elastic_shear", s.elastic_shear);
-  a.item("sum_elastic_rolling", s.elastic_rolling), a.item("sum_elastic_twisting", s.elastic_twisting);
-  a.item("sum_shear_before", s.shear_before), a.item("sum_rolling_before", s.rolling_before);
-  a.item("sum_twisting_before", s.twisting_before), a.item("sum_frictional", s.frictional);
+  a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
+  a.item("sum_elastic_normal", s.elastic_normal), a.item("sum_elastic_tangential", s.elastic_tangential);
+  a.item("sum_tangential_before", s.tangential_before), a.item("sum_frictional", s.frictional);
   a.item("sum_rolling_plastic", s.rolling_plastic), a.item("sum_viscous", s.viscous);
   a.item("sum_kinematic", s.kinematic), a.item("sum_plane_work", s.plane_work);
-  a.item("sum_contacts", s.contacts);
 }
 
 inline void archive(Archive& a, Measures& m) {
-  a.item("stress", m.stress), a.item("axial_stiffness", m.axial_stiffness);
-  a.item("unbalanced_force", m.unbalanced_force), a.item("contacts", m.contacts);
-  a.item("largest_overlap", m.largest_overlap);
+  a.item("stress", m.stress), a.item("axial_stiffness", m.axial_stiffness), a.item("contacts", m.contacts);
 }
 
 inline void archive(Archive& a, Energies& e) {

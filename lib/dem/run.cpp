@@ -173,7 +173,7 @@ class Runner {
     report_(static_cast<double>(at_.done) / static_cast<double>(total_),
             fmt::format("{} {}/{}, step {}, p {:.4g} Pa, e {:.4f}, unbalanced {:.1e}", stage.name, station + 1,
                         stage.path->stations(), simulation_.steps(), mean(m.stress, dimension_),
-                        simulation_.void_ratio(), m.unbalanced_force));
+                        simulation_.void_ratio(), simulation_.unbalanced_force()));
   }
 
   [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {
@@ -188,7 +188,7 @@ class Runner {
     throw TargetNotReached(fmt::format(
         "stage \"{}\", station {}: not settled after {} steps ({}; unbalanced force {:.2e} of {:.2e}): raise "
         "equilibrium.steps, loosen the tolerances or lower the rate",
-        stage.name, station + 1, scenario_.largest_station, where, simulation_.measures().unbalanced_force,
+        stage.name, station + 1, scenario_.largest_station, where, simulation_.unbalanced_force(),
         scenario_.tolerances.unbalanced_force));
   }
 

@@ -52,12 +52,12 @@ struct Simulation::Impl {
 
   void begin() {
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    if (sums.largest_relative_overlap > numerics.limits.overlap)
+    motion.gather(contacts, bodies);
+    measure();
+    if (survey().largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
-    measure(motion.gather(contacts, numerics.gravity, bodies));
     estimate_step();
-    energy_of_contacts();
-    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + energies.elastic();
+    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
   }
 
   void restore(const io::ContactsRecord& r) {
@@ -107,7 +107,7 @@ struct Simulation::Impl {
     const double dt = time_step;
     StepWatch clock(times, steps);
     const MotionSums moved = motion.advance(cell, numerics.gravity, numerics.damping, dt, bodies);
-    const Mat3 force_branch_before = sums.force_branch;
+    const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
     cell.advance(dt);
     planes.advance(dt);
@@ -117,86 +117,87 @@ struct Simulation::Impl {
     clock.lap(Phase::neighbours);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
     clock.lap(Phase::contacts);
-    const double resultants = motion.gather(contacts, numerics.gravity, bodies);
+    motion.gather(contacts, bodies);
     clock.lap(Phase::integration);
     ++steps;
     time += dt;
     contact_steps += sums.contacts;
 
-    account(moved, dt, force_branch_before, gradient);
-    measure(resultants);
+    account(moved, dt, before, gradient);
+    measure();
     watch();
     if (steps % stiffness_interval == 0) estimate_step();
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
 
-  void account(const MotionSums& moved, double dt, const Mat3& force_branch_before, const Mat3& gradient) {
-    const double stored_before = energies.elastic_shear + energies.elastic_rolling + energies.elastic_twisting;
-    energies.law += stored_before - (sums.shear_before + sums.rolling_before + sums.twisting_before) + sums.kinematic;
+  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient) {
+    energies.law += before.elastic_tangential - sums.tangential_before + sums.kinematic;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
     energies.viscous += sums.viscous;
     energies.damping += moved.damping;
     energies.gravity_work += moved.gravity_work;
     energies.boundary_work +=
-        sums.plane_work - 0.5 * dt * (force_branch_before + sums.force_branch).cwiseProduct(gradient).sum();
-    energy_of_contacts();
+        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
   }
 
-  void energy_of_contacts() {
-    energies.elastic_normal = sums.elastic_normal, energies.elastic_shear = sums.elastic_shear;
-    energies.elastic_rolling = sums.elastic_rolling, energies.elastic_twisting = sums.elastic_twisting;
-  }
+  double elastic() const { return sums.elastic_normal + sums.elastic_tangential; }
 
-  // resultants: sum over the grains of |resultant|, N.
-  void measure(double resultants) {
-    const double volume = cell.volume();
-    measures.stress = symmetric(sums.force_branch) / volume;
-    measures.axial_stiffness = sums.axial_stiffness / volume;
+  void measure() {
+    measures.stress = symmetric(sums.force_branch) / cell.volume();
     measures.contacts = sums.contacts;
-    measures.largest_overlap = sums.largest_relative_overlap;
-    const double mean_contact = sums.contacts ? sums.force_magnitude / static_cast<double>(sums.contacts) : 0;
-    const double mean_resultant = resultants / static_cast<double>(bodies.size());
-    measures.unbalanced_force = mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  void watch() const {
-    guard.finite(steps, bodies, sums.force_magnitude + energies.elastic_normal, energies.damping);
-    guard.overlap(steps, measures, [this] { return deepest(); });
+  double unbalanced_force() {
+    const double mean_contact = sums.contacts ? force_sum(contacts) / static_cast<double>(sums.contacts) : 0;
+    const double mean_resultant = motion.resultants(numerics.gravity, bodies) / static_cast<double>(bodies.size());
+    return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
+  }
+
+  Survey survey() { return sweep->survey(bodies, cell, planes, numerics.threads, contacts); }
+
+  void watch() {
+    guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
     if (steps % stiffness_interval == 0) guard.room(steps, cell);
     if (steps % guard_interval != 0) return;
     guard.balance(steps, energies_now());
     guard.escape(steps, bodies);
   }
 
-  Energies energies_now() const {
+  Energies energies_now() {
     Energies e = energies;
+    const Survey s = survey();
+    e.elastic_normal = sums.elastic_normal, e.elastic_shear = s.elastic_shear;
+    e.elastic_rolling = s.elastic_rolling, e.elastic_twisting = s.elastic_twisting;
     e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
 
-  std::string deepest() const {
+  std::string deepest() {
     const io::ContactsRecord all = contacts_record();
     const auto worst =
         static_cast<std::size_t>(std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin());
     const auto [first, second] = all.bodies[worst];
     const std::string other = second < 0 ? fmt::format("plane {}", plane_number(second)) : fmt::format("{}", second);
     return fmt::format("grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius", first, other, all.overlap[worst],
-                       100 * sums.largest_relative_overlap);
+                       100 * survey().largest_relative_overlap);
   }
 
+  // From the stiffnesses that a survey left in the slots.
   double stability_limit() {
     const double r = bodies.smallest_radius();
     const double reference =
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-    sweep->stiffnesses(bodies, cell, planes, numerics.threads, contacts);
     return std::min(reference, motion.stable_time_step(bodies, contacts));
   }
 
   void estimate_step() {
+    const Survey found = survey();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
     time_step = stable;
+    measures.axial_stiffness = found.axial_stiffness / cell.volume();
+    if (found.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
   }
 
   void limit_move(double fastest) {
@@ -290,7 +291,12 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
-double Simulation::stability_limit() { return impl_->stability_limit(); }
+double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
+double Simulation::largest_overlap() const { return impl_->survey().largest_relative_overlap; }
+double Simulation::stability_limit() {
+  impl_->survey();
+  return impl_->stability_limit();
+}
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
@@ -313,13 +319,13 @@ void Simulation::set_damping(double damping) { impl_->numerics.damping = damping
 void Simulation::scale_radii(double factor) {
   impl_->bodies.scale_radii(factor);
   Impl& s = *impl_;
-  const double before = s.energies.elastic();
+  const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  s.measure(s.motion.gather(s.contacts, s.numerics.gravity, s.bodies));
-  s.energy_of_contacts();
-  s.energies.boundary_work += s.energies.elastic() - before;
+  s.motion.gather(s.contacts, s.bodies);
+  s.measure();
+  s.energies.boundary_work += s.elastic() - before;
   s.estimate_step();
 }
 

@@ -13,13 +13,11 @@
 
 namespace soilweave::dem {
 
-/// What one sweep over the contacts and bodies measures. Stress compression positive.
+/// What every step measures. Stress compression positive.
 struct Measures {
   Mat3 stress = Mat3::Zero();           // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
-  Vec3 axial_stiffness = Vec3::Zero();  // Pa, affine stiffness of the contact network along each cell axis
-  double unbalanced_force = 0;          // mean resultant on grains over mean contact force; 0/0 is 0
+  Vec3 axial_stiffness = Vec3::Zero();  // Pa, affine stiffness of the contact network along each axis, as last looked at
   std::int64_t contacts = 0;
-  double largest_overlap = 0;  // over the smaller radius
 };
 
 /// Work and energy since the start, J. boundary_work + gravity_work + initial = kinetic + elastic + dissipated parts
@@ -56,6 +54,8 @@ class Simulation {
   void step();
 
   const Measures& measures() const;  // of the last step
+  double unbalanced_force() const;   // mean resultant on grains over mean contact force; 0/0 is 0
+  double largest_overlap() const;    // over the smaller radius
   Energies energies() const;
   double time_step() const;  // s, of the next step
   double stability_limit();  // s, from the present stiffness

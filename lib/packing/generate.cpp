@@ -192,7 +192,7 @@ class Compaction {
             fmt::format("{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio "
                         "{:.4f}): raise the "
                         "damping or loosen the tolerance",
-                        stage, recipe_.pressure, steps, simulation_.measures().unbalanced_force,
+                        stage, recipe_.pressure, steps, simulation_.unbalanced_force(),
                         recipe_.tolerances.unbalanced_force, simulation_.void_ratio()));
       keeper_.after_step([this] { return moment(); });
     }
@@ -212,7 +212,7 @@ class Compaction {
     const double e = simulation_.void_ratio();
     report_(recipe_.void_ratio ? std::min(1.0, *recipe_.void_ratio / e) : 0.5,
             fmt::format("{}: step {}, p {:.4g} Pa, e {:.4f}, unbalanced {:.1e}", stage, simulation_.steps(),
-                        mean(m.stress, dimension_), e, m.unbalanced_force));
+                        mean(m.stress, dimension_), e, simulation_.unbalanced_force()));
   }
 
   dem::Model model_;
