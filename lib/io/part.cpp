@@ -68,7 +68,11 @@ bool finished(const fs::path& output, const History& history) {
 
 Part::Part(const fs::path& output, History history, Entry entry)
     : folder_(part_of(output)), history_(std::move(history)) {
-  make_folder(folder_);
+  try {
+    make_folder(folder_);
+  } catch (const CannotCreate& error) {
+    throw CannotCreate(fmt::format("{}: cannot be created: {}", output.string(), error.what()));
+  }
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   try {
     // Where the file system knows no locks, two runs of one output are the user's to avoid.
