@@ -3,15 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/ch5 page.sh > page.html
 set -eu
-
-# Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
-figure() { # NAME CAPTION
-  printf '<figure>\n'
-  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='$1_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"$1_\1\"/g" \
-    -e "s/href='#\([^']*\)'/href='#$1_\1'/g" -e "s/url(#\([^)]*\))/url(#$1_\1)/g" "$OUT/$1.svg"
-  printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
-}
-escaped() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' "$1"; }
+# shellcheck source=pipelines/figure.sh
+. "$(dirname "$0")/../figure.sh"
 
 cat <<'PAGE'
 <section id="ch5">

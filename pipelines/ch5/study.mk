@@ -67,7 +67,7 @@ $(C5O)/figures: $(C5)/figures.gp $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_
 	@for format in svg png; do gnuplot -e "out='$(C5O)'; format='$$format'" $<; done
 	@touch $@
 
-$(C5O)/page.html: $(C5)/page.sh pipelines/table.awk $(C5O)/comparison.tsv $(C5O)/checklist.tsv $(C5O)/figures $(C5_DESIGN)
+$(C5O)/page.html: $(C5)/page.sh pipelines/figure.sh pipelines/table.awk $(C5O)/comparison.tsv $(C5O)/checklist.tsv $(C5O)/figures $(C5_DESIGN)
 	@OUT=$(C5O) $(C5)/page.sh > $@.part && mv $@.part $@
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch5: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C5O)/comparison.tsv $(C5O)/checklist.tsv

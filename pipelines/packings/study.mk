@@ -39,7 +39,7 @@ $(PKO)/triaxial_$(1).tsv: $(PKO)/packing_$(word 1,$(subst _, ,$(1)))_1e3_$(word 
 endef
 $(foreach t,$(PK_TESTS),$(eval $(call packing_test,$(t))))
 
-$(PKO)/measured.tsv: $(PK)/measure.awk $(PK_CELLS) $(PK_CURVES)
+$(PKO)/measured.tsv: $(PK)/measure.awk $(PK_CELLS) $(PK_CURVES) $(OUT)/profile
 	@awk -v folder=$(PKO) -v sizes='$(PK_GRAINS)' -v seeds='$(PK_SEEDS)' -v twins='$(PK_TWINS_$(PROFILE))' -f $< > $@.part && mv $@.part $@
 # Only what this profile measures is compared.
 $(PKO)/comparison.tsv: pipelines/compare.awk $(PK)/expected.tsv $(PKO)/measured.tsv

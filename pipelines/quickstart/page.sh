@@ -3,14 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/quickstart page.sh > page.html
 set -eu
+# shellcheck source=pipelines/figure.sh
+. "$(dirname "$0")/../figure.sh"
 
-# Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
-figure() { # NAME CAPTION
-  printf '<figure>\n'
-  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='$1_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"$1_\1\"/g" \
-    -e "s/href='#\([^']*\)'/href='#$1_\1'/g" -e "s/url(#\([^)]*\))/url(#$1_\1)/g" "$OUT/$1.svg"
-  printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
-}
 runs=$(awk 'NR > 1' "$OUT/runs.tsv" | wc -l)
 
 cat <<PAGE
@@ -34,5 +29,5 @@ figure fabric 'Fabric anisotropies a<sub>c</sub>, a<sub>n</sub>, a<sub>t</sub> (
 figure state 'Void ratio, and coordination number 2N<sub>c</sub>/N; dashed: without grains of less than two contacts.'
 figure energy 'Energy of one run at 0.2 MPa. The incremental Hertz–Mindlin law itself takes out or creates energy; what is left over after it is the error of the balance.'
 printf '<h3>How it came to be</h3>\n<p>History of the first run at 0.2 MPa, as its file tells it; the other runs differ in pressure and seed.</p>\n<pre>'
-sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' "$OUT/provenance.txt"
+escaped "$OUT/provenance.txt"
 printf '</pre>\n</section>\n'

@@ -56,7 +56,7 @@ $(QSO)/figures: $(QS)/figures.gp $(QS_ENSEMBLES) $(QS_PACKING) $(QS_LAB)
 $(QSO)/provenance.txt: $(QSO)/ensemble $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $(QSO)/runs/0.2MPa_0/run.h5 > $@.part && mv $@.part $@
 
-$(QSO)/page.html: $(QS)/page.sh pipelines/table.awk $(QSO)/comparison.tsv $(QSO)/figures $(QSO)/provenance.txt
+$(QSO)/page.html: $(QS)/page.sh pipelines/figure.sh pipelines/table.awk $(QSO)/comparison.tsv $(QSO)/figures $(QSO)/provenance.txt
 	@OUT=$(QSO) $(QS)/page.sh > $@.part && mv $@.part $@
 	@awk -F '\t' 'NR > 1 { n[$$7]++ } END { printf "quickstart: %d published values met, %d not met (make report)\n", \
 	  n["met"], n["not met"] }' $(QSO)/comparison.tsv

@@ -1,0 +1,21 @@
+// Library headers that most sources include, parsed once per build tree (see the Makefile) instead of once per source.
+// Every source still includes what it uses: clang-tidy reads each without this.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>

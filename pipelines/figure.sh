@@ -1,0 +1,15 @@
+# What pages of the report are made of; sourced by each study's page.sh, with OUT the folder of its results.
+# shellcheck shell=sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
+figure() { # NAME CAPTION
+  printf '<figure>\n'
+  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='$1_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"$1_\1\"/g" \
+    -e "s/href='#\([^']*\)'/href='#$1_\1'/g" -e "s/url(#\([^)]*\))/url(#$1_\1)/g" "$OUT/$1.svg"
+  printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
+}
+
+escaped() { # FILE
+  sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' "$1"
+}
