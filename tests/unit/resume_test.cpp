@@ -199,7 +199,7 @@ TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   EXPECT_EQ(io::read_packing(left).state.grains.size(), broken.grains.size() - 1);
 }
 
-TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { testing::expect_no_drift(200, 20'000); }
+TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { testing::expect_no_drift(100, 10'000); }
 
 }  // namespace
 }  // namespace soilweave::dem
