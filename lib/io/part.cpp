@@ -175,7 +175,14 @@ void Part::keep(Moment moment, bool recorded) {
   for (const File& f : files_)
     if (f.recorded) steps.push_back(static_cast<double>(f.step));
   if (recorded) steps.push_back(static_cast<double>(file.step));
-  write_moment(path_of(file), moment, history_);
+  try {
+    write_moment(path_of(file), moment, history_);
+  } catch (const Error&) {
+    // Renamed, but the folder could not be synced: it is there all the same.
+    std::error_code ignored;
+    if (fs::exists(path_of(file), ignored)) files_.push_back(file);
+    throw;
+  }
   files_.push_back(file);
   for (std::size_t k = 0; k + kept_files < files_.size(); ++k) {
     if (files_[k].recorded) continue;

@@ -1,8 +1,8 @@
 // A million steps of a thousand grains at rest: minutes, so apart from the tests of every build.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
 #include "support/long_run.h"
+
+#include <gtest/gtest.h>
 
 namespace soilweave {
 namespace {
