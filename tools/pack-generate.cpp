@@ -133,7 +133,7 @@ struct PackGenerate {
     packing::Result result =
         packing::compact(state, model, numerics, recipe(numerics), report, {safe.part(), interval, &signals});
     result.price.output += safe.write([&] { io::write_packing(output, result.state, history); });
-    progress.note("pack-generate: " + result.price.line());
+    if (output != "-") progress.note("pack-generate: " + result.price.line());
   }
 
   packing::Recipe recipe(const dem::Numerics& numerics) const {

@@ -70,7 +70,7 @@ struct RunDem {
     if (safe.finished(progress)) return;
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals});
     outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
-    progress.note("run-dem: " + outcome.price.line());
+    if (output != "-") progress.note("run-dem: " + outcome.price.line());
   }
 };
 

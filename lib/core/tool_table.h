@@ -50,8 +50,8 @@ struct Table::Impl {
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
   const bool* no_output = nullptr;  // the flag with which nothing is written
-  bool understood = true;   // false: an option is unknown, so what the user means is not known as a whole
-  std::deque<Table> verbs;  // of a tool that has verbs: their tables, for what it says about itself
+  bool understood = true;           // false: an option is unknown, so what the user means is not known as a whole
+  std::deque<Table> verbs;          // of a tool that has verbs: their tables, for what it says about itself
   Invocation invocation;
 
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);

@@ -186,10 +186,29 @@ class Runner {
                            stress ? " Pa" : "");
     }
     throw TargetNotReached(fmt::format(
-        "stage \"{}\", station {}: not settled after {} steps ({}; unbalanced force {:.2e} of {:.2e}): raise "
-        "equilibrium.steps, loosen the tolerances or lower the rate",
-        stage.name, station + 1, scenario_.largest_station, where, simulation_.unbalanced_force(),
-        scenario_.tolerances.unbalanced_force));
+        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
+        stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where,
+        simulation_.measures().unbalanced_force, scenario_.tolerances.unbalanced_force, likely_cause(goals)));
+  }
+
+  std::string likely_cause(const AxisGoals& goals) const {
+    const Measures& m = simulation_.measures();
+    const Mat3 gradient = simulation_.snapshot().cell.velocity_gradient;
+    bool met = true;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      if (goal.kind != AxisGoal::Kind::stress) continue;
+      if (std::abs(goal.value - m.stress(a, a)) <= scenario_.tolerances.stress * std::abs(goal.value)) continue;
+      met = false;
+      if (m.axial_stiffness[a] == 0)
+        return fmt::format("axis {} meets no resistance: the packing is too loose to carry; start from a denser one",
+                           "xyz"[a]);
+      if (std::abs(gradient(a, a)) > 0.999 * goal.max_rate)
+        return fmt::format("axis {} is held back by its largest rate: raise max_rate or equilibrium.steps", "xyz"[a]);
+    }
+    if (met && simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force && scenario_.numerics.damping < 0.05)
+      return "the grains do not come to rest: raise numerics.damping";
+    return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }
 
   void row(std::size_t stage) { record(simulation_, dimension_, static_cast<int>(stage), result_.series); }

@@ -68,7 +68,11 @@ bool finished(const fs::path& output, const History& history) {
 
 Part::Part(const fs::path& output, History history, Entry entry)
     : folder_(part_of(output)), history_(std::move(history)) {
-  make_folder(folder_);
+  try {
+    make_folder(folder_);
+  } catch (const CannotCreate& error) {
+    throw CannotCreate(fmt::format("{}: cannot be created: {}", output.string(), error.what()));
+  }
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   try {
     // Where the file system knows no locks, two runs of one output are the user's to avoid.
@@ -171,7 +175,14 @@ void Part::keep(Moment moment, bool recorded) {
   for (const File& f : files_)
     if (f.recorded) steps.push_back(static_cast<double>(f.step));
   if (recorded) steps.push_back(static_cast<double>(file.step));
-  write_moment(path_of(file), moment, history_);
+  try {
+    write_moment(path_of(file), moment, history_);
+  } catch (const Error&) {
+    // Renamed, but the folder could not be synced: it is there all the same.
+    std::error_code ignored;
+    if (fs::exists(path_of(file), ignored)) files_.push_back(file);
+    throw;
+  }
   files_.push_back(file);
   for (std::size_t k = 0; k + kept_files < files_.size(); ++k) {
     if (files_[k].recorded) continue;

@@ -147,7 +147,7 @@ command with --resume goes on from there" said || show "$(< said)"
   local call at
   for call in write fsync rename; do
     for at in {1..40}; do
-      call broken $call $at run-dem --quiet packing.h5 short.toml -o out.h5
+      call broken $call "$at" run-dem --quiet packing.h5 short.toml -o out.h5
       [[ $status -ne 0 ]] || break
       [[ $status -eq 73 || $status -eq 74 ]] || show "$call $at"
       [[ $stderr == "run-dem: "* && $stderr != *$'\n'* ]] || show "$call $at: wanted one line"
