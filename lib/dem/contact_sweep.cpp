@@ -25,6 +25,7 @@ namespace {
 // What a step sums over the contacts of a chunk.
 struct StepSums {
   RowSums<4> rows;
+  Lane4 relative_overlap{};  // the largest, a lane each
   std::int64_t contacts = 0;
 
   template <class T>
@@ -38,6 +39,8 @@ struct StepSums {
     rows.add(1, T(force.y * l.x), T(force.y * l.y), T(force.y * l.z), stored);
     rows.add(2, T(force.z * l.x), T(force.z * l.y), T(force.z * l.z), before);
     rows.add(3, b.frictional, b.rolling_plastic, b.viscous, kinematic);
+    const T relative = g.kinematics.overlap / minimum(g.kinematics.r1, g.kinematics.r2);
+    relative_overlap = maximum(relative_overlap, relative + Lane4{});
   }
 
   void put_into(SweepSums& s) const {
@@ -46,6 +49,8 @@ struct StepSums {
     s.elastic_normal += rows.row[0][3], s.elastic_tangential += rows.row[1][3], s.tangential_before += rows.row[2][3];
     s.frictional += rows.row[3][0], s.rolling_plastic += rows.row[3][1];
     s.viscous += rows.row[3][2], s.kinematic += rows.row[3][3];
+    for (int lane = 0; lane < width<Lane4>; ++lane)
+      s.largest_relative_overlap = std::max(s.largest_relative_overlap, relative_overlap[lane]);
     s.contacts += contacts;
   }
 };
@@ -53,7 +58,6 @@ struct StepSums {
 // What a survey sums over them.
 struct SurveySums {
   RowSums<2> rows;
-  Lane4 relative_overlap{};  // the largest, a lane each
 
   template <class T>
   void add(const PairGeometry<T>& g, const Response<T>& r, const Books<T>& b) {
@@ -63,15 +67,11 @@ struct SurveySums {
     const auto along = [&](const T& n_a, const T& l_a) { return T(l_a * l_a * fused(difference, T(n_a * n_a), ks)); };
     rows.add(0, along(n.x, l.x), along(n.y, l.y), along(n.z, l.z), b.elastic_shear);
     rows.add(1, b.elastic_rolling, b.elastic_twisting, all<T>(0), all<T>(0));
-    const T relative = g.kinematics.overlap / minimum(g.kinematics.r1, g.kinematics.r2);
-    relative_overlap = maximum(relative_overlap, relative + Lane4{});
   }
 
   void put_into(Survey& s) const {
     for (int a = 0; a < 3; ++a) s.axial_stiffness[a] += rows.row[0][a];
     s.elastic_shear += rows.row[0][3], s.elastic_rolling += rows.row[1][0], s.elastic_twisting += rows.row[1][1];
-    for (int lane = 0; lane < width<Lane4>; ++lane)
-      s.largest_relative_overlap = std::max(s.largest_relative_overlap, relative_overlap[lane]);
   }
 };
 

@@ -21,8 +21,9 @@ struct SweepSums {
   double elastic_tangential = 0;  // shear, rolling and twisting
   double tangential_before = 0;   // of the old memory at the present stiffness
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double kinematic = 0;   // shear work on the grains' true slip minus that on the law's slip
-  double plane_work = 0;  // done on the grains by moving planes
+  double kinematic = 0;                 // shear work on the grains' true slip minus that on the law's slip
+  double plane_work = 0;                // done on the grains by moving planes
+  double largest_relative_overlap = 0;  // overlap over the smaller radius
   std::int64_t contacts = 0;
 };
 
@@ -30,7 +31,6 @@ struct SweepSums {
 struct Survey {
   Vec3 axial_stiffness = Vec3::Zero();  // sum of affine stiffness times squared branch, N m
   double elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;  // J
-  double largest_relative_overlap = 0;                                  // overlap over the smaller radius
 };
 
 class ContactSweep {

@@ -11,7 +11,7 @@
 
 namespace soilweave::dem {
 
-static_assert(sizeof(SweepSums) == 18 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
+static_assert(sizeof(SweepSums) == 19 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
                   sizeof(Energies) == 13 * sizeof(double),
               "a number was added that is not in the lists below");
 
@@ -21,6 +21,7 @@ inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_tangential_before", s.tangential_before), a.item("sum_frictional", s.frictional);
   a.item("sum_rolling_plastic", s.rolling_plastic), a.item("sum_viscous", s.viscous);
   a.item("sum_kinematic", s.kinematic), a.item("sum_plane_work", s.plane_work);
+  a.item("sum_largest_overlap", s.largest_relative_overlap);
 }
 
 inline void archive(Archive& a, Measures& m) {

@@ -66,9 +66,8 @@ void Motion::gather(const Contacts& contacts, Bodies& bodies) {
 
 double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   const Lane4 g = row(gravity, 0);
-  chunked(bodies.size(), [&](std::size_t i, Partial& partial) {
-    partial.sum += std::sqrt(length2(resultant(bodies, i, g)));
-  });
+  chunked(bodies.size(),
+          [&](std::size_t i, Partial& partial) { partial.sum += std::sqrt(length2(resultant(bodies, i, g))); });
   double sum = 0;
   for (const Partial& p : partial_) sum += p.sum;
   return sum;

@@ -187,8 +187,8 @@ class Runner {
     }
     throw TargetNotReached(fmt::format(
         "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
-        stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where,
-        simulation_.measures().unbalanced_force, scenario_.tolerances.unbalanced_force, likely_cause(goals)));
+        stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
+        scenario_.tolerances.unbalanced_force, likely_cause(goals)));
   }
 
   std::string likely_cause(const AxisGoals& goals) const {
@@ -206,7 +206,8 @@ class Runner {
       if (std::abs(gradient(a, a)) > 0.999 * goal.max_rate)
         return fmt::format("axis {} is held back by its largest rate: raise max_rate or equilibrium.steps", "xyz"[a]);
     }
-    if (met && simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force && scenario_.numerics.damping < 0.05)
+    if (met && simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
+        scenario_.numerics.damping < 0.05)
       return "the grains do not come to rest: raise numerics.damping";
     return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }

@@ -54,7 +54,7 @@ struct Simulation::Impl {
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
     motion.gather(contacts, bodies);
     measure();
-    if (survey().largest_relative_overlap > numerics.limits.overlap)
+    if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
     estimate_step();
     energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
@@ -159,6 +159,7 @@ struct Simulation::Impl {
 
   void watch() {
     guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
+    if (sums.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
     if (steps % stiffness_interval == 0) guard.room(steps, cell);
     if (steps % guard_interval != 0) return;
     guard.balance(steps, energies_now());
@@ -181,7 +182,7 @@ struct Simulation::Impl {
     const auto [first, second] = all.bodies[worst];
     const std::string other = second < 0 ? fmt::format("plane {}", plane_number(second)) : fmt::format("{}", second);
     return fmt::format("grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius", first, other, all.overlap[worst],
-                       100 * survey().largest_relative_overlap);
+                       100 * sums.largest_relative_overlap);
   }
 
   // From the stiffnesses that a survey left in the slots.
@@ -197,7 +198,6 @@ struct Simulation::Impl {
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
     time_step = stable;
     measures.axial_stiffness = found.axial_stiffness / cell.volume();
-    if (found.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
   }
 
   void limit_move(double fastest) {
@@ -292,7 +292,7 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
-double Simulation::largest_overlap() const { return impl_->survey().largest_relative_overlap; }
+double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
 double Simulation::stability_limit() {
   impl_->survey();
   return impl_->stability_limit();

@@ -15,8 +15,9 @@ namespace soilweave::dem {
 
 /// What every step measures. Stress compression positive.
 struct Measures {
-  Mat3 stress = Mat3::Zero();           // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
-  Vec3 axial_stiffness = Vec3::Zero();  // Pa, affine stiffness of the contact network along each axis, as last looked at
+  Mat3 stress = Mat3::Zero();  // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
+  Vec3 axial_stiffness =
+      Vec3::Zero();  // Pa, affine stiffness of the contact network along each axis, as last looked at
   std::int64_t contacts = 0;
 };
 

@@ -6,10 +6,10 @@
 
 namespace soilweave::dem {
 
-/// Carries vectors of the contact plane, normal to the old normal, to the new one by the smallest rotation that maps one
-/// normal on the other, then turns them about the new normal by spin_angle (rad, the grains' mean spin over the step).
-/// Length is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid while
-/// the normal turns by less than half a turn in a step.
+/// Carries vectors of the contact plane, normal to the old normal, to the new one by the smallest rotation that maps
+/// one normal on the other, then turns them about the new normal by spin_angle (rad, the grains' mean spin over the
+/// step). Length is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid
+/// while the normal turns by less than half a turn in a step.
 template <class T>
 class Transport {
  public:
