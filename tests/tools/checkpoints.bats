@@ -196,6 +196,10 @@ command with --resume goes on from there" said || show "$(< said)"
   same_bytes run.h5 out.h5
   exits 0 run-dem packing.h5 short.toml --resume -o out.h5
   [[ $stderr == "run-dem: out.h5 is finished already" ]] || show "wanted a note"
+  mkdir out.h5.part # left by a crash at the very end
+  exits 0 run-dem --quiet packing.h5 short.toml --resume -o out.h5
+  same_bytes run.h5 out.h5
+  [[ ! -e out.h5.part ]] || show "the folder is still there"
   refuses 73 run-dem "out.h5: exists, of a run whose options differs; give --force" --quiet packing.h5 short.toml \
     --resume --set numerics.damping=0.3 -o out.h5
 }
