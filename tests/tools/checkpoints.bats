@@ -163,7 +163,7 @@ command with --resume goes on from there" said || show "$(< said)"
     rm -rf out.h5 out.h5.part
   done
   call broken mkdir 1 run-dem --quiet packing.h5 short.toml -o out.h5
-  [[ $status -eq 73 && $stderr == "run-dem: out.h5.part: cannot be created: "* ]] || show "no folder"
+  [[ $status -eq 73 && $stderr == "run-dem: out.h5: cannot be created: "* ]] || show "no folder"
 }
 
 @test "a folder that is removed under way: the message says that it is gone" {
