@@ -15,7 +15,7 @@ namespace {
 // A look at clock and signals costs as much as stepping a handful of grains: few grains are looked at less often.
 constexpr std::int64_t grains_per_look = 4096;
 // Checkpoints take at most this fraction of the time, however large the run and slow the disk.
-constexpr double largest_share = 0.05;
+constexpr double largest_share = 0.2;
 
 auto duration(double seconds) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));

@@ -49,8 +49,8 @@ class Keeper {
 };
 
 /// work.run(). Where the work is kept, an error says what is whole and how to go on, and a guard leaves
-/// work.snapshot() to be looked at.
-template <class Work>
+/// work.snapshot() to be looked at; so does a target that is not reached, if it is to be shown.
+template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();
   try {
@@ -58,6 +58,7 @@ auto carry_out(Work& work, const io::Part* part) {
   } catch (const PhysicsError& error) {
     throw part->stopped(error, work.snapshot());
   } catch (const TargetNotReached& error) {
+    if (!show_unreached) throw;
     throw part->stopped(error, work.snapshot());
   } catch (const Error& error) {
     throw part->explained(error);

@@ -268,7 +268,7 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping) {
   io::Part* part = safekeeping.part;
   Runner runner(start, scenario, report, safekeeping, part ? part->take_last() : std::nullopt);
-  return carry_out(runner, part);
+  return carry_out<true>(runner, part);
 }
 
 }  // namespace soilweave::dem

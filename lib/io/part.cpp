@@ -59,11 +59,17 @@ fs::path part_of(const fs::path& output) { return output.string() + ".part"; }
 
 bool finished(const fs::path& output, const History& history) {
   std::error_code ignored;
-  if (!fs::is_regular_file(output, ignored) || fs::exists(part_of(output), ignored)) return false;
-  if (const std::string what = difference(read_history(output), history); !what.empty())
-    throw CannotCreate(
-        fmt::format("{}: exists, of a run whose {} differs; give --force to overwrite it", output.string(), what));
-  return true;
+  if (!fs::is_regular_file(output, ignored)) return false;
+  std::string what;
+  try {
+    what = difference(read_history(output), history);
+  } catch (const DataError&) {
+    what = "kind";
+  }
+  if (what.empty()) return true;
+  if (fs::exists(part_of(output), ignored)) return false;
+  throw CannotCreate(
+      fmt::format("{}: exists, of a run whose {} differs; give --force to overwrite it", output.string(), what));
 }
 
 Part::Part(const fs::path& output, History history, Entry entry)

@@ -90,8 +90,8 @@ class Part {
   int lock_ = -1;
 };
 
-/// Whether the output is there already, whole and of this history, with no run under way beside it. Throws CannotCreate
-/// where it is of another history.
+/// Whether the output is there already and of this history. Throws CannotCreate where it is of another, and no run
+/// under way beside it was allowed to overwrite it.
 bool finished(const std::filesystem::path& output, const History& history);
 
 /// The folder of an output.

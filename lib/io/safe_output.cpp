@@ -28,6 +28,8 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
   if (!has_folder(output)) return;
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
+    // A crash after the output was written, before its folder was gone.
+    if (fs::exists(part_of(output))) Part(output, history, Part::Entry::anew).remove();
     note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;
   }

@@ -92,7 +92,7 @@ for call in write fsync rename; do
     LD_PRELOAD=$folder/faults.so FAULT=$call FAULT_AT=$at "${run[@]}" --checkpoint-every 0 -o out.h5 2> said || status=$?
     [[ $status -ne 0 ]] || break
     [[ $status -eq 73 || $status -eq 74 ]] || fail "$call $at: status $status"
-    [[ ! -e out.h5 ]] || fail "$call $at: half an output"
+    [[ ! -e out.h5 ]] || cmp -s whole.h5 out.h5 || fail "$call $at: half an output"
     readable
     "${run[@]}" --resume -o out.h5
     cmp -s whole.h5 out.h5 || fail "$call $at: other bytes"
