@@ -35,10 +35,9 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
       dimension_(bodies.dimension) {
   if (planes.all.empty() || bodies.size() == 0) return;
   low_ = high_ = vector_of(bodies.position[0]);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    low_ = low_.cwiseMin(vector_of(bodies.position[i]));
-    high_ = high_.cwiseMax(vector_of(bodies.position[i]));
-  }
+  const auto hold = [this](const Vec3& x) { low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x); };
+  for (std::size_t i = 0; i < bodies.size(); ++i) hold(vector_of(bodies.position[i]));
+  for (const Plane& plane : planes.all) hold(plane.point);
   const Vec3 room = Vec3::Constant(limits_.escape * ((high_ - low_).norm() + largest_));
   low_ -= room;
   high_ += room;
@@ -84,7 +83,8 @@ void Guard::room(std::int64_t step, const Cell& cell) const {
 
 void Guard::balance(std::int64_t step, const Energies& e) const {
   const double turned_over = std::abs(e.initial) + std::abs(e.boundary_work) + std::abs(e.gravity_work) + e.frictional +
-                             e.rolling_plastic + e.viscous + std::abs(e.damping) + std::abs(e.law);
+                             e.rolling_plastic + e.viscous + std::abs(e.damping) + std::abs(e.law) + e.kinetic +
+                             e.elastic();
   if (!(std::abs(e.error()) > limits_.energy_error * turned_over)) return;
   throw PhysicsError(
       fmt::format("step {}: {:.3g} J of energy {}, {:.3g} % of the {:.3g} J turned over, more than the {:.3g} % of "

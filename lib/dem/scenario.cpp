@@ -108,7 +108,8 @@ Limits read_limits(Settings& document) {
       "energy_error", "1",  0,
       1e300,          true, "error of the energy balance, of the energy turned over, that counts as broken"};
   static constexpr Parameter escape{
-      "escape", "1", 0, 1e300, true, "how far grains may leave an open side, in extents of the grains at the start"};
+      "escape", "1",  0,
+      1e300,    true, "how far grains may leave an open side, in extents of grains and planes at the start"};
   Settings table = document.table("guards");
   Limits limits;
   limits.overlap = table.number(overlap, limits.overlap);
