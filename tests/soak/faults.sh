@@ -60,7 +60,7 @@ interrupted() {
   local process=$!
   sleep "$(awk -v s="$seconds" -v r="$RANDOM" 'BEGIN { printf "%.4f", 0.4 * s * r / 32768 }')"
   kill -s "$1" $process 2> killed || true
-  wait $process || status=$?
+  { wait $process || status=$?; } 2> killed
   case $status in
     0) # It was faster: begin again.
       cmp -s whole.h5 out.h5 || fail "other bytes after $1"
