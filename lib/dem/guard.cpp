@@ -37,7 +37,8 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
   low_ = high_ = vector_of(bodies.position[0]);
   const auto hold = [this](const Vec3& x) { low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x); };
   for (std::size_t i = 0; i < bodies.size(); ++i) hold(vector_of(bodies.position[i]));
-  for (const Plane& plane : planes.all) hold(plane.point);
+  const Vec3 centre = 0.5 * (low_ + high_);
+  for (const Plane& plane : planes.all) hold(centre - (centre - plane.point).dot(plane.normal) * plane.normal);
   const Vec3 room = Vec3::Constant(limits_.escape * ((high_ - low_).norm() + largest_));
   low_ -= room;
   high_ += room;

@@ -86,8 +86,8 @@ TEST(Guard, StopsAGrainThatEscapesBetweenPlanes) {
   state.grains.velocity[1].x() = 1;
   Simulation s(state, testing::sand(), fixed(1e-5));
   io::test::expect_error<PhysicsError>([&] { run(s, 10'000); }, "grain 1 has gone to x = ");
-  // Twice the extent, 3.5 mm and a grain, beyond where it was, and at most a look later.
-  EXPECT_NEAR(s.time(), 2 * 5.5e-3, 256 * 1e-5);
+  // Twice the extent, 8.5 mm from the plane and a grain, beyond where it was, and at most a look later.
+  EXPECT_NEAR(s.time(), 2 * 10.5e-3, 256 * 1e-5);
   state.planes = {};
   Simulation free(state, testing::sand(), fixed(1e-5));
   EXPECT_NO_THROW(run(free, 3000));
