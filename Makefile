@@ -49,18 +49,19 @@ VTK_ONLY := lib/io/vtk.cpp
 LIB := $(filter-out $(VTK_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
 TOOL := $(if $(NO_VTK),$(filter-out tools/to-vtk.cpp,$(TOOL)),$(TOOL))
-TESTED := unit property benchmarks
+TESTED := unit property benchmarks soak
 tests_of = $(sort $(wildcard tests/$(1)/*_test.cpp))
 BENCH := $(sort $(wildcard tests/benchmarks/bench_*.cpp))
 SUPPORT := $(sort $(wildcard tests/support/*.cpp))
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT)
 HEADERS := $(sort $(shell find lib tests -name '*.h'))
-SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh pipelines/*.sh pipelines/*/*.sh \
+SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL))
-TEST_PROGRAMS := $(foreach t,$(TESTED),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
+# Those of every check; soak takes minutes.
+TEST_PROGRAMS := $(foreach t,$(filter-out soak,$(TESTED)),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
 
 .PHONY: all
 all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANITIZE=1: build/sanitize)
@@ -187,6 +188,11 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
 	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) tests/tools
 
+.PHONY: soak
+soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on failing disks, and a million steps at rest (minutes)
+	@BIN=$(CURDIR)/$(B)/bin bash tests/soak/faults.sh
+	@$(B)/tests/soak --gtest_brief=1
+
 .PHONY: golden
 golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them with git diff
 	@BIN=$(CURDIR)/$(B)/bin SOILWEAVE_GOLDEN=write bats tests/tools
@@ -199,6 +205,7 @@ bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, live and recorded, where there is one
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh
 	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/recorded.sh
+	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/packings.sh
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 .PHONY: format

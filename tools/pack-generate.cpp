@@ -7,9 +7,11 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/stop_signals.h"
 #include "core/tool.h"
 #include "dem/scenario.h"
 #include "io/files.h"
+#include "io/safe_output.h"
 #include "packing/cloud.h"
 #include "packing/generate.h"
 #include "packing/grading.h"
@@ -52,6 +54,7 @@ struct PackGenerate {
   std::int64_t grains = 1000, dimension = 3;
   std::optional<double> void_ratio, mean_radius;
   double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, density = 2650e3, max_rate = 1, tolerance = 1e-3;
+  double interval = 300;
   bool as_is = false;
 
   void options(tool::Table& table) {
@@ -78,6 +81,7 @@ struct PackGenerate {
     table.option(cell, "cell", "LX,LY,LZ", "periodic cell of an imported text without a ##PERIODIC:: line, m");
     table.flag(as_is, "as-is", "write the imported packing unchanged");
     table.output(output, "packing to write");
+    table.resume(interval);
     table.seed();
     table.threads();
   }
@@ -114,26 +118,30 @@ struct PackGenerate {
     document.finish();
     numerics.threads = invocation.threads;
     const double rho = read_density > 0 ? read_density : density;
-
-    io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
+    const io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
+    const std::string law = as_is && material.empty() ? "" : document.resolved();
+    const io::History history = io::extend(sources, invocation, law);
+    const StopSignals signals;
+    Progress progress("pack-generate", invocation.quiet);
+    io::SafeOutput safe(output, history, invocation);
+    if (safe.finished(progress)) return;
     if (as_is) {
       const dem::Simulation checked(state, model, numerics);  // refuses grains that overlap too much
-    } else {
-      packing::Recipe recipe;
-      recipe.pressure = pressure;
-      recipe.void_ratio = void_ratio;
-      recipe.max_rate = max_rate;
-      recipe.damping = numerics.damping;
-      recipe.tolerances.unbalanced_force = tolerance;
-      Progress progress("pack-generate", invocation.quiet);
-      state = packing::compact(state, model, numerics, recipe, [&](double f, const std::string& detail) {
-                progress.update(f, detail);
-              }).state;
-      state.step = 0;
-      state.time = 0;
+      return void(safe.write([&] { io::write_packing(output, state, history); }));
     }
-    const bool no_law = as_is && material.empty();
-    io::write_packing(output, state, io::extend(sources, invocation, no_law ? "" : document.resolved()));
+    const packing::Report report = [&](double f, const std::string& detail) { progress.update(f, detail); };
+    packing::Result result =
+        packing::compact(state, model, numerics, recipe(numerics), report, {safe.part(), interval, &signals});
+    result.price.output += safe.write([&] { io::write_packing(output, result.state, history); });
+    if (output != "-") progress.note("pack-generate: " + result.price.line());
+  }
+
+  packing::Recipe recipe(const dem::Numerics& numerics) const {
+    return {.pressure = pressure,
+            .void_ratio = void_ratio,
+            .tolerances = {.unbalanced_force = tolerance},
+            .max_rate = max_rate,
+            .damping = numerics.damping};
   }
 
   io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources) const {

@@ -5,9 +5,13 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/stop_signals.h"
 #include "core/tool.h"
+#include "dem/forecast.h"
 #include "dem/run.h"
+#include "io/bytes.h"
 #include "io/files.h"
+#include "io/safe_output.h"
 
 namespace {
 
@@ -24,21 +28,26 @@ constexpr Parameter perturb{"perturb",
 struct RunDem {
   std::filesystem::path packing, scenario, output;
   std::vector<std::string> overrides;
-  double perturbation = 0;
+  double perturbation = 0, interval = 300;
+  bool check = false;
 
   void options(tool::Table& table) {
     table.about(
         "run-dem", "load a packing of grains along the stages of a scenario",
         "Reads a packing (or the last state of a run), applies the contact law and the loading stages of a TOML "
         "scenario, and writes a run: a series with one row per station, snapshots with all contacts, and the "
-        "state to go on from.");
+        "state to go on from. While it is under way its recorded states and checkpoints are in FILE.part; after "
+        "SIGTERM, SIGINT, SIGXCPU or SIGHUP it finishes the step, writes a checkpoint and ends with status 75, and the "
+        "same command with --resume goes on, as it does after a crash. Of standard output nothing is kept.");
     table.example("run-dem packing.h5 triaxial.toml -o run.h5", "drained triaxial compression");
-    table.example("run-dem packing.h5 triaxial.toml --set stage.0.pressure=0.5e6 -o run.h5", "at another pressure");
+    table.example("run-dem --check packing.h5 triaxial.toml", "what it will take, without running");
     table.input(packing, "PACKING", "packing or run to start from, - for standard input");
     table.input(scenario, "SCENARIO", "scenario (TOML)");
     table.output(output, "run to write");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in numerics.damping=0.3");
     table.option(perturbation, perturb);
+    table.instead_of_output(check, "check", "check the input and say what the run will take; write nothing");
+    table.resume(interval);
     table.seed();
     table.threads();
   }
@@ -52,10 +61,16 @@ struct RunDem {
     const io::PackingFile start = io::read_state(packing);
     io::Snapshot state = dem::prepare(start.state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
+    if (check) return io::write_bytes("-", dem::forecast(state, plan).text());
     Progress progress("run-dem", invocation.quiet);
-    const io::RunFile result =
-        dem::run(state, plan, [&](double fraction, const std::string& detail) { progress.update(fraction, detail); });
-    io::write_run(output, result, io::extend({start.source, text.source}, invocation, plan.resolved));
+    const dem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const io::History history = io::extend({start.source, text.source}, invocation, plan.resolved);
+    const StopSignals signals;
+    io::SafeOutput safe(output, history, invocation);
+    if (safe.finished(progress)) return;
+    dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals});
+    outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
+    if (output != "-") progress.note("run-dem: " + outcome.price.line());
   }
 };
 

@@ -42,7 +42,7 @@ inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm2
 template <class T>
 T all(double x) {
   if constexpr (is_lane<T>)
-    return T{} + x;
+    return T{x, x, x, x};
   else
     return x;
 }

@@ -48,7 +48,7 @@ void check_input(const fs::path& path) {
 
 void check_output(const Table::Impl& table) {
   const fs::path path = table.output->has_filename() ? *table.output : table.output->parent_path();
-  const bool force = table.invocation.force, may_be_folder = table.output_is_folder;
+  const bool force = table.invocation.force || table.invocation.resume, may_be_folder = table.output_is_folder;
   if (path.empty() || path == "-") return;
   std::error_code failure;
   if (!may_be_folder && (!table.output->has_filename() || fs::is_directory(path, failure)))
@@ -90,7 +90,7 @@ void prepare(Table::Impl& table, const Program& program, std::vector<std::string
   if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
   for (const Positional& place : table.inputs)
     for (const std::string& file : place.given) check_input(file);
-  if (table.output != nullptr) check_output(table);
+  if (table.writes()) check_output(table);
 }
 
 void run(Table::Impl& table, int argc, char** argv, const Program& program) {

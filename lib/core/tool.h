@@ -26,6 +26,7 @@ struct Invocation {
   std::vector<std::string> arguments;  // as typed
   bool quiet = false;
   bool force = false;
+  bool resume = false;
   int threads = 1;
   std::uint64_t seed = 0;
 };
@@ -63,6 +64,10 @@ class Table {
   void flag(bool& field, std::string_view name, std::string_view sentence);
   /// The option cannot change the result (--resume): it stays out of Invocation::command.
   void unrecorded(std::string_view name);
+  /// --checkpoint-every, s; --resume, into Invocation::resume: an existing output is then the tool's to judge.
+  void resume(double& interval);
+  /// A flag with which the tool writes no file, so that none need be named.
+  void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
   void seed();     // --seed N, into Invocation::seed
   void threads();  // --threads N, into Invocation::threads
 

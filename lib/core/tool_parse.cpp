@@ -118,7 +118,7 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   if (table.understood) {
     assign_inputs(table, files, mistakes);
     check_standard_input(table, mistakes);
-    if (table.output_required && table.output->empty())
+    if (table.output_required && table.writes() && table.output->empty())
       mistakes.emplace_back("--output is missing: give '-o FILE', or '-o -' for standard output");
   }
   return Ask::nothing;

@@ -242,6 +242,23 @@ void Table::unrecorded(std::string_view name) {
     if (entry.name == name) entry.recorded = false;
 }
 
+void Table::resume(double& interval) {
+  static constexpr Parameter checkpoint_every{
+      "checkpoint_every", "s", 0, 1e9, false, "seconds between checkpoints; 0: none but at recorded states"};
+  option(interval, checkpoint_every);
+  impl_->options.back().general = true;
+  unrecorded("checkpoint-every");
+  flag(impl_->invocation.resume, "resume", "go on with a run that was stopped; ends in the same bytes");
+  impl_->options.back().general = true;
+  unrecorded("resume");
+}
+
+void Table::instead_of_output(bool& field, std::string_view name, std::string_view sentence) {
+  flag(field, name, sentence);
+  unrecorded(name);
+  impl_->no_output = &field;
+}
+
 void Table::seed() {
   static constexpr Parameter random_seed{
       "seed", "1", 0, 1.8446744073709552e19, false, "seed of the random numbers; the same seed gives the same result"};

@@ -49,12 +49,14 @@ struct Table::Impl {
   std::deque<Entry> options;  // a deque: references stay good while options are added
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
-  bool understood = true;   // false: an option is unknown, so what the user means is not known as a whole
-  std::deque<Table> verbs;  // of a tool that has verbs: their tables, for what it says about itself
+  const bool* no_output = nullptr;  // the flag with which nothing is written
+  bool understood = true;           // false: an option is unknown, so what the user means is not known as a whole
+  std::deque<Table> verbs;          // of a tool that has verbs: their tables, for what it says about itself
   Invocation invocation;
 
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
   bool has(std::string_view name) const;
+  bool writes() const { return output != nullptr && !(no_output && *no_output); }
   std::vector<std::string> names() const;  // as typed, --long or -l
 };
 

@@ -21,6 +21,10 @@ V3<T> operator-(const V3<T>& a, const V3<T>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class T>
+V3<T> operator-(const V3<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T>
 V3<T> operator*(const T& s, const V3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }

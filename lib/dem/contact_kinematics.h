@@ -13,38 +13,34 @@ struct PairMotion {
   V3<T> spin_1, spin_2;  // rad/s
   T lever_1, lever_2;    // m, the radii; 0 for a plane
   T inverse_distance;    // 1/m, of the centres; of the radius for a plane
-  V3<T> normal;          // unit, from 1 to 2
 };
 
 /// The centres' relative velocity within the contact plane, m/s.
 template <class T>
-V3<T> transverse_velocity(const PairMotion<T>& m) {
-  return fused(T(-dot(m.velocity, m.normal)), m.normal, m.velocity);
+V3<T> transverse_velocity(const PairMotion<T>& m, const V3<T>& normal) {
+  return fused(T(-dot(m.velocity, normal)), normal, m.velocity);
 }
 
 /// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a
-/// contact from ratcheting when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; dem-laws §1). Overlap, radii
-/// and mass are left to the caller.
+/// contact from ratcheting when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; dem-laws §1). Normal,
+/// overlap, radii and masses are the caller's.
 template <class T>
-Kinematics<T> pair_kinematics(const PairMotion<T>& m, const T& dt) {
+void set_increments(const PairMotion<T>& m, const T& dt, Kinematics<T>& k) {
   const T amplification = (m.lever_1 + m.lever_2) * m.inverse_distance;
-  const V3<T> turning = cross(fused(m.lever_2, m.spin_2, m.lever_1 * m.spin_1), m.normal);
+  const V3<T> turning = cross(fused(m.lever_2, m.spin_2, m.lever_1 * m.spin_1), k.normal);
   const V3<T> turn = dt * (m.spin_2 - m.spin_1);
-  Kinematics<T> k;
-  k.normal = m.normal;
-  k.approach_speed = -dot(m.velocity, m.normal);
-  k.slip = dt * (amplification * transverse_velocity(m) - turning);
-  k.twist = dot(turn, m.normal);
-  k.roll = fused(T(-k.twist), m.normal, turn);
-  return k;
+  k.approach_speed = -dot(m.velocity, k.normal);
+  k.slip = dt * (amplification * transverse_velocity(m, k.normal) - turning);
+  k.twist = dot(turn, k.normal);
+  k.roll = fused(T(-k.twist), k.normal, turn);
 }
 
 /// What the increments above count beyond the slip of the grains' surfaces at the contact point, which lies half the
 /// overlap inside each, over dt, m: the work of the shear force on it is the law's own.
 template <class T>
-V3<T> excess_slip(const PairMotion<T>& m, const T& overlap, const T& dt) {
-  const V3<T> spin = cross(m.spin_1 + m.spin_2, m.normal);
-  return (dt * overlap) * fused(all<T>(-0.5), spin, m.inverse_distance * transverse_velocity(m));
+V3<T> excess_slip(const PairMotion<T>& m, const Kinematics<T>& k, const T& dt) {
+  const V3<T> spin = cross(m.spin_1 + m.spin_2, k.normal);
+  return (dt * k.overlap) * fused(all<T>(-0.5), spin, m.inverse_distance * transverse_velocity(m, k.normal));
 }
 
 }  // namespace soilweave::dem

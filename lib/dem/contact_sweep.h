@@ -13,18 +13,24 @@
 
 namespace soilweave::dem {
 
-/// Sums over the contacts of one sweep. Energies J; the work terms are of the step that led to the present positions.
+/// Sums over the contacts that a step needs. Energies J; the work terms are of the step that led to the present
+/// positions.
 struct SweepSums {
-  Mat3 force_branch = Mat3::Zero();     // sum of f (x) l, N m; over the volume: the stress, compression positive
-  Vec3 axial_stiffness = Vec3::Zero();  // sum of affine stiffness times squared branch, N m
-  double force_magnitude = 0;           // N, sum of |f|
-  double largest_relative_overlap = 0;  // overlap over the smaller radius
-  double elastic_normal = 0, elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;
-  double shear_before = 0, rolling_before = 0, twisting_before = 0;  // old memory at the present stiffness
+  Mat3 force_branch = Mat3::Zero();  // sum of f (x) l, N m; over the volume: the stress, compression positive
+  double elastic_normal = 0;
+  double elastic_tangential = 0;  // shear, rolling and twisting
+  double tangential_before = 0;   // of the old memory at the present stiffness
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double kinematic = 0;   // shear work on the grains' true slip minus that on the law's slip
-  double plane_work = 0;  // done on the grains by moving planes
+  double kinematic = 0;                 // shear work on the grains' true slip minus that on the law's slip
+  double plane_work = 0;                // done on the grains by moving planes
+  double largest_relative_overlap = 0;  // overlap over the smaller radius
   std::int64_t contacts = 0;
+};
+
+/// What is looked at now and then.
+struct Survey {
+  Vec3 axial_stiffness = Vec3::Zero();  // sum of affine stiffness times squared branch, N m
+  double elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;  // J
 };
 
 class ContactSweep {
@@ -36,8 +42,8 @@ class ContactSweep {
                         Contacts& contacts) = 0;
   /// Leaves the stiffness that each contact gives its grains in the slots instead: about the axes x, y, z against
   /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else.
-  virtual void stiffnesses(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
-                           Contacts& contacts) = 0;
+  virtual Survey survey(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
+                        Contacts& contacts) = 0;
   /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts
   /// form.
   virtual double stiffness(double radius, double overlap) const = 0;

@@ -121,4 +121,20 @@ void Contacts::set_history(std::size_t block, int k, const History& h) {
   b.sliding = (b.sliding & ~(1u << k)) | (static_cast<std::uint32_t>(h.sliding) << k);
 }
 
+double force_sum(const Contacts& contacts) {
+  double sum = 0;
+  // What does not touch holds zeros.
+  for (const ContactBlock& block : contacts.blocks)
+    for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
+      const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
+                            load<Lane4>(block.shear[2] + k)};
+      const Lane4 normal = load<Lane4>(block.normal_force + k);
+      const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
+      for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
+    }
+  for (const PlanePair& pair : contacts.planes)
+    sum += std::sqrt(pair.history.normal_force * pair.history.normal_force + norm2(pair.history.memory.shear));
+  return sum;
+}
+
 }  // namespace soilweave::dem

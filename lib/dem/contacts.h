@@ -80,6 +80,9 @@ struct Contacts {
   void set_history(std::size_t block, int lane, const History& history);
 };
 
+/// Sum of the magnitudes of all contact forces, N, contact by contact.
+double force_sum(const Contacts& contacts);
+
 /// Order of pairs in a list.
 bool before(const Pair& a, const Pair& b);
 

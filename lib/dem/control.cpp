@@ -51,7 +51,6 @@ void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation)
 
 bool Servo::settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances, const Simulation& simulation) {
   const Measures& m = simulation.measures();
-  if (!(m.unbalanced_force <= tolerances.unbalanced_force)) return false;
   const Vec3 strain = simulation.strain();
   for (int a = 0; a < dimension; ++a) {
     const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
@@ -60,7 +59,7 @@ bool Servo::settled(const AxisGoals& goals, int dimension, const Tolerances& tol
         std::abs(goal.value - m.stress(a, a)) > tolerances.stress * std::abs(goal.value))
       return false;
   }
-  return true;
+  return simulation.unbalanced_force() <= tolerances.unbalanced_force;
 }
 
 }  // namespace soilweave::dem

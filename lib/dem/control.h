@@ -44,6 +44,8 @@ class Servo {
   /// All goals met within the tolerances and the unbalanced force below its own.
   static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances,
                       const Simulation& simulation);
+  /// What it remembers from step to step.
+  void archive(Archive& archive) { archive.item("servo_rate", rate_); }
 
  private:
   double stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation);

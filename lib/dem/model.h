@@ -18,11 +18,19 @@ struct Model {
   AnyMaterials materials;  // std::variant<std::vector<HertzMindlin::Material>, std::vector<Linear::Material>>
 };
 
+/// Beyond what a simulation counts as broken.
+struct Limits {
+  double overlap = 0.5;       // of two grains, over the smaller radius
+  double energy_error = 0.5;  // of the energy turned over
+  double escape = 2;          // of the extent of grains and planes at the start, out of it along an axis that is open
+};
+
 struct Numerics {
   double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
   double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness
   std::optional<double> time_step;  // s, fixed; overrides the estimate
   Vec3 gravity = Vec3::Zero();      // m/s2
+  Limits limits;
   int threads = 1;
 };
 

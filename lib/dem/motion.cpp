@@ -19,11 +19,11 @@ double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
 // Force damped, velocity advanced; the row's last place, where the force is 0, stays. Returns what the damping took, J.
 Lane4 kick(const Lane4& force, double damping, double dt, Lane4& velocity) {
-  const Lane4 zero{}, one = all<Lane4>(1);
-  const Lane4 acceleration = (1.0 / velocity[3]) * force, before = velocity;
-  const Lane4 power = acceleration * (velocity + 0.5 * dt * acceleration);
-  const Lane4 side = damping * (select<Lane4>(power > zero, one, zero) - select<Lane4>(power < zero, one, zero));
-  velocity += dt * acceleration * (one - side);
+  const Lane4 zero{}, before = velocity, change = (dt / velocity[3]) * force;
+  const Lane4 power = force * fused(all<Lane4>(0.5), change, before);
+  const Lane4 lost = all<Lane4>(damping);
+  const Lane4 side = keep(power > zero, lost) - keep(power < zero, lost);
+  velocity = fused(change, 1.0 - side, before);
   return side * force * (0.5 * dt) * (before + velocity);
 }
 
@@ -52,9 +52,8 @@ void Motion::chunked(std::size_t grains, const Body& body) {
   }
 }
 
-double Motion::gather(const Contacts& contacts, const Vec3& gravity, Bodies& bodies) {
-  const Lane4 g = row(gravity, 0);
-  chunked(bodies.size(), [&](std::size_t i, Partial& partial) {
+void Motion::gather(const Contacts& contacts, Bodies& bodies) {
+  chunked(bodies.size(), [&](std::size_t i, Partial&) {
     Lane4 force{}, torque{};
     for (std::uint32_t s = contacts.slot_start[i]; s < contacts.slot_start[i + 1]; ++s) {
       force += contacts.slots[s].force;
@@ -62,8 +61,13 @@ double Motion::gather(const Contacts& contacts, const Vec3& gravity, Bodies& bod
     }
     bodies.force[i] = force;
     bodies.torque[i] = torque;
-    partial.sum += std::sqrt(length2(resultant(bodies, i, g)));
   });
+}
+
+double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
+  const Lane4 g = row(gravity, 0);
+  chunked(bodies.size(),
+          [&](std::size_t i, Partial& partial) { partial.sum += std::sqrt(length2(resultant(bodies, i, g))); });
   double sum = 0;
   for (const Partial& p : partial_) sum += p.sum;
   return sum;

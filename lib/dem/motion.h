@@ -20,16 +20,18 @@ class Motion {
  public:
   Motion(std::size_t grains, int threads);
 
-  /// Contact forces and torques summed on every grain in the order of its slots. Returns the sum over the grains of
-  /// |resultant|, gravity included, N.
-  double gather(const Contacts& contacts, const Vec3& gravity, Bodies& bodies);
+  /// Contact forces and torques summed on every grain in the order of its slots.
+  void gather(const Contacts& contacts, Bodies& bodies);
+
+  /// Sum over the grains of |resultant|, gravity included, N.
+  double resultants(const Vec3& gravity, const Bodies& bodies);
 
   /// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
   /// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine
   /// motion.
   MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies);
 
-  /// Stability limit from the stiffnesses in the slots (ContactSweep::stiffnesses), s: sqrt(2) times the least
+  /// Stability limit from the stiffnesses in the slots (ContactSweep::survey), s: sqrt(2) times the least
   /// sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8). Infinite
   /// without contacts.
   double stable_time_step(const Bodies& bodies, const Contacts& contacts);

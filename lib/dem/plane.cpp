@@ -2,11 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/plane.h"
 
+#include <cmath>
+
 namespace soilweave::dem {
+namespace {
+
+// A vector that is of unit length already stays as it is: normalised again and again it would change its last bits.
+Vec3 unit(const Vec3& v) {
+  constexpr double rounding = 1e-15;
+  return std::abs(v.squaredNorm() - 1) <= rounding ? v : v.normalized();
+}
+
+}  // namespace
 
 Planes::Planes(const io::PlanesRecord& record) {
   for (std::size_t k = 0; k < record.point.size(); ++k)
-    all.push_back({record.point[k], record.normal[k].normalized(), record.velocity[k], record.material_id[k]});
+    all.push_back({record.point[k], unit(record.normal[k]), record.velocity[k], record.material_id[k]});
 }
 
 io::PlanesRecord Planes::record() const {

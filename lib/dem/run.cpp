@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "core/error.h"
 #include "dem/bodies.h"
@@ -46,69 +47,122 @@ void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
     }
 }
 
+// How far a run is.
+struct Position {
+  std::size_t stage = 0, station = 0;  // station: the one to be reached next
+  bool begun = false;                  // the stage
+  std::int64_t first = 0;              // step at which the way to the station began
+  std::size_t done = 0;                // stations, of all stages
+  Vec3 start_of_stage = Vec3::Zero();  // strain
+
+  void archive(Archive& a) {
+    a.whole("stage", stage), a.whole("station", station), a.whole("stage_begun", begun);
+    a.item("station_first_step", first), a.whole("stations_done", done);
+    a.item("start_of_stage", start_of_stage);
+  }
+};
+
 class Runner {
  public:
-  Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report)
+  Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
+         std::optional<io::Moment> last)
       : scenario_(scenario),
         report_(report),
         dimension_(start.grains.dimension),
         model_(scenario.model),
-        simulation_(start, scenario.model, scenario.numerics),
+        keeper_(safekeeping, start.grains.size()),
+        kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
+        simulation_(last ? Simulation(last->state, scenario.model, scenario.numerics, kept_)
+                         : Simulation(start, scenario.model, scenario.numerics)),
         servo_(scenario.servo) {
-    result_.series = empty_series();
+    result_.series = last ? std::move(last->series) : empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
+    if (last) go_on();
   }
 
-  io::RunFile run() {
-    keep(0, true);
-    for (std::size_t n = 0; n < scenario_.stages.size(); ++n) {
-      const Stage& stage = scenario_.stages[n];
-      begin(stage, n);
-      for (std::size_t station = 0; station < stage.path->stations(); ++station, ++done_) {
-        travel(stage, station);
-        const bool last_of_stage = station + 1 == stage.path->stations();
-        keep(static_cast<int>(n), last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1));
+  Outcome run() {
+    if (result_.series.rows() == 0) {
+      row(0);
+      keep_state();
+    }
+    for (; at_.stage < scenario_.stages.size(); ++at_.stage, at_.station = 0, at_.begun = false) {
+      const Stage& stage = scenario_.stages[at_.stage];
+      if (!at_.begun) begin(stage);
+      while (at_.station < stage.path->stations()) {
+        travel(stage, at_.station);
+        row(at_.stage);
+        ++at_.done;
+        const bool last_of_stage = ++at_.station == stage.path->stations();
+        at_.first = simulation_.steps();
+        if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1)) keep_state();
       }
     }
-    return std::move(result_);
+    const Price price = clock_.price(simulation_, keeper_.seconds());
+    result_.work = {price.steps, price.contact_steps};
+    if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
+    return {std::move(result_), price};
   }
 
+  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+
  private:
-  void begin(const Stage& stage, std::size_t n) {
-    if (stage.friction) {
-      model_ = with_friction(model_, *stage.friction);
-      simulation_.set_model(model_);
-    }
+  void go_on() {
+    servo_.archive(kept_);
+    at_.archive(kept_);
+    clock_.archive(simulation_, keeper_.seconds(), kept_);
+    for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
+  }
+
+  io::Moment moment() {
+    Archive archive;
+    simulation_.archive(archive);
+    servo_.archive(archive);
+    at_.archive(archive);
+    clock_.archive(simulation_, keeper_.seconds(), archive);
+    return {simulation_.snapshot(), result_.series, archive.numbers()};
+  }
+
+  // What a stage changes in the grains.
+  void apply(const Stage& stage) {
+    if (!stage.friction) return;
+    model_ = with_friction(model_, *stage.friction);
+    simulation_.set_model(model_);
+  }
+
+  void begin(const Stage& stage) {
+    apply(stage);
     simulation_.set_damping(stage.damping.value_or(scenario_.numerics.damping));
     if (stage.reset_strain) {
       simulation_.set_reference();
-      if (n > 0) keep(static_cast<int>(n), false);  // strains start at zero in the table, too
+      if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table, too
     }
-    start_of_stage_ = simulation_.strain();
+    at_.start_of_stage = simulation_.strain();
+    at_.first = simulation_.steps();
+    at_.begun = true;
   }
 
   // A path counts strains from the start of its stage, the simulation from its reference.
   AxisGoals goals_of(const Stage& stage, std::size_t station) const {
-    AxisGoals goals =
-        stage.path->goals(station, {dimension_, simulation_.measures().stress, simulation_.strain() - start_of_stage_});
+    AxisGoals goals = stage.path->goals(
+        station, {dimension_, simulation_.measures().stress, simulation_.strain() - at_.start_of_stage});
     for (int a = 0; a < 3; ++a) {
       AxisGoal& goal = goals[static_cast<std::size_t>(a)];
-      if (goal.kind == AxisGoal::Kind::strain) goal.value += start_of_stage_[a];
+      if (goal.kind == AxisGoal::Kind::strain) goal.value += at_.start_of_stage[a];
     }
     return goals;
   }
 
   void travel(const Stage& stage, std::size_t station) {
-    const std::int64_t first = simulation_.steps();
     for (;;) {
       const AxisGoals goals = goals_of(stage, station);
       servo_.drive(goals, dimension_, simulation_);
       simulation_.step();
       if (Servo::settled(goals, dimension_, scenario_.tolerances, simulation_)) break;
-      const std::int64_t steps = simulation_.steps() - first;
+      const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
       if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
+      keeper_.after_step([this] { return moment(); });
     }
     tell(stage, station);
   }
@@ -116,10 +170,10 @@ class Runner {
   void tell(const Stage& stage, std::size_t station) const {
     if (!report_) return;
     const Measures& m = simulation_.measures();
-    report_(static_cast<double>(done_) / static_cast<double>(total_),
+    report_(static_cast<double>(at_.done) / static_cast<double>(total_),
             fmt::format("{} {}/{}, step {}, p {:.4g} Pa, e {:.4f}, unbalanced {:.1e}", stage.name, station + 1,
                         stage.path->stations(), simulation_.steps(), mean(m.stress, dimension_),
-                        simulation_.void_ratio(), m.unbalanced_force));
+                        simulation_.void_ratio(), simulation_.unbalanced_force()));
   }
 
   [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {
@@ -132,26 +186,53 @@ class Runner {
                            stress ? " Pa" : "");
     }
     throw TargetNotReached(fmt::format(
-        "stage \"{}\", station {}: not settled after {} steps ({}; unbalanced force {:.2e} of {:.2e}): raise "
-        "equilibrium.steps, loosen the tolerances or lower the rate",
-        stage.name, station + 1, scenario_.largest_station, where, simulation_.measures().unbalanced_force,
-        scenario_.tolerances.unbalanced_force));
+        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
+        stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
+        scenario_.tolerances.unbalanced_force, likely_cause(goals)));
   }
 
-  void keep(int stage, bool snapshot) {
-    record(simulation_, dimension_, stage, result_.series);
-    if (snapshot) result_.snapshots.push_back(simulation_.snapshot());
+  std::string likely_cause(const AxisGoals& goals) const {
+    const Measures& m = simulation_.measures();
+    const Mat3 gradient = simulation_.snapshot().cell.velocity_gradient;
+    bool met = true;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      if (goal.kind != AxisGoal::Kind::stress) continue;
+      if (std::abs(goal.value - m.stress(a, a)) <= scenario_.tolerances.stress * std::abs(goal.value)) continue;
+      met = false;
+      if (m.axial_stiffness[a] == 0)
+        return fmt::format("axis {} meets no resistance: the packing is too loose to carry; start from a denser one",
+                           "xyz"[a]);
+      if (std::abs(gradient(a, a)) > 0.999 * goal.max_rate)
+        return fmt::format("axis {} is held back by its largest rate: raise max_rate or equilibrium.steps", "xyz"[a]);
+    }
+    if (met && simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
+        scenario_.numerics.damping < 0.05)
+      return "the grains do not come to rest: raise numerics.damping";
+    return "raise equilibrium.steps, loosen the tolerances or lower the rate";
+  }
+
+  void row(std::size_t stage) { record(simulation_, dimension_, static_cast<int>(stage), result_.series); }
+
+  void keep_state() {
+    if (keeper_.keeps())
+      keeper_.keep(moment(), true);
+    else
+      result_.snapshots.push_back(simulation_.snapshot());
   }
 
   const Scenario& scenario_;
   const Report& report_;
   int dimension_;
   Model model_;
+  Keeper keeper_;
+  Archive kept_;
   Simulation simulation_;
   Servo servo_;
-  Vec3 start_of_stage_ = Vec3::Zero();  // strain
+  Position at_;
   io::RunFile result_;
-  std::size_t done_ = 0, total_ = 0;
+  std::size_t total_ = 0;
+  PriceClock clock_;
 };
 
 }  // namespace
@@ -184,8 +265,10 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
   return twin;
 }
 
-io::RunFile run(const io::Snapshot& start, const Scenario& scenario, const Report& report) {
-  return Runner(start, scenario, report).run();
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping) {
+  io::Part* part = safekeeping.part;
+  Runner runner(start, scenario, report, safekeeping, part ? part->take_last() : std::nullopt);
+  return carry_out<true>(runner, part);
 }
 
 }  // namespace soilweave::dem

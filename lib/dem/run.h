@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "dem/keeper.h"
+#include "dem/price.h"
 #include "dem/scenario.h"
 #include "io/files.h"
 
@@ -22,9 +24,16 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 /// chaotic system. The same seed gives the same twin everywhere. Contacts keep their history.
 io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
 
-/// Runs all stages. The result holds the series (one row at the start and one per station), the snapshots asked for,
-/// first and last always, and the resolved scenario. Throws TargetNotReached when a station cannot be settled,
-/// PhysicsError when physics breaks.
-io::RunFile run(const io::Snapshot& start, const Scenario& scenario, const Report& report);
+struct Outcome {
+  io::RunFile file;
+  Price price;
+};
+
+/// Runs all stages. The file holds the series (one row at the start and one per station), the snapshots asked for,
+/// first and last always, and the resolved scenario. With a folder to keep it in, the run goes on from what is there,
+/// and ends in the same file, bit by bit. Throws TargetNotReached when a station cannot be settled, PhysicsError when
+/// physics breaks, Stopped after a signal; the message says what is kept.
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report,
+            const Safekeeping& safekeeping = {});
 
 }  // namespace soilweave::dem

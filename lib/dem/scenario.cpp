@@ -101,6 +101,23 @@ double read_density(Settings& document) {
   return grains.has("density") ? grains.number(density) : 0.0;
 }
 
+Limits read_limits(Settings& document) {
+  static constexpr Parameter overlap{
+      "overlap", "1", 0, 2, true, "overlap of two grains over the smaller radius that counts as broken"};
+  static constexpr Parameter energy{
+      "energy_error", "1",  0,
+      1e300,          true, "error of the energy balance, of the energy turned over, that counts as broken"};
+  static constexpr Parameter escape{
+      "escape", "1",  0,
+      1e300,    true, "how far grains may leave an open side, in extents of grains and planes at the start"};
+  Settings table = document.table("guards");
+  Limits limits;
+  limits.overlap = table.number(overlap, limits.overlap);
+  limits.energy_error = table.number(energy, limits.energy_error);
+  limits.escape = table.number(escape, limits.escape);
+  return limits;
+}
+
 Numerics read_numerics(Settings& document) {
   static constexpr Parameter damping{
       "damping", "1", 0, 0.999, false, "Cundall's local non-viscous damping", "at 1 nothing would move"};
@@ -114,6 +131,7 @@ Numerics read_numerics(Settings& document) {
   n.time_step_safety = table.number(safety, n.time_step_safety);
   if (table.has("time_step")) n.time_step = table.number(step);
   n.gravity = table.vector(gravity, n.gravity);
+  n.limits = read_limits(document);
   return n;
 }
 

@@ -43,6 +43,7 @@ struct Scenario {
 Model read_model(Settings& document);
 /// density key of [grains], kg/m3; 0 where absent.
 double read_density(Settings& document);
+/// [numerics] and [guards].
 Numerics read_numerics(Settings& document);
 
 /// Reads and checks everything; all mistakes are reported at once. Throws DataError.

@@ -10,16 +10,18 @@
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
+#include "dem/guard.h"
+#include "dem/ledger.h"
 #include "dem/motion.h"
 #include "dem/neighbours.h"
 
 namespace soilweave::dem {
 namespace {
 
-// A pair overlapping by more than this fraction of the smaller radius is no longer a contact of stiff grains.
-constexpr double overlap_guard = 0.5;
 // Steps between two looks at the stiffness: it changes slowly against the step it limits.
 constexpr std::int64_t stiffness_interval = 8;
+// Steps between two passes over the grains by the guards.
+constexpr std::int64_t guard_interval = 256;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
 // The fastest grain moves at most this fraction of the smallest radius in a step.
@@ -28,7 +30,7 @@ constexpr double largest_move = 1e-2;
 }  // namespace
 
 struct Simulation::Impl {
-  Impl(const io::Snapshot& state, const Model& model, const Numerics& settings)
+  Impl(const io::Snapshot& state, const Model& model, const Numerics& settings, Archive* kept)
       : numerics(settings),
         record(state),
         bodies(state.grains),
@@ -37,17 +39,25 @@ struct Simulation::Impl {
         neighbours(bodies.largest_radius()),
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
+        guard(settings, bodies, cell, planes),
         time(state.time),
         steps(state.step) {
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
+    if (kept)
+      archive(*kept);
+    else
+      begin();
+  }
+
+  void begin() {
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    if (sums.largest_relative_overlap > overlap_guard)
+    motion.gather(contacts, bodies);
+    measure();
+    if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
-    measure(motion.gather(contacts, numerics.gravity, bodies));
     estimate_step();
-    energy_of_contacts();
-    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + energies.elastic();
+    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
   }
 
   void restore(const io::ContactsRecord& r) {
@@ -81,68 +91,91 @@ struct Simulation::Impl {
       for (int lane = 0; lane < contacts.blocks[b].count; ++lane) contacts.set_history(b, lane, histories[k++]);
   }
 
+  void archive(Archive& a) {
+    archive_rows(a, "force", bodies.force);
+    archive_rows(a, "torque", bodies.torque);
+    a.item("damping", numerics.damping);
+    a.item("stable_time_step", stable), a.item("time_step", time_step);
+    a.item("contact_steps", contact_steps);
+    dem::archive(a, sums);
+    dem::archive(a, measures);
+    dem::archive(a, energies);
+    guard.archive(a);
+  }
+
   void step() {
     const double dt = time_step;
+    StepWatch clock(times, steps);
     const MotionSums moved = motion.advance(cell, numerics.gravity, numerics.damping, dt, bodies);
-    const Mat3 force_branch_before = sums.force_branch;
+    const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
     cell.advance(dt);
     planes.advance(dt);
+    clock.lap(Phase::integration);
     if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
+    clock.lap(Phase::neighbours);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
-    const double resultants = motion.gather(contacts, numerics.gravity, bodies);
+    clock.lap(Phase::contacts);
+    motion.gather(contacts, bodies);
+    clock.lap(Phase::integration);
     ++steps;
     time += dt;
+    contact_steps += sums.contacts;
 
-    account(moved, dt, force_branch_before, gradient);
-    measure(resultants);
-    guard();
+    account(moved, dt, before, gradient);
+    measure();
+    watch();
     if (steps % stiffness_interval == 0) estimate_step();
     limit_move(moved.fastest);
+    clock.lap(Phase::contacts);
   }
 
-  void account(const MotionSums& moved, double dt, const Mat3& force_branch_before, const Mat3& gradient) {
-    const double stored_before = energies.elastic_shear + energies.elastic_rolling + energies.elastic_twisting;
-    energies.law += stored_before - (sums.shear_before + sums.rolling_before + sums.twisting_before) + sums.kinematic;
+  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient) {
+    energies.law += before.elastic_tangential - sums.tangential_before + sums.kinematic;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
     energies.viscous += sums.viscous;
     energies.damping += moved.damping;
     energies.gravity_work += moved.gravity_work;
     energies.boundary_work +=
-        sums.plane_work - 0.5 * dt * (force_branch_before + sums.force_branch).cwiseProduct(gradient).sum();
-    energy_of_contacts();
+        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
   }
 
-  void energy_of_contacts() {
-    energies.elastic_normal = sums.elastic_normal, energies.elastic_shear = sums.elastic_shear;
-    energies.elastic_rolling = sums.elastic_rolling, energies.elastic_twisting = sums.elastic_twisting;
-  }
+  double elastic() const { return sums.elastic_normal + sums.elastic_tangential; }
 
-  // resultants: sum over the grains of |resultant|, N.
-  void measure(double resultants) {
-    const double volume = cell.volume();
-    measures.stress = symmetric(sums.force_branch) / volume;
-    measures.axial_stiffness = sums.axial_stiffness / volume;
+  void measure() {
+    measures.stress = symmetric(sums.force_branch) / cell.volume();
     measures.contacts = sums.contacts;
-    measures.largest_overlap = sums.largest_relative_overlap;
-    const double mean_contact = sums.contacts ? sums.force_magnitude / static_cast<double>(sums.contacts) : 0;
-    const double mean_resultant = resultants / static_cast<double>(bodies.size());
-    measures.unbalanced_force = mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  void guard() const {
-    if (!std::isfinite(sums.force_magnitude) || !std::isfinite(energies.elastic_normal))
-      throw PhysicsError(fmt::format(
-          "step {}: a force is not a number: the time step is too large for the stiffness, or the input overlaps",
-          steps));
-    if (sums.largest_relative_overlap > overlap_guard)
-      throw PhysicsError(
-          fmt::format("step {}: {}: lower the time step or the loading rate, or check the packing", steps, deepest()));
+  double unbalanced_force() {
+    const double mean_contact = sums.contacts ? force_sum(contacts) / static_cast<double>(sums.contacts) : 0;
+    const double mean_resultant = motion.resultants(numerics.gravity, bodies) / static_cast<double>(bodies.size());
+    return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  std::string deepest() const {
+  Survey survey() { return sweep->survey(bodies, cell, planes, numerics.threads, contacts); }
+
+  void watch() {
+    guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
+    if (sums.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
+    if (steps % stiffness_interval == 0) guard.room(steps, cell);
+    if (steps % guard_interval != 0) return;
+    guard.balance(steps, energies_now());
+    guard.escape(steps, bodies);
+  }
+
+  Energies energies_now() {
+    Energies e = energies;
+    const Survey s = survey();
+    e.elastic_normal = sums.elastic_normal, e.elastic_shear = s.elastic_shear;
+    e.elastic_rolling = s.elastic_rolling, e.elastic_twisting = s.elastic_twisting;
+    e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
+    return e;
+  }
+
+  std::string deepest() {
     const io::ContactsRecord all = contacts_record();
     const auto worst =
         static_cast<std::size_t>(std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin());
@@ -152,17 +185,19 @@ struct Simulation::Impl {
                        100 * sums.largest_relative_overlap);
   }
 
+  // From the stiffnesses that a survey left in the slots.
+  double stability_limit() {
+    const double r = bodies.smallest_radius();
+    const double reference =
+        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
+    return std::min(reference, motion.stable_time_step(bodies, contacts));
+  }
+
   void estimate_step() {
-    if (numerics.time_step) {
-      stable = *numerics.time_step;
-    } else {
-      const double r = bodies.smallest_radius();
-      const double reference =
-          std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-      sweep->stiffnesses(bodies, cell, planes, numerics.threads, contacts);
-      stable = numerics.time_step_safety * std::min(reference, motion.stable_time_step(bodies, contacts));
-    }
+    const Survey found = survey();
+    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
     time_step = stable;
+    measures.axial_stiffness = found.axial_stiffness / cell.volume();
   }
 
   void limit_move(double fastest) {
@@ -187,12 +222,14 @@ struct Simulation::Impl {
   Neighbours neighbours;
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
+  Guard guard;
   Contacts contacts;
   SweepSums sums;
   Measures measures;
   Energies energies;
   double stable = 0, time_step = 0, time = 0;
-  std::int64_t steps = 0;
+  std::int64_t steps = 0, contact_steps = 0;
+  StepTimes times;
 };
 
 io::ContactsRecord Simulation::Impl::contacts_record() const {
@@ -239,26 +276,33 @@ io::ContactsRecord Simulation::Impl::contacts_record() const {
 }
 
 Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics)
-    : impl_(std::make_unique<Impl>(state, model, numerics)) {}
+    : impl_(std::make_unique<Impl>(state, model, numerics, nullptr)) {}
+Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept)
+    : impl_(std::make_unique<Impl>(state, model, numerics, &kept)) {}
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 void Simulation::step() { impl_->step(); }
+void Simulation::archive(Archive& archive) const { impl_->archive(archive); }
+std::int64_t Simulation::contact_steps() const { return impl_->contact_steps; }
+const StepTimes& Simulation::step_times() const { return impl_->times; }
 const Measures& Simulation::measures() const { return impl_->measures; }
 
-Energies Simulation::energies() const {
-  Energies e = impl_->energies;
-  e.kinetic = kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
-  return e;
-}
-
+Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
+double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
+double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
+double Simulation::stability_limit() {
+  impl_->survey();
+  return impl_->stability_limit();
+}
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
 const Mat3& Simulation::deformation_gradient() const { return impl_->cell.deformation_gradient(); }
 double Simulation::volume() const { return impl_->cell.volume(); }
+std::size_t Simulation::grains() const { return impl_->bodies.size(); }
 double Simulation::mass() const { return impl_->bodies.total_mass(); }
 double Simulation::solid_volume() const { return impl_->bodies.solid_volume(); }
 double Simulation::void_ratio() const { return volume() / solid_volume() - 1; }
@@ -275,19 +319,21 @@ void Simulation::set_damping(double damping) { impl_->numerics.damping = damping
 void Simulation::scale_radii(double factor) {
   impl_->bodies.scale_radii(factor);
   Impl& s = *impl_;
-  const double before = s.energies.elastic();
+  const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  s.measure(s.motion.gather(s.contacts, s.numerics.gravity, s.bodies));
-  s.energy_of_contacts();
-  s.energies.boundary_work += s.energies.elastic() - before;
+  s.motion.gather(s.contacts, s.bodies);
+  s.measure();
+  s.energies.boundary_work += s.elastic() - before;
   s.estimate_step();
 }
 
 void Simulation::stop_motion() {
+  const double moving = impl_->energies_now().kinetic;
   for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
     for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
+  impl_->energies.damping += moving - impl_->energies_now().kinetic;
 }
 
 io::Snapshot Simulation::snapshot() const {

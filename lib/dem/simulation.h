@@ -6,18 +6,19 @@
 #include <memory>
 #include <optional>
 
+#include "core/archive.h"
 #include "dem/model.h"
+#include "dem/step_times.h"
 #include "io/records.h"
 
 namespace soilweave::dem {
 
-/// What one sweep over the contacts and bodies measures. Stress compression positive.
+/// What every step measures. Stress compression positive.
 struct Measures {
-  Mat3 stress = Mat3::Zero();           // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
-  Vec3 axial_stiffness = Vec3::Zero();  // Pa, affine stiffness of the contact network along each cell axis
-  double unbalanced_force = 0;          // mean resultant on grains over mean contact force; 0/0 is 0
+  Mat3 stress = Mat3::Zero();  // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
+  Vec3 axial_stiffness =
+      Vec3::Zero();  // Pa, affine stiffness of the contact network along each axis, as last looked at
   std::int64_t contacts = 0;
-  double largest_overlap = 0;  // over the smaller radius
 };
 
 /// Work and energy since the start, J. boundary_work + gravity_work + initial = kinetic + elastic + dissipated parts
@@ -44,6 +45,8 @@ class Simulation {
   /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
   /// Throws DataError where grains overlap by more than half a radius.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
+  /// Goes on from a snapshot taken between two steps and what archive() kept then, bit by bit.
+  Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
@@ -52,14 +55,18 @@ class Simulation {
   void step();
 
   const Measures& measures() const;  // of the last step
+  double unbalanced_force() const;   // mean resultant on grains over mean contact force; 0/0 is 0
+  double largest_overlap() const;    // over the smaller radius
   Energies energies() const;
   double time_step() const;  // s, of the next step
+  double stability_limit();  // s, from the present stiffness
   double time() const;
   std::int64_t steps() const;
 
   const Mat3& cell_matrix() const;
   const Mat3& deformation_gradient() const;
-  double volume() const;        // m3 (2D: m2)
+  double volume() const;  // m3 (2D: m2)
+  std::size_t grains() const;
   double mass() const;          // kg (2D: kg/m), of all grains
   double solid_volume() const;  // m3 (2D: m2), overlaps counted twice
   double void_ratio() const;
@@ -73,7 +80,12 @@ class Simulation {
   void scale_radii(double factor);  // masses follow at constant density
   void stop_motion();               // zero fluctuation velocities and spins
 
-  io::Snapshot snapshot() const;  // complete: a Simulation made from it goes on bit by bit
+  /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.
+  io::Snapshot snapshot() const;
+  /// Keeps what a snapshot leaves out.
+  void archive(Archive& archive) const;
+  std::int64_t contact_steps() const;  // contacts, summed over the steps
+  const StepTimes& step_times() const;
 
  private:
   struct Impl;

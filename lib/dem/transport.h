@@ -6,35 +6,35 @@
 
 namespace soilweave::dem {
 
-/// Carries vectors fixed to the contact plane from the old normal to the new one by the smallest rotation that maps one
-/// on the other, then turns them about the new normal by spin_angle (rad, the grains' mean spin over the step). Length
-/// is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid while the
-/// normal turns by less than half a turn in a step.
+/// Carries vectors of the contact plane, normal to the old normal, to the new one by the smallest rotation that maps
+/// one normal on the other, then turns them about the new normal by spin_angle (rad, the grains' mean spin over the
+/// step). Length is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid
+/// while the normal turns by less than half a turn in a step.
 template <class T>
 class Transport {
  public:
   Transport(const V3<T>& old_normal, const V3<T>& normal, const T& spin_angle)
-      : normal_(normal), axis_(cross(old_normal, normal)), cosine_(dot(old_normal, normal)) {
+      : normal_(normal), sum_(old_normal + normal) {
     const T s2 = spin_angle * spin_angle;
-    half_tangent_ = 0.5 * spin_angle * (1.0 + s2 * (1.0 / 12.0 + s2 * (1.0 / 120.0)));
+    const T t = 0.5 * spin_angle * (1.0 + s2 * (1.0 / 12.0 + s2 * (1.0 / 120.0)));  // tangent of half the spin
     // One division for both scales.
-    const T cayley = 1.0 + half_tangent_ * half_tangent_, rodrigues = 1.0 + cosine_;
-    const T inverse = 1.0 / (cayley * rodrigues);
-    along_ = cayley * inverse;
-    turn_ = 2.0 * half_tangent_ * rodrigues * inverse;
+    const T t2 = t * t, rodrigues = 1.0 + dot(old_normal, normal);
+    const T inverse = 1.0 / ((1.0 + t2) * rodrigues);
+    against_ = -((1.0 + t2) * inverse);
+    const T scale = rodrigues * inverse;
+    cosine_ = (1.0 - t2) * scale;
+    sine_ = 2.0 * t * scale;
   }
 
   V3<T> operator()(const V3<T>& f) const {
-    // Rodrigues with axis a = n0 x n1 (length sin) and cosine c: g = c f + a x f + a (a.f)/(1 + c).
-    const V3<T> g = fused(cosine_, f, fused(T(along_ * dot(axis_, f)), axis_, cross(axis_, f)));
-    // Cayley form of the rotation about n by 2 atan t: g + 2/(1 + t^2) (t n x g + t^2 n x (n x g)).
-    const V3<T> turned = cross(normal_, g);
-    return fused(turn_, fused(half_tangent_, cross(normal_, turned), turned), g);
+    // Rodrigues' rotation from n0 to n1 of a vector normal to n0: f - (f.n1)/(1 + n0.n1) (n0 + n1).
+    const V3<T> g = fused(T(against_ * dot(f, normal_)), sum_, f);
+    return fused(cosine_, g, sine_ * cross(normal_, g));
   }
 
  private:
-  V3<T> normal_, axis_;
-  T cosine_, half_tangent_, along_, turn_;
+  V3<T> normal_, sum_;
+  T against_, cosine_, sine_;
 };
 
 /// One vector carried so.

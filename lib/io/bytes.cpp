@@ -64,6 +64,8 @@ void write_all(int descriptor, std::string_view bytes, const std::string& where)
   }
 }
 
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
 void sync_folder(const fs::path& folder) {
   const Descriptor d(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // Some file systems cannot sync a folder and say EINVAL; the file itself is safe by then.
@@ -108,7 +110,7 @@ void replace(const fs::path& path, std::string_view bytes) {
   if (::fsync(d.number()) != 0) throw IoError(path.string() + ": syncing failed: " + reason());
   if (!d.close()) throw IoError(path.string() + ": writing failed: " + reason());
   temporary.rename(path);
-  sync_folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
+  sync_folder(folder_of(path));
 }
 
 }  // namespace
@@ -141,6 +143,13 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, bytes);
   // A link keeps pointing to the file it names: that file is replaced, not the link.
   replace(fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::weakly_canonical(path) : path, bytes);
+}
+
+void make_folder(const fs::path& path) {
+  if (::mkdir(path.c_str(), 0777) == 0) return sync_folder(folder_of(path));
+  const std::string why = reason();
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) throw CannotCreate(path.string() + ": cannot be created: " + why);
 }
 
 }  // namespace soilweave::io

@@ -17,6 +17,10 @@ std::string read_bytes(const std::filesystem::path& path);
 /// Throws CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
+/// Makes a folder, so that it is still there after a crash; one that is there already is left as it is. Throws
+/// CannotCreate.
+void make_folder(const std::filesystem::path& path);
+
 /// How messages call a path: "standard input" for "-".
 std::string input_name(const std::filesystem::path& path);
 

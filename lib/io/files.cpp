@@ -22,9 +22,18 @@ const std::string series_group = "/series", fields_group = "/fields", members_gr
 
 std::string output_name(const std::filesystem::path& path) { return path == "-" ? "standard output" : path.string(); }
 
+std::array<std::pair<const char*, std::int64_t*>, 2> numbers_of(Work& work) {
+  return {{{"/work/steps", &work.steps}, {"/work/contact_steps", &work.contact_steps}}};
+}
+
+Label label_of(const char* path) {
+  const Entry& e = entry(path);
+  return {std::string(e.units), std::string(e.long_name)};
+}
+
 /// Reads and checks every state; the file's history goes into its source.
 std::vector<Snapshot> states_in(OpenFile& file) {
-  file.demand_kind("packing run");
+  if (file.kind != "checkpoint") file.demand_kind("packing run");
   file.source.history = read_history(file.reader);
   std::vector<Snapshot> states = read_frames(file.reader);
   for (std::size_t f = 0; f < states.size(); ++f)
@@ -38,6 +47,8 @@ RunFile run_in(OpenFile& file) {
   if (file.kind == "run") {
     run.series = read_columns(file.reader, series_group);
     run.scenario = file.reader.read_text("/scenario");
+    for (const auto& [path, number] : numbers_of(run.work))
+      if (file.reader.has(path)) *number = file.reader.read<std::int64_t>(path, {}).front();
   }
   run.source = std::move(file.source);
   return run;
@@ -67,11 +78,6 @@ void write_file(const std::filesystem::path& path, const std::string& kind, cons
     throw DataError(output_name(path) + ": " + error.what());
   }
   write_bytes(path, file.image());
-}
-
-void write_text(Writer& file, const std::string& path, const std::string& text) {
-  const Entry& e = entry(path);
-  file.write_text(path, text, {std::string(e.units), std::string(e.long_name)});
 }
 
 void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups) {
@@ -105,6 +111,13 @@ void write_packing(const std::filesystem::path& path, const Snapshot& state, con
   write_file(path, "packing", history, [&](Writer& file) { write_states(file, {&state}, history); });
 }
 
+std::size_t packing_bytes(const Snapshot& state) {
+  Writer file;
+  write_head(file, "packing", {});
+  write_states(file, {&state}, {});
+  return file.image().size();
+}
+
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history) {
   std::vector<const Snapshot*> states;
   for (const Snapshot& state : run.snapshots) {
@@ -115,7 +128,11 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
     write_states(file, states, history);
     write_columns(file, series_group, run.series);
     link_observables(file, run.series);
-    write_text(file, "/scenario", run.scenario);
+    file.write_text("/scenario", run.scenario, label_of("/scenario"));
+    Work work = run.work;
+    if (work.steps > 0)
+      for (const auto& [path, number] : numbers_of(work))
+        file.write<std::int64_t>(path, {number, 1}, {}, label_of(path));
   });
 }
 
@@ -125,7 +142,7 @@ void write_fields(const std::filesystem::path& path, const FieldsFile& fields, c
 
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history) {
   write_file(path, "ensemble", history, [&](Writer& file) {
-    write_text(file, "/prior", ensemble.prior);
+    file.write_text("/prior", ensemble.prior, label_of("/prior"));
     write_columns(file, members_group, ensemble.members);
     write_groups(file, ensemble.groups);
   });

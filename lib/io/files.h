@@ -18,11 +18,17 @@ struct PackingFile {
   Source source;  // of the file this was read from
 };
 
+/// What a run took, as far as equal runs take the same: no seconds.
+struct Work {
+  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: contacts, summed over the steps
+};
+
 /// A run: series over all recorded states, snapshots at some of them; the last snapshot is the state to continue from.
 struct RunFile {
   std::vector<Snapshot> snapshots;
   Series series;
   std::string scenario;  // resolved TOML
+  Work work;             // zeros where the file does not say
   Source source;
 };
 
@@ -59,6 +65,8 @@ struct SeriesFile {
 /// Writes of every kind: atomically (temporary name, fsync, rename), equal content gives equal bytes.
 /// Throws CannotCreate, IoError.
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
+/// The size of the file that write_packing would write of a state, bytes.
+std::size_t packing_bytes(const Snapshot& state);
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);

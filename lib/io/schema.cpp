@@ -13,10 +13,11 @@ using enum Type;
 
 Section every_file() {
   return {"Every file",
-          "packing run fields ensemble",
+          "packing run fields checkpoint ensemble",
           {{"/provenance/<n>/scenario", text, "", "1", "scenario as it was resolved, TOML", true}},
           {{"/", "format", "\"soilweave\"", "what reads it"},
-           {"/", "kind", "\"packing\", \"run\", \"fields\" or \"ensemble\"", "which of the kinds below it is"},
+           {"/", "kind", "\"packing\", \"run\", \"fields\", \"checkpoint\" or \"ensemble\"",
+            "which of the kinds below it is"},
            {"/", "format_version", "int64[2]", "major, minor; readers refuse a greater major"},
            {"/", "creator", "text", "tool that wrote the file"},
            {"/", "creator_version", "text", "its version"},
@@ -31,7 +32,7 @@ Section every_file() {
 
 Section trajectory() {
   return {"Grains: an H5MD 1.1 trajectory",
-          "packing run",
+          "packing run checkpoint",
           {{"/particles/grains/position/step", int64, "F", "1", "number of time steps taken"},
            {"/particles/grains/position/time", float64, "F", "s", "time"},
            {"/particles/grains/position/value", float64, "F N D", "m", "centre, not wrapped into the cell"},
@@ -62,7 +63,7 @@ Section trajectory() {
 Section cell() {
   return {
       "The cell, beyond its edges",
-      "packing run",
+      "packing run checkpoint",
       {{"/cell/velocity_gradient", float64, "F 3 3", "s-1", "velocity gradient, extension positive"},
        {"/cell/deformation_gradient", float64, "F 3 3", "1", "deformation gradient since the reference of the strains"},
        {"/cell/thickness", float64, "F", "m", "length of the third cell vector, 2D only", true}},
@@ -71,7 +72,7 @@ Section cell() {
 
 Section contacts() {
   return {"Contacts: one group a frame, numbered from 000000, sorted by bodies",
-          "packing run",
+          "packing run checkpoint",
           {{"/contacts/<frame>/bodies", int32, "M 2", "1",
             "rows of the first and second grain in /particles/grains; -1 - k in second: plane k"},
            {"/contacts/<frame>/image", int32, "M 3", "1", "cell vectors to add to the second grain's position"},
@@ -90,7 +91,7 @@ Section contacts() {
 
 Section planes() {
   return {"Rigid planes (absent without)",
-          "packing run",
+          "packing run checkpoint",
           {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
            {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
            {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
@@ -98,13 +99,28 @@ Section planes() {
           {}};
 }
 
-Section run() {
-  return {"A run besides: one value a recorded state",
-          "run",
-          {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
-           {"/series/step", int64, "R", "1", "number of time steps taken", true},
+Section series() {
+  return {"The series: one value a recorded moment",
+          "run checkpoint",
+          {{"/series/step", int64, "R", "1", "number of time steps taken", true},
            {"/series/<column>", float64, "R", "its own", "its own", true}},
           {{"/series/<column>", "column", "int64", "place among the columns, from 0"}}};
+}
+
+Section run() {
+  return {"A run besides",
+          "run",
+          {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
+           {"/work/steps", int64, "", "1", "time steps taken", true},
+           {"/work/contact_steps", int64, "", "1", "contacts, summed over the steps", true}},
+          {}};
+}
+
+Section checkpoint() {
+  return {"A checkpoint besides: what only the running program knows; with the series so far",
+          "checkpoint",
+          {{"/checkpoint/<name>", float64, "K", "its own", "what the program needs to go on"}},
+          {}};
 }
 
 Section fields() {
@@ -129,8 +145,8 @@ Section ensemble() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),   contacts(),
-                                                planes(),     run(),        fields(), ensemble()};
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(),
+                                                series(),     run(),        checkpoint(), fields(),   ensemble()};
   return sections;
 }
 

@@ -64,7 +64,7 @@ struct Loops {
         sweep(make_contact_sweep(model)) {
     neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(bodies, cell, planes, 0, 1, contacts);
-    motion.gather(contacts, Vec3::Zero(), bodies);
+    motion.gather(contacts, bodies);
   }
   Bodies bodies;
   Cell cell;

@@ -293,18 +293,20 @@ TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
       const V3<double> d = two.x - one.x;
       set_lane(m.velocity, i, two.v - one.v), set_lane(m.spin_1, i, one.w), set_lane(m.spin_2, i, two.w);
       m.lever_1[i] = one.radius, m.lever_2[i] = two.radius, m.inverse_distance[i] = 1 / norm(d);
-      set_lane(m.normal, i, (1.0 / norm(d)) * d);
+      set_lane(rest.normal, i, (1.0 / norm(d)) * d);
       overlap[i] = one.radius + two.radius - norm(d);
       rest.r1[i] = one.radius, rest.r2[i] = two.radius;
       rest.R_star[i] = one.radius * two.radius / (one.radius + two.radius);
-      rest.m_star[i] = one.mass * two.mass / (one.mass + two.mass);
+      rest.m1[i] = one.mass, rest.m2[i] = two.mass;
       set_lane(memory.shear, i, q.memory.shear), set_lane(memory.rolling, i, q.memory.rolling);
       memory.twisting[i] = q.memory.twisting;
       set_lane(old_normal, i, q.normal);
     }
     const Lane4 dt = all<Lane4>(1e-5);
-    Kinematics<Lane4> k = pair_kinematics(m, dt);
-    k.overlap = overlap, k.r1 = rest.r1, k.r2 = rest.r2, k.R_star = rest.R_star, k.m_star = rest.m_star;
+    Kinematics<Lane4> k{};
+    k.normal = rest.normal;
+    set_increments(m, dt, k);
+    k.overlap = overlap, k.r1 = rest.r1, k.r2 = rest.r2, k.R_star = rest.R_star, k.m1 = rest.m1, k.m2 = rest.m2;
     const Lane4 angle = 0.5 * dt * dot(k.normal, m.spin_1 + m.spin_2);
     memory.shear = transport(memory.shear, old_normal, k.normal, angle);
     memory.rolling = transport(memory.rolling, old_normal, k.normal, angle);

@@ -38,12 +38,13 @@ struct Pair {
     m.lever_1 = one.radius, m.lever_2 = two.radius;
     const double distance = norm(d);
     m.inverse_distance = 1 / distance;
-    m.normal = m.inverse_distance * d;
-    Kinematics<double> k = pair_kinematics(m, dt);
+    Kinematics<double> k;
+    k.normal = m.inverse_distance * d;
+    set_increments(m, dt, k);
     k.overlap = one.radius + two.radius - distance;
     k.r1 = one.radius, k.r2 = two.radius;
     k.R_star = k.r1 * k.r2 / (k.r1 + k.r2);
-    k.m_star = one.mass * two.mass / (one.mass + two.mass);
+    k.m1 = one.mass, k.m2 = two.mass;
     return k;
   }
 

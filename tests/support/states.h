@@ -134,6 +134,7 @@ inline RunFile example_run(std::size_t grains = 12, bool planes = false) {
                         {"time", "s", "time", {0, 0.1, 0.2, 0.25}},
                         {"p", "Pa", "mean stress", {1e5, 1.0 / 3, std::nan(""), -0.0}},
                         {"a", "1", "comes last, though first by name", {1, 2, 3, 4}}};
+  run.work = {250, 12345};
   run.scenario = "[stage]\nname = \"isotropic\"  # µ = 0.5\n";
   return run;
 }

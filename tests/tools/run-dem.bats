@@ -139,7 +139,7 @@ off() {
     "$PYTHON" -c "import h5py; f = h5py.File('edited.h5', 'r+'); g = f['particles/grains']; $1"
   }
   edit 'f.attrs["format_version"] = [2, 1]'
-  refuses 65 run-dem "has the format version 2.1, this program reads 1.0 at most" edited.h5 short.toml -o out.h5
+  refuses 65 run-dem "has the format version 2.1, this program reads 1.1 at most" edited.h5 short.toml -o out.h5
   edit 'g["position/value"][0, 5, 1] = float("nan")'
   refuses 65 run-dem "/particles/grains/position/value holds nan" edited.h5 short.toml -o out.h5
   edit 'g["species"][3] = 1'
@@ -235,9 +235,32 @@ off() {
   [[ $stderr == *"stage: is missing: a scenario has at least one [[stage]] with a path"* ]] || show "no stage"
 }
 
-@test "errors: a station that cannot be settled and physics that breaks say where and what would help" {
-  refused 1 'stage "triaxial", station 1: not settled after 5 steps' --set equilibrium.steps=5 -o out.h5
-  refused 70 "lower the time step" --set numerics.time_step=1 -o out.h5
+# broken STATUS WORDS ARGUMENTS...: a guard ends the run with the words, says where the state and the last good one are,
+# and the state can be looked at.
+broken() {
+  mentions "$1" run-dem "$2" --quiet packing.h5 short.toml "${@:3}" -o broken.h5
+  [[ $stderr == *"; broken.h5.part/stopped.h5 shows it (to-vtk); broken.h5.part/state-000000000000.h5 is the last good state" ]] ||
+    show "what is left"
+  [[ ! -e broken.h5 ]] || show "an output all the same"
+  exits 0 to-vtk --quiet --force broken.h5.part/stopped.h5 -o broken
+  rm -r broken broken.h5.part
+}
+
+@test "guards: what breaks says the step, who, how much and why, and leaves a state to look at" {
+  broken 1 'stage "triaxial", station 1: not settled after 5 steps' --set equilibrium.steps=5
+  broken 1 "is held back by its largest rate: raise max_rate" --set equilibrium.steps=50 --set stage.0.max_rate=1e-9 \
+    --set 'stage.0.confining_pressure=300 kPa'
+  broken 70 "lower the time step, or leave numerics.time_step out" --set numerics.time_step=1
+  broken 70 "% of guards.overlap" --set guards.overlap=0.02 --set 'stage.0.confining_pressure=1 MPa'
+  broken 70 "of guards.energy_error" --set guards.energy_error=1e-12
+  broken 70 "half of it or more: it would touch itself; strain it less" --set stage.0.axial_strain=1.5 \
+    --set stage.0.increment=0.5 --set stage.0.rate=999 --set stage.0.max_rate=999 --set 'contact.friction_angle=0' \
+    --set guards.overlap=1.9 --set guards.energy_error=1e9
+}
+
+@test "guards: of standard output nothing is kept, and the message says no more than is true" {
+  call run-dem --quiet packing.h5 short.toml --set equilibrium.steps=5 -o -
+  [[ $status -eq 1 && -z $output && $stderr != *part* && $stderr == *"not settled after 5 steps"* ]] || show
 }
 
 @test "errors: an output that cannot be made; one of another run is kept" {
@@ -248,7 +271,7 @@ off() {
   cp packing.h5 mine.h5
   refused 73 "mine.h5: exists; give --force to overwrite it" -o mine.h5
   same_bytes packing.h5 mine.h5
-  refused 1 "not settled" --force --set equilibrium.steps=5 -o mine.h5
+  mentions 1 run-dem "not settled" --quiet packing.h5 short.toml --force --set equilibrium.steps=5 -o mine.h5
   same_bytes packing.h5 mine.h5
   exits 0 run-dem --quiet --force packing.h5 short.toml -o mine.h5
   same_bytes run.h5 mine.h5

@@ -32,7 +32,7 @@ Scenario scenario(const std::string& stages, const std::vector<std::string>& ove
 
 io::RunFile loaded(const std::string& stages) {
   const Scenario plan = scenario(stages);
-  return run(prepare(testing::packed(plan.model, 1e5), plan), plan, {});
+  return run(prepare(testing::packed(plan.model, 1e5), plan), plan, {}).file;
 }
 
 double last(const io::RunFile& run, std::string_view column) { return run.series.at(column).values.back(); }

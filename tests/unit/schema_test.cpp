@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "io/part.h"
 #include "io/store.h"
 #include "support/schema_tables.h"
 #include "support/states.h"
@@ -68,6 +69,7 @@ std::string in_schema(const std::string& path) {
       {std::regex("^/fields/[^/]+/(?!step$).*"), "/fields/<group>/<column>"},
       {std::regex("^/series/(?!step$).*"), "/series/<column>"},
       {std::regex("^/members/(?!id$).*"), "/members/<column>"},
+      {std::regex("^/checkpoint/.*"), "/checkpoint/<name>"},
       {std::regex("^(/particles/grains/(radius|mass|species|id|copy_id))/value$"), "$1"},
       {std::regex("^/particles/grains/.*/(step|time)$"), "/particles/grains/position/$1"}};
   std::string general = path;
@@ -91,7 +93,7 @@ void check_datasets(const Reader& file, const std::string& group, std::set<std::
     }
     EXPECT_EQ(file.is_integer(path), e.type == Type::int64 || e.type == Type::int32 || e.type == Type::uint8) << path;
     const Shape shape = file.shape(path);
-    const Extents letters = {{'F', 0}, {'N', 0}, {'D', 0}, {'M', 0}, {'P', 0}, {'R', 0}};
+    const Extents letters = {{'F', 0}, {'N', 0}, {'D', 0}, {'M', 0}, {'P', 0}, {'R', 0}, {'K', 0}};
     const bool frames = !e.shape.starts_with("(F)") || path.ends_with("/value");
     EXPECT_EQ(shape.size(), resolve(e.shape, letters, frames).size()) << path;
   }
@@ -116,6 +118,8 @@ TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
       {}};
   write_ensemble(path, ensemble, {});
   check_datasets(Reader(test::bytes_of(path), "ensemble"), "/", seen);
+  write_moment(path, {test::example_state(5), test::example_run().series, {{"number", {1, 2}}}}, {});
+  check_datasets(Reader(test::bytes_of(path), "checkpoint"), "/", seen);
   for (const Section& section : schema())
     for (const Entry& e : section.entries) EXPECT_TRUE(seen.contains(std::string(e.path))) << e.path;
 }

@@ -50,7 +50,7 @@ struct Damping {
   template <class T>
   T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T>& k) const {
     if (ratio == 0) return elastic;
-    const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star * stiffness) * k.approach_speed;
+    const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star() * stiffness) * k.approach_speed;
     return attraction ? sum : maximum(sum, all<T>(0));
   }
 };

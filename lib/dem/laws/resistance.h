@@ -70,10 +70,16 @@ T resistance_limit(const PairResistance& r, const Kinematics<T>& k, const T& nor
   return arm * normal_force;
 }
 
-/// Rolling (a vector) or twisting (a scalar) resistance over one step.
+/// Rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness there is no moment, also where
+/// the state was made with one: it would turn the grains for ever, at no cost to any store of energy.
 template <class T, class Quantity>
 SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T>& k, const Quantity& old,
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {
+  if (!(r.stiffness > 0)) {
+    SpringStep<T, Quantity> none{};
+    none.limited = all<T>(0) > all<T>(0);
+    return none;
+  }
   const T compliance = resistance_compliance(r, stiffness);
   if (!r.limited) return spring_step<T, Quantity>(old, stiffness, compliance, increment);
   return limited_spring_step<T, Quantity>(old, stiffness, compliance, increment, resistance_limit(r, k, normal_force));

@@ -1,0 +1,54 @@
+// Named numbers, kept and given back.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/archive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+
+namespace soilweave {
+
+Archive::Archive(Numbers numbers, std::string where)
+    : numbers_(std::move(numbers)), where_(std::move(where)), giving_back_(true) {}
+
+const std::vector<double>& Archive::kept(const std::string& name) const {
+  const auto found = numbers_.find(name);
+  if (found == numbers_.end())
+    throw DataError(fmt::format("{}: keeps no {}; it is of another version: begin anew", where_, name));
+  return found->second;
+}
+
+void Archive::numbers_of(const std::string& name, double* values, std::size_t length) {
+  if (!giving_back_) {
+    numbers_[name].assign(values, values + length);
+    return;
+  }
+  const std::vector<double>& from = kept(name);
+  if (from.size() != length)
+    throw DataError(fmt::format("{}: keeps {} numbers of {} where {} belong; it is of another version: begin anew",
+                                where_, from.size(), name, length));
+  std::copy(from.begin(), from.end(), values);
+}
+
+void Archive::item(const std::string& name, double& value) { numbers_of(name, &value, 1); }
+
+void Archive::item(const std::string& name, std::int64_t& value) {
+  auto number = static_cast<double>(value);
+  numbers_of(name, &number, 1);
+  value = static_cast<std::int64_t>(number);
+}
+
+void Archive::item(const std::string& name, Vec3& value) { numbers_of(name, value.data(), 3); }
+void Archive::item(const std::string& name, Mat3& value) { numbers_of(name, value.data(), 9); }
+
+void Archive::item(const std::string& name, std::vector<double>& values) {
+  if (giving_back_)
+    values = kept(name);
+  else
+    numbers_[name] = values;
+}
+
+}  // namespace soilweave

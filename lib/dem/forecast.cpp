@@ -1,0 +1,176 @@
+// What a run will take, from its input.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/forecast.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "io/files.h"
+
+namespace soilweave::dem {
+namespace {
+
+// Steps tried, and the time after which no more are: enough to average over a few looks at the stiffness.
+constexpr int tried_steps = 200;
+constexpr double tried_seconds = 1;
+// Steps until grains are at rest again after a station, for each e-fold of the unbalanced force and by damping:
+// measured on 60 to 1000 grains; beyond 20 grains across, a wave takes longer.
+constexpr double settling = 20;
+
+using Seconds = std::chrono::duration<double>;
+
+// A path looked at without grains: strains and stresses are where the goals put them.
+class Walk {
+ public:
+  Walk(const Simulation& simulation, const Scenario& scenario, int dimension, std::size_t grains)
+      : scenario_(scenario),
+        dimension_(dimension),
+        dt_(simulation.time_step()),
+        stiffness_(simulation.measures().axial_stiffness),
+        state_{dimension, simulation.measures().stress, Vec3::Zero()} {
+    const double across = std::pow(static_cast<double>(grains), 1.0 / dimension);
+    const double folds = -std::log(std::min(0.5, scenario.tolerances.unbalanced_force));
+    rest_ = std::max(settling, across) * folds / std::max(0.05, scenario.numerics.damping);
+  }
+
+  Forecast::OfStage stage(const Stage& stage) {
+    Forecast::OfStage of{stage.name, stage.path->stations(), 0};
+    state_.strain = Vec3::Zero();
+    for (std::size_t station = 0; station < of.stations; ++station)
+      of.steps +=
+          std::min(way(stage.path->goals(station, state_)) + rest_, static_cast<double>(scenario_.largest_station));
+    return of;
+  }
+
+ private:
+  // Steps on the way to a station, by the slowest axis.
+  double way(const AxisGoals& goals) {
+    double slowest = 0;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      const bool stress = goal.kind == AxisGoal::Kind::stress;
+      double& now = stress ? state_.stress(a, a) : state_.strain[a];
+      const double strain =
+          stress ? (goal.value - now) / std::max(stiffness_[a], std::abs(goal.value)) : goal.value - now;
+      if (goal.max_rate > 0) slowest = std::max(slowest, std::abs(strain) / (goal.max_rate * dt_));
+      now = goal.value;
+    }
+    return slowest;
+  }
+
+  const Scenario& scenario_;
+  int dimension_;
+  double dt_;
+  Vec3 stiffness_;
+  PathState state_;
+  double rest_ = 0;
+};
+
+std::size_t states_of(const Scenario& scenario, std::size_t stations) {
+  if (scenario.snapshots.which == SnapshotRule::Which::stations) return 1 + stations;
+  return 1 + scenario.stages.size() + scenario.snapshots.strains.size();
+}
+
+// What a state takes in memory while it is written or read.
+double bytes_of(const io::Snapshot& s) {
+  constexpr double of_grain = 5 * sizeof(Vec3) + sizeof(Vec4) + 4 * sizeof(double);
+  constexpr double of_contact = 5 * sizeof(Vec3) + 4 * sizeof(double);
+  return of_grain * static_cast<double>(s.grains.size()) + of_contact * static_cast<double>(s.contacts.size());
+}
+
+double peak_memory() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+std::string bytes_text(double bytes) {
+  for (const char* unit : {"B", "kB", "MB"}) {
+    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
+    bytes /= 1000;
+  }
+  return fmt::format("{:.3g} GB", bytes);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
+  return seconds < 172800 ? fmt::format("{:.3g} h", seconds / 3600) : fmt::format("{:.3g} days", seconds / 86400);
+}
+
+// The first steps of the run, timed.
+Price tried(Simulation& simulation, const Scenario& scenario, int dimension) {
+  Servo servo(scenario.servo);
+  const Stage& first = scenario.stages.front();
+  simulation.set_damping(first.damping.value_or(scenario.numerics.damping));
+  if (first.friction) simulation.set_model(with_friction(scenario.model, *first.friction));
+  if (first.reset_strain) simulation.set_reference();
+  const auto start = std::chrono::steady_clock::now();
+  Price price;
+  while (price.steps < tried_steps && price.stepping < tried_seconds) {
+    servo.drive(first.path->goals(0, {dimension, simulation.measures().stress, simulation.strain()}), dimension,
+                simulation);
+    simulation.step();
+    ++price.steps;
+    price.stepping = Seconds(std::chrono::steady_clock::now() - start).count();
+  }
+  price.contact_steps = simulation.contact_steps();
+  price.times = simulation.step_times();
+  return price;
+}
+
+}  // namespace
+
+Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
+  const int dimension = start.grains.dimension;
+  Simulation simulation(start, scenario.model, scenario.numerics);
+  Forecast f;
+  f.time_step = simulation.time_step();
+  f.stability_limit = simulation.stability_limit();
+  f.unbalanced_force = simulation.unbalanced_force();
+  f.largest_overlap = simulation.largest_overlap();
+  Walk walk(simulation, scenario, dimension, start.grains.size());
+  std::size_t stations = 0;
+  double steps = 0;
+  for (const Stage& stage : scenario.stages) {
+    f.stages.push_back(walk.stage(stage));
+    stations += f.stages.back().stations;
+    steps += f.stages.back().steps;
+  }
+  f.states = states_of(scenario, stations);
+  f.price = tried(simulation, scenario, dimension);
+  const double scale = steps / static_cast<double>(f.price.steps);
+  f.price.grains = start.grains.size();
+  f.price.stepping *= scale;
+  f.price.contact_steps = std::llround(static_cast<double>(f.price.contact_steps) * scale);
+  f.price.steps = std::llround(steps);
+  const auto writing = std::chrono::steady_clock::now();
+  const io::Snapshot state = simulation.snapshot();
+  const auto state_bytes = static_cast<double>(io::packing_bytes(state));
+  const double write = Seconds(std::chrono::steady_clock::now() - writing).count();
+  const auto states = static_cast<double>(f.states);
+  // Every state is written when it is recorded, read back at the end, and written once more.
+  f.price.output = 3 * states * write;
+  f.file_bytes = states * state_bytes + 300.0 * static_cast<double>(stations);
+  f.memory_bytes = peak_memory() + (states + 1) * bytes_of(state) + f.file_bytes;
+  return f;
+}
+
+std::string Forecast::text() const {
+  std::string text = fmt::format(
+      "{} grains, {:.0f} contacts, largest overlap {:.2g} of the radius, unbalanced force {:.2g}\n"
+      "time step {:.4g} s, stability limit {:.4g} s\n",
+      price.grains, price.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
+  for (const OfStage& stage : stages)
+    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps\n", stage.name, stage.stations,
+                        stage.stations == 1 ? "" : "s", stage.steps);
+  text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
+                      bytes_text(memory_bytes));
+  return text + fmt::format("about {}: {}\n", time_text(price.stepping + price.output), price.line());
+}
+
+}  // namespace soilweave::dem

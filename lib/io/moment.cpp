@@ -1,0 +1,50 @@
+// A moment of a run under way as a file of kind "checkpoint": that of a run with one state, and what goes beyond it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "io/bytes.h"
+#include "io/file_head.h"
+#include "io/files.h"
+#include "io/part.h"
+
+namespace soilweave::io {
+namespace {
+
+const std::string series_group = "/series", numbers_group = "/checkpoint";
+
+}  // namespace
+
+void write_moment(const std::filesystem::path& path, const Moment& moment, const History& history) {
+  check(moment.state, path.string());
+  Writer file;
+  write_head(file, "checkpoint", history);
+  write_states(file, {&moment.state}, history);
+  write_columns(file, series_group, moment.series);
+  file.group(numbers_group);
+  const Entry& e = entry("/checkpoint/<name>");
+  for (const auto& [name, values] : moment.numbers)
+    file.write<double>(child_path(numbers_group, name), values, {values.size()},
+                       {std::string(e.units), std::string(e.long_name)});
+  write_bytes(path, file.image());
+}
+
+Moment read_moment(const std::filesystem::path& path, History& history) {
+  OpenFile file(path, "checkpoint");
+  file.demand_kind("checkpoint");
+  history = read_history(file.reader);
+  Moment moment;
+  std::vector<Snapshot> states = read_frames(file.reader);
+  if (states.size() != 1) file.reader.fail("/particles/grains", fmt::format("holds {} states, not one", states.size()));
+  check(states.front(), path.string());
+  moment.state = std::move(states.front());
+  moment.series = read_columns(file.reader, series_group);
+  for (const std::string& name : file.reader.children(numbers_group)) {
+    const std::string place = child_path(numbers_group, name);
+    const Shape shape = file.reader.shape(place);
+    if (shape.size() != 1) file.reader.fail(place, "is no list of numbers");
+    moment.numbers[name] = file.reader.read<double>(place, shape);
+  }
+  return moment;
+}
+
+}  // namespace soilweave::io

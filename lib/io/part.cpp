@@ -1,0 +1,247 @@
+// The folder of a run under way.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/part.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "io/bytes.h"
+#include "io/files.h"
+#include "io/finite_part.h"
+
+namespace soilweave::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view state_name = "state-", checkpoint_name = "checkpoint-", ending = ".h5";
+constexpr std::string_view left_name = "stopped.h5";
+// Of moments that are not recorded, the newest and the one before it.
+constexpr std::size_t kept_files = 2;
+const std::string recorded_steps = "recorded_steps";
+
+// The step in "state-000000000120.h5" after its prefix; -1 for other names.
+std::int64_t step_in(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(ending.size());
+  std::int64_t step = -1;
+  const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), step);
+  return failure == std::errc() && end == name.data() + name.size() ? step : -1;
+}
+
+bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
+
+// What differs between two runs, for the message; empty: nothing.
+std::string difference(const History& found, const History& wanted) {
+  if (describe(found) == describe(wanted)) return "";
+  if (found.empty() || wanted.empty()) return "history";
+  const ProvenanceRecord &a = found.back(), &b = wanted.back();
+  if (a.tool != b.tool || a.version != b.version) return "tool or version";
+  for (std::size_t k = 0; k < std::min(a.inputs.size(), b.inputs.size()); ++k)
+    if (a.inputs[k].sha256 != b.inputs[k].sha256) return b.inputs[k].role;
+  if (a.seed != b.seed) return "seed";
+  if (a.command != b.command || a.scenario != b.scenario) return "options";
+  return "inputs";
+}
+
+}  // namespace
+
+fs::path part_of(const fs::path& output) { return output.string() + ".part"; }
+
+bool finished(const fs::path& output, const History& history) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(output, ignored)) return false;
+  std::string what;
+  try {
+    what = difference(read_history(output), history);
+  } catch (const DataError&) {
+    what = "kind";
+  }
+  if (what.empty()) return true;
+  if (fs::exists(part_of(output), ignored)) return false;
+  throw CannotCreate(
+      fmt::format("{}: exists, of a run whose {} differs; give --force to overwrite it", output.string(), what));
+}
+
+Part::Part(const fs::path& output, History history, Entry entry)
+    : folder_(part_of(output)), history_(std::move(history)) {
+  try {
+    make_folder(folder_);
+  } catch (const CannotCreate& error) {
+    throw CannotCreate(fmt::format("{}: cannot be created: {}", output.string(), error.what()));
+  }
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  try {
+    // Where the file system knows no locks, two runs of one output are the user's to avoid.
+    if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw CannotCreate(folder_.string() + ": another process is at work on this run; wait for it, or stop it");
+    list();
+    enter(entry);
+  } catch (...) {
+    if (lock_ >= 0) ::close(lock_);
+    throw;
+  }
+}
+
+Part::~Part() {
+  ::rmdir(folder_.c_str());
+  if (lock_ >= 0) ::close(lock_);
+}
+
+fs::path Part::path_of(const File& file) const {
+  return folder_ / fmt::format("{}{:012}{}", file.recorded ? state_name : checkpoint_name, file.step, ending);
+}
+
+void Part::list() {
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure)) {
+    const std::string name = entry.path().filename().string();
+    if (const std::int64_t step = step_in(name, state_name); step >= 0) files_.push_back({step, true});
+    if (const std::int64_t step = step_in(name, checkpoint_name); step >= 0) files_.push_back({step, false});
+  }
+  if (failure) throw IoError(folder_.string() + ": cannot be read: " + failure.message());
+  std::sort(files_.begin(), files_.end(),
+            [](const File& a, const File& b) { return std::pair(a.step, a.recorded) < std::pair(b.step, b.recorded); });
+}
+
+void Part::enter(Entry entry) {
+  if (entry == Entry::fresh && !files_.empty() && files_.back().step > 0)
+    throw CannotCreate(
+        fmt::format("{}: holds an unfinished run, at step {}; give --resume to go on with it, or --force "
+                    "to begin anew",
+                    folder_.string(), files_.back().step));
+  if (entry == Entry::fresh || entry == Entry::anew) drop(0);
+  try {
+    find_last();
+  } catch (const AnotherRun&) {
+    if (entry == Entry::resume) throw;
+    drop(0);
+  }
+  std::error_code ignored;
+  for (const fs::directory_entry& stray : fs::directory_iterator(folder_, ignored))
+    if (is_temporary(stray.path().filename().string())) fs::remove(stray.path(), ignored);
+  fs::remove(folder_ / left_name, ignored);
+}
+
+// Files that are damaged, or lack a recorded state before them, are passed over.
+void Part::find_last() {
+  std::size_t end = files_.size();
+  for (; end > 0 && !last_; --end) {
+    const fs::path file = path_of(files_[end - 1]);
+    try {
+      History found;
+      Moment moment = read_moment(file, found);
+      demand_same_run(found, file);
+      const std::vector<double>& steps = moment.numbers[recorded_steps];
+      const bool whole = std::all_of(steps.begin(), steps.end(), [&](double step) {
+        return std::any_of(files_.begin(), files_.end(),
+                           [&](const File& f) { return f.recorded && f.step == static_cast<std::int64_t>(step); });
+      });
+      if (!whole) continue;
+      last_ = std::move(moment);
+      break;
+    } catch (const AnotherRun&) {
+      throw;
+    } catch (const DataError&) {
+      continue;
+    }
+  }
+  drop(end);
+}
+
+void Part::demand_same_run(const History& found, const fs::path& file) const {
+  if (const std::string what = difference(found, history_); !what.empty())
+    throw AnotherRun(
+        fmt::format("{}: is of a run whose {} differs; give what it began with, or --force too to begin "
+                    "anew",
+                    file.string(), what));
+}
+
+void Part::drop(std::size_t first) {
+  std::error_code ignored;
+  for (std::size_t k = first; k < files_.size(); ++k) fs::remove(path_of(files_[k]), ignored);
+  files_.resize(first);
+}
+
+std::optional<Moment> Part::take_last() { return std::exchange(last_, std::nullopt); }
+
+void Part::keep(Moment moment, bool recorded) {
+  const File file{moment.state.step, recorded};
+  std::vector<double>& steps = moment.numbers[recorded_steps];
+  steps.clear();
+  for (const File& f : files_)
+    if (f.recorded) steps.push_back(static_cast<double>(f.step));
+  if (recorded) steps.push_back(static_cast<double>(file.step));
+  try {
+    write_moment(path_of(file), moment, history_);
+  } catch (const Error&) {
+    // Renamed, but the folder could not be synced: it is there all the same.
+    std::error_code ignored;
+    if (fs::exists(path_of(file), ignored)) files_.push_back(file);
+    throw;
+  }
+  files_.push_back(file);
+  for (std::size_t k = 0; k + kept_files < files_.size(); ++k) {
+    if (files_[k].recorded) continue;
+    std::error_code ignored;
+    fs::remove(path_of(files_[k]), ignored);
+    files_.erase(files_.begin() + static_cast<std::ptrdiff_t>(k--));
+  }
+}
+
+std::vector<Snapshot> Part::recorded() const {
+  std::vector<Snapshot> states;
+  History ignored;
+  for (const File& file : files_)
+    if (file.recorded) states.push_back(read_moment(path_of(file), ignored).state);
+  return states;
+}
+
+fs::path Part::leave(const Snapshot& state) const {
+  try {
+    const Snapshot left = finite_part(state);
+    if (left.grains.size() == 0) return {};
+    write_packing(folder_ / left_name, left, history_);
+    return folder_ / left_name;
+  } catch (const Error&) {
+    return {};  // the guard's own message matters more
+  }
+}
+
+void Part::remove() {
+  drop(0);
+  std::error_code ignored;
+  fs::remove(folder_ / left_name, ignored);
+}
+
+fs::path Part::last() const { return files_.empty() ? fs::path() : path_of(files_.back()); }
+
+Error Part::explained(const Error& error) const {
+  std::error_code ignored;
+  const fs::path file = last();
+  std::string line = error.what();
+  if (!file.empty() && fs::exists(file, ignored))
+    line += fmt::format("; {} is whole: the same command with --resume goes on from there", file.string());
+  else if (!file.empty())
+    line += fmt::format("; {} is gone, and with it what was recorded: run it again", folder_.string());
+  return {error.status(), line};
+}
+
+Error Part::stopped(const Error& error, const Snapshot& state) const {
+  const fs::path left = leave(state), good = last();
+  std::string line = error.what();
+  if (!left.empty()) line += fmt::format("; {} shows it (to-vtk)", left.string());
+  if (!good.empty()) line += fmt::format("; {} is the last good state", good.string());
+  return {error.status(), line};
+}
+
+}  // namespace soilweave::io

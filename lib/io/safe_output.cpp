@@ -1,0 +1,62 @@
+// The way of an output that takes long to make.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/safe_output.h"
+
+#include <chrono>
+#include <new>
+
+namespace soilweave::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+Part::Entry entry_of(const tool::Invocation& invocation) {
+  using enum Part::Entry;
+  if (invocation.resume) return invocation.force ? resume_or_anew : resume;
+  return invocation.force ? anew : fresh;
+}
+
+bool has_folder(const fs::path& output) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(output, ignored);
+  return output != "-" && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+}  // namespace
+
+SafeOutput::SafeOutput(const fs::path& output, const History& history, const tool::Invocation& invocation) {
+  if (!has_folder(output)) return;
+  if (invocation.resume && !invocation.force && io::finished(output, history)) {
+    finished_ = true;
+    // A crash after the output was written, before its folder was gone.
+    if (fs::exists(part_of(output))) Part(output, history, Part::Entry::anew).remove();
+    note_ = invocation.tool + ": " + output.string() + " is finished already";
+    return;
+  }
+  part_.emplace(output, history, entry_of(invocation));
+  if (!invocation.resume) return;
+  note_ = invocation.tool + ": ";
+  note_ += part_->last().empty() ? part_of(output).string() + " holds nothing to go on from; beginning anew"
+                                 : "going on from " + part_->last().string();
+}
+
+bool SafeOutput::finished(Progress& progress) const {
+  if (!note_.empty()) progress.note(note_);
+  return finished_;
+}
+
+double SafeOutput::write(const std::function<void()>& write) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    write();
+    if (part_) part_->remove();
+  } catch (const Error& error) {
+    throw part_ ? part_->explained(error) : error;
+  } catch (const std::bad_alloc&) {
+    const Error error(Exit::internal, "not enough memory to write the output; use a machine with more");
+    throw part_ ? part_->explained(error) : error;
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace soilweave::io

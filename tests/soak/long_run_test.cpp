@@ -1,0 +1,13 @@
+// A million steps of a thousand grains at rest: minutes, so apart from the tests of every build.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/long_run.h"
+
+#include <gtest/gtest.h>
+
+namespace soilweave {
+namespace {
+
+TEST(LongRun, OfAThousandGrainsAtRestDriftsByRoundingAlone) { testing::expect_no_drift(1000, 1'000'000); }
+
+}  // namespace
+}  // namespace soilweave

@@ -1,0 +1,205 @@
+// What a checkpoint keeps: a simulation goes on from any step to the same bits, counts and clocks.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/archive.h"
+#include "dem/run.h"
+#include "io/part.h"
+#include "support/assemblies.h"
+#include "support/long_run.h"
+#include "support/same_state.h"
+
+namespace soilweave::dem {
+namespace {
+
+namespace fs = std::filesystem;
+
+Model bouncing_sand() {
+  Model model = testing::sand();
+  auto& material = std::get<std::vector<HertzMindlin::Material>>(model.materials)[0];
+  material.restitution = 0.7;
+  return model;
+}
+
+// In motion of every kind: straining, shearing, under gravity between planes that move, grains rolling and parting.
+struct Moving {
+  explicit Moving(const Model& m, int dimension) : model(m), start(testing::packed(m, 1e5, 130, dimension)) {
+    start.cell.periodic[0] = false;
+    const Vec3 slanted = dimension == 3 ? Vec3(1, 0.02, 0.01) : Vec3(1, 0.02, 0);
+    start.planes.point = {Vec3(-4e-3, 0, 0)};
+    start.planes.normal = {slanted.normalized()};
+    start.planes.velocity = {Vec3(1e-2, 0, 0)};
+    start.planes.material_id = {0};
+    numerics.gravity = Vec3(0, -9.81, 0);
+    gradient.diagonal() = Vec3(0, -0.1, dimension == 3 ? 0.05 : 0);
+    gradient(0, 1) = 0.02;
+  }
+
+  Model model;
+  io::Snapshot start;
+  Numerics numerics;
+  Mat3 gradient = Mat3::Zero();
+};
+
+Simulation copy(const Simulation& simulation, const Moving& moving) {
+  Archive kept;
+  simulation.archive(kept);
+  Archive given(kept.numbers(), "memory");
+  return {simulation.snapshot(), moving.model, moving.numerics, given};
+}
+
+void expect_same(const Simulation& a, const Simulation& b) {
+  io::test::expect_same(a.snapshot(), b.snapshot());
+  EXPECT_EQ(a.time_step(), b.time_step());
+  EXPECT_EQ(a.contact_steps(), b.contact_steps());
+  EXPECT_EQ(a.measures().stress, b.measures().stress);
+  EXPECT_EQ(a.measures().axial_stiffness, b.measures().axial_stiffness);
+  EXPECT_EQ(a.unbalanced_force(), b.unbalanced_force());
+  EXPECT_EQ(a.energies().boundary_work, b.energies().boundary_work);
+  EXPECT_EQ(a.energies().error(), b.energies().error());
+}
+
+TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
+  for (const Model& model : {testing::sand(), testing::linear_sand(), bouncing_sand()})
+    for (const int dimension : {3, 2}) {
+      const Moving moving(model, dimension);
+      Simulation whole(moving.start, model, moving.numerics);
+      whole.set_velocity_gradient(moving.gradient);
+      Simulation resumed = copy(whole, moving);
+      for (int k = 1; k <= 120; ++k) {
+        whole.step();
+        resumed.step();
+        // Multiples of eight, when the stiffness is looked at, and every other remainder.
+        if (k % 5 != 0) continue;
+        expect_same(whole, resumed);
+        resumed = copy(resumed, moving);
+        expect_same(whole, resumed);
+      }
+    }
+}
+
+TEST(Archive, GivesBackWhatItKept) {
+  double number = 0.1;
+  std::int64_t whole = -(std::int64_t{1} << 52);
+  Vec3 vector(1, -0.0, 3e-320);
+  std::vector<double> list = {1, 2};
+  Archive kept;
+  kept.item("number", number), kept.item("whole", whole), kept.item("vector", vector), kept.item("list", list);
+  Archive given(kept.numbers(), "here");
+  double number_back = 0;
+  std::int64_t whole_back = 0;
+  Vec3 vector_back = Vec3::Zero();
+  std::vector<double> list_back;
+  given.item("number", number_back), given.item("whole", whole_back);
+  given.item("vector", vector_back), given.item("list", list_back);
+  EXPECT_EQ(number, number_back);
+  EXPECT_EQ(whole, whole_back);
+  EXPECT_EQ(std::memcmp(vector.data(), vector_back.data(), sizeof(Vec3)), 0);
+  EXPECT_EQ(list, list_back);
+  io::test::expect_error<DataError>([&] { given.item("other", number); }, "here: keeps no other");
+  io::test::expect_error<DataError>([&] { given.item("vector", number); }, "here: keeps 3 numbers of vector");
+}
+
+class PartTest : public ::testing::Test {
+ protected:
+  PartTest() : folder_(fs::temp_directory_path() / ("soilweave-part-" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~PartTest() override { fs::remove_all(folder_); }
+
+  static io::Moment moment(std::int64_t step) {
+    static const io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
+    io::Moment m{state, {}, {{"number", {static_cast<double>(step)}}}};
+    m.state.step = step;
+    m.series.columns = {{"step", "1", "steps", {0, static_cast<double>(step)}}};
+    return m;
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out.h5.part"))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  io::Part part(io::Part::Entry entry = io::Part::Entry::resume) const { return {folder_ / "out.h5", history_, entry}; }
+
+  fs::path folder_;
+  io::History history_ = {{"run-dem", "1", "run-dem", "", 0, {}}};
+};
+
+TEST_F(PartTest, KeepsRecordedStatesAndTheLastTwoFiles) {
+  auto kept = part();
+  EXPECT_FALSE(kept.take_last());
+  kept.keep(moment(0), true);
+  kept.keep(moment(10), false);
+  kept.keep(moment(20), true);
+  for (const std::int64_t step : {30, 40, 50}) kept.keep(moment(step), false);
+  EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000000000040.h5", "checkpoint-000000000050.h5",
+                                               "state-000000000000.h5", "state-000000000020.h5"}));
+  const std::vector<io::Snapshot> states = kept.recorded();
+  ASSERT_EQ(states.size(), 2U);
+  EXPECT_EQ(states[1].step, 20);
+  io::test::expect_same(states[0], moment(0).state);
+}
+
+TEST_F(PartTest, GoesOnFromTheNewestFileThatIsWhole) {
+  {
+    auto kept = part();
+    kept.keep(moment(0), true);
+    for (const std::int64_t step : {30, 40}) kept.keep(moment(step), false);
+  }
+  std::ofstream(folder_ / "out.h5.part/.state-000000000050.h5.1.tmp") << "half";
+  fs::resize_file(folder_ / "out.h5.part/checkpoint-000000000040.h5", 500);
+  auto resumed = part();
+  const auto last = resumed.take_last();
+  ASSERT_TRUE(last);
+  io::test::expect_same(last->state, moment(30).state);
+  io::test::expect_same(last->series, moment(30).series);
+  EXPECT_EQ(last->numbers.at("number"), std::vector<double>{30});
+  EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000000000030.h5", "state-000000000000.h5"}));
+}
+
+TEST_F(PartTest, GoesBackBeyondARecordedStateThatIsMissing) {
+  {
+    auto kept = part();
+    for (const std::int64_t step : {0, 10, 20}) kept.keep(moment(step), true);
+  }
+  fs::remove(folder_ / "out.h5.part/state-000000000010.h5");
+  auto resumed = part();
+  EXPECT_EQ(resumed.last_step(), 0);
+}
+
+TEST_F(PartTest, RefusesAnotherRunAndWorkThatWouldBeLost) {
+  { part().keep(moment(10), true); }
+  io::test::expect_error<CannotCreate>([&] { part(io::Part::Entry::fresh); }, "holds an unfinished run, at step 10");
+  history_[0].seed = 1;
+  io::test::expect_error<DataError>([&] { part(); }, "is of a run whose seed differs");
+  EXPECT_EQ(part(io::Part::Entry::resume_or_anew).last_step(), -1);
+}
+
+TEST_F(PartTest, BelongsToOneProcess) {
+  auto held = part();
+  held.keep(moment(0), true);
+  io::test::expect_error<CannotCreate>([&] { part(); }, "another process is at work on this run");
+}
+
+TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
+  auto kept = part();
+  kept.keep(moment(0), true);
+  io::Snapshot broken = moment(7).state;
+  broken.grains.position[3].y() = std::nan("");
+  const Error error = kept.stopped(PhysicsError("step 7: broken"), broken);
+  EXPECT_EQ(error.status(), Exit::internal);
+  const fs::path left = folder_ / "out.h5.part/stopped.h5";
+  EXPECT_EQ(std::string(error.what()), "step 7: broken; " + left.string() + " shows it (to-vtk); " +
+                                           kept.last().string() + " is the last good state");
+  EXPECT_EQ(io::read_packing(left).state.grains.size(), broken.grains.size() - 1);
+}
+
+TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { testing::expect_no_drift(100, 10'000); }
+
+}  // namespace
+}  // namespace soilweave::dem
