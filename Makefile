@@ -162,10 +162,10 @@ AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS))
 .PHONY: check
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
 	@$(AGAIN) deps
-	@$(AGAIN) programs
+	@$(AGAIN) all $(filter-out %/unit,$(TEST_PROGRAMS))
 	@$(AGAIN) format-check
 	@$(AGAIN) lint
-	@$(AGAIN) test
+	@$(AGAIN) test-release
 	@$(AGAIN) SANITIZE=1 test-unit
 	@$(AGAIN) test-man
 	@$(AGAIN) test-tools
@@ -174,6 +174,11 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 # One process a core, each with its share of the tests.
 run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(JOBS) - 1)) | \
   GTEST_TOTAL_SHARDS=$(JOBS) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
+
+# In a check the unit tests run once, under the sanitizers; to compile them twice would take as long as all the tools.
+.PHONY: test-release
+test-release: $(filter-out %/unit,$(TEST_PROGRAMS))
+	@$(call run_tests,$^)
 
 .PHONY: test
 test: $(TEST_PROGRAMS) ## unit, property and benchmark tests of the library
@@ -206,6 +211,7 @@ crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, li
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/run.sh
 	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/recorded.sh
 	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/packings.sh
+	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/truth.sh
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 .PHONY: format

@@ -22,7 +22,7 @@ PK_CELLS := $(PK_PACKINGS:%=$(PKO)/packing_%.tsv)
 $(PKO)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@$(BIN)/pack-generate --grains $(word 1,$(subst _, ,$*)) --pressure $(word 2,$(subst _, ,$*)) \
+	@flock $@.lock $(BIN)/pack-generate --grains $(word 1,$(subst _, ,$*)) --pressure $(word 2,$(subst _, ,$*)) \
 	  --seed $(word 3,$(subst _, ,$*)) --void-ratio 0.68 --threads 1 --quiet --force -o $@
 $(PK_CELLS): $(PKO)/packing_%.tsv: $(PKO)/packing_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv > $@.part && mv $@.part $@

@@ -17,7 +17,7 @@ study() { # OUT TARGET...
     > "$BATS_TEST_TMPDIR/study.mk"
   local out=$1
   shift
-  (cd "$ROOT" && exec make -r -f "$BATS_TEST_TMPDIR/study.mk" BIN="$BIN" OUT="$out" C2_CASES=hm_200_0.2 C2_SAMPLES="6 4" C2_STRAIN=0.5 "$@")
+  (cd "$ROOT" && exec env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -r -f "$BATS_TEST_TMPDIR/study.mk" BIN="$BIN" OUT="$out" C2_CASES=hm_200_0.2 C2_SAMPLES="6 4" C2_STRAIN=0.5 "$@")
 }
 
 @test "an ensemble that is killed three times ends in the same bytes as one that is not" {
@@ -63,7 +63,6 @@ small_inputs() {
   small_inputs
   exits 0 ensemble sets.tsv
   [[ $output == *"case sets: rows that failed, with the reason:"*"1: run-dem:"* ]] || show
-  [[ $output =~ "case sets: 3 runs, 1 failed, "[0-9]+" runs per hour and core" || $output == *"1 failed"* ]] || show
   [[ -e case/runs/000000/series.h5 && -e case/runs/000002/series.h5 && -e case/runs/000001/failed ]] || show
   local before
   before=$(stat -c %Y.%i case/runs/*/series.h5)

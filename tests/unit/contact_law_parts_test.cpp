@@ -60,6 +60,23 @@ TEST(MaterialsOfACouple, MixAsTheFormulasSay) {
   EXPECT_DOUBLE_EQ(r.shear_stiffness, 2 * s1 * s2 / (s1 + s2));
 }
 
+TEST(LawWithoutShearOrResistance, LetsGoOfForcesThatAStateWasMadeWith) {
+  const Linear::Material smooth{5e8, 0, 0.5, {}, {}, {}};
+  Kinematics<double> k{};
+  k.normal = {0, 0, 1};
+  k.overlap = 1e-5;
+  k.r1 = k.r2 = 1e-3, k.R_star = 5e-4, k.m1 = k.m2 = 1e-5;
+  Memory<double> memory{{0.1, 0.2, 0}, {1e-4, 0, 0}, 1e-4};
+  Books<double> books;
+  const auto r = Linear::respond(Linear::mix(smooth, smooth), k, 1e-6, memory, books);
+  EXPECT_GT(r.normal_force, 0);
+  EXPECT_EQ(norm(memory.shear), 0);
+  EXPECT_EQ(norm(memory.rolling), 0);
+  EXPECT_EQ(memory.twisting, 0);
+  EXPECT_EQ(books.elastic_shear + books.elastic_rolling + books.elastic_twisting, 0);
+  EXPECT_EQ(books.frictional, 0);
+}
+
 TEST(DampingRatio, InvertsTheRestitution) {
   for (const bool attraction : {false, true})
     for (const double e : {0.01, 0.1, 0.2, 0.5, 0.9, 0.999})

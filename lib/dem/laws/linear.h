@@ -72,6 +72,8 @@ struct Linear {
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
     books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
+    // Without stiffness there is no shear force, also where the state was made with one.
+    if (c.S1 == 0 || c.S2 == 0) memory.shear = V3<T>{};
     tangential_step(c.tangential, k, memory, r, books);
     return r;
   }
