@@ -31,7 +31,7 @@ study() { # OUT TARGET...
     set +m
     sleep "$((RANDOM % 2)).$((RANDOM % 900 + 100))"
     # Twice everything that make started, whatever process groups it is in; once make alone, whose jobs live on.
-    if ((k < 3)); then family "$make" | xargs -r kill -KILL; else kill -KILL "$make" || true; fi
+    if ((k < 3)); then family "$make" | xargs -r kill -KILL || true; else kill -KILL "$make" || true; fi
     wait "$make" || true
   done 2>/dev/null
   exits 0 study "$killed" "$killed/$posterior"
