@@ -12,7 +12,7 @@
 namespace soilweave::dem {
 
 static_assert(sizeof(SweepSums) == 19 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
-                  sizeof(Energies) == 13 * sizeof(double),
+                  sizeof(Energies) == 14 * sizeof(double),
               "a number was added that is not in the lists below");
 
 inline void archive(Archive& a, SweepSums& s) {
@@ -35,7 +35,7 @@ inline void archive(Archive& a, Energies& e) {
   a.item("energy_rolling_plastic", e.rolling_plastic), a.item("energy_viscous", e.viscous);
   a.item("energy_damping", e.damping), a.item("energy_boundary_work", e.boundary_work);
   a.item("energy_gravity_work", e.gravity_work), a.item("energy_law", e.law);
-  a.item("energy_initial", e.initial);
+  a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
 /// The vectors of rows; their last places are left as they are.

@@ -21,7 +21,7 @@ struct Model {
 /// Beyond what a simulation counts as broken.
 struct Limits {
   double overlap = 0.5;       // of two grains, over the smaller radius
-  double energy_error = 0.5;  // of the energy turned over
+  double energy_error = 0.1;  // of the energy turned over
   double escape = 2;          // of the extent of grains and planes at the start, out of it along an axis that is open
 };
 

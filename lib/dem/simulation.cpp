@@ -132,14 +132,19 @@ struct Simulation::Impl {
   }
 
   void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient) {
-    energies.law += before.elastic_tangential - sums.tangential_before + sums.kinematic;
+    const double law = before.elastic_tangential - sums.tangential_before + sums.kinematic;
+    const double boundary =
+        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
+    energies.law += law;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
     energies.viscous += sums.viscous;
     energies.damping += moved.damping;
     energies.gravity_work += moved.gravity_work;
-    energies.boundary_work +=
-        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
+    energies.boundary_work += boundary;
+    for (const double part :
+         {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping, moved.gravity_work})
+      energies.turned_over += std::abs(part);
   }
 
   double elastic() const { return sums.elastic_normal + sums.elastic_tangential; }

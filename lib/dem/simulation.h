@@ -31,8 +31,9 @@ struct Energies {
   double damping = 0;          // dissipated by local non-viscous damping
   double boundary_work = 0;    // done on the assembly by the deforming cell and moving planes
   double gravity_work = 0;
-  double law = 0;      // taken out (+) or created (-) by the incremental contact law itself
-  double initial = 0;  // kinetic and elastic at the start
+  double law = 0;          // taken out (+) or created (-) by the incremental contact law itself
+  double initial = 0;      // kinetic and elastic at the start
+  double turned_over = 0;  // work, dissipation and creation of every step, without their signs
   double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting; }
   double error() const {
     return initial + boundary_work + gravity_work -

@@ -23,7 +23,7 @@ const std::string series_group = "/series", fields_group = "/fields", members_gr
 std::string output_name(const std::filesystem::path& path) { return path == "-" ? "standard output" : path.string(); }
 
 std::array<std::pair<const char*, std::int64_t*>, 2> numbers_of(Work& work) {
-  return {{{"/work/steps", &work.steps}, {"/work/contact_steps", &work.contact_steps}}};
+  return {{{"/price/steps", &work.steps}, {"/price/contact_steps", &work.contact_steps}}};
 }
 
 Label label_of(const char* path) {

@@ -111,8 +111,8 @@ Section run() {
   return {"A run besides",
           "run",
           {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
-           {"/work/steps", int64, "", "1", "time steps taken", true},
-           {"/work/contact_steps", int64, "", "1", "contacts, summed over the steps", true}},
+           {"/price/steps", int64, "", "1", "time steps taken", true},
+           {"/price/contact_steps", int64, "", "1", "contacts, summed over the steps", true}},
           {}};
 }
 

@@ -39,22 +39,21 @@ unfinished() {
 }
 
 rows=$(($(wc -l < "$table") - 1))
-mapfile -t todo < <(unfinished)
+mapfile -t unrun < <(unfinished)
 first=$(sed -n 2p "$table" | cut -f 1)
-printf '%s %s %s %s\n' "$first" "$rows" $((rows - ${#todo[@]})) "$(date +%s)" > "$folder/progress"
+printf '%s %s %s %s\n' "$first" "$rows" $((rows - ${#unrun[@]})) "$(date +%s)" > "$folder/progress"
 rm -f "$folder/told"
-start=$(date +%s)
 
-if ((${#todo[@]} > 0)); then
-  echo "  run   $folder $name: ${#todo[@]} of $rows rows"
+if ((${#unrun[@]} > 0)); then
+  echo "  run   $folder $name: ${#unrun[@]} of $rows rows"
   if [[ ${ENGINE:-parallel} == slurm ]]; then
-    printf '%s\n' "${todo[@]}" > "$folder/$name.todo"
-    "$here/slurm.sh" "$table" "$folder/$name.todo" "${common[@]}"
+    printf '%s\n' "${unrun[@]}" > "$folder/$name.unrun"
+    "$here/slurm.sh" "$table" "$folder/$name.unrun" "${common[@]}"
   else
     # The joblog keeps whole lines of rows that have their result: a killed machine may leave half a line, a user take a
     # folder away.
     if [[ -e $joblog ]]; then
-      printf '%s\n' "${todo[@]}" | awk -F '\t' 'NR == FNR { todo[$1] = 1; next } FNR == 1 || (NF >= 9 && !($1 in todo))' \
+      printf '%s\n' "${unrun[@]}" | awk -F '\t' 'NR == FNR { unrun[$1] = 1; next } FNR == 1 || (NF >= 9 && !($1 in unrun))' \
         - "$joblog" > "$joblog.part" && mv "$joblog.part" "$joblog"
     fi
     export BIN
@@ -64,7 +63,7 @@ if ((${#todo[@]} > 0)); then
   fi
 fi
 
-mapfile -t todo < <(unfinished)
+mapfile -t unrun < <(unfinished)
 failed=0
 while IFS=$'\t' read -r id _; do
   [[ $id == id* ]] && continue
@@ -75,11 +74,12 @@ while IFS=$'\t' read -r id _; do
 done < "$table"
 ((failed <= 10)) || echo "    and $((failed - 10)) more (FOLDER/runs/*/failed)"
 if [[ -s $joblog ]]; then
-  awk -F '\t' -v failed="$failed" -v name="$folder $name" -v spent=$(($(date +%s) - start)) '
-    FNR > 1 && $4 > 0.5 { seconds += $4; ++runs }
-    END { if (runs) printf "  %s: %d runs, %d failed, %.0f runs per hour and core\n", name, runs, failed, 3600 * runs / seconds }' "$joblog"
+  awk -F '\t' -v failed="$failed" -v name="$folder $name" '
+    FNR > 1 { ++rows; if ($4 > 0) { seconds += $4; ++runs } }
+    END { printf "  %s: %d runs, %d failed%s\n", name, rows, failed,
+      seconds ? sprintf(", %.0f runs per hour and core", 3600 * runs / seconds) : "" }' "$joblog"
 fi
-if ((${#todo[@]} > 0)); then
-  echo "$folder: ${#todo[@]} rows did not finish (see $joblog); make again tries them" >&2
+if ((${#unrun[@]} > 0)); then
+  echo "$folder: ${#unrun[@]} rows did not finish (see $joblog); make again tries them" >&2
   exit 1
 fi

@@ -239,7 +239,7 @@ command with --resume goes on from there" said || show "$(< said)"
   grep -qx "run-dem: [0-9]* $words" <<< "$stderr" || show "wanted the price"
   local steps=${stderr#run-dem: }
   steps=${steps%% *}
-  [[ $(h5dump -d /work/steps out.h5) == *"(0): $steps"* ]] || show "the file says another number of steps"
+  [[ $(h5dump -d /price/steps out.h5) == *"(0): $steps"* ]] || show "the file says another number of steps"
   rm out.h5
   refuses 64 run-dem "--output is missing" packing.h5 short.toml
   exits 0 run-dem --check packing.h5 short.toml

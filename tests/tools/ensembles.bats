@@ -63,6 +63,7 @@ small_inputs() {
   small_inputs
   exits 0 ensemble sets.tsv
   [[ $output == *"case sets: rows that failed, with the reason:"*"1: run-dem:"* ]] || show
+  [[ $output =~ "case sets: 3 runs, 1 failed, "[0-9]+" runs per hour and core" ]] || show
   [[ -e case/runs/000000/series.h5 && -e case/runs/000002/series.h5 && -e case/runs/000001/failed ]] || show
   local before
   before=$(stat -c %Y.%i case/runs/*/series.h5)
