@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace soilweave::dem {
 namespace {
@@ -30,8 +31,15 @@ Bodies::Bodies(const io::GrainsRecord& record)
   }
 }
 
+void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
+  fabric = std::move(fabric_of);
+  for (std::size_t i = 0; i < size(); ++i)
+    if (is_node(i)) spin[i] = Lane4{0, 0, 0, std::numeric_limits<double>::infinity()};
+}
+
 void Bodies::scale_radii(double factor) {
   for (std::size_t i = 0; i < size(); ++i) {
+    if (is_node(i)) continue;
     position[i][3] *= factor;
     velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
     spin[i][3] = moment_of_inertia(dimension, mass(i), radius(i));

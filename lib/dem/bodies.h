@@ -23,6 +23,7 @@ struct Bodies {
   std::vector<Lane4> torque;       // N m; 0
   std::vector<Lane4> orientation;  // quaternion, in the order w x y z
   std::vector<std::int32_t> material;
+  std::vector<std::int32_t> fabric;  // of a node of a geotextile, -1 of soil; empty where all are soil
 
   explicit Bodies(const io::GrainsRecord& record);
   std::size_t size() const { return position.size(); }
@@ -30,7 +31,13 @@ struct Bodies {
   double mass(std::size_t i) const { return velocity[i][3]; }
   double inertia(std::size_t i) const { return spin[i][3]; }
 
-  /// Radii times factor at constant density; inertia follows.
+  bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
+  /// Nodes of one fabric are held together by yarns and do not touch.
+  bool in_one_fabric(std::size_t i, std::size_t j) const { return is_node(i) && fabric[i] == fabric[j]; }
+  /// Makes grains the nodes of fabrics, which do not rotate.
+  void set_fabric(std::vector<std::int32_t> fabric_of);
+
+  /// Radii times factor at constant density, nodes apart; inertia follows.
   void scale_radii(double factor);
   /// Volume of the grains, overlaps counted twice: m3 (2D: m2).
   double solid_volume() const;

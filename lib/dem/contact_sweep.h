@@ -44,9 +44,9 @@ class ContactSweep {
   /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else.
   virtual Survey survey(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
                         Contacts& contacts) = 0;
-  /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts
-  /// form.
-  virtual double stiffness(double radius, double overlap) const = 0;
+  /// Largest normal stiffness of a grain of a material below `materials` and an equal one of any material at the given
+  /// overlap, N/m: bounds the step before contacts form.
+  virtual double stiffness(double radius, double overlap, std::int32_t materials) const = 0;
 };
 
 /// The sweep for the law and materials of a model.

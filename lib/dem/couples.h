@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "dem/block_lanes.h"
@@ -20,6 +22,10 @@ class Couples {
     return all_[static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b)];
   }
   const std::vector<typename Law::Couple>& all() const { return all_; }
+  /// Those of the first n materials with any.
+  std::span<const typename Law::Couple> of_first(std::int32_t n) const {
+    return std::span(all_).first(std::min(count_, static_cast<std::size_t>(n)) * count_);
+  }
 
   /// The law's answer in four lanes, whose couples may differ: each couple answers for all, its own lanes are taken.
   Response<Lane4> respond(const Bodies& bodies, const BlockLanes& lanes, const Kinematics<Lane4>& kinematics,

@@ -36,28 +36,41 @@ struct Simulation::Impl {
         bodies(state.grains),
         cell(state.cell, state.grains.dimension),
         planes(state.planes),
+        yarns(state.yarns, bodies.size(), model.geotextiles),
         neighbours(bodies.largest_radius()),
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         guard(settings, bodies, cell, planes),
         time(state.time),
         steps(state.step) {
+    bodies.set_fabric(yarns.fabric_of());
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
-    if (kept)
+    for (const auto& held : numerics.clamps) clamps.all.push_back({held});
+    if (kept) {
+      yarns.run(time, numerics.threads, bodies);  // lengths and directions, of which nothing is kept
       archive(*kept);
-    else
+    } else {
       begin();
+    }
   }
 
   void begin() {
     sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    motion.gather(contacts, bodies);
+    gather();
+    for (std::size_t k = 0; k < clamps.all.size(); ++k) clamps.set_velocity(k, Vec3::Zero(), bodies);
+    clamps.take(numerics.gravity, 0, bodies);
     measure();
     if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
     estimate_step();
-    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
+    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
+  }
+
+  // Forces of contacts and yarns on every grain.
+  void gather() {
+    motion.gather(contacts, bodies);
+    if (yarns.any()) yarns.run(time, numerics.threads, bodies);
   }
 
   void restore(const io::ContactsRecord& r) {
@@ -101,6 +114,8 @@ struct Simulation::Impl {
     dem::archive(a, measures);
     dem::archive(a, energies);
     guard.archive(a);
+    for (Clamp& c : clamps.all) a.item(fmt::format("clamp_velocity_{}", &c - clamps.all.data()), c.velocity);
+    for (Clamp& c : clamps.all) a.item(fmt::format("clamp_force_{}", &c - clamps.all.data()), c.force);
   }
 
   void step() {
@@ -117,13 +132,14 @@ struct Simulation::Impl {
     clock.lap(Phase::neighbours);
     sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
     clock.lap(Phase::contacts);
-    motion.gather(contacts, bodies);
-    clock.lap(Phase::integration);
     ++steps;
     time += dt;
+    gather();
+    const double clamped = clamps.take(numerics.gravity, dt, bodies);
+    clock.lap(Phase::integration);
     contact_steps += sums.contacts;
 
-    account(moved, dt, before, gradient);
+    account(moved, dt, before, gradient, clamped);
     measure();
     watch();
     if (steps % stiffness_interval == 0) estimate_step();
@@ -131,10 +147,10 @@ struct Simulation::Impl {
     clock.lap(Phase::contacts);
   }
 
-  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient) {
+  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
     const double law = before.elastic_tangential - sums.tangential_before + sums.kinematic;
     const double boundary =
-        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
+        sums.plane_work + clamped - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
     energies.law += law;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
@@ -142,20 +158,23 @@ struct Simulation::Impl {
     energies.damping += moved.damping;
     energies.gravity_work += moved.gravity_work;
     energies.boundary_work += boundary;
-    for (const double part :
-         {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping, moved.gravity_work})
+    energies.yarn_dissipation += yarns.sums().dissipated;
+    for (const double part : {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping,
+                              moved.gravity_work, yarns.sums().dissipated})
       energies.turned_over += std::abs(part);
   }
 
-  double elastic() const { return sums.elastic_normal + sums.elastic_tangential; }
+  double elastic() const { return sums.elastic_normal + sums.elastic_tangential + yarns.sums().elastic; }
 
   void measure() {
     measures.stress = symmetric(sums.force_branch) / cell.volume();
     measures.contacts = sums.contacts;
   }
 
-  double unbalanced_force() {
-    const double mean_contact = sums.contacts ? force_sum(contacts) / static_cast<double>(sums.contacts) : 0;
+  double unbalanced_force(double least = 0) {
+    const auto carriers = static_cast<double>(sums.contacts + yarns.sums().taut);
+    const double mean_contact =
+        std::max(least, carriers > 0 ? (force_sum(contacts) + yarns.sums().tension) / carriers : 0);
     const double mean_resultant = motion.resultants(numerics.gravity, bodies) / static_cast<double>(bodies.size());
     return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
@@ -175,8 +194,9 @@ struct Simulation::Impl {
     Energies e = energies;
     const Survey s = survey();
     e.elastic_normal = sums.elastic_normal, e.elastic_shear = s.elastic_shear;
+    e.elastic_yarns = yarns.sums().elastic;
     e.elastic_rolling = s.elastic_rolling, e.elastic_twisting = s.elastic_twisting;
-    e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
+    e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
 
@@ -193,9 +213,11 @@ struct Simulation::Impl {
   // From the stiffnesses that a survey left in the slots.
   double stability_limit() {
     const double r = bodies.smallest_radius();
+    const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
-        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-    return std::min(reference, motion.stable_time_step(bodies, contacts));
+        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
+    const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
+    return std::min({reference, motion.stable_time_step(bodies, contacts), nodes});
   }
 
   void estimate_step() {
@@ -224,6 +246,8 @@ struct Simulation::Impl {
   Bodies bodies;
   Cell cell;
   Planes planes;
+  Yarns yarns;
+  Clamps clamps;
   Neighbours neighbours;
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
@@ -296,7 +320,7 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
-double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
+double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
 double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
 double Simulation::stability_limit() {
   impl_->survey();
@@ -318,7 +342,23 @@ Vec3 Simulation::strain() const {
 
 void Simulation::set_reference() { impl_->cell.set_reference(); }
 void Simulation::set_velocity_gradient(const Mat3& gradient) { impl_->cell.set_velocity_gradient(gradient); }
-void Simulation::set_model(const Model& model) { impl_->sweep = make_contact_sweep(model); }
+void Simulation::set_model(const Model& model) {
+  impl_->sweep = make_contact_sweep(model);
+  impl_->yarns.set_curves(model.geotextiles);
+}
+void Simulation::set_plane_velocity(std::size_t plane, const Vec3& v) { impl_->planes.all[plane].velocity = v; }
+const Planes& Simulation::planes() const { return impl_->planes; }
+std::vector<PlateLoad> Simulation::plate_loads() const {
+  return dem::plate_loads(impl_->contacts, impl_->bodies, impl_->planes);
+}
+void Simulation::set_clamp_velocity(std::size_t clamp, const Vec3& velocity) {
+  impl_->energies.boundary_work += impl_->clamps.set_velocity(clamp, velocity, impl_->bodies);
+}
+const std::vector<Clamp>& Simulation::clamps() const { return impl_->clamps.all; }
+const YarnSums& Simulation::yarns() const { return impl_->yarns.sums(); }
+double Simulation::kinetic_energy() const {
+  return dem::kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
+}
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 
 void Simulation::scale_radii(double factor) {
@@ -328,17 +368,18 @@ void Simulation::scale_radii(double factor) {
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  s.motion.gather(s.contacts, s.bodies);
+  s.gather();
+  s.clamps.take(s.numerics.gravity, 0, s.bodies);
   s.measure();
   s.energies.boundary_work += s.elastic() - before;
   s.estimate_step();
 }
 
 void Simulation::stop_motion() {
-  const double moving = impl_->energies_now().kinetic;
+  const double moving = kinetic_energy();
   for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
     for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
-  impl_->energies.damping += moving - impl_->energies_now().kinetic;
+  impl_->energies.damping += moving - kinetic_energy();
 }
 
 io::Snapshot Simulation::snapshot() const {
@@ -349,6 +390,7 @@ io::Snapshot Simulation::snapshot() const {
   impl_->bodies.store(s.grains);
   s.contacts = impl_->contacts_record();
   s.planes = impl_->planes.record();
+  if (impl_->yarns.any()) s.yarns = impl_->yarns.record();
   return s;
 }
 
