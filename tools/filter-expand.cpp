@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/volume_of_interest.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
@@ -54,6 +55,8 @@ struct FilterExpand {
     const StopSignals signals;
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;
+    if (what.growth && what.container)
+      what.growth->stretch = packing::stretch_to_fill(start, analysis::void_ratio(volume.state), *what.container);
     if (!what.growth) return void(safe.write([&] { io::write_packing(output, start, past); }));
     packing::Grown grown =
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});

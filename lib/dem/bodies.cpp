@@ -37,10 +37,10 @@ void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
     if (is_node(i)) spin[i] = Lane4{0, 0, 0, std::numeric_limits<double>::infinity()};
 }
 
-void Bodies::scale_radii(double factor) {
+void Bodies::scale_radii(double factor, const Vec3& stretch) {
   for (std::size_t i = 0; i < size(); ++i) {
     if (is_node(i)) continue;
-    position[i][3] *= factor;
+    position[i] *= row(stretch, factor);
     velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
     spin[i][3] = moment_of_inertia(dimension, mass(i), radius(i));
   }

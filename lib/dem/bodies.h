@@ -37,8 +37,8 @@ struct Bodies {
   /// Makes grains the nodes of fabrics, which do not rotate.
   void set_fabric(std::vector<std::int32_t> fabric_of);
 
-  /// Radii times factor at constant density, nodes apart; inertia follows.
-  void scale_radii(double factor);
+  /// Radii times factor at constant density, coordinates times those of stretch, nodes apart; inertia follows.
+  void scale_radii(double factor, const Vec3& stretch);
   /// Volume of the grains, overlaps counted twice: m3 (2D: m2).
   double solid_volume() const;
   double largest_radius() const;

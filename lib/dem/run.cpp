@@ -68,6 +68,7 @@ class Runner {
       : scenario_(scenario),
         report_(report),
         observe_(observe),
+        has_yarns_(start.yarns.size() > 0),
         dimension_(start.grains.dimension),
         model_(scenario.model),
         keeper_(safekeeping, start.grains.size()),
@@ -232,6 +233,11 @@ class Runner {
   void row(std::size_t stage) {
     record(simulation_, dimension_, static_cast<int>(stage), result_.series);
     rig_.record(simulation_, result_.series);
+    if (has_yarns_) {
+      const Energies e = simulation_.energies();
+      append(result_.series, "yarn_elastic_energy", "J", "stored in yarns", e.elastic_yarns);
+      append(result_.series, "yarn_dissipation", "J", "dissipated by yielding and breaking yarns", e.yarn_dissipation);
+    }
     if (observe_) observe_(simulation_.snapshot(), result_.series);
   }
 
@@ -245,6 +251,7 @@ class Runner {
   const Scenario& scenario_;
   const Report& report_;
   const Observe& observe_;
+  bool has_yarns_;
   int dimension_;
   Model model_;
   Keeper keeper_;

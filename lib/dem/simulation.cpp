@@ -361,8 +361,8 @@ double Simulation::kinetic_energy() const {
 }
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 
-void Simulation::scale_radii(double factor) {
-  impl_->bodies.scale_radii(factor);
+void Simulation::scale_radii(double factor, const Vec3& stretch) {
+  impl_->bodies.scale_radii(factor, stretch);
   Impl& s = *impl_;
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());

@@ -91,7 +91,8 @@ class Simulation {
 
   void set_model(const Model& model);  // between stages: friction lowered, law parameters changed; history is kept
   void set_damping(double damping);
-  void scale_radii(double factor);  // of soil; masses follow at constant density
+  /// Of soil; masses follow at constant density. stretch: soil is also moved, coordinate by coordinate, from the origin.
+  void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
   void stop_motion();               // zero fluctuation velocities and spins
 
   /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.

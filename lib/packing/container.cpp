@@ -51,8 +51,8 @@ double Pillow::depth(const Vec3& point) const {
   return half_height - std::hypot(beyond, point.z());
 }
 
-double Pillow::volume() const {
-  const double h = half_height, r = corner_radius;
+double Pillow::volume(double depth) const {
+  const double h = half_height - depth, r = corner_radius;
   const double area = width * width - (4 - pi) * r * r, perimeter = 4 * width - (8 - 2 * pi) * r;
   return 2 * h * area + 0.5 * pi * h * h * perimeter + 4.0 / 3.0 * pi * h * h * h;
 }

@@ -17,7 +17,8 @@ class Container {
   /// Corners of an upright box around it, m.
   virtual Vec3 low() const = 0;
   virtual Vec3 high() const = 0;
-  virtual double volume() const = 0;  // m3
+  /// m3, of what lies at least `depth` m inside.
+  virtual double volume(double depth = 0) const = 0;
 };
 
 /// The filled bag: the surface at the distance half_height from a flat square in z = 0 with rounded corners.
@@ -33,7 +34,7 @@ struct Pillow final : Container {
     return {0.5 * width + half_height, 0.5 * width + half_height, half_height};
   }
   /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
-  double volume() const override;
+  double volume(double depth = 0) const override;
   /// The point of the parallel surface `outside` m beyond, for u, v, w in [-1, 1] of which one at least is -1 or 1: a
   /// point of the surface of a box, whose top and bottom reach as far down the sides as arcs of equal length ask for;
   /// shares: the cells of a box's face and of its side, of which a hoop has twice each.
@@ -47,7 +48,7 @@ struct Box final : Container {
   double depth(const Vec3& point) const override { return (point - lower).cwiseMin(upper - point).minCoeff(); }
   Vec3 low() const override { return lower; }
   Vec3 high() const override { return upper; }
-  double volume() const override { return (upper - lower).prod(); }
+  double volume(double depth = 0) const override { return (upper - lower - Vec3::Constant(2 * depth)).prod(); }
 };
 
 }  // namespace soilweave::packing

@@ -18,9 +18,11 @@
 namespace soilweave::packing {
 namespace {
 
-constexpr std::int64_t report_interval = 64;
+constexpr std::int64_t report_interval = 512;
 // Steps between two looks at the equilibrium.
 constexpr std::int64_t look_interval = 4;
+// Steps of a round once the container is full to its sides, over those before.
+constexpr std::int64_t late_rounds = 10;
 
 struct Position {
   std::int64_t round = 0, first = 0;  // step at which the round began
@@ -65,15 +67,25 @@ class Grower {
   }
 
   Grown run() {
+    const double filling = std::cbrt(growth_.stretch.prod());
     for (;;) {
-      settle();
-      if (at_.round % growth_.measure_every == 0 && full()) break;
+      const bool stretching = at_.growth < filling;
+      settle(stretching ? growth_.steps : late_rounds * growth_.steps, least_force_);
+      if ((!stretching || at_.round % growth_.measure_every == 0) && full() && !stretching) break;
       if (at_.round >= growth_.largest_rounds) unreached();
+      // The part of the way to the full container that this round goes.
+      const double share = stretching ? std::log(growth_.factor) / std::log(filling) : 0;
       at_.growth *= growth_.factor;
-      simulation_.scale_radii(growth_.factor);
+      simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
       ++at_.round;
       at_.first = simulation_.steps();
     }
+    if (!settle(growth_.largest_round, 0))
+      throw TargetNotReached(
+          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
+                      "growth.unbalanced_force",
+                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
+    measure();
     io::Snapshot state = simulation_.snapshot();
     for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
       for (Vec3& v : *rows) v.setZero();
@@ -84,19 +96,17 @@ class Grower {
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
 
  private:
-  void settle() {
+  // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
+  bool settle(std::int64_t most, double least) {
     for (;;) {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (growth_.stop_every > 0 && steps % growth_.stop_every == 0) simulation_.stop_motion();
-      if (steps % look_interval == 0 && simulation_.unbalanced_force(least_force_) <= growth_.unbalanced_force) return;
+      if (steps % look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force) return true;
+      if (steps >= most) return false;
       if (report_ && steps % report_interval == 0)
         report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
                                         simulation_.unbalanced_force(), text()));
-      if (steps > growth_.largest_round)
-        throw TargetNotReached(fmt::format(
-            "round {}: no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen growth.unbalanced_force",
-            at_.round, steps, simulation_.unbalanced_force(), growth_.unbalanced_force));
       keeper_.after_step([this] { return moment(); });
     }
   }
@@ -137,8 +147,7 @@ class Grower {
     const double before = at_.volume;
     measure();
     at_.volume = fill_.volume;
-    standing_ = before > 0 &&
-                fill_.volume / before - 1 < growth_.volume_tolerance * static_cast<double>(growth_.measure_every);
+    standing_ = before > 0 && fill_.volume / before - 1 < growth_.volume_tolerance;
     if (report_) report_(progress(), fmt::format("round {}: {}", at_.round, text()));
     return standing_ && fill_.overlap >= growth_.overlap;
   }
@@ -182,6 +191,7 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "of a round at most, ten times that in the end"};
   static constexpr Parameter stop{"stop_every", "1", 0, 1e9, false, "steps after which all motion is stopped; 0: never"};
   static constexpr Parameter volume{"volume_tolerance", "1", 0, 1, true,
                                     "relative growth of the Delaunay volume in a round that counts as standing still"};
@@ -193,6 +203,7 @@ Growth Growth::read(Settings& table) {
   g.unbalanced_force = table.number(unbalanced, g.unbalanced_force);
   g.negligible = table.number(negligible, g.negligible);
   g.damping = table.number(damping, g.damping);
+  g.steps = table.integer(steps, g.steps);
   g.stop_every = table.integer(stop, g.stop_every);
   g.volume_tolerance = table.number(volume, g.volume_tolerance);
   g.overlap = table.number(overlap, g.overlap);
@@ -205,6 +216,7 @@ Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numeri
            const Report& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
   held.clamps = {nodes_of(start)};
+  // Nothing pulls at yarns whose nodes stand still.
   // Radii grow by work that no boundary does, and rattlers fly: what the balance leaves over is damped away.
   held.limits.energy_error = std::numeric_limits<double>::infinity();
   io::Part* part = safekeeping.part;

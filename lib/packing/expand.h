@@ -15,14 +15,18 @@
 namespace soilweave::packing {
 
 struct Growth {
-  double factor = 1.0001;            // of the radii, each time equilibrium is reached
+  double factor = 1.0002;            // of the radii, a round
+  /// Between the grains as they are cut and the container that they fill: coordinates are stretched by this while the
+  /// radii grow by the cube root of its product, so that nothing need travel far.
+  Vec3 stretch = Vec3::Ones();
   double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
   double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less
-  double damping = 0.9;              // Cundall's
-  std::int64_t stop_every = 20;      // steps after which all motion is stopped: local damping takes nothing from flight
-  double volume_tolerance = 1e-5;    // relative growth of the Delaunay volume, a round, below which it stands still
+  double damping = 0.5;              // Cundall's
+  std::int64_t steps = 100;          // of a round while soil is stretched; later ten times that
+  std::int64_t stop_every = 50;      // steps after which all motion is stopped, 0: never: damping takes none of flight
+  double volume_tolerance = 1e-4;    // relative growth of the Delaunay volume, a round, below which it stands still
   double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full
-  std::int64_t measure_every = 10;   // rounds
+  std::int64_t measure_every = 10;   // rounds, while soil is stretched
   std::int64_t largest_rounds = 2000;
   std::int64_t largest_round = 100'000;  // steps
 

@@ -160,4 +160,18 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   return state;
 }
 
+Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container) {
+  double filled = 0;
+  for (std::size_t i = 0; i < assembled.grains.size(); ++i)
+    if (assembled.grains.copy_id[i] >= 0) filled += (1 + void_ratio) * dem::grain_volume(3, assembled.grains.radius[i]);
+  // The volume falls with the depth: bisection to rounding.
+  const Vec3 half = 0.5 * (container.high() - container.low());
+  double low = 0, high = half.minCoeff();
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    (container.volume(middle) > filled ? low : high) = middle;
+  }
+  return half.cwiseQuotient(half - Vec3::Constant(low));
+}
+
 }  // namespace soilweave::packing

@@ -40,4 +40,8 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
 /// volume, copied as often as the plan says, is too small for the container.
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan);
 
+/// By how much the soil cut to the container must be stretched to fill it as densely as the representative volume:
+/// the cut leaves a gap of a grain's size along the surface.
+Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container);
+
 }  // namespace soilweave::packing
