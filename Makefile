@@ -34,7 +34,7 @@ OPTIMISE_coverage := -O0 -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
 # clang-tidy watch instead.
 WARNINGS := -Wall -Wextra -Wpedantic -Werror -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized \
-  $(if $(FUZZ),-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unknown-warning-option)
+  $(if $(FUZZ),-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-private-field -Wno-unknown-warning-option)
 PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
 system = $(patsubst -I%,-isystem %,$(1))
 
