@@ -72,7 +72,7 @@ all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANIT
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
 # $(B)/flags changes only when the command line of the compiler does; every object depends on it.
-FLAGS := $(CXX) $(CPPFLAGS) $(CXXFLAGS)
+FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
 $(B)/flags: always
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(FLAGS)' | cmp -s - $@ || printf '%s\n' '$(FLAGS)' > $@
