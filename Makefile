@@ -97,6 +97,31 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
 $(B)/obj/lib/analysis/tessellation.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
+# The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
+# would put single integers together in registers, which takes longer than what it saves.
+HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
+$(HOT) $(B)/obj/lib/dem/contact_sweep.avx512.o: private CXXFLAGS += -mmove-max=256 -mstore-max=256 -fno-tree-slp-vectorize
+# The sweep over contacts once more, eight at a time, for processors with AVX-512 (lib/dem/sweep_width.cpp chooses). What
+# this object shares with others, inline functions, must stay its own: the linker would hand them to all.
+EIGHT := $(if $(VARIANT),,$(B)/obj/lib/dem/contact_sweep.avx512.o)
+AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
+$(if $(EIGHT),$(call object,lib/dem/sweep_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
+$(B)/obj/lib/dem/contact_sweep.avx512.o: lib/dem/contact_sweep.cpp $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (AVX-512)'
+	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(AVX512) -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@.all
+	@ld -r --force-group-allocation $@.all -o $@.one
+	@objcopy --wildcard --keep-global-symbol='*make_contact_sweep_of_eight*' $@.one $@ && rm $@.all $@.one
+# For tests of its bits on any processor: the same, lowered to the baseline.
+$(B)/obj/lib/dem/contact_sweep.eight.o: lib/dem/contact_sweep.cpp $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (eight lanes)'
+	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@
+# What looks at the processor must run on any.
+$(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (any processor)'
+	@$(CXX) $(CPPFLAGS) $(subst -march=x86-64-v3,-march=x86-64,$(CXXFLAGS)) -c $< -o $@
 # The tests themselves need not be fast, but compile fast; what times the library does.
 TEST_OBJECTS := $(call object,$(foreach t,$(TESTED),$(call tests_of,$(t))) $(SUPPORT))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
@@ -109,7 +134,7 @@ $(B)/sources: always
 	@mkdir -p $(@D)
 	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
 
-$(B)/libsoilweave.a: $(call object,$(LIB)) $(B)/sources
+$(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
 	@echo '  ar    $@'
 	@rm -f $@ && ar rcsD $@ $(filter %.o,$^)
 
@@ -122,7 +147,7 @@ $(B)/bin/to-vtk: $(call object,$(VTK_ONLY))
 $(B)/bin/to-vtk: LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
 define test_program
-$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(B)/libsoilweave.a
+$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(if $(filter unit,$(1)),$(B)/obj/lib/dem/contact_sweep.eight.o) $(B)/libsoilweave.a
 	@mkdir -p $$(@D)
 	@echo '  link  $$@'
 	@$$(CXX) $$(CXXFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $$(LDLIBS) -lgtest -lgtest_main -o $$@
@@ -140,7 +165,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 	@echo '  link  $@'
 	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)))
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
@@ -221,6 +246,10 @@ golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them
 .PHONY: bench
 bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 	@$(B)/tests/bench $(BENCH_FLAGS)
+
+.PHONY: bench-peers
+bench-peers: $(TOOLS) ## steps per second beside YADE, LAMMPS and LIGGGHTS, where they are, on the same packings
+	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/speed.sh
 
 .PHONY: crosscheck
 crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, live and recorded, where there is one

@@ -16,9 +16,10 @@ double grain_volume(int dimension, double radius);
 
 struct Bodies {
   int dimension = 3;
+  double gyration;                 // moment of inertia over mass and squared radius
   std::vector<Lane4> position;     // x, y, z, m; radius, m
   std::vector<Lane4> velocity;     // m/s; mass, kg
-  std::vector<Lane4> spin;         // rad/s; moment of inertia, kg m2
+  std::vector<Lane4> spin;         // rad/s; radius, m, once more
   std::vector<Lane4> force;        // N, resultant of the contacts, gravity apart; 0
   std::vector<Lane4> torque;       // N m; 0
   std::vector<Lane4> orientation;  // quaternion, in the order w x y z
@@ -28,7 +29,7 @@ struct Bodies {
   std::size_t size() const { return position.size(); }
   double radius(std::size_t i) const { return position[i][3]; }
   double mass(std::size_t i) const { return velocity[i][3]; }
-  double inertia(std::size_t i) const { return spin[i][3]; }
+  double inertia(std::size_t i) const { return gyration * mass(i) * radius(i) * radius(i); }  // kg m2
 
   /// Radii times factor at constant density; inertia follows.
   void scale_radii(double factor);

@@ -50,9 +50,11 @@ struct Simulation::Impl {
       begin();
   }
 
+  Scene scene() const { return {bodies, cell, planes, numerics.threads}; }
+
   void begin() {
-    sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
-    motion.gather(contacts, bodies);
+    sums = sweep->run(scene(), 0.0, contacts);
+    sums.force_branch += motion.gather(contacts, bodies);
     measure();
     if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
@@ -115,9 +117,9 @@ struct Simulation::Impl {
     if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
-    sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
+    sums = sweep->run(scene(), dt, contacts);
     clock.lap(Phase::contacts);
-    motion.gather(contacts, bodies);
+    sums.force_branch += motion.gather(contacts, bodies);
     clock.lap(Phase::integration);
     ++steps;
     time += dt;
@@ -160,8 +162,6 @@ struct Simulation::Impl {
     return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  Survey survey() { return sweep->survey(bodies, cell, planes, numerics.threads, contacts); }
-
   void watch() {
     guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
     if (sums.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
@@ -173,9 +173,9 @@ struct Simulation::Impl {
 
   Energies energies_now() {
     Energies e = energies;
-    const Survey s = survey();
-    e.elastic_normal = sums.elastic_normal, e.elastic_shear = s.elastic_shear;
-    e.elastic_rolling = s.elastic_rolling, e.elastic_twisting = s.elastic_twisting;
+    const StoredEnergies stored = sweep->stored(scene(), contacts);
+    e.elastic_normal = sums.elastic_normal, e.elastic_shear = stored.shear;
+    e.elastic_rolling = stored.rolling, e.elastic_twisting = stored.twisting;
     e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
@@ -190,19 +190,24 @@ struct Simulation::Impl {
                        100 * sums.largest_relative_overlap);
   }
 
-  // From the stiffnesses that a survey left in the slots.
-  double stability_limit() {
+  struct Stiffness {
+    Vec3 axial;    // Pa
+    double limit;  // s, of stability
+  };
+
+  Stiffness look_at_stiffness() {
     const double r = bodies.smallest_radius();
     const double reference =
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
-    return std::min(reference, motion.stable_time_step(bodies, contacts));
+    const Vec3 sum = sweep->stiffen(scene(), contacts);
+    return {sum / cell.volume(), std::min(reference, motion.stable_time_step(bodies, contacts))};
   }
 
   void estimate_step() {
-    const Survey found = survey();
-    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
+    const Stiffness found = look_at_stiffness();
+    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
     time_step = stable;
-    measures.axial_stiffness = found.axial_stiffness / cell.volume();
+    measures.axial_stiffness = found.axial;
   }
 
   void limit_move(double fastest) {
@@ -267,13 +272,12 @@ io::ContactsRecord Simulation::Impl::contacts_record() const {
     const ContactBlock& block = contacts.blocks[b];
     for (int k = 0; k < block.count; ++k) {
       if (!((block.touching >> k) & 1)) continue;
-      add_planes_up_to(block.first[k]);
-      const auto i = static_cast<std::size_t>(block.first[k]), j = static_cast<std::size_t>(block.second[k]);
-      const Vec3i image(block.image[0][k], block.image[1][k], block.image[2][k]);
+      const auto [first, second, image] = contacts.pair(b, k);
+      add_planes_up_to(first);
+      const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
       const Vec3 branch =
           vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-      add(contacts.history(b, k), block.first[k], block.second[k], image, branch,
-          bodies.radius(i) + bodies.radius(j) - branch.norm());
+      add(contacts.history(b, k), first, second, image, branch, bodies.radius(i) + bodies.radius(j) - branch.norm());
     }
   }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
@@ -298,10 +302,7 @@ Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
 double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
-double Simulation::stability_limit() {
-  impl_->survey();
-  return impl_->stability_limit();
-}
+double Simulation::stability_limit() { return impl_->look_at_stiffness().limit; }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
@@ -327,8 +328,8 @@ void Simulation::scale_radii(double factor) {
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
-  s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
-  s.motion.gather(s.contacts, s.bodies);
+  s.sums = s.sweep->run(s.scene(), 0.0, s.contacts);
+  s.sums.force_branch += s.motion.gather(s.contacts, s.bodies);
   s.measure();
   s.energies.boundary_work += s.elastic() - before;
   s.estimate_step();
