@@ -22,6 +22,9 @@ namespace {
 constexpr std::int64_t stiffness_interval = 8;
 // Steps between two passes over the grains by the guards.
 constexpr std::int64_t guard_interval = 256;
+// Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
+// may be too long by the root of that at most, which its safety covers.
+constexpr double overlap_growth = 2;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
 // The fastest grain moves at most this fraction of the smallest radius in a step.
@@ -98,6 +101,7 @@ struct Simulation::Impl {
     archive_rows(a, "torque", bodies.torque);
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
+    a.item("overlap_at_estimate", estimated_at);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
@@ -128,7 +132,7 @@ struct Simulation::Impl {
     account(moved, dt, before, gradient);
     measure();
     watch();
-    if (steps % stiffness_interval == 0) estimate_step();
+    if (steps % stiffness_interval == 0 || outgrown()) estimate_step();
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
@@ -203,7 +207,12 @@ struct Simulation::Impl {
     return {sum / cell.volume(), std::min(reference, motion.stable_time_step(bodies, contacts))};
   }
 
+  bool outgrown() const {
+    return sums.largest_relative_overlap > overlap_growth * std::max(estimated_at, reference_overlap);
+  }
+
   void estimate_step() {
+    estimated_at = sums.largest_relative_overlap;
     const Stiffness found = look_at_stiffness();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
     time_step = stable;
@@ -238,6 +247,7 @@ struct Simulation::Impl {
   Measures measures;
   Energies energies;
   double stable = 0, time_step = 0, time = 0;
+  double estimated_at = 0;  // largest overlap over radius when the step was last estimated
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
