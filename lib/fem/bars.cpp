@@ -12,6 +12,9 @@
 namespace soilweave::fem {
 namespace {
 
+// How far disks may come nearer from one step of the soil to the next, in radii.
+constexpr double room = 0.5;
+
 Vec2 right_of(const Vec2& direction) { return {direction[1], -direction[0]}; }
 
 // Counter-clockwise from n.
@@ -65,6 +68,7 @@ Bars::Bars(BarsSetup setup) : setup_(std::move(setup)), x_(setup_.chain) {
   for (const Guide& g : setup_.guides) lines_.push_back({{g.from, g.to}, {Vec2::Zero(), Vec2::Zero()}, true});
   add_contacts();
   find_step();
+  look_around();
   forces(0);
   energies_.initial = elastic_ + touching_;
 }
@@ -85,7 +89,7 @@ void Bars::add_contacts() {
     }
   for (Contact& c : contacts_) {
     // The whole line is searched once, later only the neighbourhood.
-    const Vec2 p = c.of_interface ? edge[c.bar] : Vec2(0.5 * (x_[c.bar] + x_[c.bar + 1]));
+    const Vec2 p = place(c);
     const Line& line = lines_[c.line];
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s + 1 < line.x.size(); ++s) {
@@ -151,22 +155,24 @@ void Bars::bar_forces() {
   }
 }
 
-void Bars::nearest(const Line& line, const Vec2& p, Contact& contact) const {
-  const auto distance = [&](std::size_t s) {
+double Bars::nearest(const Line& line, const Vec2& p, Contact& contact) {
+  const auto along = [&](std::size_t s) {
     const Vec2 a = line.x[s + 1] - line.x[s];
-    const double m = std::clamp(a.dot(p - line.x[s]) / a.squaredNorm(), 0.0, 1.0);
-    return (p - line.x[s] - m * a).squaredNorm();
+    return a.dot(p - line.x[s]) / a.squaredNorm();
   };
-  double least = distance(contact.segment);
-  for (const int way : {1, -1})
-    for (;;) {
-      if (way < 0 && contact.segment == 0) break;
-      const std::size_t next = way > 0 ? contact.segment + 1 : contact.segment - 1;
-      if (next + 1 >= line.x.size()) break;
-      const double there = distance(next);
-      if (there >= least) break;
-      least = there, contact.segment = next;
-    }
+  double m = along(contact.segment);
+  // Beyond the end of its bar a disk goes to the next one, unless that lies before its own start: a corner between.
+  while (m > 1 && contact.segment + 2 < line.x.size()) {
+    const double next = along(contact.segment + 1);
+    if (next <= 0) return 1;
+    ++contact.segment, m = next;
+  }
+  while (m < 0 && contact.segment > 0) {
+    const double next = along(contact.segment - 1);
+    if (next >= 1) return 0;
+    --contact.segment, m = next;
+  }
+  return std::clamp(m, 0.0, 1.0);
 }
 
 void Bars::contact_force(Contact& c, double dt) {
@@ -181,10 +187,9 @@ void Bars::contact_force(Contact& c, double dt) {
 // those of the bars; forces and moments go back by the same interpolation, so that they do the same work.
 void Bars::touch(Contact& c, const Vec2& p, const Vec2& v, double spin, double dt) {
   Line& line = lines_[c.line];
-  nearest(line, p, c);
+  const double m = nearest(line, p, c);
   const std::size_t s = c.segment;
   const Vec2 b = line.x[s + 1] - line.x[s];
-  const double m = std::clamp(b.dot(p - line.x[s]) / b.squaredNorm(), 0.0, 1.0);
   const Vec2 apart = p - line.x[s] - m * b;
   const double distance = apart.norm(), overlap = 2 * setup_.radius - distance;
   c.normal = 0;
@@ -229,7 +234,29 @@ void Bars::forces(double dt) {
   std::fill(on_interface_.begin(), on_interface_.end(), Vec2::Zero());
   touching_ = 0;
   bar_forces();
-  for (Contact& c : contacts_) contact_force(c, dt);
+  for (const std::size_t c : near_) contact_force(contacts_[c], dt);
+}
+
+// What cannot touch before the next look is left out of the steps until then.
+void Bars::look_around() {
+  near_.clear();
+  const double reach = 2 * setup_.radius + room * setup_.radius;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    Contact& c = contacts_[k];
+    if (!c.of_interface && broken_[c.bar]) continue;
+    const Vec2 p = place(c);
+    const Line& line = lines_[c.line];
+    const double m = nearest(line, p, c);
+    const Vec2 apart = p - line.x[c.segment] - m * (line.x[c.segment + 1] - line.x[c.segment]);
+    if (apart.squaredNorm() < reach * reach)
+      near_.push_back(k);
+    else
+      c.normal = c.shear = 0;
+  }
+}
+
+Vec2 Bars::place(const Contact& c) const {
+  return c.of_interface ? lines_[0].x[c.bar] : Vec2(0.5 * (x_[c.bar] + x_[c.bar + 1]));
 }
 
 void Bars::kick(double dt) {
@@ -239,7 +266,7 @@ void Bars::kick(double dt) {
     for (int a = 0; a < 2; ++a) {
       const std::optional<double> driven = !end ? std::nullopt : a == 0 ? end->x : end->y;
       const double before = v_[n][a], force = f_[n][a];
-      if (driven || (only_along_y_ && a == 0)) {
+      if (only_along_y_ ? a == 0 : driven.has_value()) {
         v_[n][a] = held_ || only_along_y_ ? 0 : *driven;
         energies_.end_work += 0.5 * (before + v_[n][a]) * (mass_[n] * (v_[n][a] - before) - force * dt);
         continue;
@@ -258,6 +285,7 @@ void Bars::advance(const std::vector<Vec2>& interface, double duration) {
   const double dt = duration / static_cast<double>(parts);
   Line& boundary = lines_[0];
   const std::vector<Vec2> from = boundary.x;
+  look_around();
   for (std::size_t n = 0; n < from.size(); ++n) boundary.v[n] = (interface[n] + offsets_[n] - from[n]) / duration;
   for (std::int64_t k = 1; k <= parts; ++k) {
     kick(dt);

@@ -115,7 +115,10 @@ class Bars {
   void bar_forces();
   void contact_force(Contact& contact, double dt);
   void touch(Contact& contact, const Vec2& p, const Vec2& v, double spin, double dt);
-  void nearest(const Line& line, const Vec2& p, Contact& contact) const;
+  /// Where on the line's nearest bar, 0 to 1; the contact's segment follows.
+  static double nearest(const Line& line, const Vec2& p, Contact& contact);
+  Vec2 place(const Contact& contact) const;
+  void look_around();
   void kick(double dt);
 
   BarsSetup setup_;
@@ -125,6 +128,7 @@ class Bars {
   std::vector<Line> lines_;  // the interface, then the guides
   std::vector<Vec2> on_interface_, offsets_;
   std::vector<Contact> contacts_;
+  std::vector<std::size_t> near_;  // of the contacts, those that may touch before the next look
   double stable_ = 0, elastic_ = 0, touching_ = 0;
   bool held_ = false, only_along_y_ = false;
   std::optional<double> damping_;
