@@ -41,10 +41,9 @@ struct FemDem {
             "soil's deformation and gives back its stress, or an elastic or Mohr-Coulomb solid, with which a problem is "
             "set up in seconds. A chain of bars touches the soil's boundary. One packing serves all points, or one is "
             "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
-    t.example("fem-dem pull.toml rods.h5 -o pull.h5", "then: to-vtk pull.h5 -o pull-vtk");
-    t.example("fem-dem --check pull.toml rods.h5", "time steps, memory and time it will take, without running");
+    t.example("fem-dem --check pull.toml", "time steps, memory and time it will take, without running");
+    t.example("fem-dem pull.toml -o pull.h5", "of packings: fem-dem rods.toml rods.h5 -o pull.h5");
     t.example("fem-dem --table series pull.h5", "a table of a run as text; the others: nodes, points, bars");
-    t.example("fem-dem --take 0 pull.h5 -o point.h5", "the grains of a recorded point as a run, for homogenize and fabric");
     t.input(scenario, "SCENARIO", "scenario (TOML); with --take and --table a file of fem-dem");
     t.optional_inputs(packings, "PACKING", "packings or runs to start the points from");
     t.optional_output(output, "file to write");

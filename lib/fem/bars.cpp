@@ -265,7 +265,7 @@ void Bars::kick(double dt) {
     const ChainEnd* end = n == 0 ? &setup_.start : n + 1 == x_.size() ? &setup_.end : nullptr;
     for (int a = 0; a < 2; ++a) {
       const std::optional<double> driven = !end ? std::nullopt : a == 0 ? end->x : end->y;
-      const double before = v_[n][a], force = f_[n][a];
+      const double before = v_[n][a], weight = mass_[n] * setup_.gravity[a], force = f_[n][a] + weight;
       if (only_along_y_ ? a == 0 : driven.has_value()) {
         v_[n][a] = held_ || only_along_y_ ? 0 : *driven;
         energies_.end_work += 0.5 * (before + v_[n][a]) * (mass_[n] * (v_[n][a] - before) - force * dt);
@@ -275,6 +275,7 @@ void Bars::kick(double dt) {
       const double side = static_cast<double>((power > 0) - (power < 0));
       const double change = dt / mass_[n] * force * (1 - damping * side);
       v_[n][a] = before + change;
+      energies_.gravity_work += weight * dt * (before + 0.5 * change);
       energies_.damping += damping * side * force * dt * (before + 0.5 * change);
     }
   }

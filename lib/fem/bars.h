@@ -38,6 +38,7 @@ struct BarsSetup {
   bool compression = true;      // whether bars resist shortening
   double areal_density = 0;     // kg/m2
   double damping = 0;           // local, non-viscous
+  Vec2 gravity = Vec2::Zero();  // m/s2, on the chain
   double safety = 0.7;          // of the stable step
   Touch touch;                  // of chain and boundary; guides: the same stiffness, no friction
   std::vector<Guide> guides;
@@ -52,9 +53,11 @@ std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, dou
 struct BarEnergies {
   double kinetic = 0, elastic = 0, contact = 0;
   double damping = 0, friction = 0, broken = 0;
-  double end_work = 0, interface_work = 0;
+  double end_work = 0, interface_work = 0, gravity_work = 0;
   double initial = 0;
-  double error() const { return initial + end_work + interface_work - kinetic - elastic - contact - damping - friction - broken; }
+  double error() const { 
+    return initial + end_work + interface_work + gravity_work - kinetic - elastic - contact - damping - friction - broken;
+  }
 };
 
 class Bars {
