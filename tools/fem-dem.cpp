@@ -23,8 +23,9 @@ constexpr Parameter take_parameter{.name = "take",
                                    .unit = "1",
                                    .low = 0,
                                    .high = 1e9,
-                                   .sentence = "write the recorded grains of this point as a run, and stop; the first input is "
-                                               "then a file of fem-dem"};
+                                   .sentence =
+                                       "write the recorded grains of this point as a run, and stop; the first input is "
+                                       "then a file of fem-dem"};
 
 struct FemDem {
   std::filesystem::path scenario, mesh, output;
@@ -36,11 +37,12 @@ struct FemDem {
   bool check = false;
 
   void options(tool::Table& t) {
-    t.about("fem-dem", "finite elements whose points are packings of grains, beside a geosynthetic of bars",
-            "Explicit finite elements in the plane. Every point of integration is a packing of disks that follows the "
-            "soil's deformation and gives back its stress, or an elastic or Mohr-Coulomb solid, with which a problem is "
-            "set up in seconds. A chain of bars touches the soil's boundary. One packing serves all points, or one is "
-            "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
+    t.about(
+        "fem-dem", "finite elements whose points are packings of grains, beside a geosynthetic of bars",
+        "Explicit finite elements in the plane. Every point of integration is a packing of disks that follows the "
+        "soil's deformation and gives back its stress, or an elastic or Mohr-Coulomb solid, with which a problem is "
+        "set up in seconds. A chain of bars touches the soil's boundary. One packing serves all points, or one is "
+        "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
     t.example("fem-dem --check pull.toml", "time steps, memory and time it will take, without running");
     t.example("fem-dem pull.toml -o pull.h5", "of packings: fem-dem rods.toml rods.h5 -o pull.h5");
     t.example("fem-dem --table series pull.h5", "a table of a run as text; the others: nodes, points, bars");

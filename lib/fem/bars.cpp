@@ -37,8 +37,8 @@ std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, dou
   }
   std::vector<Vec2> nodes = {beside.front()};
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-    const auto parts = static_cast<std::size_t>(
-        std::max(1.0, std::floor((line[k + 1] - line[k]).norm() / spacing * (1 + 1e-12))));
+    const auto parts =
+        static_cast<std::size_t>(std::max(1.0, std::floor((line[k + 1] - line[k]).norm() / spacing * (1 + 1e-12))));
     for (std::size_t i = 1; i <= parts; ++i)
       nodes.push_back(beside[k] + static_cast<double>(i) / static_cast<double>(parts) * (beside[k + 1] - beside[k]));
   }
@@ -135,10 +135,10 @@ void Bars::bar_forces() {
     if (stretch < 0 && !setup_.compression) continue;
     const double stiffness = setup_.stiffness / length_[b], tension = stiffness * stretch;
     if (!std::isfinite(tension))
-      throw PhysicsError(fmt::format(
-          "bar {} of the geosynthetic has a length that is not a number: its time step is too large; lower "
-          "geosynthetic.time_step_safety",
-          b));
+      throw PhysicsError(
+          fmt::format("bar {} of the geosynthetic has a length that is not a number: its time step is too large; lower "
+                      "geosynthetic.time_step_safety",
+                      b));
     if (tension > setup_.strength) {
       broken_[b] = true;
       energies_.broken += 0.5 * tension * stretch;
@@ -179,8 +179,8 @@ void Bars::contact_force(Contact& c, double dt) {
   if (c.of_interface) return touch(c, lines_[0].x[c.bar], lines_[0].v[c.bar], 0, dt);
   if (broken_[c.bar]) return;
   const Vec2 a = x_[c.bar + 1] - x_[c.bar];
-  touch(c, 0.5 * (x_[c.bar] + x_[c.bar + 1]), 0.5 * (v_[c.bar] + v_[c.bar + 1]),
-        turning(a, v_[c.bar + 1] - v_[c.bar]), dt);
+  touch(c, 0.5 * (x_[c.bar] + x_[c.bar + 1]), 0.5 * (v_[c.bar] + v_[c.bar + 1]), turning(a, v_[c.bar + 1] - v_[c.bar]),
+        dt);
 }
 
 // Virtual disks at the middle of the bar and at the place nearest to it: kinematics interpolated from the nodes, spins
@@ -199,7 +199,8 @@ void Bars::touch(Contact& c, const Vec2& p, const Vec2& v, double spin, double d
   }
   if (overlap > setup_.radius)
     throw PhysicsError(fmt::format(
-        "{} {} is {:.3g} m deep in {}: it moves too fast for its stiffness; raise contact.normal_stiffness or pull slower",
+        "{} {} is {:.3g} m deep in {}: it moves too fast for its stiffness; raise contact.normal_stiffness or pull "
+        "slower",
         c.of_interface ? "interface node" : "bar", c.bar, overlap, c.line == 0 ? "the boundary" : "a guide"));
   const Vec2 n = apart / distance, t = tangent(n);
   const double line_spin = turning(b, line.v[s + 1] - line.v[s]), arm = 0.5 * distance;
@@ -314,7 +315,9 @@ double Bars::tension(std::size_t bar) const {
   return stretch < 0 && !setup_.compression ? 0 : setup_.stiffness / length_[bar] * stretch;
 }
 
-std::size_t Bars::broken_bars() const { return static_cast<std::size_t>(std::count(broken_.begin(), broken_.end(), true)); }
+std::size_t Bars::broken_bars() const {
+  return static_cast<std::size_t>(std::count(broken_.begin(), broken_.end(), true));
+}
 
 Vec2 Bars::contact_of(std::size_t bar) const {
   const Contact& c = contacts_[bar * lines_.size()];

@@ -30,24 +30,24 @@ struct ChainEnd {
 };
 
 struct BarsSetup {
-  std::vector<Vec2> interface;  // nodes of the soil's boundary, the soil to the left
-  std::vector<Vec2> chain;      // nodes of the geosynthetic, m
-  double radius = 0;            // m, of the virtual disks, chain and boundary alike
-  double stiffness = 0;         // J, N/m
+  std::vector<Vec2> interface;                                // nodes of the soil's boundary, the soil to the left
+  std::vector<Vec2> chain;                                    // nodes of the geosynthetic, m
+  double radius = 0;                                          // m, of the virtual disks, chain and boundary alike
+  double stiffness = 0;                                       // J, N/m
   double strength = std::numeric_limits<double>::infinity();  // N/m
-  bool compression = true;      // whether bars resist shortening
-  double areal_density = 0;     // kg/m2
-  double damping = 0;           // local, non-viscous
-  Vec2 gravity = Vec2::Zero();  // m/s2, on the chain
-  double safety = 0.7;          // of the stable step
-  Touch touch;                  // of chain and boundary; guides: the same stiffness, no friction
+  bool compression = true;                                    // whether bars resist shortening
+  double areal_density = 0;                                   // kg/m2
+  double damping = 0;                                         // local, non-viscous
+  Vec2 gravity = Vec2::Zero();                                // m/s2, on the chain
+  double safety = 0.7;                                        // of the stable step
+  Touch touch;  // of chain and boundary; guides: the same stiffness, no friction
   std::vector<Guide> guides;
   ChainEnd start, end;
   bool stop_when_broken = true;
 };
 
-/// Chain nodes 2r outside the line, `spacing` apart at most along each of its edges; corners on their bisector; overhang:
-/// m, that the chain goes on straight before the start.
+/// Chain nodes 2r outside the line, `spacing` apart at most along each of its edges; corners on their bisector;
+/// overhang: m, that the chain goes on straight before the start.
 std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, double spacing, double overhang);
 
 struct BarEnergies {
@@ -55,8 +55,9 @@ struct BarEnergies {
   double damping = 0, friction = 0, broken = 0;
   double end_work = 0, interface_work = 0, gravity_work = 0;
   double initial = 0;
-  double error() const { 
-    return initial + end_work + interface_work + gravity_work - kinetic - elastic - contact - damping - friction - broken;
+  double error() const {
+    return initial + end_work + interface_work + gravity_work - kinetic - elastic - contact - damping - friction -
+           broken;
   }
 };
 
@@ -72,8 +73,8 @@ class Bars {
   void advance(const std::vector<Vec2>& interface, double duration);
   /// N/m on the nodes of the interface at the present positions; reading it moves nothing.
   const std::vector<Vec2>& interface_forces() const { return on_interface_; }
-  /// Before the start: interface nodes yield along y under these loads (N/m) until contacts carry them; chain nodes move
-  /// along y alone. Friction is forgotten. Throws TargetNotReached.
+  /// Before the start: interface nodes yield along y under these loads (N/m) until contacts carry them; chain nodes
+  /// move along y alone. Friction is forgotten. Throws TargetNotReached.
   void seat(const std::vector<double>& loads);
   /// Where interface nodes stand off the soil's since seat().
   const std::vector<Vec2>& offsets() const { return offsets_; }

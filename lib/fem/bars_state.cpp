@@ -37,10 +37,11 @@ void Bars::seat(const std::vector<double>& loads) {
     for (std::size_t n = 0; n < x_.size(); ++n) worst = std::max(worst, std::abs(f_[n][1]) / total);
   }
   if (worst > tolerance)
-    throw TargetNotReached(fmt::format(
-        "the geosynthetic does not come to rest under the load before the start: {:.2g} of it is out of balance; a guide "
-        "must lie below it",
-        worst));
+    throw TargetNotReached(
+        fmt::format("the geosynthetic does not come to rest under the load before the start: {:.2g} of it is out of "
+                    "balance; a guide "
+                    "must lie below it",
+                    worst));
   only_along_y_ = false;
   damping_.reset();
   std::fill(v_.begin(), v_.end(), Vec2::Zero());

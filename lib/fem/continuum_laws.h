@@ -10,12 +10,12 @@ namespace soilweave::fem {
 /// configuration midway and the stress rotated (Hughes & Winget 1980), so that a rigid rotation of any size leaves no
 /// stress.
 struct ContinuumLaw {
-  double young_modulus = 1e7;                    // Pa
+  double young_modulus = 1e7;  // Pa
   double poisson_ratio = 0.25;
-  std::optional<double> friction_angle;          // rad; nothing: elastic
-  double cohesion = 0;                           // Pa
-  double dilation_angle = 0;                     // rad
-  Vec3 initial_stress = Vec3::Zero();            // Pa, xx, yy, zz, tension positive
+  std::optional<double> friction_angle;  // rad; nothing: elastic
+  double cohesion = 0;                   // Pa
+  double dilation_angle = 0;             // rad
+  Vec3 initial_stress = Vec3::Zero();    // Pa, xx, yy, zz, tension positive
 };
 
 class ContinuumPoint : public MaterialPoint {

@@ -13,8 +13,8 @@ enum class Shape {
   triangle3,       // linear, one integration point
   quadrilateral8,  // serendipity
 };
-/// Of the 8-node quadrilateral: 2 x 2 or 3 x 3 points. The 2 x 2 rule is soft in bending and has one hourglass mode that
-/// neighbours cannot share; the 3 x 3 rule integrates the mass of an undistorted element exactly.
+/// Of the 8-node quadrilateral: 2 x 2 or 3 x 3 points. The 2 x 2 rule is soft in bending and has one hourglass mode
+/// that neighbours cannot share; the 3 x 3 rule integrates the mass of an undistorted element exactly.
 enum class Integration { reduced, full };
 
 inline constexpr std::size_t most_nodes = 8;

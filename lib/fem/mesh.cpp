@@ -45,10 +45,11 @@ void Mesh::check(const std::string& where) const {
     for (const IntegrationPoint& point : integration_points(shape, Integration::full)) {
       const double area = gradients(shape, point.at, corners(e, nodes)).area;
       if (!(area > 0))
-        throw DataError(fmt::format(
-            "{}: element {} has the area {:.3g} m2 at a point of integration: its nodes {} are not counter-clockwise or "
-            "coincide; mend the mesh",
-            where, e, area, fmt::join(elements[e].begin(), elements[e].begin() + nodes_of_element(), " ")));
+        throw DataError(
+            fmt::format("{}: element {} has the area {:.3g} m2 at a point of integration: its nodes {} are not "
+                        "counter-clockwise or "
+                        "coincide; mend the mesh",
+                        where, e, area, fmt::join(elements[e].begin(), elements[e].begin() + nodes_of_element(), " ")));
     }
   }
   const auto lone = std::find(used.begin(), used.end(), false);

@@ -24,8 +24,8 @@ struct Boundary {
 
 struct Mesh {
   Shape shape = Shape::triangle3;
-  std::vector<Vec2> nodes;                                // m
-  std::vector<std::array<Index, most_nodes>> elements;    // counter-clockwise, corners first
+  std::vector<Vec2> nodes;                              // m
+  std::vector<std::array<Index, most_nodes>> elements;  // counter-clockwise, corners first
   std::map<std::string, Boundary, std::less<>> boundaries;
 
   Index nodes_of_element() const { return nodes_of(shape); }
@@ -45,8 +45,8 @@ struct Mesh {
 /// as in the thesis's meshes. Boundaries: bottom, right, top, left, and of nodes alone bottom-corners.
 Mesh rectangle(double width, double height, Index columns, Index rows, Shape shape);
 
-/// Gmsh's MSH format, ASCII, 2.2 and 4.1: triangles of 3 or quadrilaterals of 8 nodes in the plane z = 0, boundaries from
-/// physical groups of lines and points, by name. Throws DataError with the line.
+/// Gmsh's MSH format, ASCII, 2.2 and 4.1: triangles of 3 or quadrilaterals of 8 nodes in the plane z = 0, boundaries
+/// from physical groups of lines and points, by name. Throws DataError with the line.
 Mesh read_gmsh(std::string_view text, const std::string& where);
 
 }  // namespace soilweave::fem

@@ -218,7 +218,8 @@ class GmshReader {
     const auto known = number_.find(tag);
     if (known != number_.end()) return known->second;
     const auto place = position_.find(tag);
-    if (place == position_.end()) throw DataError(fmt::format("{}: an element names the node {}, which is none", where_, tag));
+    if (place == position_.end())
+      throw DataError(fmt::format("{}: an element names the node {}, which is none", where_, tag));
     mesh_.nodes.push_back(place->second);
     return number_[tag] = mesh_.nodes.size() - 1;
   }

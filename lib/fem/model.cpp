@@ -21,7 +21,8 @@ constexpr double tolerated = 1.0;
 Model::Model(ModelSetup setup) : setup_(std::move(setup)) {
   std::vector<Probe> probes;
   if (!setup_.law) {
-    if (setup_.packings.empty()) throw DataError("the soil is of grains, but no packing is given: name one, or one a point");
+    if (setup_.packings.empty())
+      throw DataError("the soil is of grains, but no packing is given: name one, or one a point");
     for (io::Snapshot& packing : setup_.packings) {
       packing = prepare(packing, setup_.grains);
       probes.push_back(probe(packing, setup_.grains));
@@ -39,14 +40,14 @@ Model::Model(ModelSetup setup) : setup_(std::move(setup)) {
                                 probes.size(), points));
   make_bars();
   const ContinuumPoint continuum(setup_.law.value_or(ContinuumLaw{}));
-  eigenvalue_ = soil_->largest_eigenvalue([&](Index p) {
-    return setup_.law ? continuum.tangent() : probes[probes.size() == 1 ? 0 : p].tangent;
-  });
+  eigenvalue_ = soil_->largest_eigenvalue(
+      [&](Index p) { return setup_.law ? continuum.tangent() : probes[probes.size() == 1 ? 0 : p].tangent; });
   eigenvalue_ += interface_eigenvalue();
   dt_ = setup_.time_step.value_or(setup_.safety * stable_time_step());
   if (!(dt_ <= stable_time_step()))
-    throw DataError(fmt::format("the time step of {:.4g} s is over the stable one of {:.4g} s: lower time.step, or leave it out",
-                                dt_, stable_time_step()));
+    throw DataError(
+        fmt::format("the time step of {:.4g} s is over the stable one of {:.4g} s: lower time.step, or leave it out",
+                    dt_, stable_time_step()));
   if (setup_.interval > 0 && !setup_.time_step) dt_ = setup_.interval / std::ceil(setup_.interval / dt_ * (1 - 1e-12));
   double limit = dt_;
   for (const Probe& p : probes) limit = std::min(limit, setup_.grains.numerics.time_step_safety * p.limit);
@@ -60,7 +61,8 @@ void Model::make_points() {
     if (setup_.law)
       points_.push_back(std::make_unique<ContinuumPoint>(*setup_.law));
     else
-      points_.push_back(std::make_unique<Rve>(setup_.packings[setup_.packings.size() == 1 ? 0 : p], setup_.grains, dt_, substeps_));
+      points_.push_back(
+          std::make_unique<Rve>(setup_.packings[setup_.packings.size() == 1 ? 0 : p], setup_.grains, dt_, substeps_));
     areas_.push_back(soil_->place(p).area);
   }
   setup_.packings.clear();
@@ -140,17 +142,19 @@ double Model::soil_eigenvalue() const {
 void Model::check_steps() const {
   const double stable = 2 / std::sqrt(soil_eigenvalue() + interface_eigenvalue());
   if (dt_ > tolerated * stable)
-    throw PhysicsError(fmt::format(
-        "step {}: the time step of {:.4g} s is over the stable one of {:.4g} s: the soil has grown stiffer, or an element "
-        "smaller, than at the start; lower time.safety",
-        steps_, dt_, stable));
+    throw PhysicsError(
+        fmt::format("step {}: the time step of {:.4g} s is over the stable one of {:.4g} s: the soil has grown "
+                    "stiffer, or an element "
+                    "smaller, than at the start; lower time.safety",
+                    steps_, dt_, stable));
   for (Index p = 0; p < points_.size(); ++p) {
     const double over = points_[p]->step_over_limit();
     if (over > tolerated)
-      throw PhysicsError(fmt::format(
-          "step {}: element {}, point {}: the time step of its grains is {:.3g} times the stable one: their contacts have "
-          "grown stiffer; lower numerics.time_step_safety",
-          steps_, p / soil_->points_of_element(), p, over));
+      throw PhysicsError(
+          fmt::format("step {}: element {}, point {}: the time step of its grains is {:.3g} times the stable one: "
+                      "their contacts have "
+                      "grown stiffer; lower numerics.time_step_safety",
+                      steps_, p / soil_->points_of_element(), p, over));
   }
 }
 

@@ -1,5 +1,5 @@
-// The two scales together: finite elements whose points are material, beside them the geosynthetic, and the order of one
-// step of both. SPDX-License-Identifier: GPL-3.0-or-later
+// The two scales together: finite elements whose points are material, beside them the geosynthetic, and the order of
+// one step of both. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <memory>
@@ -16,23 +16,23 @@
 namespace soilweave::fem {
 
 struct ModelSetup {
-  SoilSetup soil;  // density 0: that of the grains times their solid fraction
-  std::optional<ContinuumLaw> law;      // nothing: grains
+  SoilSetup soil;                   // density 0: that of the grains times their solid fraction
+  std::optional<ContinuumLaw> law;  // nothing: grains
   Grains grains;
-  std::vector<io::Snapshot> packings;   // one for all points, or one a point
-  std::optional<BarsSetup> bars;        // interface filled in from the line
-  std::vector<std::string> along;       // boundaries that the chain lies beside
-  double spacing = 0, overhang = 0;     // m, of the chain's nodes; before its start
-  double seat_pressure = 0;             // Pa, along y, carried by chain and guides before the start
-  std::optional<double> time_step;      // s; nothing: from the eigenvalues
-  double safety = 0.5;                  // of the stable step
-  double interval = 0;                  // s, that a whole number of steps is to fill; 0: none
+  std::vector<io::Snapshot> packings;  // one for all points, or one a point
+  std::optional<BarsSetup> bars;       // interface filled in from the line
+  std::vector<std::string> along;      // boundaries that the chain lies beside
+  double spacing = 0, overhang = 0;    // m, of the chain's nodes; before its start
+  double seat_pressure = 0;            // Pa, along y, carried by chain and guides before the start
+  std::optional<double> time_step;     // s; nothing: from the eigenvalues
+  double safety = 0.5;                 // of the stable step
+  double interval = 0;                 // s, that a whole number of steps is to fill; 0: none
   int threads = 1;
 };
 
 /// Damping while a state comes to rest.
 struct Relaxation {
-  double soil = 0;  // viscous, 1/s
+  double soil = 0;              // viscous, 1/s
   double grains = 0, bars = 0;  // local, non-viscous
 };
 

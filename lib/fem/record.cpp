@@ -102,7 +102,8 @@ void points(const Model& model, io::MultiscaleFile& file) {
     row.compression("strain", "1", "sum of the symmetric displacement gradients", strain);
     row.add("strain_volumetric", "1", "volumetric strain", -strain.trace());
     row.add("strain_shear", "1", "sqrt(2 e:e) of the deviator in the plane", 2 * half_difference(strain));
-    row.add("strain_rotation", "rad", "rotation of the soil, counter-clockwise positive", 0.5 * (strain(1, 0) - strain(0, 1)));
+    row.add("strain_rotation", "rad", "rotation of the soil, counter-clockwise positive",
+            0.5 * (strain(1, 0) - strain(0, 1)));
     row.add("void_ratio", "1", "void ratio in the plane", local.void_ratio);
     row.add("anisotropy", "1", "of the contact normals, F_a; -1 without contacts", local.anisotropy);
     row.add("rotation", "rad", "mean rotation of the disks, counter-clockwise positive", local.rotation);
@@ -157,7 +158,8 @@ void chain(const Bars& bars, Row& row) {
   double greatest = 0;
   for (Index b = 0; b < bars.bars(); ++b) greatest = std::max(greatest, bars.tension(b));
   const Vec2 contact = bars.contact_sum(), start = bars.end_force(false), end = bars.end_force(true);
-  row.add("pull_start", "m", "way of the chain's first node", (bars.nodes().front() - bars.setup().chain.front()).norm());
+  row.add("pull_start", "m", "way of the chain's first node",
+          (bars.nodes().front() - bars.setup().chain.front()).norm());
   row.add("pull_end", "m", "way of the chain's last node", (bars.nodes().back() - bars.setup().chain.back()).norm());
   row.add("force_x_start", "N m-1", "force that drives the chain's first node", start[0]);
   row.add("force_y_start", "N m-1", "force that drives the chain's first node", start[1]);

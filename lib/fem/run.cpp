@@ -85,7 +85,8 @@ class Runner {
       // What can no longer be measured is left out: the outputs so far are the state to look at.
     }
     std::erase_if(file_.frames, [](const io::Snapshot& s) {
-      return std::any_of(s.grains.position.begin(), s.grains.position.end(), [](const Vec3& x) { return !x.allFinite(); });
+      return std::any_of(s.grains.position.begin(), s.grains.position.end(),
+                         [](const Vec3& x) { return !x.allFinite(); });
     });
     io::write_multiscale(path, file_, history_);
   }
@@ -156,14 +157,16 @@ class Runner {
     report_(model_.time() / (static_cast<double>(outputs_ * every_) * model_.time_step()),
             fmt::format("{:.4g} s, step {}, kinetic {:.2e} J/m{}", model_.time(), model_.steps(),
                         model_.soil().kinetic_energy(),
-                        work.steps > 0 ? fmt::format(", {:.3g} grain steps/s", static_cast<double>(work.steps - start_steps_) / seconds)
+                        work.steps > 0 ? fmt::format(", {:.3g} grain steps/s",
+                                                     static_cast<double>(work.steps - start_steps_) / seconds)
                                        : ""));
   }
 
   std::string price() const {
     const double seconds = seconds_ + since(began_);
     const GrainWork work = grain_work(model_);
-    std::string line = fmt::format("{} steps of {} points in {:.3g} s", model_.steps(), model_.points().size(), seconds);
+    std::string line =
+        fmt::format("{} steps of {} points in {:.3g} s", model_.steps(), model_.points().size(), seconds);
     if (work.steps > 0)
       line += fmt::format(": {:.4g} packing steps/s of {} grains, {:.4g} a thread, {:.3g} ns per contact",
                           static_cast<double>(work.steps) / seconds, model_.points().front()->grains(),
@@ -211,14 +214,16 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
   const std::int64_t outputs = outputs_of(scenario), steps = outputs * steps_of_output(scenario, dt);
   const Mesh& mesh = model.soil().mesh();
   std::string text = fmt::format(
-      "{} nodes, {} elements of the shape {}, {} points\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, {} outputs\n",
+      "{} nodes, {} elements of the shape {}, {} points\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, {} "
+      "outputs\n",
       mesh.nodes.size(), mesh.elements.size(), name_of(mesh.shape), model.points().size(), dt, model.stable_time_step(),
       steps, outputs);
   const std::size_t grains = model.points().front()->grains();
   if (grains > 0)
-    text += fmt::format("{} grains a point, {} steps of {:.4g} s each to a step of the soil: {:.3g} packing steps in all\n", grains,
-                        model.substeps(), dt / static_cast<double>(model.substeps()),
-                        static_cast<double>(steps * model.substeps()) * static_cast<double>(model.points().size()));
+    text +=
+        fmt::format("{} grains a point, {} steps of {:.4g} s each to a step of the soil: {:.3g} packing steps in all\n",
+                    grains, model.substeps(), dt / static_cast<double>(model.substeps()),
+                    static_cast<double>(steps * model.substeps()) * static_cast<double>(model.points().size()));
   if (model.bars())
     text += fmt::format("{} bars, steps of {:.4g} s\n", model.bars()->bars(), model.bars()->time_step());
   const auto began = Clock::now();
@@ -231,8 +236,9 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
   for (const auto& group : file.groups) numbers += static_cast<double>(group.table.rows() * group.table.columns.size());
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  text += fmt::format("file about {:.3g} MB, memory about {:.3g} MB\n", 8e-6 * numbers * static_cast<double>(outputs + 1),
-                      1.1e-3 * static_cast<double>(usage.ru_maxrss) + 16e-6 * numbers * static_cast<double>(outputs + 1));
+  text +=
+      fmt::format("file about {:.3g} MB, memory about {:.3g} MB\n", 8e-6 * numbers * static_cast<double>(outputs + 1),
+                  1.1e-3 * static_cast<double>(usage.ru_maxrss) + 16e-6 * numbers * static_cast<double>(outputs + 1));
   return text + fmt::format("about {:.3g} s on {} thread{}, {:.3g} h; contacts grow, and with them the time\n", seconds,
                             scenario.model.threads, scenario.model.threads == 1 ? "" : "s", seconds / 3600);
 }

@@ -20,8 +20,8 @@ struct Outcome {
 };
 
 /// Runs the whole duration; every output is a row of the series and of the tables. With a folder to keep it in, the run
-/// goes on from what is there, and ends in the same file, bit by bit, on any number of threads. Throws PhysicsError when
-/// physics breaks, TargetNotReached when a quasi-static state is not, Stopped after a signal.
+/// goes on from what is there, and ends in the same file, bit by bit, on any number of threads. Throws PhysicsError
+/// when physics breaks, TargetNotReached when a quasi-static state is not, Stopped after a signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
             const dem::Safekeeping& safekeeping, const io::History& history);
 

@@ -39,7 +39,8 @@ void rows(Archive& a, const std::string& name, std::vector<Row>& values) {
   a.item(name, flat);
   if (!a.giving_back()) return;
   values.resize(flat.size() / width);
-  for (std::size_t i = 0; i < values.size(); ++i) std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(i * width), width, values[i].data());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(i * width), width, values[i].data());
 }
 
 template <class Whole>
@@ -88,13 +89,15 @@ void state_of(Archive& a, const std::string& prefix, io::Snapshot& s) {
 
 io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
   if (packing.grains.dimension != 2 || !packing.cell.periodic[0] || !packing.cell.periodic[1])
-    throw DataError("a material point needs disks in a cell that is periodic along x and y (pack-generate --dimension 2)");
+    throw DataError(
+        "a material point needs disks in a cell that is periodic along x and y (pack-generate --dimension 2)");
   const auto materials = std::visit([](const auto& m) { return m.size(); }, grains.model.materials);
   io::Snapshot state = packing;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const std::int32_t id = state.grains.material_id[i];
     if (id < 0 || static_cast<std::size_t>(id) >= materials)
-      throw DataError(fmt::format("has disks of material {}, the scenario describes {}: add [[material]] tables", id, materials));
+      throw DataError(
+          fmt::format("has disks of material {}, the scenario describes {}: add [[material]] tables", id, materials));
     if (grains.density > 0) state.grains.mass[i] = grains.density * dem::grain_volume(2, state.grains.radius[i]);
   }
   state.step = 0;

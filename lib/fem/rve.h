@@ -24,9 +24,9 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains);
 
 /// What the time steps of both scales are chosen from.
 struct Probe {
-  double limit = 0;                // s, stability limit of the grains
-  Mat3 tangent = Mat3::Zero();     // as MaterialPoint
-  Mat2 stress = Mat2::Zero();      // Pa, tension positive
+  double limit = 0;             // s, stability limit of the grains
+  Mat3 tangent = Mat3::Zero();  // as MaterialPoint
+  Mat2 stress = Mat2::Zero();   // Pa, tension positive
   double solid_fraction = 0;
 };
 Probe probe(const io::Snapshot& packing, const Grains& grains);
@@ -58,8 +58,8 @@ class Rve : public MaterialPoint {
   dem::Simulation simulation_;
 };
 
-/// F_a = sqrt(F:F/2) with F = 4 (phi - tr(phi)/2 I) and phi the mean of n n^T (Guo & Zhao 2013, in the plane); -1 without
-/// contacts.
+/// F_a = sqrt(F:F/2) with F = 4 (phi - tr(phi)/2 I) and phi the mean of n n^T (Guo & Zhao 2013, in the plane); -1
+/// without contacts.
 double anisotropy(const io::ContactsRecord& contacts);
 
 }  // namespace soilweave::fem

@@ -17,7 +17,8 @@ constexpr double degree = std::numbers::pi / 180;
 
 Integration read_integration(Settings& table, Shape shape) {
   if (shape == Shape::triangle3) return Integration::reduced;
-  return table.choice("integration", {"reduced", "full"}, "reduced") == "full" ? Integration::full : Integration::reduced;
+  return table.choice("integration", {"reduced", "full"}, "reduced") == "full" ? Integration::full
+                                                                               : Integration::reduced;
 }
 
 Mesh read_mesh(Settings& table) {
@@ -27,17 +28,17 @@ Mesh read_mesh(Settings& table) {
       rows{"rows", "1", 1, 1e4, false, "squares along y"};
   const double w = table.number(width), h = table.number(height);
   const auto nx = static_cast<Index>(table.integer(columns)), ny = static_cast<Index>(table.integer(rows));
-  const bool quadrilaterals =
-      table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
+  const bool quadrilaterals = table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
   if (!(w > 0 && h > 0) || nx < 1 || ny < 1) return rectangle(1, 1, 1, 1, Shape::triangle3);
   return rectangle(w, h, nx, ny, quadrilaterals ? Shape::quadrilateral8 : Shape::triangle3);
 }
 
 ContinuumLaw read_law(Settings& soil, bool limited) {
   static constexpr Parameter young{"young_modulus", "Pa", 0, 1e13, true, "of the soil"};
-  static constexpr Parameter poisson{"poisson_ratio", "1", -1, 0.499, true, "of the soil",
-                                     "an incompressible soil has no stable time step"};
-  static constexpr Parameter stress{"initial_stress", "Pa", -1e9, 1e9, false, "xx, yy and zz at the start, compression positive"};
+  static constexpr Parameter poisson{
+      "poisson_ratio", "1", -1, 0.499, true, "of the soil", "an incompressible soil has no stable time step"};
+  static constexpr Parameter stress{
+      "initial_stress", "Pa", -1e9, 1e9, false, "xx, yy and zz at the start, compression positive"};
   static constexpr Parameter friction{"friction_angle", "deg", 0, 89, true, "of the soil"};
   static constexpr Parameter cohesion{"cohesion", "Pa", 0, 1e9, false, "of the soil"};
   static constexpr Parameter dilation{"dilation_angle", "deg", 0, 89, false, "of the soil"};
@@ -49,7 +50,8 @@ ContinuumLaw read_law(Settings& soil, bool limited) {
   law.friction_angle = soil.number(friction) * degree;
   law.cohesion = soil.number(cohesion, 0);
   law.dilation_angle = soil.number(dilation, 0) * degree;
-  if (law.dilation_angle > *law.friction_angle) soil.mistake("dilation_angle", "is above friction_angle: the soil would make energy");
+  if (law.dilation_angle > *law.friction_angle)
+    soil.mistake("dilation_angle", "is above friction_angle: the soil would make energy");
   return law;
 }
 
@@ -155,7 +157,8 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
   static constexpr Parameter density{"areal_density", "kg/m2", 0, 1e6, true, "of the geosynthetic"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping of the chain"};
   static constexpr Parameter safety{"time_step_safety", "1", 0, 0.95, true, "fraction of the chain's stable time step"};
-  static constexpr Parameter seat{"seat_pressure", "Pa", 0, 1e9, false, "along y, carried by chain and guides before the start"};
+  static constexpr Parameter seat{
+      "seat_pressure", "Pa", 0, 1e9, false, "along y, carried by chain and guides before the start"};
   if (!document.has("geosynthetic")) return;
   Settings table = document.table("geosynthetic");
   BarsSetup b;
@@ -189,7 +192,12 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
 void read_time(Settings& document, Scenario& s) {
   static constexpr Parameter duration{"duration", "s", 0, 1e9, true, "of the run"};
   static constexpr Parameter interval{"output_interval", "s", 0, 1e9, true, "between recorded states"};
-  static constexpr Parameter safety{"safety", "1", 0, 0.9, true, "fraction of the soil's stable time step",
+  static constexpr Parameter safety{"safety",
+                                    "1",
+                                    0,
+                                    0.9,
+                                    true,
+                                    "fraction of the soil's stable time step",
                                     "beyond it a soil that stiffens a little would be unstable"};
   static constexpr Parameter step{"step", "s", 0, 1e3, true, "fixed time step of the soil"};
   Settings table = document.table("time");

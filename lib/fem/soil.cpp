@@ -238,7 +238,8 @@ void Soil::archive(Archive& a) {
     std::vector<double> flat;
     for (const Mat2& m : *of) flat.insert(flat.end(), m.data(), m.data() + 4);
     a.item(of == &gradients_ ? "soil_gradient" : "soil_strain", flat);
-    for (Index p = 0; p < of->size(); ++p) std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(4 * p), 4, (*of)[p].data());
+    for (Index p = 0; p < of->size(); ++p)
+      std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(4 * p), 4, (*of)[p].data());
   }
   SoilEnergies& e = energies_;
   a.item("soil_internal_work", e.internal_work), a.item("soil_viscous", e.viscous);

@@ -66,8 +66,8 @@ class Soil {
   double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
 
   /// One step of central differences (thesis Eqs. 6.1 to 6.3): forces of the stresses and tractions, and those of the
-  /// interface (N/m, a node), to new positions. Sets gradients(): of the displacement increment, on the geometry before.
-  /// Throws PhysicsError naming a degenerate element.
+  /// interface (N/m, a node), to new positions. Sets gradients(): of the displacement increment, on the geometry
+  /// before. Throws PhysicsError naming a degenerate element.
   void step(const Points& points, const std::vector<Vec2>& interface_forces, double dt);
 
   const std::vector<Mat2>& gradients() const { return gradients_; }

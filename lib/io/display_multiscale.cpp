@@ -35,7 +35,8 @@ Series element_means(const Series& points, const TableState& state, std::size_t 
   Series means;
   const std::vector<double>& element = points.at("element").values;
   for (const Column& column : points.columns) {
-    if (column.name == "step" || column.name == "time" || column.name == "point" || column.name == "x" || column.name == "y")
+    if (column.name == "step" || column.name == "time" || column.name == "point" || column.name == "x" ||
+        column.name == "y")
       continue;
     Column mean{column.name, column.unit, column.long_name, std::vector<double>(elements, 0)};
     std::vector<double> number(elements, 0);
@@ -60,7 +61,8 @@ std::vector<std::size_t> all_rows(const Series& table) {
 }  // namespace
 
 std::vector<VtkPicture> show_mesh(const MultiscaleFile& run) {
-  const Series &elements = demanded(run, "elements"), &nodes = demanded(run, "nodes"), &points = demanded(run, "points");
+  const Series &elements = demanded(run, "elements"), &nodes = demanded(run, "nodes"),
+               &points = demanded(run, "points");
   const std::size_t corners = elements.find("node_3") ? 4 : 3;
   const std::vector<std::size_t> corner_nodes = of_corners(elements, corners);
   const auto states = states_of(nodes), point_states = states_of(points);

@@ -9,8 +9,8 @@
 
 namespace soilweave::io {
 
-/// One picture an output: elements as triangles or quads (of the corners). Point data: the columns of "nodes"; cell data:
-/// those of "points", averaged over the points of the element. Throws DataError where the tables do not fit.
+/// One picture an output: elements as triangles or quads (of the corners). Point data: the columns of "nodes"; cell
+/// data: those of "points", averaged over the points of the element. Throws DataError where the tables do not fit.
 std::vector<VtkPicture> show_mesh(const MultiscaleFile& run);
 
 /// One picture an output: bars as lines; cell data: the columns of "bars". Empty without a geosynthetic.

@@ -57,8 +57,8 @@ struct EnsembleFile {
 };
 
 /// A run of finite elements whose points are material: tables of the mesh, nodes, points and bars over all recorded
-/// moments, series, and the grains of the points that were recorded whole: one frame a moment and point, in the order of
-/// the table "recorded".
+/// moments, series, and the grains of the points that were recorded whole: one frame a moment and point, in the order
+/// of the table "recorded".
 struct MultiscaleFile {
   std::vector<FieldsFile::Group> groups;
   Series series;
@@ -100,7 +100,8 @@ PackingFile read_state(const std::filesystem::path& path, std::string role = "pa
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");
 /// Whether a file's first bytes are HDF5's; false where it cannot be opened.
 bool is_hdf5(const std::filesystem::path& path);
-/// The kind written in the file's root ("packing", "run", "fields", "ensemble", "multiscale"), its version, and its history alone.
+/// The kind written in the file's root ("packing", "run", "fields", "ensemble", "multiscale"), its version, and its
+/// history alone.
 std::string read_kind(const std::filesystem::path& path);
 History read_history(const std::filesystem::path& path);
 

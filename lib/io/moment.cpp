@@ -42,7 +42,8 @@ Moment read_moment(const std::filesystem::path& path, History& history) {
     if (file.reader.has("/particles")) moment.frames = read_frames(file.reader);
   } else {
     std::vector<Snapshot> states = read_frames(file.reader);
-    if (states.size() != 1) file.reader.fail("/particles/grains", fmt::format("holds {} states, not one", states.size()));
+    if (states.size() != 1)
+      file.reader.fail("/particles/grains", fmt::format("holds {} states, not one", states.size()));
     check(states.front(), path.string());
     moment.state = std::move(states.front());
   }

@@ -27,7 +27,7 @@ struct VtkPicture {
   double time = 0;  // s
   std::int64_t step = 0;
   VtkShape shape = VtkShape::vertex;
-  bool grid = false;  // a mesh: an unstructured grid (.vtu) whatever its shape
+  bool grid = false;         // a mesh: an unstructured grid (.vtu) whatever its shape
   std::vector<Vec3> points;  // m
   std::vector<VtkArray> point_data, cell_data;
 };

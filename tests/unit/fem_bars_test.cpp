@@ -1,12 +1,11 @@
-// The geosynthetic alone: tension, catenary, friction between flat sides, breakage, energy, and forces read without a step.
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "fem/bars.h"
-
+// The geosynthetic alone: tension, catenary, friction between flat sides, breakage, energy, and forces read without a
+// step. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/error.h"
+#include "fem/bars.h"
 #include "support/same_state.h"
 
 namespace soilweave::fem {
@@ -27,7 +26,8 @@ BarsSetup sheet() {
 
 std::vector<Vec2> straight(double length, std::size_t bars, double y = 0) {
   std::vector<Vec2> nodes;
-  for (std::size_t k = 0; k <= bars; ++k) nodes.emplace_back(length * static_cast<double>(k) / static_cast<double>(bars), y);
+  for (std::size_t k = 0; k <= bars; ++k)
+    nodes.emplace_back(length * static_cast<double>(k) / static_cast<double>(bars), y);
   return nodes;
 }
 
@@ -94,8 +94,8 @@ TEST(Bars, hangs_in_a_catenary) {
   }
 }
 
-// Pressed on a smooth guide by 20 kPa through a flat side of three edges: pulled out, it costs mu N, also while its disks
-// pass from one edge to the next.
+// Pressed on a smooth guide by 20 kPa through a flat side of three edges: pulled out, it costs mu N, also while its
+// disks pass from one edge to the next.
 TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
   BarsSetup setup = sheet();
   const double r = setup.radius, pressure = 20e3, length = 0.6;
@@ -134,7 +134,8 @@ TEST(Bars, break_at_their_strength_and_say_so) {
   setup.start = {0, 0};
   setup.end = {0.1, 0};
   Bars stopped(setup);
-  io::test::expect_error<PhysicsError>([&] { stopped.advance(setup.interface, 0.1); }, "of the geosynthetic broke: its tension of");
+  io::test::expect_error<PhysicsError>([&] { stopped.advance(setup.interface, 0.1); },
+                                       "of the geosynthetic broke: its tension of");
   setup.stop_when_broken = false;
   Bars bars(setup);
   bars.advance(setup.interface, 0.1);

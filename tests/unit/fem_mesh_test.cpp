@@ -1,7 +1,5 @@
 // Meshes: the generator, both formats of Gmsh, what is refused, and the author's own meshes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fem/mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "fem/mesh.h"
 #include "support/reference.h"
 #include "support/same_state.h"
 

@@ -1,11 +1,10 @@
 // Both scales together: the same bits as grains alone, in every element, on any number of threads, and after a stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fem/model.h"
-
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "dem/run.h"
+#include "fem/model.h"
 #include "fem/record.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
@@ -14,7 +13,7 @@
 namespace soilweave::fem {
 namespace {
 
-constexpr double step = 0x1p-12;       // s
+constexpr double step = 0x1p-12;        // s
 constexpr double grain_step = 0x1p-16;  // s
 
 const io::Snapshot& disks() {
@@ -54,7 +53,8 @@ TEST(Model, one_element_is_its_packing_loaded_alone_bit_for_bit) {
   scenario.largest_station = 100000;
   const double strain = -16 * steps * std::log1p(-rate * grain_step) + 1e-10;
   Settings stage = Settings::parse(
-      "[x]\nstrain = 0\nmax_rate = 1\n[y]\nstrain = " + std::to_string(0) + "\nmax_rate = " + std::to_string(rate), "test");
+      "[x]\nstrain = 0\nmax_rate = 1\n[y]\nstrain = " + std::to_string(0) + "\nmax_rate = " + std::to_string(rate),
+      "test");
   stage.set(fmt::format("y.strain={:.17g}", strain));
   scenario.stages.emplace_back();
   scenario.stages[0].path = dem::read_path("free", stage);
@@ -167,7 +167,8 @@ TEST(Model, records_tables_and_gives_a_point_as_a_run) {
   io::write_multiscale(folder / "run.h5", file, {});
   const io::MultiscaleFile read = io::read_multiscale(folder / "run.h5");
   ASSERT_EQ(read.groups.size(), file.groups.size());
-  for (std::size_t g = 0; g < read.groups.size(); ++g) io::test::expect_same(read.groups[g].table, file.groups[g].table);
+  for (std::size_t g = 0; g < read.groups.size(); ++g)
+    io::test::expect_same(read.groups[g].table, file.groups[g].table);
   io::test::expect_same(read.frames.at(1), file.frames.at(1));
 }
 

@@ -1,7 +1,5 @@
 // The finite elements alone: patch tests, masses, rotation, supports and tractions; the laws of the continuum.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fem/soil.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -9,6 +7,7 @@
 
 #include "core/error.h"
 #include "fem/continuum_laws.h"
+#include "fem/soil.h"
 #include "support/same_state.h"
 #include "support/states.h"
 
@@ -108,13 +107,19 @@ TEST(Soil, a_rigid_rotation_leaves_no_stress) {
   const double step = pi / 2 / 50;
   const Mat2 turn = (Mat2() << std::cos(step), -std::sin(step), std::sin(step), std::cos(step)).finished();
   for (int k = 0; k < 50; ++k) point.advance(turn - Mat2::Identity());
-  EXPECT_NEAR((point.stress() - Mat2(Vec2(-3e3, -1e3).asDiagonal())).norm(), 0, 1e-5) << "stress turns with the material";
+  EXPECT_NEAR((point.stress() - Mat2(Vec2(-3e3, -1e3).asDiagonal())).norm(), 0, 1e-5)
+      << "stress turns with the material";
 }
 
 TEST(Soil, tractions_and_viscosity_move_a_free_block_as_one) {
   for (const Case& c : cases) {
     const double c_viscous = 3, dt = 1e-4;
-    Soil soil({rectangle(2, 1, 2, 1, c.shape), c.integration, 1000, c_viscous, {}, {{"top", Vec2(0, -50)}, {"bottom", Vec2(0, -50)}}});
+    Soil soil({rectangle(2, 1, 2, 1, c.shape),
+               c.integration,
+               1000,
+               c_viscous,
+               {},
+               {{"top", Vec2(0, -50)}, {"bottom", Vec2(0, -50)}}});
     const Points points = elastic(soil, {1e12, 0.2, {}, 0, 0, Vec3::Zero()});
     const double force = -200, mass = 2000;
     double v = 0;
