@@ -86,14 +86,18 @@ struct FemDem {
     plan.model.threads = invocation.threads;
     if (plan.model.law) states.clear();
     if (check) return io::write_bytes("-", fem::forecast(plan, states));
-    Progress progress("fem-dem", invocation.quiet);
+    const fem::Ranks ranks;
+    Progress progress("fem-dem", invocation.quiet || !ranks.first());
     const fem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::extend(sources, invocation, plan.resolved);
     const StopSignals signals;
-    io::SafeOutput safe(output, history, invocation);
-    if (safe.finished(progress)) return;
-    const fem::Outcome outcome = fem::run(plan, states, report, {safe.part(), interval, &signals}, history);
-    safe.write([&] { io::write_multiscale(output, outcome.file, history); });
+    std::optional<io::SafeOutput> safe;
+    if (ranks.first()) safe.emplace(output, history, invocation);
+    if (ranks.told(std::int64_t{safe && safe->finished(progress)}) != 0) return;
+    const fem::Outcome outcome =
+        fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks);
+    if (!safe) return;
+    safe->write([&] { io::write_multiscale(output, outcome.file, history); });
     if (output != "-") progress.note("fem-dem: " + outcome.price);
   }
 

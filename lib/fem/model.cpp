@@ -18,7 +18,7 @@ constexpr double tolerated = 1.0;
 
 }  // namespace
 
-Model::Model(ModelSetup setup) : setup_(std::move(setup)) {
+Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), ranks_(ranks) {
   std::vector<Probe> probes;
   if (!setup_.law) {
     if (setup_.packings.empty())
@@ -66,6 +66,7 @@ void Model::make_points() {
     areas_.push_back(soil_->place(p).area);
   }
   setup_.packings.clear();
+  share_stresses();
 }
 
 void Model::make_bars() {
@@ -99,7 +100,7 @@ void Model::step() {
   if (bars_)
     for (Index k = 0; k < line_.size(); ++k) interface[line_[k]] += bars_->interface_forces()[k];
   try {
-    soil_->step(points_, interface, dt_);
+    soil_->step(stresses_, interface, dt_);
   } catch (const PhysicsError& error) {
     throw PhysicsError(fmt::format("step {}: {}", steps_ + 1, error.what()));
   }
@@ -114,7 +115,7 @@ void Model::step() {
     try {
       if (t < first)
         bars_->advance(moved, dt_);
-      else
+      else if (owns(t - first))
         points_[t - first]->advance(soil_->gradients()[t - first]);
     } catch (...) {
       failures[t] = std::current_exception();
@@ -122,16 +123,49 @@ void Model::step() {
   }
   ++steps_;
   if (!relaxing_) time_ = static_cast<double>(++loading_steps_) * dt_;
-  for (Index t = 0; t < tasks; ++t) {
-    if (!failures[t]) continue;
-    try {
-      std::rethrow_exception(failures[t]);
-    } catch (const PhysicsError& error) {
-      if (t < first) throw PhysicsError(fmt::format("step {}: {}", steps_, error.what()));
-      const Place at = soil_->place(t - first);
-      throw PhysicsError(fmt::format("step {}: element {}, point {} at ({:.4g}, {:.4g}) m: its grains: {}", steps_,
-                                     at.element, t - first, at.position[0], at.position[1], error.what()));
-    }
+  Index failed = 0;
+  while (failed < tasks && !failures[failed]) ++failed;
+  std::string failure = failed < tasks ? failure_of(failed, failures[failed]) : "";
+  if (ranks_) failure = ranks_->agree(failure, static_cast<std::int64_t>(failed));
+  if (!failure.empty()) throw PhysicsError(failure);
+  share_stresses();
+}
+
+// Rethrows what is no physics.
+std::string Model::failure_of(Index task, const std::exception_ptr& failure) const {
+  const Index first = bars_ ? 1 : 0;
+  try {
+    std::rethrow_exception(failure);
+  } catch (const PhysicsError& error) {
+    if (task < first) return fmt::format("step {}: {}", steps_, error.what());
+    const Place at = soil_->place(task - first);
+    return fmt::format("step {}: element {}, point {} at ({:.4g}, {:.4g}) m: its grains: {}", steps_, at.element,
+                       task - first, at.position[0], at.position[1], error.what());
+  }
+}
+
+void Model::share_stresses() {
+  stresses_.resize(points_.size());
+  for (Index p = 0; p < points_.size(); ++p)
+    if (owns(p)) stresses_[p] = points_[p]->stress();
+  if (!ranks_ || ranks_->size() == 1) return;
+  std::vector<double> flat;
+  for (const Mat2& s : stresses_) flat.insert(flat.end(), s.data(), s.data() + 4);
+  ranks_->share(flat, 4);
+  for (Index p = 0; p < points_.size(); ++p)
+    std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(4 * p), 4, stresses_[p].data());
+}
+
+void Model::collect() {
+  if (!ranks_ || ranks_->size() == 1) return;
+  for (Index p = 0; p < points_.size(); ++p) {
+    if (ranks_->owner(p) == 0) continue;
+    Archive own;
+    if (owns(p)) points_[p]->archive(own, "");
+    const std::string bytes = ranks_->to_first(Archive::packed(own.numbers()), ranks_->owner(p));
+    if (!ranks_->first()) continue;
+    Archive given(Archive::unpacked(bytes), "another process");
+    points_[p]->archive(given, "");
   }
 }
 
@@ -190,6 +224,7 @@ void Model::archive(Archive& a) {
   soil_->archive(a);
   if (bars_) bars_->archive(a);
   for (Index p = 0; p < points_.size(); ++p) points_[p]->archive(a, fmt::format("point_{:06}_", p));
+  if (a.giving_back()) share_stresses();
 }
 
 }  // namespace soilweave::fem

@@ -2,6 +2,7 @@
 // one step of both. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/archive.h"
 #include "fem/bars.h"
 #include "fem/continuum_laws.h"
+#include "fem/ranks.h"
 #include "fem/rve.h"
 #include "fem/soil.h"
 
@@ -44,8 +46,9 @@ struct Balance {
 
 class Model {
  public:
-  /// Throws DataError: unknown boundaries, packings that do not fit, a time step over the stable one.
-  explicit Model(ModelSetup setup);
+  /// ranks: the processes that share the points; outlives the model. Throws DataError: unknown boundaries, packings
+  /// that do not fit, a time step over the stable one.
+  explicit Model(ModelSetup setup, const Ranks* ranks = nullptr);
 
   /// One step of the soil; the grains of every point, and the geosynthetic, take their own smaller ones. Points are
   /// shared out among the threads as they come free; the result is the same with any number. Throws PhysicsError naming
@@ -62,6 +65,8 @@ class Model {
   const Points& points() const { return points_; }
   const Bars* bars() const { return bars_.get(); }
   const std::vector<Index>& interface_nodes() const { return line_; }
+  /// Brings the points of all processes to the first one; called by all together. On others points() lag behind.
+  void collect();
   /// Throws PhysicsError where the step of the soil or of a point's grains has come over its limit.
   void check_steps() const;
   Balance balance() const;
@@ -75,11 +80,17 @@ class Model {
   double interface_eigenvalue() const;
   double soil_eigenvalue() const;
 
+  bool owns(Index point) const { return !ranks_ || ranks_->owns(point); }
+  void share_stresses();
+  std::string failure_of(Index task, const std::exception_ptr& failure) const;
+
   ModelSetup setup_;
+  const Ranks* ranks_;
   std::vector<Index> line_;
   std::unique_ptr<Soil> soil_;
   std::unique_ptr<Bars> bars_;
   Points points_;
+  std::vector<Mat2> stresses_;
   std::vector<double> areas_;  // m2, of the points at the start
   double dt_ = 0, eigenvalue_ = 0, time_ = 0;
   std::int64_t substeps_ = 0, steps_ = 0, loading_steps_ = 0;

@@ -46,22 +46,23 @@ std::int64_t outputs_of(const Scenario& scenario) {
 class Runner {
  public:
   Runner(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
-         const dem::Safekeeping& safekeeping, const io::History& history)
+         const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks)
       : scenario_(scenario),
+        ranks_(ranks),
         report_(report),
         history_(history),
         keeper_(safekeeping, 1 << 20),
-        model_(with_packings(scenario, packings)),
+        model_(with_packings(scenario, packings), &ranks),
         every_(steps_of_output(scenario, model_.time_step())),
         outputs_(outputs_of(scenario)) {
     file_.scenario = scenario.resolved;
     std::optional<io::Moment> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
-    if (last) go_on(std::move(*last));
+    go_on(std::move(last));
     start_steps_ = grain_work(model_).steps;
   }
 
   Outcome run() {
-    if (file_.series.rows() == 0) record(model_, scenario_.recorded, file_);
+    if (!going_on_) note();
     while (done_ < outputs_) {
       if (resting_) {
         rest();
@@ -70,8 +71,9 @@ class Runner {
         if (++since_output_ == every_) reached();
       }
       if (model_.steps() % 16 == 0) tell();
-      keeper_.after_step([this] { return moment(); });
+      keep();
     }
+    model_.collect();
     const GrainWork work = grain_work(model_);
     file_.work = {work.steps, work.contact_steps};
     return {std::move(file_), price()};
@@ -115,9 +117,41 @@ class Runner {
   }
 
   void output() {
-    record(model_, scenario_.recorded, file_);
+    note();
     ++done_;
-    model_.check_steps();
+    std::string failure;
+    try {
+      if (ranks_.first()) model_.check_steps();
+    } catch (const PhysicsError& error) {
+      failure = error.what();
+    }
+    if (failure = ranks_.told(failure); !failure.empty()) throw PhysicsError(failure);
+  }
+
+  void note() {
+    model_.collect();
+    if (ranks_.first()) record(model_, scenario_.recorded, file_);
+  }
+
+  // The first process says what is to be done; others collect with it until it says to go on.
+  void keep() {
+    if (!ranks_.first()) {
+      while (const std::int64_t word = ranks_.told(go)) {
+        if (word == stop) throw Stopped("the first process has stopped");
+        model_.collect();
+      }
+      return;
+    }
+    try {
+      keeper_.after_step([this] {
+        ranks_.told(collect);
+        return moment();
+      });
+    } catch (...) {
+      ranks_.told(stop);
+      throw;
+    }
+    ranks_.told(go);
   }
 
   void archive(Archive& a) {
@@ -130,6 +164,7 @@ class Runner {
   }
 
   io::Moment moment() {
+    model_.collect();
     Archive a;
     archive(a);
     io::Moment m;
@@ -141,11 +176,19 @@ class Runner {
     return m;
   }
 
-  void go_on(io::Moment last) {
-    file_.series = std::move(last.series);
-    file_.groups = std::move(last.tables);
-    file_.frames = std::move(last.frames);
-    Archive a(std::move(last.numbers), keeper_.part().last().string());
+  void go_on(std::optional<io::Moment> last) {
+    going_on_ = ranks_.told(std::int64_t{last.has_value()}) != 0;
+    if (!going_on_) return;
+    std::string where = "the first process";
+    if (last) {
+      file_.series = std::move(last->series);
+      file_.groups = std::move(last->tables);
+      file_.frames = std::move(last->frames);
+      where = keeper_.part().last().string();
+    }
+    Archive::Numbers numbers = last ? std::move(last->numbers) : Archive::Numbers();
+    if (ranks_.size() > 1) numbers = Archive::unpacked(ranks_.told(last ? Archive::packed(numbers) : std::string()));
+    Archive a(std::move(numbers), where);
     archive(a);
     if (resting_) model_.relax(scenario_.quasi_static->damping);
   }
@@ -175,13 +218,16 @@ class Runner {
     return line;
   }
 
+  static constexpr std::int64_t go = 0, collect = 1, stop = 2;
+
   const Scenario& scenario_;
+  const Ranks& ranks_;
   const Report& report_;
   const io::History& history_;
   dem::Keeper keeper_;
   Model model_;
   std::int64_t every_, outputs_, done_ = 0, since_output_ = 0, rested_ = 0, start_steps_ = 0;
-  bool resting_ = false;
+  bool resting_ = false, going_on_ = false;
   io::MultiscaleFile file_;
   Clock::time_point began_ = Clock::now();
   double seconds_ = 0;  // of the sittings before
@@ -190,9 +236,9 @@ class Runner {
 }  // namespace
 
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
-            const dem::Safekeeping& safekeeping, const io::History& history) {
+            const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks) {
   io::Part* part = safekeeping.part;
-  Runner runner(scenario, packings, report, safekeeping, history);
+  Runner runner(scenario, packings, report, safekeeping, history, ranks);
   if (!part) return runner.run();
   const auto leave = [&](const std::filesystem::path& path) { runner.leave(path); };
   try {

@@ -20,10 +20,11 @@ struct Outcome {
 };
 
 /// Runs the whole duration; every output is a row of the series and of the tables. With a folder to keep it in, the run
-/// goes on from what is there, and ends in the same file, bit by bit, on any number of threads. Throws PhysicsError
+/// goes on from what is there, and ends in the same file, bit by bit, on any number of threads and processes. All
+/// processes call it; the first one alone has a folder, and the outcome. Throws PhysicsError
 /// when physics breaks, TargetNotReached when a quasi-static state is not, Stopped after a signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
-            const dem::Safekeeping& safekeeping, const io::History& history);
+            const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks);
 
 /// What a run will take: time steps of both scales, memory, file, time, from a few steps tried.
 std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings);

@@ -105,7 +105,7 @@ double Soil::largest_eigenvalue(const std::function<Mat3(Index point)>& tangent)
   return largest;
 }
 
-std::vector<Vec2> Soil::internal_forces(const Points& points) const {
+std::vector<Vec2> Soil::internal_forces(const std::vector<Mat2>& stresses) const {
   std::vector<Vec2> forces(positions_.size(), Vec2::Zero());
   for (Index e = 0; e < mesh().elements.size(); ++e) {
     const ElementNodes x = mesh().corners(e, positions_);
@@ -116,7 +116,7 @@ std::vector<Vec2> Soil::internal_forces(const Points& points) const {
             "element {} has the area {:.3g} m2 at its point {}: it was crushed or turned over; take a finer mesh or a "
             "stiffer soil there, or load it less",
             e, g.area, q));
-      const ElementNodes f = rule_[q].weight * g.area * points[e * rule_.size() + q]->stress() * g.dN;
+      const ElementNodes f = rule_[q].weight * g.area * stresses[e * rule_.size() + q] * g.dN;
       for (Index k = 0; k < mesh().nodes_of_element(); ++k) forces[mesh().elements[e][k]] += f.col(row(k));
     }
   }
@@ -150,8 +150,8 @@ void Soil::support(Index node, Vec2& velocity, bool* fixed) const {
   }
 }
 
-void Soil::step(const Points& points, const std::vector<Vec2>& interface_forces, double dt) {
-  internal_ = internal_forces(points);
+void Soil::step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt) {
+  internal_ = internal_forces(stresses);
   const std::vector<Vec2> traction = traction_forces();
   // Every term times the mean velocity of the step: energies balance to rounding (Belytschko et al. 2014, 6.2.3).
   const double c = damping_.value_or(setup_.damping), half = 0.5 * c * dt;

@@ -65,10 +65,11 @@ class Soil {
   /// point, as MaterialPoint. With it the stable step is 2/sqrt of it.
   double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
 
-  /// One step of central differences (thesis Eqs. 6.1 to 6.3): forces of the stresses and tractions, and those of the
+  /// One step of central differences (thesis Eqs. 6.1 to 6.3): forces of the stresses (of every point, Pa, tension
+  /// positive) and tractions, and those of the
   /// interface (N/m, a node), to new positions. Sets gradients(): of the displacement increment, on the geometry
   /// before. Throws PhysicsError naming a degenerate element.
-  void step(const Points& points, const std::vector<Vec2>& interface_forces, double dt);
+  void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
 
   const std::vector<Mat2>& gradients() const { return gradients_; }
   const std::vector<Mat2>& strains() const { return strains_; }  // plain sums of the gradients
@@ -85,7 +86,7 @@ class Soil {
   /// The resultant of the internal forces at a boundary's nodes, N/m: what supports and interface exert on it, at rest.
   Vec2 reaction(const std::string& boundary) const;
   /// Internal forces of the present stresses, N/m a node. Throws PhysicsError naming a degenerate element.
-  std::vector<Vec2> internal_forces(const Points& points) const;
+  std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
 
   /// Supports stand still while held; the viscous coefficient replaces the scenario's.
   void hold(bool held, std::optional<double> damping = std::nullopt);
