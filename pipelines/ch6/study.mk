@@ -9,13 +9,13 @@ C6_GRAINS_quick := 100
 C6_GRAINS_thesis := 400
 C6_MESH_quick := 4
 C6_MESH_thesis := 8
-C6_SPEED_quick := 2
+C6_SPEED_quick := 3
 C6_SPEED_thesis := 0.5
 C6_MESHES_quick := 2 4
 C6_MESHES_thesis := 6 8 10
-C6_MESH_SPEED_quick := 2
+C6_MESH_SPEED_quick := 3
 C6_MESH_SPEED_thesis := 1
-C6_SPEEDS_quick := 2 4
+C6_SPEEDS_quick := 3 6
 C6_SPEEDS_thesis := 0.25 0.5 1
 C6_G := $(C6_GRAINS_$(PROFILE))
 C6_MAIN := $(C6_MESH_$(PROFILE))_$(C6_SPEED_$(PROFILE))
@@ -23,7 +23,8 @@ C6_MAIN := $(C6_MESH_$(PROFILE))_$(C6_SPEED_$(PROFILE))
 C6_CASES := $(sort $(foreach m,$(C6_MESHES_$(PROFILE)),$(m)_$(C6_MESH_SPEED_$(PROFILE))) \
   $(foreach v,$(C6_SPEEDS_$(PROFILE)),$(C6_MESH_$(PROFILE))_$(v)) $(C6_MAIN))
 C6_RUNS := $(foreach e,shape pullout,$(foreach c,$(C6_CASES),$(e)_$(c)))
-C6_THREADS ?= $(JOBS)
+# Runs side by side use the cores better than threads within one.
+C6_THREADS ?= 1
 
 .PHONY: ch6
 ch6: $(C6O)/page.html ## two scales: a geosynthetic that forms a soil, and one pulled out of it
