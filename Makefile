@@ -13,11 +13,12 @@ MAKEFLAGS += --no-builtin-rules
 #   make                build/            release
 #   make SANITIZE=1     build/sanitize/   address and undefined-behaviour sanitizers
 #   make COVERAGE=1     build/coverage/   gcov counters
+#   make FUZZ=1         build/fuzz/       clang's libFuzzer and sanitizers
 PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
-CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
-VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage))
+CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),g++,$(CXX)))
+VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz)))
 B := build$(addprefix /,$(VARIANT))
 
 # ---- Flags ----------------------------------------------------------------------------------------------------------
@@ -26,11 +27,14 @@ OPTIMISE_ := -O3 -DNDEBUG
 # Null pointers, overruns and wrong types show as address errors: looking twice would double the time to compile.
 OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment \
   -fno-sanitize-recover=all
+# The compiler's own omp.h is not clang's: one thread.
+OPTIMISE_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-openmp
 OPTIMISE_coverage := -O0 -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
 # clang-tidy watch instead.
-WARNINGS := -Wall -Wextra -Wpedantic -Werror -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
+WARNINGS := -Wall -Wextra -Wpedantic -Werror -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized \
+  $(if $(FUZZ),-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-private-field -Wno-unknown-warning-option)
 PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
 system = $(patsubst -I%,-isystem %,$(1))
 
@@ -46,7 +50,8 @@ VTK_LIBS := $(patsubst %,-lvtk%-$(VTK),IOXML IOXMLParser IOCore CommonExecutionM
 # ---- Sources --------------------------------------------------------------------------------------------------------
 LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
 VTK_ONLY := lib/io/vtk.cpp
-LIB := $(filter-out $(VTK_ONLY),$(LIB_ALL))
+MPI_ONLY := lib/fem/ranks_mpi.cpp
+LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
 TOOL := $(if $(NO_VTK),$(filter-out tools/to-vtk.cpp,$(TOOL)),$(TOOL))
 TESTED := unit property benchmarks soak
@@ -55,7 +60,7 @@ BENCH := $(sort $(wildcard tests/benchmarks/bench_*.cpp))
 SUPPORT := $(sort $(wildcard tests/support/*.cpp))
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT)
 HEADERS := $(sort $(shell find lib tests -name '*.h'))
-SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh pipelines/*.sh pipelines/*/*.sh \
+SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
@@ -68,7 +73,7 @@ all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANIT
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
 # $(B)/flags changes only when the command line of the compiler does; every object depends on it.
-FLAGS := $(CXX) $(CPPFLAGS) $(CXXFLAGS)
+FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
 $(B)/flags: always
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(FLAGS)' | cmp -s - $@ || printf '%s\n' '$(FLAGS)' > $@
@@ -93,6 +98,31 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
 $(B)/obj/lib/analysis/tessellation.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
+# The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
+# would put single integers together in registers, which takes longer than what it saves.
+HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
+$(HOT) $(B)/obj/lib/dem/contact_sweep.avx512.o: private CXXFLAGS += -mmove-max=256 -mstore-max=256 -fno-tree-slp-vectorize
+# The sweep over contacts once more, eight at a time, for processors with AVX-512 (lib/dem/sweep_width.cpp chooses). What
+# this object shares with others, inline functions, must stay its own: the linker would hand them to all.
+EIGHT := $(if $(VARIANT),,$(B)/obj/lib/dem/contact_sweep.avx512.o)
+AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
+$(if $(EIGHT),$(call object,lib/dem/sweep_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
+$(B)/obj/lib/dem/contact_sweep.avx512.o: lib/dem/contact_sweep.cpp $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (AVX-512)'
+	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(AVX512) -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@.all
+	@ld -r --force-group-allocation $@.all -o $@.one
+	@objcopy --wildcard --keep-global-symbol='*make_contact_sweep_of_eight*' $@.one $@ && rm $@.all $@.one
+# For tests of its bits on any processor: the same, lowered to the baseline.
+$(B)/obj/lib/dem/contact_sweep.eight.o: lib/dem/contact_sweep.cpp $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (eight lanes)'
+	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@
+# What looks at the processor must run on any.
+$(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (any processor)'
+	@$(CXX) $(CPPFLAGS) $(subst -march=x86-64-v3,-march=x86-64,$(CXXFLAGS)) -c $< -o $@
 # The tests themselves need not be fast, but compile fast; what times the library does.
 TEST_OBJECTS := $(call object,$(foreach t,$(TESTED),$(call tests_of,$(t))) $(SUPPORT))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
@@ -105,7 +135,7 @@ $(B)/sources: always
 	@mkdir -p $(@D)
 	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
 
-$(B)/libsoilweave.a: $(call object,$(LIB)) $(B)/sources
+$(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
 	@echo '  ar    $@'
 	@rm -f $@ && ar rcsD $@ $(filter %.o,$^)
 
@@ -117,8 +147,17 @@ $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 $(B)/bin/to-vtk: $(call object,$(VTK_ONLY))
 $(B)/bin/to-vtk: LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
+# Linked before the archive: its ranks take the place of the one process there.
+$(call object,$(MPI_ONLY)): private CPPFLAGS += $(call system,$(shell pkg-config --cflags ompi-cxx 2>/dev/null))
+.PHONY: mpi
+mpi: $(B)/mpi/fem-dem ## fem-dem over several machines: mpirun -n 4 build/mpi/fem-dem (needs libopenmpi-dev)
+$(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave.a
+	@mkdir -p $(@D)
+	@echo '  link  $@'
+	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
+
 define test_program
-$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(B)/libsoilweave.a
+$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(if $(filter unit,$(1)),$(B)/obj/lib/dem/contact_sweep.eight.o) $(B)/libsoilweave.a
 	@mkdir -p $$(@D)
 	@echo '  link  $$@'
 	@$$(CXX) $$(CXXFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $$(LDLIBS) -lgtest -lgtest_main -o $$@
@@ -130,7 +169,13 @@ $(B)/tests/bench: $(call object,$(BENCH) $(SUPPORT)) $(B)/libsoilweave.a
 	@echo '  link  $@'
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -lbenchmark -lbenchmark_main -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)))
+FUZZED := $(addprefix $(B)/tests/fuzz/,scenario table spheres file)
+$(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilweave.a
+	@mkdir -p $(@D)
+	@echo '  link  $@'
+	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
+
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
@@ -198,6 +243,12 @@ soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on fail
 	@BIN=$(CURDIR)/$(B)/bin bash tests/soak/faults.sh
 	@$(B)/tests/soak --gtest_brief=1
 
+.PHONY: fuzz fuzz-targets
+fuzz-targets: $(FUZZED)
+fuzz: $(TOOLS) ## every reader under libFuzzer, FUZZ_TIME=600 s each
+	@$(AGAIN) FUZZ=1 fuzz-targets
+	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
+
 .PHONY: golden
 golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them with git diff
 	@BIN=$(CURDIR)/$(B)/bin SOILWEAVE_GOLDEN=write bats tests/tools
@@ -205,6 +256,10 @@ golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them
 .PHONY: bench
 bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 	@$(B)/tests/bench $(BENCH_FLAGS)
+
+.PHONY: bench-peers
+bench-peers: $(TOOLS) ## steps per second beside YADE, LAMMPS and LIGGGHTS, where they are, on the same packings
+	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/speed.sh
 
 .PHONY: crosscheck
 crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, live and recorded, where there is one
@@ -225,7 +280,7 @@ format-check:
 # clang-tidy leaves a stamp per source, so that only what changed, or what it includes, is looked at again.
 # -idirafter: clang has no omp.h of its own, the compiler's will do.
 TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -fopenmp -Wno-unknown-warning-option -idirafter $(shell $(CXX) -print-file-name=include)
-TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(LIB),$(LIB_ALL)) $(TOOL))
+TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL))
 build/lint/%.tidy: %.cpp .clang-tidy
 	@mkdir -p $(@D)
 	@echo '  tidy  $<'

@@ -14,6 +14,10 @@ $(OUT)/profile: always
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(PROFILE)' | cmp -s - $@ || printf '%s\n' '$(PROFILE)' > $@
 
+# Puts what a recipe prints into a file that appears whole. The name beside it is the writing shell's own, since a make that
+# was killed may leave writers behind while the next one is at work.
+whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { rm -f $(1).$$$$; false; }
+
 include $(sort $(wildcard pipelines/*/study.mk))
 
 .PHONY: report
@@ -21,5 +25,5 @@ report: $(OUT)/report.html ## collect the pages of all studies in out/report.htm
 
 PAGES := $(foreach study,$(STUDIES),$(OUT)/$(study)/page.html)
 $(OUT)/report.html: pipelines/report.sh pipelines/report.css $(PAGES)
-	@pipelines/report.sh pipelines/report.css $(PAGES) > $@.part && mv $@.part $@
+	@pipelines/report.sh pipelines/report.css $(PAGES) $(call whole,$@)
 	@echo "report: $@"

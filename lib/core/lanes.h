@@ -14,8 +14,8 @@
 
 namespace soilweave {
 
-/// Four contacts at once: the width of the x86-64-v3 baseline. Equal bits in lane and scalar need -ffp-contract=off,
-/// since the compiler may fuse a multiplication with an addition in one of them only.
+/// Four contacts at once: the width of the x86-64-v3 baseline. Equal bits in lanes and scalar
+/// need -ffp-contract=off, since the compiler may fuse a multiplication with an addition in one of them only.
 using Lane4 = double __attribute__((vector_size(32)));
 
 template <class T>
@@ -37,12 +37,15 @@ inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
 /// a b + c, rounded once, in lane and scalar alike.
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fmadd_pd(a, b, c); }
+/// c - a b, rounded once.
+inline double fused_less(double a, double b, double c) { return std::fma(-a, b, c); }
+inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fnmadd_pd(a, b, c); }
 
 /// The same number in every lane.
 template <class T>
 T all(double x) {
   if constexpr (is_lane<T>)
-    return T{x, x, x, x};
+    return x - T{};
   else
     return x;
 }
@@ -70,20 +73,6 @@ inline unsigned bits(const Mask<Lane4>& mask) {
   return static_cast<unsigned>(_mm256_movemask_pd(signs));
 }
 
-inline bool any(bool mask) { return mask; }
-inline bool any(const Mask<Lane4>& mask) { return bits(mask) != 0; }
-
-/// x where the mask holds, +0 elsewhere, even where x is not a number.
-inline double keep(bool mask, double x) { return mask ? x : 0.0; }
-inline Lane4 keep(const Mask<Lane4>& mask, const Lane4& x) {
-  Mask<Lane4> raw;
-  std::memcpy(&raw, &x, sizeof raw);
-  raw &= mask;
-  Lane4 kept;
-  std::memcpy(&kept, &raw, sizeof kept);
-  return kept;
-}
-
 /// Four rows of four become four columns: a grain a row, a quantity a column, and back.
 struct Rows4 {
   Lane4 a, b, c, d;
@@ -95,6 +84,49 @@ inline Rows4 transpose(const Rows4& r) {
   const Lane4 t3 = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
   return {__builtin_shufflevector(t0, t2, 0, 1, 4, 5), __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
           __builtin_shufflevector(t0, t2, 2, 3, 6, 7), __builtin_shufflevector(t1, t3, 2, 3, 6, 7)};
+}
+
+/// Columns of as many rows as T has lanes; row(i) gives row i.
+template <class T>
+struct Columns {
+  T a, b, c, d;
+};
+template <class T, class Row>
+requires(width<T> == 4) Columns<T> columns(const Row& row) {
+  const Rows4 t = transpose({row(0), row(1), row(2), row(3)});
+  return {t.a, t.b, t.c, t.d};
+}
+/// The rows of such columns, from the first to the last to put(i, row).
+template <class Put>
+void to_rows(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d, const Put& put) {
+  const Rows4 r = transpose({a, b, c, d});
+  put(0, r.a), put(1, r.b), put(2, r.c), put(3, r.d);
+}
+
+}  // namespace soilweave
+
+#ifdef SOILWEAVE_EIGHT_LANES
+#include "core/lanes8.h"
+#endif
+
+namespace soilweave {
+
+inline bool any(bool mask) { return mask; }
+template <class M>
+bool any(const M& mask) {
+  return bits(mask) != 0;
+}
+
+/// x where the mask holds, +0 elsewhere, even where x is not a number.
+inline double keep(bool mask, double x) { return mask ? x : 0.0; }
+template <class T>
+requires is_lane<T> T keep(const Mask<T>& mask, const T& x) {
+  Mask<T> raw;
+  std::memcpy(&raw, &x, sizeof raw);
+  raw &= mask;
+  T kept;
+  std::memcpy(&kept, &raw, sizeof kept);
+  return kept;
 }
 
 template <class T>

@@ -15,6 +15,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "core/processor.h"
 #include "core/text.h"
 #include "core/tool_table.h"
 
@@ -122,6 +123,7 @@ void close_output() {
 }  // namespace
 
 int main(int argc, char** argv, const Program& program) {
+  link_processor_check();
   // A reader that goes away must not kill us before the files are in order; writing then fails with EPIPE.
   std::signal(SIGPIPE, SIG_IGN);
   std::string name = argc > 0 ? fs::path(argv[0]).filename().string() : "soilweave";

@@ -64,6 +64,7 @@ const std::vector<Status>& exit_statuses() {
                                             {64, "wrong usage"},
                                             {65, "bad input data"},
                                             {66, "input missing"},
+                                            {69, "this processor is too old"},
                                             {70, "a defect, or broken physics"},
                                             {73, "cannot create the output"},
                                             {74, "reading or writing failed"},

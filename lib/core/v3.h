@@ -7,9 +7,19 @@
 
 namespace soilweave {
 
+/// Copied number by number: the compiler then keeps the three in registers where copying the whole would go through
+/// memory.
 template <class T>
 struct V3 {
   T x, y, z;
+
+  V3() = default;
+  V3(const T& first, const T& second, const T& third) : x(first), y(second), z(third) {}
+  V3(const V3& v) : x(v.x), y(v.y), z(v.z) {}
+  V3& operator=(const V3& v) {
+    x = v.x, y = v.y, z = v.z;
+    return *this;
+  }
 };
 
 template <class T>
@@ -44,6 +54,11 @@ V3<T> cross(const V3<T>& a, const V3<T>& b) {
 template <class T>
 V3<T> fused(const T& s, const V3<T>& a, const V3<T>& b) {
   return {fused(s, a.x, b.x), fused(s, a.y, b.y), fused(s, a.z, b.z)};
+}
+/// b - s a.
+template <class T>
+V3<T> fused_less(const T& s, const V3<T>& a, const V3<T>& b) {
+  return {fused_less(s, a.x, b.x), fused_less(s, a.y, b.y), fused_less(s, a.z, b.z)};
 }
 template <class T>
 V3<T> keep(const Mask<T>& mask, const V3<T>& v) {

@@ -1,8 +1,7 @@
-// Four lanes of a block of pairs: how the sweep reads and writes them.
+// The lanes of a block of pairs that one register holds: how the sweep reads and writes them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstring>
 #include <vector>
 
 #include "dem/bodies.h"
@@ -11,79 +10,77 @@
 
 namespace soilweave::dem {
 
+/// The row at a distance, counted in numbers, from the first.
+inline Lane4 row_at(const std::vector<Lane4>& rows, std::size_t distance) {
+  return load<Lane4>(reinterpret_cast<const double*>(rows.data()) + distance);
+}
+
 /// The lanes from k on.
+template <class T>
 struct BlockLanes {
   ContactBlock* block;
-  int k;
+  double* reals;              // lane k of the first of the block's arrays of them
+  const std::uint32_t* rows;  // and of the first of its distances
 
-  unsigned touching() const { return (block->touching >> k) & 15u; }
+  BlockLanes() = default;
+  BlockLanes(ContactBlock* b, int k) : block(b), reals(b->normal[0] + k), rows(b->first + k) {}
+
+  static constexpr unsigned full = (1u << width<T>)-1;
+  int lane() const { return static_cast<int>(rows - block->first); }
+  unsigned touching() const { return (block->touching >> lane()) & full; }
   void set_masks(unsigned touching, unsigned sliding) const {
-    block->touching = (block->touching & ~(15u << k)) | (touching << k);
-    block->sliding = (block->sliding & ~(15u << k)) | (sliding << k);
+    const int k = lane();
+    const unsigned others = ~(full << k);
+    block->touching = (block->touching & others) | (touching << k);
+    block->sliding = (block->sliding & others) | (sliding << k);
+  }
+  std::size_t first(int lane) const { return rows[lane]; }
+  std::size_t second(int lane) const { return rows[ContactBlock::size + lane]; }
+  std::size_t image(int lane) const { return rows[2 * ContactBlock::size + lane]; }
+  std::size_t load_second(int lane) const { return rows[3 * ContactBlock::size + lane]; }
+
+  V3<T> normal() const { return load3(0); }
+  Memory<T> memory() const { return {load3(3), load3(6), load<T>(reals + 9 * ContactBlock::size)}; }
+  void remember(const V3<T>& normal, const Memory<T>& memory, const T& normal_force) const {
+    store3(0, normal), store3(3, memory.shear), store3(6, memory.rolling);
+    store(reals + 9 * ContactBlock::size, memory.twisting), store(reals + 10 * ContactBlock::size, normal_force);
   }
 
-  V3<Lane4> load3(const double (&from)[3][ContactBlock::size]) const {
-    return {load<Lane4>(from[0] + k), load<Lane4>(from[1] + k), load<Lane4>(from[2] + k)};
+  /// Second grain less first; a cell offset comes with `shifts`, a row for each of Contacts::images.
+  V3<T> branch(const Bodies& bodies, const std::vector<Lane4>& shifts) const {
+    const auto& x = bodies.position;
+    const auto between = [&](int lane) { return row_at(x, second(lane)) - row_at(x, first(lane)); };
+    const Columns<T> d = block->folded
+                             ? columns<T>([&](int lane) { return between(lane) + row_at(shifts, image(lane)); })
+                             : columns<T>(between);
+    return {d.a, d.b, d.c};
   }
-  void store3(double (&to)[3][ContactBlock::size], const V3<Lane4>& v) const {
-    store(to[0] + k, v.x), store(to[1] + k, v.y), store(to[2] + k, v.z);
+  V3<T> velocity(const Bodies& bodies) const {
+    const auto& v = bodies.velocity;
+    const Columns<T> d = columns<T>([&](int lane) { return row_at(v, second(lane)) - row_at(v, first(lane)); });
+    return {d.a, d.b, d.c};
   }
-  Memory<Lane4> memory() const {
-    return {load3(block->shear), load3(block->rolling), load<Lane4>(block->twisting + k)};
+  void spins_and_radii(const Bodies& bodies, PairMotion<T>& motion) const {
+    const Columns<T> one = columns<T>([&](int lane) { return row_at(bodies.spin, first(lane)); });
+    motion.spin_1 = {one.a, one.b, one.c}, motion.lever_1 = one.d;
+    const Columns<T> two = columns<T>([&](int lane) { return row_at(bodies.spin, second(lane)); });
+    motion.spin_2 = {two.a, two.b, two.c}, motion.lever_2 = two.d;
   }
-
-  /// Both grains of each pair.
-  Meeting<Lane4> meeting(const Bodies& bodies, const Mat3& cell) const {
-    Meeting<Lane4> m;
-    const std::int32_t *i = block->first + k, *j = block->second + k;
-    // Differences of rows first: one transposition instead of two, and the radius and mass of the first grain back from
-    // ones of their own.
-    const Rows4 x1 = rows(bodies.position, i), x2 = rows(bodies.position, j);
-    const Rows4 d = transpose({x2.a - x1.a, x2.b - x1.b, x2.c - x1.c, x2.d - x1.d});
-    m.branch = {d.a, d.b, d.c};
-    if (block->folded) m.branch = m.branch + shift(cell);
-    m.r1 = last(x1), m.r2 = last(x2);
-    const Rows4 v1 = rows(bodies.velocity, i), v2 = rows(bodies.velocity, j);
-    const Rows4 v = transpose({v2.a - v1.a, v2.b - v1.b, v2.c - v1.c, v2.d - v1.d});
-    m.velocity = {v.a, v.b, v.c};
-    m.m1 = last(v1), m.m2 = last(v2);
-    const Rows4 w1 = transpose(rows(bodies.spin, i)), w2 = transpose(rows(bodies.spin, j));
-    m.spin_1 = {w1.a, w1.b, w1.c}, m.spin_2 = {w2.a, w2.b, w2.c};
-    return m;
-  }
-
-  /// A row a pair, of a vector each, to its slot.
-  void write(const std::uint32_t* slot, const V3<Lane4>& force, const V3<Lane4>& torque, std::vector<Slot>& to) const {
-    const Rows4 f = transpose({force.x, force.y, force.z, Lane4{}}),
-                t = transpose({torque.x, torque.y, torque.z, Lane4{}});
-    Slot* slots = to.data();
-    slots[slot[k]] = {f.a, t.a};
-    slots[slot[k + 1]] = {f.b, t.b};
-    slots[slot[k + 2]] = {f.c, t.c};
-    slots[slot[k + 3]] = {f.d, t.d};
+  void masses(const Bodies& bodies, Kinematics<T>& kinematics) const {
+    double one[width<T>], two[width<T>];
+    for (int lane = 0; lane < width<T>; ++lane)
+      one[lane] = row_at(bodies.velocity, first(lane))[3], two[lane] = row_at(bodies.velocity, second(lane))[3];
+    kinematics.m1 = load<T>(one), kinematics.m2 = load<T>(two);
   }
 
  private:
-  Lane4 column(const std::int32_t* from) const {
-    __m128i integers;
-    std::memcpy(&integers, from + k, sizeof integers);
-    return _mm256_cvtepi32_pd(integers);
+  V3<T> load3(int array) const {
+    const double* from = reals + array * ContactBlock::size;
+    return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};
   }
-  V3<Lane4> shift(const Mat3& h) const {
-    const Lane4 a = column(block->image[0]), b = column(block->image[1]), c = column(block->image[2]);
-    const auto component = [&](int i) {
-      return fused(all<Lane4>(h(i, 2)), c, fused(all<Lane4>(h(i, 1)), b, h(i, 0) * a));
-    };
-    return {component(0), component(1), component(2)};
-  }
-  static Rows4 rows(const std::vector<Lane4>& of, const std::int32_t* index) {
-    const Lane4* p = of.data();
-    return {p[index[0]], p[index[1]], p[index[2]], p[index[3]]};
-  }
-  // The last column of four rows.
-  static Lane4 last(const Rows4& r) {
-    const Lane4 ab = __builtin_shufflevector(r.a, r.b, 1, 5, 3, 7), cd = __builtin_shufflevector(r.c, r.d, 1, 5, 3, 7);
-    return __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+  void store3(int array, const V3<T>& v) const {
+    double* to = reals + array * ContactBlock::size;
+    store(to, v.x), store(to + ContactBlock::size, v.y), store(to + 2 * ContactBlock::size, v.z);
   }
 };
 

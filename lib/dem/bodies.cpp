@@ -8,24 +8,17 @@
 #include <utility>
 
 namespace soilweave::dem {
-namespace {
-
-// Solid sphere 2/5 m r^2; disk about its axis 1/2 m r^2.
-double moment_of_inertia(int dimension, double mass, double radius) {
-  return (dimension == 3 ? 0.4 : 0.5) * mass * radius * radius;
-}
-
-}  // namespace
 
 Bodies::Bodies(const io::GrainsRecord& record)
     : dimension(record.dimension),
+      gyration(dimension == 3 ? 0.4 : 0.5),  // solid sphere; disk about its axis
       force(record.size(), Lane4{}),
       torque(record.size(), Lane4{}),
       material(record.material_id.begin(), record.material_id.end()) {
   for (std::size_t i = 0; i < record.size(); ++i) {
     position.push_back(row(record.position[i], record.radius[i]));
     velocity.push_back(row(record.velocity[i], record.mass[i]));
-    spin.push_back(row(record.angular_velocity[i], moment_of_inertia(dimension, record.mass[i], record.radius[i])));
+    spin.push_back(row(record.angular_velocity[i], record.radius[i]));
     const Vec4& q = record.orientation[i];
     orientation.push_back(Lane4{q[0], q[1], q[2], q[3]});
   }
@@ -34,7 +27,7 @@ Bodies::Bodies(const io::GrainsRecord& record)
 void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
   fabric = std::move(fabric_of);
   for (std::size_t i = 0; i < size(); ++i)
-    if (is_node(i)) spin[i] = Lane4{0, 0, 0, std::numeric_limits<double>::infinity()};
+    if (is_node(i)) spin[i] = row(Vec3::Zero(), radius(i));
 }
 
 void Bodies::scale_radii(double factor, const Vec3& stretch) {
@@ -42,7 +35,7 @@ void Bodies::scale_radii(double factor, const Vec3& stretch) {
     if (is_node(i)) continue;
     position[i] *= row(stretch, factor);
     velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
-    spin[i][3] = moment_of_inertia(dimension, mass(i), radius(i));
+    spin[i][3] = radius(i);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/v3.h"
@@ -16,9 +17,10 @@ double grain_volume(int dimension, double radius);
 
 struct Bodies {
   int dimension = 3;
+  double gyration;                 // moment of inertia over mass and squared radius
   std::vector<Lane4> position;     // x, y, z, m; radius, m
   std::vector<Lane4> velocity;     // m/s; mass, kg
-  std::vector<Lane4> spin;         // rad/s; moment of inertia, kg m2
+  std::vector<Lane4> spin;         // rad/s; radius, m, once more
   std::vector<Lane4> force;        // N, resultant of the contacts, gravity apart; 0
   std::vector<Lane4> torque;       // N m; 0
   std::vector<Lane4> orientation;  // quaternion, in the order w x y z
@@ -29,7 +31,10 @@ struct Bodies {
   std::size_t size() const { return position.size(); }
   double radius(std::size_t i) const { return position[i][3]; }
   double mass(std::size_t i) const { return velocity[i][3]; }
-  double inertia(std::size_t i) const { return spin[i][3]; }
+  /// kg m2; nodes of geotextiles do not rotate.
+  double inertia(std::size_t i) const {
+    return is_node(i) ? std::numeric_limits<double>::infinity() : gyration * mass(i) * radius(i) * radius(i);
+  }
 
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
   /// Nodes of one fabric are held together by yarns and do not touch.

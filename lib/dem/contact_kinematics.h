@@ -18,7 +18,7 @@ struct PairMotion {
 /// The centres' relative velocity within the contact plane, m/s.
 template <class T>
 V3<T> transverse_velocity(const PairMotion<T>& m, const V3<T>& normal) {
-  return fused(T(-dot(m.velocity, normal)), normal, m.velocity);
+  return fused_less(dot(m.velocity, normal), normal, m.velocity);
 }
 
 /// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a
@@ -26,21 +26,23 @@ V3<T> transverse_velocity(const PairMotion<T>& m, const V3<T>& normal) {
 /// overlap, radii and masses are the caller's.
 template <class T>
 void set_increments(const PairMotion<T>& m, const T& dt, Kinematics<T>& k) {
-  const T amplification = (m.lever_1 + m.lever_2) * m.inverse_distance;
-  const V3<T> turning = cross(fused(m.lever_2, m.spin_2, m.lever_1 * m.spin_1), k.normal);
+  const T translation = dt * ((m.lever_1 + m.lever_2) * m.inverse_distance);
+  const T lever_1 = dt * m.lever_1, lever_2 = dt * m.lever_2;
+  const V3<T> turning = fused(lever_2, m.spin_2, lever_1 * m.spin_1);
   const V3<T> turn = dt * (m.spin_2 - m.spin_1);
   k.approach_speed = -dot(m.velocity, k.normal);
-  k.slip = dt * (amplification * transverse_velocity(m, k.normal) - turning);
+  k.slip = fused(translation, transverse_velocity(m, k.normal), cross(k.normal, turning));
   k.twist = dot(turn, k.normal);
-  k.roll = fused(T(-k.twist), k.normal, turn);
+  k.roll = fused_less(k.twist, k.normal, turn);
 }
 
 /// What the increments above count beyond the slip of the grains' surfaces at the contact point, which lies half the
 /// overlap inside each, over dt, m: the work of the shear force on it is the law's own.
 template <class T>
 V3<T> excess_slip(const PairMotion<T>& m, const Kinematics<T>& k, const T& dt) {
-  const V3<T> spin = cross(m.spin_1 + m.spin_2, k.normal);
-  return (dt * k.overlap) * fused(all<T>(-0.5), spin, m.inverse_distance * transverse_velocity(m, k.normal));
+  const T time = dt * k.overlap;
+  const V3<T> turning = (0.5 * time) * cross(k.normal, m.spin_1 + m.spin_2);
+  return fused(T(time * m.inverse_distance), transverse_velocity(m, k.normal), turning);
 }
 
 }  // namespace soilweave::dem

@@ -3,8 +3,13 @@
 // register, of the pairs listed without touching, and of the number of threads.
 //
 // A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
-// of registers through one stage after the other (approach, carry, act): within a stage the processor works on
-// several of them at once, and a batch stays in its first cache.
+// of registers through one stage after the other (approach, act): within a stage the processor works on several of
+// them at once, and a batch stays in its first cache. What a contact does to its grains is added at once to their
+// loads, in the order of the pairs; only for grains of other chunks, which another thread may be at, does it wait in a
+// place of its own (contacts.h).
+//
+// The stress needs no product of force and branch for every contact: the sum of f (x) l is that of F (x) x over the
+// grains, F their resultants (motion.h), and of f times cell offset over the pairs that reach across the cell's faces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contact_sweep.h"
 
@@ -22,56 +27,39 @@
 namespace soilweave::dem {
 namespace {
 
+// This file is compiled once for either width; the same order of operations on every contact gives the same bits.
+#ifdef SOILWEAVE_EIGHT_LANES
+using Lanes = Lane8;
+#else
+using Lanes = Lane4;
+#endif
+
 // What a step sums over the contacts of a chunk.
 struct StepSums {
-  RowSums<4> rows;
-  Lane4 relative_overlap{};  // the largest, a lane each
+  Lane4 energies{}, losses{};
+  Lanes relative_overlap{};  // the largest, a lane each
   std::int64_t contacts = 0;
 
   template <class T>
-  void add(const PairGeometry<T>& g, const V3<T>& force, const V3<T>& shear_before, const V3<T>& shear,
-           const Books<T>& b) {
-    const V3<T>& l = g.branch;
+  void add(const PairGeometry<T>& g, const V3<T>& shear_before, const V3<T>& shear, const Books<T>& b) {
     const T stored = b.elastic_shear + b.elastic_rolling + b.elastic_twisting;
     const T before = b.shear_before + b.rolling_before + b.twisting_before;
     const T kinematic = 0.5 * dot(shear_before + shear, g.excess_slip);
-    rows.add(0, T(force.x * l.x), T(force.x * l.y), T(force.x * l.z), b.elastic_normal);
-    rows.add(1, T(force.y * l.x), T(force.y * l.y), T(force.y * l.z), stored);
-    rows.add(2, T(force.z * l.x), T(force.z * l.y), T(force.z * l.z), before);
-    rows.add(3, b.frictional, b.rolling_plastic, b.viscous, kinematic);
+    add_to(energies, b.elastic_normal, stored, before, kinematic);
+    // Where nothing is lost to add it changes no bit.
+    if (any(Mask<T>((b.frictional + b.rolling_plastic != all<T>(0)) | (b.viscous != all<T>(0)))))
+      add_to(losses, b.frictional, b.rolling_plastic, b.viscous, all<T>(0));
     const T relative = g.kinematics.overlap / minimum(g.kinematics.r1, g.kinematics.r2);
-    relative_overlap = maximum(relative_overlap, relative + Lane4{});
+    relative_overlap = maximum(relative_overlap, relative + Lanes{});
   }
 
   void put_into(SweepSums& s) const {
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) s.force_branch(a, b) += rows.row[a][b];
-    s.elastic_normal += rows.row[0][3], s.elastic_tangential += rows.row[1][3], s.tangential_before += rows.row[2][3];
-    s.frictional += rows.row[3][0], s.rolling_plastic += rows.row[3][1];
-    s.viscous += rows.row[3][2], s.kinematic += rows.row[3][3];
-    for (int lane = 0; lane < width<Lane4>; ++lane)
+    s.elastic_normal += energies[0], s.elastic_tangential += energies[1], s.tangential_before += energies[2];
+    s.kinematic += energies[3];
+    s.frictional += losses[0], s.rolling_plastic += losses[1], s.viscous += losses[2];
+    for (int lane = 0; lane < width<Lanes>; ++lane)
       s.largest_relative_overlap = std::max(s.largest_relative_overlap, relative_overlap[lane]);
     s.contacts += contacts;
-  }
-};
-
-// What a survey sums over them.
-struct SurveySums {
-  RowSums<2> rows;
-
-  template <class T>
-  void add(const PairGeometry<T>& g, const Response<T>& r, const Books<T>& b) {
-    // Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
-    const T ks = keep(g.touching, r.shear_stiffness), difference = keep(g.touching, r.normal_stiffness) - ks;
-    const V3<T>&n = g.kinematics.normal, &l = g.branch;
-    const auto along = [&](const T& n_a, const T& l_a) { return T(l_a * l_a * fused(difference, T(n_a * n_a), ks)); };
-    rows.add(0, along(n.x, l.x), along(n.y, l.y), along(n.z, l.z), b.elastic_shear);
-    rows.add(1, b.elastic_rolling, b.elastic_twisting, all<T>(0), all<T>(0));
-  }
-
-  void put_into(Survey& s) const {
-    for (int a = 0; a < 3; ++a) s.axial_stiffness[a] += rows.row[0][a];
-    s.elastic_shear += rows.row[0][3], s.elastic_rolling += rows.row[1][0], s.elastic_twisting += rows.row[1][1];
   }
 };
 
@@ -79,7 +67,7 @@ struct SurveySums {
 template <class T>
 struct Action {
   V3<T> force;                        // N, on the second body
-  V3<T> torque_first, torque_second;  // N m
+  V3<T> torque_first, torque_second;  // N m, that on the first the other way round
 };
 
 template <class T>
@@ -87,7 +75,7 @@ Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& nor
   const V3<T>& n = g.kinematics.normal;
   const V3<T> moment = fused(memory.twisting, n, memory.rolling);
   const V3<T> turn = cross(n, memory.shear);
-  return {fused(normal_force, n, memory.shear), fused(T(-g.arm_1), turn, -moment), fused(T(-g.arm_2), turn, moment)};
+  return {fused(normal_force, n, memory.shear), fused(g.arm_1, turn, moment), fused_less(g.arm_2, turn, moment)};
 }
 
 // Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).
@@ -99,57 +87,85 @@ std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, con
           kr * one + (r.twisting_stiffness - kr) * n2};
 }
 
-// Four pairs on their way through the stages.
-struct Four {
-  BlockLanes lanes;
+// Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
+template <class T>
+V3<T> affine_stiffness(const V3<T>& n, const T& length, const Response<T>& r) {
+  const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;
+  const auto along = [&](const T& n_a) { return T((length2 * (n_a * n_a)) * fused(difference, T(n_a * n_a), ks)); };
+  return {along(n.x), along(n.y), along(n.z)};
+}
+
+template <class T>
+void put(const V3<T>& v, Lane4& row) {
+  row = Lane4{v.x, v.y, v.z, 0};
+}
+
+// What a sweep works with beside the pairs.
+struct Surroundings {
+  const Bodies& bodies;
+  const std::vector<Lane4>& shifts;  // of Contacts::images, m
+  AffineMotion affine;
+  double dt;
+  double* loads;
+  double* across;  // of this chunk: forces summed by image
+};
+
+// Pairs of one register on their way through the stages.
+struct Group {
+  BlockLanes<Lanes> lanes;
   unsigned touching;
-  PairGeometry<Lane4> geometry;
-  Memory<Lane4> memory;  // carried to the present normal
+  Approach<Lanes> approach;
 };
 constexpr std::size_t batch_size = 8;  // what the first cache holds
-using Batch = std::span<Four>;
+using Batch = std::span<Group>;
 
 template <class Law>
 class LawSweep final : public ContactSweep {
  public:
-  explicit LawSweep(const std::vector<typename Law::Material>& materials) : couples_(materials) {}
+  explicit LawSweep(const std::vector<typename Law::Material>& materials)
+      : couples_(materials), use_masses_(couples_.use_masses()) {}
 
-  SweepSums run(const Bodies& bodies, const Cell& cell, const Planes& planes, double dt, int threads,
-                Contacts& contacts) override {
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts) override {
+    const Cell& cell = scene.cell;
+    set_shifts(cell, contacts);
+    across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
-    const std::size_t chunks = chunks_of(bodies.size());
-    step_sums_.assign(chunks, {});
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-      in_batches(contacts, chunk, bodies, cell.matrix(), affine, [&](Batch batch) {
-        carry(batch, dt);
-        act(batch, bodies, dt, contacts.slots, step_sums_[chunk]);
-      });
+    sweep(scene, affine, dt, contacts, step_sums_, [this](Batch batch, const Surroundings& s, StepSums& sums) {
+      s.dt > 0 ? act<true>(batch, s, sums) : act<false>(batch, s, sums);
+    });
     SweepSums total;
     for (const StepSums& s : step_sums_) s.put_into(total);
+    add_across(total.force_branch);
     StepSums with_planes;
-    for (PlanePair& pair : contacts.planes) total.plane_work += plane(bodies, planes, dt, pair, contacts, with_planes);
+    for (PlanePair& pair : contacts.planes) act(scene, dt, pair, contacts, with_planes, total);
     with_planes.put_into(total);
     return total;
   }
 
-  Survey survey(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
-                Contacts& contacts) override {
-    const AffineMotion still(Mat3::Zero(), false, 0);
-    const std::size_t chunks = chunks_of(bodies.size());
-    survey_sums_.assign(chunks, {});
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-      in_batches(contacts, chunk, bodies, cell.matrix(), still, [&](Batch batch) {
-        carry(batch, 0);
-        look(batch, bodies, contacts.slots, survey_sums_[chunk]);
-      });
-    Survey total;
-    for (const SurveySums& s : survey_sums_) s.put_into(total);
-    SurveySums with_planes;
-    for (const PlanePair& pair : contacts.planes) look(bodies, planes, pair, contacts.slots, with_planes);
-    with_planes.put_into(total);
-    return total;
+  Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
+    set_shifts(scene.cell, contacts);
+    sweep(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+          [this](Batch batch, const Surroundings& s, Lane4& sum) { stiffen(batch, s, sum); });
+    Lane4 total{};
+    for (const Lane4& sum : row_sums_) total += sum;
+    for (const PlanePair& pair : contacts.planes) stiffen(scene, pair, contacts.loads[pair.load], total);
+    return vector_of(total);
+  }
+
+  StoredEnergies stored(const Scene& scene, Contacts& contacts) override {
+    set_shifts(scene.cell, contacts);
+    sweep(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+          [this](Batch batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
+    Lane4 total{};
+    for (const Lane4& sum : row_sums_) total += sum;
+    for (const PlanePair& pair : contacts.planes) {
+      if (!pair.history.touching) continue;
+      Memory<double> memory = pair.history.memory;
+      Books<double> b;
+      Law::respond(couple(scene, pair), geometry(scene, 0, pair).kinematics, 0.0, memory, b);
+      total = total + Lane4{b.elastic_shear, b.elastic_rolling, b.elastic_twisting, 0};
+    }
+    return {total[0], total[1], total[2]};
   }
 
   double stiffness(double radius, double overlap, std::int32_t materials) const override {
@@ -169,159 +185,217 @@ class LawSweep final : public ContactSweep {
   }
 
  private:
-  // Takes the pairs of a chunk that touch, or did so in the last step, batch by batch to `stages`.
-  template <class Stages>
-  static void in_batches(Contacts& contacts, std::size_t chunk, const Bodies& bodies, const Mat3& cell,
-                         const AffineMotion& affine, const Stages& stages) {
-    std::array<Four, batch_size> fours;
-    ContactBlock* next = contacts.blocks.data() + contacts.chunk_start[chunk];
-    ContactBlock* const end = contacts.blocks.data() + contacts.chunk_start[chunk + 1];
-    while (next != end) {
-      std::size_t n = 0;
-      next = approach(next, end, bodies, cell, affine, fours, n);
-      if (n) stages(Batch(fours.data(), n));
+  void set_shifts(const Cell& cell, const Contacts& contacts) {
+    shifts_.clear();
+    for (const Vec3i& image : contacts.images) shifts_.push_back(row(cell.matrix() * image.cast<double>(), 0));
+  }
+
+  // Chunk by chunk, batch by batch, the pairs that touch, or did so in the last step, through `stage`.
+  template <class Sums, class Stage>
+  void sweep(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, std::vector<Sums>& sums,
+             const Stage& stage) {
+    const std::size_t chunks = chunks_of(scene.bodies.size());
+    sums.assign(chunks, Sums{});
+#pragma omp parallel for schedule(static) num_threads(scene.threads) if (scene.threads > 1)
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const Surroundings s{scene.bodies,
+                           shifts_,
+                           affine,
+                           dt,
+                           reinterpret_cast<double*>(contacts.loads.data()),
+                           reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
+      std::array<Group, batch_size> groups;
+      ContactBlock* next = contacts.blocks.data() + contacts.chunk_start[chunk];
+      ContactBlock* const end = contacts.blocks.data() + contacts.chunk_start[chunk + 1];
+      while (next != end) {
+        std::size_t n = 0;
+        next = approach(next, end, s, groups, n);
+        if (n) stage(Batch(groups.data(), n), s, sums[chunk]);
+      }
     }
   }
 
   // Fills the batch from `next` on; returns the first block not looked at. n: how many were filled.
   [[gnu::noinline, gnu::flatten]] static ContactBlock* approach(ContactBlock* next, ContactBlock* end,
-                                                                const Bodies& bodies, const Mat3& cell,
-                                                                const AffineMotion& affine,
-                                                                std::array<Four, batch_size>& fours, std::size_t& n) {
-    constexpr std::size_t per_block = ContactBlock::size / width<Lane4>;
+                                                                const Surroundings& s,
+                                                                std::array<Group, batch_size>& groups, std::size_t& n) {
+    constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
     for (; next != end && n + per_block <= batch_size; ++next)
-      for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
-        const BlockLanes lanes{next, k};
-        Four& four = fours[n];
-        four.lanes = lanes;
-        dem::approach(lanes.meeting(bodies, cell), affine, four.geometry);
-        four.touching = bits(four.geometry.touching);
-        n += (four.touching | lanes.touching()) != 0;
+      for (int k = 0; k < ContactBlock::size; k += width<Lanes>) {
+        const BlockLanes<Lanes> lanes{next, k};
+        Group& group = groups[n];
+        group.lanes = lanes;
+        Approach<Lanes>& a = group.approach;
+        lanes.spins_and_radii(s.bodies, a.motion);
+        const V3<Lanes> branch = lanes.branch(s.bodies, s.shifts), velocity = lanes.velocity(s.bodies);
+        a.motion.velocity = s.affine.deforming ? velocity + s.affine(branch) : velocity;
+        dem::approach(branch, a);
+        group.touching = bits(group.approach.touching);
+        n += (group.touching | lanes.touching()) != 0;
       }
     return next;
   }
 
-  [[gnu::noinline, gnu::flatten]] static void carry(Batch batch, double dt) {
-    for (Four& four : batch) {
-      PairGeometry<Lane4>& g = four.geometry;
-      increments(all<Lane4>(dt), g);
+  template <bool moving>
+  [[gnu::noinline, gnu::flatten]] void act(Batch batch, const Surroundings& s, StepSums& sums) const {
+    for (const Group& group : batch) {
+      const BlockLanes<Lanes> lanes = group.lanes;
+      const Approach<Lanes>& a = group.approach;
+      PairGeometry<Lanes> g = increments(a, s.dt);
       // What has parted has no memory; then its overlap and increments, zero, give no force.
-      Memory<Lane4> memory = keep(g.touching, four.lanes.memory());
-      if (dt > 0) {
+      Memory<Lanes> before = keep(a.touching, lanes.memory());
+      if (moving) {
         // Memory that was zero stays zero, also where the old normal is of no meaning.
-        const Transport<Lane4> transport(four.lanes.load3(four.lanes.block->normal), g.kinematics.normal, g.half_spin);
-        memory.shear = transport(memory.shear), memory.rolling = transport(memory.rolling);
+        const Transport<Lanes> transport(lanes.normal(), a.normal, g.half_spin);
+        before.shear = transport(before.shear), before.rolling = transport(before.rolling);
       }
-      four.memory = memory;
+      if (use_masses_) lanes.masses(s.bodies, g.kinematics);
+      Memory<Lanes> memory = before;
+      Books<Lanes> books;
+      const auto response = couples_.respond(s.bodies, lanes, g.kinematics, all<Lanes>(s.dt), memory, books);
+      if (!moving) memory = before;  // the first sweep of a restored state changes no history
+      lanes.remember(a.normal, memory, response.normal_force);
+      lanes.set_masks(group.touching, group.touching & bits(response.sliding));
+      add(action(g, memory, response.normal_force), lanes, s);
+      sums.add(g, before.shear, memory.shear, books);
+      sums.contacts += std::popcount(group.touching);
     }
   }
 
-  [[gnu::noinline, gnu::flatten]] void act(Batch batch, const Bodies& bodies, double dt, std::vector<Slot>& slots,
-                                           StepSums& sums) const {
-    for (const Four& four : batch) {
-      const BlockLanes lanes = four.lanes;
-      ContactBlock& block = *lanes.block;
-      const PairGeometry<Lane4>& g = four.geometry;
-      Memory<Lane4> memory = four.memory;
-      Books<Lane4> books;
-      const auto response = couples_.respond(bodies, lanes, g.kinematics, all<Lane4>(dt), memory, books);
-      if (dt == 0) memory = four.memory;  // the first sweep of a restored state changes no history
-      lanes.store3(block.normal, g.kinematics.normal), lanes.store3(block.shear, memory.shear);
-      lanes.store3(block.rolling, memory.rolling), store(block.twisting + lanes.k, memory.twisting);
-      store(block.normal_force + lanes.k, response.normal_force);
-      lanes.set_masks(four.touching, four.touching & bits(response.sliding));
-      const Action<Lane4> act = action(g, memory, response.normal_force);
-      lanes.write(block.slot_first, -act.force, act.torque_first, slots);
-      lanes.write(block.slot_second, act.force, act.torque_second, slots);
-      sums.add(g, act.force, four.memory.shear, memory.shear, books);
-      sums.contacts += std::popcount(four.touching);
+  // To the loads of the grains, pair by pair.
+  static void add(const Action<Lanes>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+    const auto& f = act.force;
+    const auto &t1 = act.torque_first, &t2 = act.torque_second;
+    const Lanes zero{};
+    std::array<Lane4, width<Lanes>> force, torque;
+    to_rows(f.x, f.y, f.z, zero, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
+    to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
+    to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
+      const auto k = static_cast<std::size_t>(lane);
+      double *one = s.loads + 2 * lanes.first(lane), *two = s.loads + 2 * lanes.load_second(lane);
+      take(one, force[k]), take(one + width<Lane4>, torque[k]);
+      add(two, force[k]), add(two + width<Lane4>, row);
+    });
+    if (lanes.block->folded)
+      for (int lane = 0; lane < width<Lanes>; ++lane)
+        add(s.across + lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+  }
+  static void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
+  static void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
+
+  // The part of f (x) l that comes from pairs across the cell's faces.
+  void add_across(Mat3& force_branch) const {
+    const std::size_t images = shifts_.size();
+    for (std::size_t image = 1; image + 1 < images; ++image) {
+      Lane4 force{};
+      for (std::size_t at = image; at < across_.size(); at += images) force += across_[at];
+      force_branch += vector_of(force) * vector_of(shifts_[image]).transpose();
     }
   }
 
-  [[gnu::noinline, gnu::flatten]] void look(Batch batch, const Bodies& bodies, std::vector<Slot>& slots,
-                                            SurveySums& sums) const {
-    for (const Four& four : batch) {
-      const PairGeometry<Lane4>& g = four.geometry;
-      Memory<Lane4> memory = four.memory;
-      Books<Lane4> books;
-      const auto response = couples_.respond(bodies, four.lanes, g.kinematics, Lane4{}, memory, books);
-      sums.add(g, response, books);
-      const auto put = [&](const std::uint32_t* slot, const Lane4& radius) {
-        const auto [translation, rotation] = axis_stiffness(g.kinematics.normal, response, radius);
-        four.lanes.write(slot, keep(g.touching, translation), keep(g.touching, rotation), slots);
+  [[gnu::noinline, gnu::flatten]] void stiffen(Batch batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group& group : batch) {
+      const Approach<Lanes>& a = group.approach;
+      const PairGeometry<Lanes> g = increments(a, 0);
+      const auto r = response(group, s, g.kinematics, Memory<Lanes>{});
+      const Lanes length = g.kinematics.r1 + g.kinematics.r2 - a.overlap;
+      const V3<Lanes> affine = keep(a.touching, affine_stiffness(a.normal, length, r.first));
+      add_to(sum, affine.x, affine.y, affine.z, Lanes{});
+      const auto put = [&](const Lanes& radius, const auto& load_of) {
+        const auto [translation, rotation] = axis_stiffness(a.normal, r.first, radius);
+        const V3<Lanes> t = keep(a.touching, translation), w = keep(a.touching, rotation);
+        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(s.loads + 2 * load_of(lane), row); });
+        to_rows(w.x, w.y, w.z, Lanes{},
+                [&](int lane, const Lane4& row) { add(s.loads + 2 * load_of(lane) + width<Lane4>, row); });
       };
-      put(four.lanes.block->slot_first, g.kinematics.r1);
-      put(four.lanes.block->slot_second, g.kinematics.r2);
+      const BlockLanes<Lanes>& lanes = group.lanes;
+      put(g.kinematics.r1, [&](int lane) { return lanes.first(lane); });
+      put(g.kinematics.r2, [&](int lane) { return lanes.load_second(lane); });
     }
   }
 
-  static PairGeometry<double> geometry(const Bodies& bodies, const Planes& planes, double dt, const PlanePair& pair) {
+  [[gnu::noinline, gnu::flatten]] void store_up(Batch batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group& group : batch) {
+      const Approach<Lanes>& a = group.approach;
+      const auto [r, b] = response(group, s, increments(a, 0).kinematics, keep(a.touching, group.lanes.memory()));
+      add_to(sum, b.elastic_shear, b.elastic_rolling, b.elastic_twisting, Lanes{});
+    }
+  }
+
+  std::pair<Response<Lanes>, Books<Lanes>> response(const Group& group, const Surroundings& s, Kinematics<Lanes> k,
+                                                    Memory<Lanes> memory) const {
+    if (use_masses_) group.lanes.masses(s.bodies, k);
+    Books<Lanes> books;
+    const auto r = couples_.respond(s.bodies, group.lanes, k, Lanes{}, memory, books);
+    return {r, books};
+  }
+
+  static PairGeometry<double> geometry(const Scene& scene, double dt, const PlanePair& pair) {
     const auto i = static_cast<std::size_t>(pair.grain);
-    const Plane& p = planes.all[static_cast<std::size_t>(pair.plane)];
+    const Bodies& bodies = scene.bodies;
+    const Plane& p = scene.planes.all[static_cast<std::size_t>(pair.plane)];
     const auto v3 = [](const Lane4& row) { return V3<double>{row[0], row[1], row[2]}; };
     const V3<double> inward = from_eigen(p.normal);
     const double height = dot(v3(bodies.position[i]) - from_eigen(p.point), inward);
-    Meeting<double> m{};
-    m.velocity = from_eigen(p.velocity) - v3(bodies.velocity[i]);
-    m.spin_1 = v3(bodies.spin[i]);
-    m.r1 = bodies.radius(i), m.m1 = bodies.mass(i);
-    return plane_geometry(m, height, inward, dt);
+    return plane_geometry(from_eigen(p.velocity) - v3(bodies.velocity[i]), v3(bodies.spin[i]), bodies.radius(i),
+                          bodies.mass(i), height, inward, dt);
   }
 
-  const typename Law::Couple& couple(const Bodies& bodies, const Planes& planes, const PlanePair& pair) const {
-    return couples_.of(bodies.material[static_cast<std::size_t>(pair.grain)],
-                       planes.all[static_cast<std::size_t>(pair.plane)].material);
+  const typename Law::Couple& couple(const Scene& scene, const PlanePair& pair) const {
+    return couples_.of(scene.bodies.material[static_cast<std::size_t>(pair.grain)],
+                       scene.planes.all[static_cast<std::size_t>(pair.plane)].material);
   }
 
-  // Returns the work done on the grain by the moving plane, J.
-  double plane(const Bodies& bodies, const Planes& planes, double dt, PlanePair& pair, Contacts& contacts,
-               StepSums& sums) const {
-    const PairGeometry<double> g = geometry(bodies, planes, dt, pair);
+  void act(const Scene& scene, double dt, PlanePair& pair, Contacts& contacts, StepSums& sums, SweepSums& total) const {
+    const PairGeometry<double> g = geometry(scene, dt, pair);
     History& history = pair.history;
-    Slot& slot = contacts.slots[pair.slot];
-    if (!g.touching) {
+    if (g.kinematics.overlap < 0) {
       history = {};
-      slot = Slot{};
-      return 0;
+      return;
     }
-    const V3<double> force_before = history.normal_force * history.normal + history.memory.shear;
+    const V3<double> n = g.kinematics.normal,
+                     force_before = history.normal_force * history.normal + history.memory.shear;
     Memory<double>& memory = history.memory;
     if (dt > 0) {
-      const Transport<double> transport(history.normal, g.kinematics.normal, g.half_spin);
+      const Transport<double> transport(history.normal, n, g.half_spin);
       memory.shear = transport(memory.shear), memory.rolling = transport(memory.rolling);
     }
     const Memory<double> before = memory;
     Books<double> books;
-    const auto response = Law::respond(couple(bodies, planes, pair), g.kinematics, dt, memory, books);
+    const auto response = Law::respond(couple(scene, pair), g.kinematics, dt, memory, books);
     if (dt == 0) memory = before;
     const Action<double> act = action(g, memory, response.normal_force);
-    history.normal = g.kinematics.normal;
+    history.normal = n;
     history.normal_force = response.normal_force;
     history.touching = true, history.sliding = response.sliding;
-    slot = {Lane4{-act.force.x, -act.force.y, -act.force.z, 0},
-            Lane4{act.torque_first.x, act.torque_first.y, act.torque_first.z, 0}};
-    sums.add(g, act.force, before.shear, memory.shear, books);
+    put(-act.force, contacts.loads[pair.load].force), put(-act.torque_first, contacts.loads[pair.load].torque);
+    sums.add(g, before.shear, memory.shear, books);
     ++sums.contacts;
-    const Vec3& velocity = planes.all[static_cast<std::size_t>(pair.plane)].velocity;
-    return -0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
+    // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
+    const double height = g.kinematics.r1 - g.kinematics.overlap;
+    const Vec3 foot = vector_of(scene.bodies.position[static_cast<std::size_t>(pair.grain)]) + to_eigen(height * n);
+    total.force_branch += to_eigen(act.force) * foot.transpose();
+    const Vec3& velocity = scene.planes.all[static_cast<std::size_t>(pair.plane)].velocity;
+    total.plane_work -= 0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
   }
 
-  void look(const Bodies& bodies, const Planes& planes, const PlanePair& pair, std::vector<Slot>& slots,
-            SurveySums& sums) const {
+  void stiffen(const Scene& scene, const PlanePair& pair, Load& load, Lane4& total) const {
     if (!pair.history.touching) return;
-    const PairGeometry<double> g = geometry(bodies, planes, 0, pair);
+    const Kinematics<double> k = geometry(scene, 0, pair).kinematics;
     Memory<double> memory = pair.history.memory;
     Books<double> books;
-    const auto r = Law::respond(couple(bodies, planes, pair), g.kinematics, 0.0, memory, books);
-    sums.add(g, r, books);
-    const auto [translation, rotation] = axis_stiffness(g.kinematics.normal, r, g.kinematics.r1);
-    slots[pair.slot] = {Lane4{translation.x, translation.y, translation.z, 0},
-                        Lane4{rotation.x, rotation.y, rotation.z, 0}};
+    const auto r = Law::respond(couple(scene, pair), k, 0.0, memory, books);
+    const V3<double> affine = affine_stiffness(k.normal, k.r1 - k.overlap, r);
+    add_to(total, affine.x, affine.y, affine.z, 0.0);
+    const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
+    put(translation, load.force), put(rotation, load.torque);
   }
 
   Couples<Law> couples_;
+  bool use_masses_;
+  std::vector<Lane4> shifts_, across_;
   std::vector<StepSums> step_sums_;
-  std::vector<SurveySums> survey_sums_;
+  std::vector<Lane4> row_sums_;
 };
 
 template <class Law>
@@ -331,7 +405,11 @@ std::unique_ptr<ContactSweep> make(const std::vector<typename Law::Material>& ma
 
 }  // namespace
 
-std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model) {
+#ifdef SOILWEAVE_EIGHT_LANES
+std::unique_ptr<ContactSweep> make_contact_sweep_of_eight(const Model& model) {
+#else
+std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model) {
+#endif
   return std::visit(
       []<class Material>(const std::vector<Material>& materials) { return make<typename Material::Law>(materials); },
       model.materials);

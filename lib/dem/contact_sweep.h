@@ -27,29 +27,40 @@ struct SweepSums {
   std::int64_t contacts = 0;
 };
 
-/// What is looked at now and then.
-struct Survey {
-  Vec3 axial_stiffness = Vec3::Zero();  // sum of affine stiffness times squared branch, N m
-  double elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;  // J
+/// What is stored in the contacts, J, looked at now and then.
+struct StoredEnergies {
+  double shear = 0, rolling = 0, twisting = 0;
+};
+
+/// What is read of a simulation in a sweep.
+struct Scene {
+  const Bodies& bodies;
+  const Cell& cell;
+  const Planes& planes;
+  int threads;
 };
 
 class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
-  /// Updates every pair's contact over a step dt that led to the present positions and leaves what it does to its
-  /// grains in the slots; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation).
-  virtual SweepSums run(const Bodies& bodies, const Cell& cell, const Planes& planes, double dt, int threads,
-                        Contacts& contacts) = 0;
-  /// Leaves the stiffness that each contact gives its grains in the slots instead: about the axes x, y, z against
-  /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else.
-  virtual Survey survey(const Bodies& bodies, const Cell& cell, const Planes& planes, int threads,
-                        Contacts& contacts) = 0;
+  /// Updates every pair's contact over a step dt that led to the present positions and adds what it does to its grains
+  /// to the loads; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation). What force_branch
+  /// lacks is the sum of F (x) x over the grains: Motion::gather has it.
+  virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts) = 0;
+  /// Adds the stiffness that each contact gives its grains to the loads instead: about the axes x, y, z against
+  /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else. Returns the affine
+  /// stiffness times squared branch along the axes, summed over contacts, N m.
+  virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
+  virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
   /// Largest normal stiffness of a grain of a material below `materials` and an equal one of any material at the given
   /// overlap, N/m: bounds the step before contacts form.
   virtual double stiffness(double radius, double overlap, std::int32_t materials) const = 0;
 };
 
-/// The sweep for the law and materials of a model.
+/// The sweep for the law and materials of a model, eight contacts at a time where the processor has AVX-512, else four:
+/// the bits are the same.
 std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model);
+std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model);
+std::unique_ptr<ContactSweep> make_contact_sweep_of_eight(const Model& model);
 
 }  // namespace soilweave::dem

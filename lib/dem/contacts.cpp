@@ -2,20 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contacts.h"
 
-#include <limits>
+#include <algorithm>
 #include <tuple>
 
 namespace soilweave::dem {
 namespace {
 
 // Empty lanes name a grain so many cells away that they never touch.
-constexpr std::int32_t far_away = 1 << 20;
+const Vec3i far_away{1 << 20, 0, 0};
+
+bool earlier(const Vec3i& a, const Vec3i& b) { return std::tuple(a[0], a[1], a[2]) < std::tuple(b[0], b[1], b[2]); }
+
+std::vector<Vec3i> images_of(const std::vector<Pair>& pairs) {
+  std::vector<Vec3i> found;
+  for (const Pair& p : pairs)
+    if (!p.image.isZero() && std::find(found.begin(), found.end(), p.image) == found.end()) found.push_back(p.image);
+  std::sort(found.begin(), found.end(), earlier);
+  found.insert(found.begin(), Vec3i::Zero());
+  found.push_back(far_away);
+  return found;
+}
+
+std::uint32_t row_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::row_size; }
+
+std::size_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
+  if (image.isZero()) return 0;
+  return static_cast<std::size_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image, earlier) -
+                                  images.begin());
+}
 
 auto key(const Pair& p) { return std::tuple(p.first, p.second, p.image[0], p.image[1], p.image[2]); }
-
-Pair pair_of(const ContactBlock& b, int k) {
-  return {b.first[k], b.second[k], {b.image[0][k], b.image[1][k], b.image[2][k]}};
-}
 
 // Walks through the pairs of a list in order.
 struct Cursor {
@@ -25,7 +41,7 @@ struct Cursor {
 
   explicit Cursor(const Contacts& list) : contacts(list) { settle(); }
   bool done() const { return block >= contacts.blocks.size(); }
-  Pair pair() const { return pair_of(contacts.blocks[block], lane); }
+  Pair pair() const { return contacts.pair(block, lane); }
   void next() {
     ++lane;
     settle();
@@ -43,42 +59,43 @@ bool before(const Pair& a, const Pair& b) { return key(a) < key(b); }
 
 void Contacts::assign(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes) {
   planes = std::move(with_planes);
-  slot_start.assign(grains + 1, 0);
+  images = images_of(pairs);
+  load_start.assign(grains + 1, 0);
   for (const Pair& p : pairs)
-    ++slot_start[static_cast<std::size_t>(p.first) + 1], ++slot_start[static_cast<std::size_t>(p.second) + 1];
-  for (const PlanePair& p : planes) ++slot_start[static_cast<std::size_t>(p.grain) + 1];
-  for (std::size_t b = 0; b < grains; ++b) slot_start[b + 1] += slot_start[b];
-  std::vector<std::uint32_t> next(slot_start.begin(), slot_start.end() - 1);
-  const std::size_t chunks = chunks_of(grains);
-  slots.assign(slot_start.back() + chunks, Slot{});
+    if (chunk_of(p.first) != chunk_of(p.second)) ++load_start[static_cast<std::size_t>(p.second) + 1];
+  for (const PlanePair& p : planes) ++load_start[static_cast<std::size_t>(p.grain) + 1];
+  load_start[0] = static_cast<std::uint32_t>(grains);
+  for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
+  std::vector<std::uint32_t> next(load_start.begin(), load_start.end() - 1);
+  loads.assign(load_start.back(), Load{});
 
   blocks.clear();
   chunk_start.assign(1, 0);
   std::size_t at = 0;
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+  for (std::size_t chunk = 0; chunk < chunks_of(grains); ++chunk) {
+    const auto begin = static_cast<std::uint32_t>(chunk * grains_per_chunk);
     const auto end = static_cast<std::int32_t>((chunk + 1) * grains_per_chunk);
-    const std::uint32_t nowhere = slot_start.back() + static_cast<std::uint32_t>(chunk);
     while (at < pairs.size() && pairs[at].first < end) {
       ContactBlock block{};
-      for (int k = 0; k < ContactBlock::size; ++k) {
-        block.image[0][k] = far_away;
-        block.slot_first[k] = block.slot_second[k] = nowhere;
-      }
+      std::fill_n(block.first, ContactBlock::size, row_distance(begin));
+      std::fill_n(block.second, ContactBlock::size, row_distance(begin));
+      std::fill_n(block.load_second, ContactBlock::size, row_distance(begin));
+      std::fill_n(block.image, ContactBlock::size, row_distance(images.size() - 1));
       for (; block.count < ContactBlock::size && at < pairs.size() && pairs[at].first < end; ++at, ++block.count) {
         const Pair& p = pairs[at];
         const int k = block.count;
-        block.first[k] = p.first, block.second[k] = p.second;
-        for (int a = 0; a < 3; ++a) block.image[a][k] = p.image[a];
-        block.folded = block.folded || !p.image.isZero();
-        block.slot_first[k] = next[static_cast<std::size_t>(p.first)]++;
-        block.slot_second[k] = next[static_cast<std::size_t>(p.second)]++;
+        const auto first = static_cast<std::size_t>(p.first), second = static_cast<std::size_t>(p.second);
+        block.first[k] = row_distance(first), block.second[k] = row_distance(second);
+        block.image[k] = row_distance(place(p.image, images));
+        block.folded = block.folded || block.image[k] != 0;
+        block.load_second[k] = row_distance(p.second < end ? second : next[second]++);
       }
       block.folded = block.folded || block.count < ContactBlock::size;
       blocks.push_back(block);
     }
     chunk_start.push_back(blocks.size());
   }
-  for (PlanePair& p : planes) p.slot = next[static_cast<std::size_t>(p.grain)]++;
+  for (PlanePair& p : planes) p.load = next[static_cast<std::size_t>(p.grain)]++;
 }
 
 void Contacts::inherit(const Contacts& old) {
@@ -95,6 +112,12 @@ void Contacts::inherit(const Contacts& old) {
     while (known != old.planes.end() && place(*known) < place(p)) ++known;
     if (known != old.planes.end() && place(*known) == place(p)) p.history = known->history;
   }
+}
+
+Pair Contacts::pair(std::size_t block, int k) const {
+  const ContactBlock& b = blocks[block];
+  const auto image = static_cast<std::size_t>(ContactBlock::index(b.image[k]));
+  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[image]};
 }
 
 History Contacts::history(std::size_t block, int k) const {

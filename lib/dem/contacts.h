@@ -16,8 +16,9 @@
 namespace soilweave::dem {
 
 /// Grains whose pairs one thread sweeps in one go.
-inline constexpr std::size_t grains_per_chunk = 128;
+inline constexpr std::size_t grains_per_chunk = 1024;
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
+inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t>(grain) / grains_per_chunk; }
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
 struct alignas(64) ContactBlock {
@@ -27,19 +28,20 @@ struct alignas(64) ContactBlock {
   double rolling[3][size];    // N m
   double twisting[size];      // N m
   double normal_force[size];  // N
-  std::int32_t first[size];   // grain indices, first < second
-  std::int32_t second[size];
-  std::int32_t image[3][size];     // cell offset of the second grain
-  std::uint32_t slot_first[size];  // where the force on each grain goes
-  std::uint32_t slot_second[size];
+  // Distances from the first row of an array of rows, in numbers: of the grains, first < second, of the cell offset of
+  // the second one among Contacts::images, and half the distance of the load that takes what acts on the second grain.
+  std::uint32_t first[size], second[size], image[size], load_second[size];
   std::uint32_t touching = 0, sliding = 0;  // bit k is pair k
   std::int32_t count = 0;
   bool folded = false;  // some pair reaches across the cell's faces
+
+  static constexpr std::uint32_t row_size = width<Lane4>;
+  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / row_size); }
 };
 
-/// What one contact does to one of its grains.
-struct Slot {
-  Lane4 force, torque;  // N, N m; last place 0
+/// What acts on a grain. One cache line.
+struct alignas(64) Load {
+  Lane4 force{}, torque{};  // N, N m; last place 0
 };
 
 /// A pair as the neighbour search lists it.
@@ -59,16 +61,21 @@ struct History {
 /// A grain and a plane closer than the skin.
 struct PlanePair {
   std::int32_t grain, plane;
-  std::uint32_t slot;
+  std::uint32_t load;
   History history;
 };
 
 struct Contacts {
   std::vector<ContactBlock> blocks;
-  std::vector<std::size_t> chunk_start;   // first block of each chunk, and the end
-  std::vector<PlanePair> planes;          // sorted by (grain, plane)
-  std::vector<Slot> slots;                // of grain b: slot_start[b] .. slot_start[b+1], in the order of its pairs,
-  std::vector<std::uint32_t> slot_start;  // planes last; empty lanes write to a slot behind all, one a chunk
+  std::vector<std::size_t> chunk_start;  // first block of each chunk, and the end
+  std::vector<PlanePair> planes;         // sorted by (grain, plane)
+  // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
+  std::vector<Vec3i> images;
+  // First a load for every grain, to which the pairs of its own chunk add in their order. Then loads of one pair each,
+  // of other chunks' pairs and of planes: of grain b from load_start[b] to load_start[b+1], in the order of its pairs,
+  // planes last.
+  std::vector<Load> loads;
+  std::vector<std::uint32_t> load_start;
 
   /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane), without
   /// history.
@@ -76,6 +83,7 @@ struct Contacts {
   /// Gives every pair the history it had in `old`.
   void inherit(const Contacts& old);
 
+  Pair pair(std::size_t block, int lane) const;
   History history(std::size_t block, int lane) const;
   void set_history(std::size_t block, int lane, const History& history);
 };

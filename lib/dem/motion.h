@@ -20,8 +20,9 @@ class Motion {
  public:
   Motion(std::size_t grains, int threads);
 
-  /// Contact forces and torques summed on every grain in the order of its slots.
-  void gather(const Contacts& contacts, Bodies& bodies);
+  /// Takes forces and torques from the loads to the grains, in a fixed order, and leaves the loads zero. Returns the
+  /// sum of force (x) position, N m.
+  Mat3 gather(Contacts& contacts, Bodies& bodies);
 
   /// Sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
@@ -31,16 +32,19 @@ class Motion {
   /// motion.
   MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies);
 
-  /// Stability limit from the stiffnesses in the slots (ContactSweep::survey), s: sqrt(2) times the least
-  /// sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8). Infinite
-  /// without contacts.
-  double stable_time_step(const Bodies& bodies, const Contacts& contacts);
+  /// Stability limit from the stiffnesses in the loads (ContactSweep::stiffen), which are left zero, s: sqrt(2) times
+  /// the least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws
+  /// §8). Infinite without contacts.
+  double stable_time_step(const Bodies& bodies, Contacts& contacts);
 
  private:
   struct Partial {
-    Lane4 damping{};
-    double gravity_work = 0, largest = 0, sum = 0;
+    Lane4 damping{}, gravity_work{};
+    Lane4 virial[3] = {};  // rows: force times x, y, z of the position
+    Lane4 largest{};
+    double sum = 0;
   };
+  static void advance(const struct Push& push, const struct FourGrains& grains, Partial& partial);
   template <class Body>
   void chunked(std::size_t grains, const Body& body);
 

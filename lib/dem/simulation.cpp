@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
+#include "dem/contacts_record.h"
 #include "dem/guard.h"
 #include "dem/ledger.h"
 #include "dem/motion.h"
@@ -22,6 +23,9 @@ namespace {
 constexpr std::int64_t stiffness_interval = 8;
 // Steps between two passes over the grains by the guards.
 constexpr std::int64_t guard_interval = 256;
+// Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
+// may be too long by the root of that at most, which its safety covers.
+constexpr double overlap_growth = 2;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
 // The fastest grain moves at most this fraction of the smallest radius in a step.
@@ -55,8 +59,10 @@ struct Simulation::Impl {
     }
   }
 
+  Scene scene() const { return {bodies, cell, planes, numerics.threads}; }
+
   void begin() {
-    sums = sweep->run(bodies, cell, planes, 0.0, numerics.threads, contacts);
+    sums = sweep->run(scene(), 0.0, contacts);
     gather();
     for (std::size_t k = 0; k < clamps.all.size(); ++k) clamps.set_velocity(k, Vec3::Zero(), bodies);
     clamps.take(numerics.gravity, 0, bodies);
@@ -69,7 +75,7 @@ struct Simulation::Impl {
 
   // Forces of contacts and yarns on every grain.
   void gather() {
-    motion.gather(contacts, bodies);
+    sums.force_branch += motion.gather(contacts, bodies);
     if (yarns.any()) yarns.run(time, numerics.threads, bodies);
   }
 
@@ -109,6 +115,7 @@ struct Simulation::Impl {
     archive_rows(a, "torque", bodies.torque);
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
+    a.item("overlap_at_estimate", estimated_at);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
@@ -130,7 +137,7 @@ struct Simulation::Impl {
     if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
-    sums = sweep->run(bodies, cell, planes, dt, numerics.threads, contacts);
+    sums = sweep->run(scene(), dt, contacts);
     clock.lap(Phase::contacts);
     ++steps;
     time += dt;
@@ -142,7 +149,7 @@ struct Simulation::Impl {
     account(moved, dt, before, gradient, clamped);
     measure();
     watch();
-    if (steps % stiffness_interval == 0) estimate_step();
+    if (steps % stiffness_interval == 0 || outgrown()) estimate_step();
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
@@ -179,8 +186,6 @@ struct Simulation::Impl {
     return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  Survey survey() { return sweep->survey(bodies, cell, planes, numerics.threads, contacts); }
-
   void watch() {
     guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
     if (sums.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
@@ -192,10 +197,10 @@ struct Simulation::Impl {
 
   Energies energies_now() {
     Energies e = energies;
-    const Survey s = survey();
-    e.elastic_normal = sums.elastic_normal, e.elastic_shear = s.elastic_shear;
+    const StoredEnergies stored = sweep->stored(scene(), contacts);
+    e.elastic_normal = sums.elastic_normal, e.elastic_shear = stored.shear;
+    e.elastic_rolling = stored.rolling, e.elastic_twisting = stored.twisting;
     e.elastic_yarns = yarns.sums().elastic;
-    e.elastic_rolling = s.elastic_rolling, e.elastic_twisting = s.elastic_twisting;
     e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
@@ -210,21 +215,31 @@ struct Simulation::Impl {
                        100 * sums.largest_relative_overlap);
   }
 
-  // From the stiffnesses that a survey left in the slots.
-  double stability_limit() {
+  struct Stiffness {
+    Vec3 axial;    // Pa
+    double limit;  // s, of stability
+  };
+
+  Stiffness look_at_stiffness() {
     const double r = bodies.smallest_radius();
     const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
+    const Vec3 sum = sweep->stiffen(scene(), contacts);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
-    return std::min({reference, motion.stable_time_step(bodies, contacts), nodes});
+    return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(bodies, contacts)})};
+  }
+
+  bool outgrown() const {
+    return sums.largest_relative_overlap > overlap_growth * std::max(estimated_at, reference_overlap);
   }
 
   void estimate_step() {
-    const Survey found = survey();
-    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * stability_limit();
+    estimated_at = sums.largest_relative_overlap;
+    const Stiffness found = look_at_stiffness();
+    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
     time_step = stable;
-    measures.axial_stiffness = found.axial_stiffness / cell.volume();
+    measures.axial_stiffness = found.axial;
   }
 
   void limit_move(double fastest) {
@@ -239,7 +254,7 @@ struct Simulation::Impl {
     return v;
   }
 
-  io::ContactsRecord contacts_record() const;
+  io::ContactsRecord contacts_record() const { return dem::contacts_record(contacts, bodies, cell, planes); }
 
   Numerics numerics;
   io::Snapshot record;  // identities and whatever the engine does not change
@@ -257,52 +272,10 @@ struct Simulation::Impl {
   Measures measures;
   Energies energies;
   double stable = 0, time_step = 0, time = 0;
+  double estimated_at = 0;  // largest overlap over radius when the step was last estimated
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
-
-io::ContactsRecord Simulation::Impl::contacts_record() const {
-  io::ContactsRecord r;
-  const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
-                        const Vec3& branch, double overlap) {
-    r.bodies.push_back({first, second});
-    r.image.push_back(image);
-    r.normal.push_back(to_eigen(h.normal));
-    r.branch_vector.push_back(branch);
-    r.overlap.push_back(overlap);
-    r.normal_force.push_back(h.normal_force);
-    r.shear_force.push_back(to_eigen(h.memory.shear));
-    r.rolling_moment.push_back(to_eigen(h.memory.rolling));
-    r.twisting_moment.push_back(h.memory.twisting);
-    r.sliding.push_back(h.sliding);
-  };
-  auto with_plane = contacts.planes.begin();
-  const auto add_planes_up_to = [&](std::int32_t grain) {
-    for (; with_plane != contacts.planes.end() && with_plane->grain <= grain; ++with_plane) {
-      if (!with_plane->history.touching) continue;
-      const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
-      const auto i = static_cast<std::size_t>(with_plane->grain);
-      const double height = (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
-      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), -height * plane.normal,
-          bodies.radius(i) - height);
-    }
-  };
-  for (std::size_t b = 0; b < contacts.blocks.size(); ++b) {
-    const ContactBlock& block = contacts.blocks[b];
-    for (int k = 0; k < block.count; ++k) {
-      if (!((block.touching >> k) & 1)) continue;
-      add_planes_up_to(block.first[k]);
-      const auto i = static_cast<std::size_t>(block.first[k]), j = static_cast<std::size_t>(block.second[k]);
-      const Vec3i image(block.image[0][k], block.image[1][k], block.image[2][k]);
-      const Vec3 branch =
-          vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-      add(contacts.history(b, k), block.first[k], block.second[k], image, branch,
-          bodies.radius(i) + bodies.radius(j) - branch.norm());
-    }
-  }
-  add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
-  return r;
-}
 
 Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics)
     : impl_(std::make_unique<Impl>(state, model, numerics, nullptr)) {}
@@ -322,10 +295,7 @@ Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
 double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
-double Simulation::stability_limit() {
-  impl_->survey();
-  return impl_->stability_limit();
-}
+double Simulation::stability_limit() { return impl_->look_at_stiffness().limit; }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
@@ -367,7 +337,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
-  s.sums = s.sweep->run(s.bodies, s.cell, s.planes, 0.0, s.numerics.threads, s.contacts);
+  s.sums = s.sweep->run(s.scene(), 0.0, s.contacts);
   s.gather();
   s.clamps.take(s.numerics.gravity, 0, s.bodies);
   s.measure();

@@ -15,20 +15,21 @@ class Transport {
  public:
   Transport(const V3<T>& old_normal, const V3<T>& normal, const T& spin_angle)
       : normal_(normal), sum_(old_normal + normal) {
-    const T s2 = spin_angle * spin_angle;
-    const T t = 0.5 * spin_angle * (1.0 + s2 * (1.0 / 12.0 + s2 * (1.0 / 120.0)));  // tangent of half the spin
+    const T s2 = spin_angle * spin_angle, one = all<T>(1);
+    const T series = fused(s2, fused(s2, all<T>(1.0 / 120.0), all<T>(1.0 / 12.0)), one);
+    const T t = 0.5 * spin_angle * series;  // tangent of half the spin
     // One division for both scales.
-    const T t2 = t * t, rodrigues = 1.0 + dot(old_normal, normal);
-    const T inverse = 1.0 / ((1.0 + t2) * rodrigues);
-    against_ = -((1.0 + t2) * inverse);
+    const T length = fused(t, t, one), rodrigues = one + dot(old_normal, normal);
+    const T inverse = one / (length * rodrigues);
+    against_ = length * inverse;
     const T scale = rodrigues * inverse;
-    cosine_ = (1.0 - t2) * scale;
-    sine_ = 2.0 * t * scale;
+    cosine_ = fused_less(t, t, one) * scale;
+    sine_ = (t + t) * scale;
   }
 
   V3<T> operator()(const V3<T>& f) const {
     // Rodrigues' rotation from n0 to n1 of a vector normal to n0: f - (f.n1)/(1 + n0.n1) (n0 + n1).
-    const V3<T> g = fused(T(against_ * dot(f, normal_)), sum_, f);
+    const V3<T> g = fused_less(T(against_ * dot(f, normal_)), sum_, f);
     return fused(cosine_, g, sine_ * cross(normal_, g));
   }
 

@@ -112,7 +112,9 @@ void Yarns::run(double time, int threads, Bodies& bodies) {
       const Yarn& yarn = yarns_[ends_[e] / 2];
       force += (ends_[e] % 2 == 0 ? yarn.tension : -yarn.tension) * yarn.direction;
     }
-    bodies.force[static_cast<std::size_t>(node_[n])] += force;
+    const auto i = static_cast<std::size_t>(node_[n]);
+    bodies.force[i] += force;
+    bodies.torque[i] = Lane4{};
   }
 }
 
@@ -122,8 +124,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   double largest = 0;
   for (std::size_t n = 0; n < node_.size(); ++n) {
     const auto i = static_cast<std::size_t>(node_[n]);
-    Lane4 along{};
-    for (std::uint32_t s = contacts.slot_start[i]; s < contacts.slot_start[i + 1]; ++s) along += contacts.slots[s].force;
+    Lane4 along = contacts.loads[i].force;
+    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) along += contacts.loads[s].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const Yarn& yarn = yarns_[ends_[e] / 2];
       if (yarn.memory.broken) continue;

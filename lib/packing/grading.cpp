@@ -50,6 +50,7 @@ Grading Grading::toyoura() {
 }
 
 double Grading::quantile(double fraction) const {
+  fraction = finer.front() + fraction * (1 - finer.front());
   const auto above = std::upper_bound(finer.begin(), finer.end(), fraction);
   if (above == finer.begin()) return diameter.front();
   if (above == finer.end()) return diameter.back();

@@ -9,7 +9,8 @@
 namespace soilweave::packing {
 
 /// Fraction by mass finer than a diameter: ascending diameters (m), fractions ascending to 1. Linear between points;
-/// what is finer than the first point has its size.
+/// what is finer than the first point is left out, as its size is not known and as in the author's packings: a per cent
+/// of the mass, put in grains of that size, is a tenth of all grains, most of them without a contact.
 struct Grading {
   std::vector<double> diameter;
   std::vector<double> finer;
@@ -19,7 +20,7 @@ struct Grading {
   /// The curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
   static Grading toyoura();
 
-  /// Diameter below which a fraction by mass lies, m.
+  /// Diameter below which a fraction lies of the mass coarser than the first point, m.
   double quantile(double fraction) const;
   /// n radii (m), largest first, at the mid-quantiles of the distribution by number that belongs to the curve in this
   /// dimension (mass ~ d^3 for spheres, d^2 for disks): no sample of n grains follows the curve more closely.

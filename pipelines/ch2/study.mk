@@ -51,13 +51,13 @@ C2_SIZES := $(sort $(foreach c,$(C2_CASES),$(call grains,$(c))))
 $(C2_SIZES:%=$(C2O)/packing_%.h5): $(C2O)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@flock $@.lock $(BIN)/pack-generate --grains $* --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
+	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains $* --void-ratio 0.68 --pressure 1e3 --seed 1
 
 # q/p at failure as stress ratio, (3 + 2 q/p)/(3 - q/p).
 $(C2O)/peak_%MPa.tsv: data/laboratory/toyoura_peak_obliquity.tsv
 	@mkdir -p $(@D)
 	@awk -F '\t' -v p=$* 'BEGIN { printf "point [1]\tstress_ratio_peak [1]\n" } $$1 == 1000 * p { printf "1\t%.6g\n", (3 + 2 * $$2) / (3 - $$2) }' \
-	  $< > $@.part && mv $@.part $@
+	  $< $(call whole,$@)
 
 # One round of one case. $(1): case, $(2): number of the round, $(3): sets, $(4): the round before.
 c2_made = $(if $(4),resample $(C2O)/$(1)/posterior$(4).h5 --seed $(2),draw $(call C2_PRIOR_$(PROFILE),$(call law,$(1))) --bases 2$(comma)5$(comma)7$(comma)9$(comma)11)
@@ -65,8 +65,8 @@ define c2_round
 $(C2O)/$(1)/round$(2).h5 $(C2O)/$(1)/round$(2).tsv &: $(if $(4),$(C2O)/$(1)/posterior$(4).h5,$(call C2_PRIOR_$(PROFILE),$(call law,$(1)))) \
   $(C2O)/settings $(BIN)/pf-weight
 	@mkdir -p $$(@D)
-	@$(BIN)/pf-weight $(c2_made) --samples $(3) --tsv --force -o $(C2O)/$(1)/round$(2).h5 > $(C2O)/$(1)/round$(2).part && \
-	  mv $(C2O)/$(1)/round$(2).part $(C2O)/$(1)/round$(2).tsv
+	@$(BIN)/pf-weight $(c2_made) --samples $(3) --tsv --force -o $(C2O)/$(1)/round$(2).h5 \
+	  $$(call whole,$(C2O)/$(1)/round$(2).tsv)
 $(C2O)/$(1)/ran$(2): $(C2)/ensemble.sh $(C2)/run.sh $(C2O)/$(1)/round$(2).tsv $(C2O)/packing_$(call grains,$(1)).h5 $(C2_SCENARIO_$(call law,$(1))) \
   $(BIN)/run-dem $(BIN)/homogenize
 	@BIN=$(BIN) $(C2)/ensemble.sh $(C2O)/$(1)/round$(2).tsv $(C2O)/$(1) $(call law,$(1)) $(C2O)/packing_$(call grains,$(1)).h5 \
@@ -77,7 +77,7 @@ $(C2O)/$(1)/posterior$(2).h5: $(C2O)/$(1)/ran$(2) $(call observed,$(1)) $(BIN)/p
 	  > $(C2O)/$(1)/posterior$(2).txt
 $(foreach t,steps density,$(C2O)/$(1)/$(t)$(2).tsv): $(C2O)/$(1)/%$(2).tsv: $(C2O)/$(1)/posterior$(2).h5
 	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) --error $(C2_ERROR) --quiet \
-	  --tsv --table $$* > $$@.part && mv $$@.part $$@
+	  --tsv --table $$* $$(call whole,$$@)
 endef
 $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(eval $(call c2_round,$(c),$(r),$(word $(r),$(C2_SAMPLES)),$(filter-out 0,$(shell expr $(r) - 1))))))
 # One ensemble after the other, since each has all cores: a case waits for the last round of the case before.
@@ -93,7 +93,7 @@ define c2_check
 $(C2O)/$(1)/check.tsv: $(C2)/check.sh $(C2)/run.sh $(C2O)/$(1)/steps$(C2_LAST).tsv $(wildcard data/contacts/toyoura_$(call law,$(1))_$(call pressure,$(1))MPa.tsv)
 	@BIN=$(BIN) $(C2)/check.sh $(C2O)/$(1) $(call law,$(1)) $(C2O)/packing_$(call grains,$(1)).h5 $(C2_SCENARIO_$(call law,$(1))) \
 	  $(call pressure,$(1)) $(C2O)/$(1)/steps$(C2_LAST).tsv $(call observed,$(1)) $(C2_STRAIN) data/contacts/toyoura_$(call law,$(1))_$(call pressure,$(1))MPa.tsv \
-	  > $$@.part && mv $$@.part $$@
+	  $$(call whole,$$@)
 endef
 $(foreach c,$(C2_CHECKED),$(eval $(call c2_check,$(c))))
 
@@ -101,14 +101,14 @@ C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps 
 C2_CHECKS := $(C2_CHECKED:%=$(C2O)/%/check.tsv)
 
 $(C2O)/measured.tsv: $(C2)/measure.awk $(C2_TABLES) $(C2_CHECKS)
-	@awk -v cases='$(C2_CASES)' -v checked='$(C2_CHECKED)' -v round=$(C2_LAST) -v folder=$(C2O) -f $< > $@.part && mv $@.part $@
+	@awk -v cases='$(C2_CASES)' -v checked='$(C2_CHECKED)' -v round=$(C2_LAST) -v folder=$(C2O) -f $< $(call whole,$@)
 # Only what this profile measures is compared.
 $(C2O)/expected.tsv $(C2O)/statements.tsv: $(C2O)/%.tsv: $(C2)/%.tsv $(C2O)/measured.tsv
-	@awk -F '\t' 'FNR == NR { known[$$1] = 1; next } /^#/ || $$1 == "name" || ($$1 in known)' $(C2O)/measured.tsv $< > $@.part && mv $@.part $@
+	@awk -F '\t' 'FNR == NR { known[$$1] = 1; next } /^#/ || $$1 == "name" || ($$1 in known)' $(C2O)/measured.tsv $< $(call whole,$@)
 $(C2O)/comparison.tsv: pipelines/compare.awk $(C2O)/expected.tsv $(C2O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 $(C2O)/checklist.tsv: pipelines/compare.awk $(C2O)/statements.tsv $(C2O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 
 $(C2O)/figures: $(C2)/figures.gp $(C2_TABLES) $(C2_CHECKS)
 	@for format in svg png; do gnuplot -e "out='$(C2O)'; format='$$format'; cases='$(C2_CASES)'; checked='$(C2_CHECKED)'; \
@@ -116,6 +116,6 @@ $(C2O)/figures: $(C2)/figures.gp $(C2_TABLES) $(C2_CHECKS)
 	@touch $@
 
 $(C2O)/page.html: $(C2)/page.sh pipelines/table.awk $(C2O)/comparison.tsv $(C2O)/checklist.tsv $(C2O)/figures
-	@OUT=$(C2O) CASES='$(C2_CASES)' SAMPLES='$(C2_SAMPLES)' LAST=$(C2_LAST) ERROR=$(C2_ERROR) PROFILE=$(PROFILE) $(C2)/page.sh > $@.part && mv $@.part $@
+	@OUT=$(C2O) CASES='$(C2_CASES)' SAMPLES='$(C2_SAMPLES)' LAST=$(C2_LAST) ERROR=$(C2_ERROR) PROFILE=$(PROFILE) $(C2)/page.sh $(call whole,$@)
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch2: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C2O)/comparison.tsv $(C2O)/checklist.tsv

@@ -16,58 +16,58 @@ ch5: $(C5O)/page.html ## the analytical solution for geotextile-wrapped soil, it
 
 $(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve respond --geotextile $* --points 100 --tsv > $@.part && mv $@.part $@
+	@$(BIN)/gws-solve respond --geotextile $* --points 100 --tsv $(call whole,$@)
 
 # % is GEOTEXTILE_PRESSUREkPa.
 $(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --geotextile $(word 1,$(subst _, ,$*)) --lateral-stress "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa" \
-	  --points 100 --tsv > $@.part && mv $@.part $@
+	  --points 100 --tsv $(call whole,$@)
 
 C5_IDENTIFY = $(BIN)/gws-solve identify $(C5_DEM) --failure $(C5_FAILURE) --difference backward
 $(C5_LINES): $(C5O)/%.tsv: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) --tsv --table $* > $@.part && mv $@.part $@
+	@$(C5_IDENTIFY) --tsv --table $* $(call whole,$@)
 
 $(C5O)/identified.txt: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) | sed 's|data/discrete_element/soilbag_uniaxial_||g; s|\.tsv||g' > $@.part && mv $@.part $@
+	@$(C5_IDENTIFY) | sed 's|data/discrete_element/soilbag_uniaxial_||g; s|\.tsv||g' $(call whole,$@)
 
 $(C5O)/soil.toml: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
-	@$(C5_IDENTIFY) --toml > $@.part && mv $@.part $@
+	@$(C5_IDENTIFY) --toml $(call whole,$@)
 
 # Fig. 5.13: p* and plastic axial strain from row to row added up, with the line of each series.
 $(C5O)/accumulated.tsv: $(C5)/accumulate.awk $(C5O)/stiffness.tsv $(C5O)/increments.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 
 # Bands: the identified constants and their scatter; the chart: geotextiles like PP, a service surcharge of 300 kPa.
 C5_BANDS = $(BIN)/gws-solve respond --geotextile PP --soil $(C5O)/soil.toml --samples 1000 --points 50
 $(C5O)/bands.tsv: $(BIN)/gws-solve $(C5O)/soil.toml
-	@$(C5_BANDS) --tsv > $@.part && mv $@.part $@
+	@$(C5_BANDS) --tsv $(call whole,$@)
 $(C5O)/bands.txt: $(BIN)/gws-solve $(C5O)/soil.toml
-	@$(C5_BANDS) | sed -n '/draws/p' | tail -n +2 > $@.part && mv $@.part $@
+	@$(C5_BANDS) | sed -n '/draws/p' | tail -n +2 $(call whole,$@)
 $(C5O)/chart.tsv: $(BIN)/gws-solve
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve design --geotextile PP --surcharge 300e3 --settlement 0.06 --safety 1.5 --chart --from 30e3 --to 1160e3 \
-	  --points 60 --tsv > $@.part && mv $@.part $@
+	  --points 60 --tsv $(call whole,$@)
 $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve respond --geotextile PP --sensitivity > $@.part && mv $@.part $@
+	@$(BIN)/gws-solve respond --geotextile PP --sensitivity $(call whole,$@)
 
 $(C5O)/measured.tsv: $(C5)/measure.awk $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DEM)
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 
 $(C5O)/comparison.tsv: pipelines/compare.awk $(C5)/expected.tsv $(C5O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 $(C5O)/checklist.tsv: pipelines/compare.awk $(C5)/statements.tsv $(C5O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 
 $(C5O)/figures: $(C5)/figures.gp $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
 	@for format in svg png; do gnuplot -e "out='$(C5O)'; format='$$format'" $<; done
 	@touch $@
 
 $(C5O)/page.html: $(C5)/page.sh pipelines/figure.sh pipelines/table.awk $(C5O)/comparison.tsv $(C5O)/checklist.tsv $(C5O)/figures $(C5_DESIGN)
-	@OUT=$(C5O) $(C5)/page.sh > $@.part && mv $@.part $@
+	@OUT=$(C5O) $(C5)/page.sh $(call whole,$@)
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch5: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C5O)/comparison.tsv $(C5O)/checklist.tsv

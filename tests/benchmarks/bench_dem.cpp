@@ -63,9 +63,11 @@ struct Loops {
         motion(bodies.size(), 1),
         sweep(make_contact_sweep(model)) {
     neighbours.rebuild(bodies, cell, planes, contacts);
-    sums = sweep->run(bodies, cell, planes, 0, 1, contacts);
+    sums = sweep->run(scene(), 0, contacts);
     motion.gather(contacts, bodies);
   }
+  Scene scene() const { return {bodies, cell, planes, 1}; }
+
   Bodies bodies;
   Cell cell;
   Planes planes;
@@ -88,8 +90,7 @@ std::size_t grains_of(const benchmark::State& state) { return static_cast<std::s
 
 void contact_sweep(benchmark::State& state, const Model& model) {
   Loops loops(grains_of(state), model);
-  for (auto _ : state)
-    loops.sums = loops.sweep->run(loops.bodies, loops.cell, loops.planes, time_step, 1, loops.contacts);
+  for (auto _ : state) loops.sums = loops.sweep->run(loops.scene(), time_step, loops.contacts);
   tell(state, "contact", static_cast<double>(loops.sums.contacts));
 }
 
@@ -112,7 +113,7 @@ void neighbour_filter(benchmark::State& state) {
 
 void gathering(benchmark::State& state) {
   Loops loops(grains_of(state), sand());
-  for (auto _ : state) benchmark::DoNotOptimize(loops.motion.gather(loops.contacts, Vec3::Zero(), loops.bodies));
+  for (auto _ : state) benchmark::DoNotOptimize(loops.motion.gather(loops.contacts, loops.bodies));
   tell(state, "grain", static_cast<double>(loops.bodies.size()));
 }
 

@@ -16,13 +16,7 @@ fail() {
   exit 1
 }
 
-cat > short.toml << 'TOML'
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
-
+cat "$here/../tools/sand.toml" - > short.toml << 'TOML'
 [contact.rolling]
 stiffness = 0.13
 limit = 0.3

@@ -8,12 +8,7 @@ load common
 setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR" || return
-  cat > short.toml << 'TOML'
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > short.toml << 'TOML'
 restitution = 0.8
 
 [contact.rolling]

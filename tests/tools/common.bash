@@ -74,6 +74,15 @@ needs_reference() {
   [[ -e $reference ]] || skip "no $1 in SOILWEAVE_REFERENCE"
 }
 
+# analysis_inputs: files of every kind that analyses take, in $IN.
+analysis_inputs() {
+  local case
+  export IN=$BATS_FILE_TMPDIR
+  for case in sheared disks box bare fields; do
+    "$PYTHON" "$BATS_TEST_DIRNAME/vtk_states.py" "$case" "$IN/$case.h5"
+  done
+}
+
 every_tool() {
   local tool
   for tool in "$BIN"/*; do basename "$tool"; done

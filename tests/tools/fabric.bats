@@ -6,11 +6,7 @@ load common
 
 setup_file() {
   load common
-  local case
-  export IN=$BATS_FILE_TMPDIR
-  for case in sheared disks box bare fields; do
-    "$PYTHON" "$BATS_TEST_DIRNAME/vtk_states.py" "$case" "$IN/$case.h5"
-  done
+  analysis_inputs
 }
 
 setup() {

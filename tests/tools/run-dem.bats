@@ -7,13 +7,7 @@ load common
 setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR" || return
-  cat > short.toml << 'TOML'
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
-
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > short.toml << 'TOML'
 [equilibrium]
 unbalanced_force = 1e-2
 
@@ -163,7 +157,7 @@ off() {
   printf '[contact\nlaw = "linear"\n' > bad.toml
   refuses 65 run-dem "bad.toml:1:9: " packing.h5 bad.toml -o out.h5
   sed 's/^rate/increment/' short.toml > bad.toml
-  refuses 65 run-dem "bad.toml:15:" packing.h5 bad.toml -o out.h5
+  refuses 65 run-dem "bad.toml:16:" packing.h5 bad.toml -o out.h5
 }
 
 @test "errors: unknown and misspelt keys are told with line and nearest known key" {
@@ -171,14 +165,14 @@ off() {
     sed "s/^$1\\b/$2/" short.toml > slip.toml
     refuses 65 run-dem "slip.toml:$3: unknown key '$4$2'; did you mean '$1'?" packing.h5 slip.toml -o out.h5
   }
-  misspelt young_modulus youngs_modulus 3 contact.
-  misspelt friction_angle frictoin_angle 5 contact.
-  misspelt confining_pressure confing_pressure 12 stage.0.
-  misspelt unbalanced_force unbalanced_forces 8 equilibrium.
+  misspelt young_modulus youngs_modulus 5 contact.
+  misspelt friction_angle frictoin_angle 7 contact.
+  misspelt confining_pressure confing_pressure 13 stage.0.
+  misspelt unbalanced_force unbalanced_forces 9 equilibrium.
   sed 's/^\[contact\]/[contakt]/' short.toml > slip.toml
-  refuses 65 run-dem "slip.toml:1: unknown key 'contakt'; did you mean 'contact'?" packing.h5 slip.toml -o out.h5
+  refuses 65 run-dem "slip.toml:3: unknown key 'contakt'; did you mean 'contact'?" packing.h5 slip.toml -o out.h5
   sed 's/^\[\[stage\]\]/[[stages]]/' short.toml > slip.toml
-  refuses 65 run-dem "slip.toml:10: unknown key 'stages'; did you mean 'stage'?" packing.h5 slip.toml -o out.h5
+  refuses 65 run-dem "slip.toml:11: unknown key 'stages'; did you mean 'stage'?" packing.h5 slip.toml -o out.h5
   off "--set numerics.dampning=0.2: unknown key 'numerics.dampning'; did you mean 'damping'?" numerics.dampning=0.2
   off "--set numeric.damping=0.2: unknown key 'numeric'; did you mean 'numerics'?" numeric.damping=0.2
   off "unknown key 'contact.colour'; known: " contact.colour=1
@@ -188,7 +182,7 @@ off() {
   sed 's/^poisson_ratio.*/poisson_ratio = 0.7/; s/^rate.*/rate = "fast"/' short.toml > three.toml
   exits 65 run-dem packing.h5 three.toml --set numerics.damping=2 -o out.h5
   [[ $(wc -l <<< "$stderr") -eq 3 && $(grep -c '^run-dem: ' <<< "$stderr") -eq 3 ]] || show "wanted three lines"
-  [[ $stderr == *"--set numerics.damping=2: "*"three.toml:4: "*"three.toml:15: "* ]] || show "wanted their places"
+  [[ $stderr == *"--set numerics.damping=2: "*"three.toml:6: "*"three.toml:16: "* ]] || show "wanted their places"
   [[ ! -e out.h5 ]]
 }
 

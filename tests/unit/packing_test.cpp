@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "dem/bodies.h"
@@ -26,7 +29,8 @@ TEST(Grading, BuiltInCurveIsTheOneInTheDataFolder) {
   }
 }
 
-// n grains at the mid-quantiles by number follow the curve by mass to about the mass of one large grain.
+// n grains at the mid-quantiles by number follow the curve by mass, from its first point on, to about the mass of one
+// large grain.
 TEST(Grading, GrainsFollowTheCurveByMass) {
   for (const int d : {2, 3}) {
     const Grading curve = Grading::toyoura();
@@ -37,10 +41,44 @@ TEST(Grading, GrainsFollowTheCurveByMass) {
       double finer = 0;
       for (const double r : radii)
         if (2 * r <= curve.diameter[k]) finer += std::pow(r, d);
-      EXPECT_NEAR(finer / total, curve.finer[k], 2 * std::pow(radii.front(), d) / total) << "diameter " << k;
+      const double expected = (curve.finer[k] - curve.finer[0]) / (1 - curve.finer[0]);
+      EXPECT_NEAR(finer / total, expected, 2 * std::pow(radii.front(), d) / total) << "diameter " << k;
     }
     EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
   }
+}
+
+TEST(Grading, OneSizeIsACurve) {
+  const Grading curve = Grading::from_tsv("diameter [mm]\tfiner_by_mass [1]\n3\t1\n", "g");
+  for (const double r : curve.radii(5, 3)) EXPECT_DOUBLE_EQ(r, 1.5e-3);
+}
+
+// Diameters over the median one, of the author's packing of 5000 grains at fractions of its mass.
+TEST(Grading, IsThatOfTheAuthorsPackings) {
+  const char* reference = std::getenv("SOILWEAVE_REFERENCE");
+  if (!reference) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
+  std::ifstream file(std::string(reference) + "/ch2/toyoura_rv_5000.csv");
+  ASSERT_TRUE(file);
+  std::vector<double> theirs;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) theirs.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+  const auto at = [](std::vector<double> radii, double fraction) {
+    std::sort(radii.begin(), radii.end());
+    double total = 0, below = 0;
+    for (const double r : radii) total += r * r * r;
+    for (const double r : radii)
+      if ((below += r * r * r) >= fraction * total) return r;
+    return radii.back();
+  };
+  const std::vector<double> ours = Grading::toyoura().radii(theirs.size(), 3);
+  for (const double f : {0.002, 0.01, 0.02, 0.05, 0.1, 0.3, 0.6, 0.9, 0.99})
+    EXPECT_NEAR(at(ours, f) / at(ours, 0.5), at(theirs, f) / at(theirs, 0.5), 0.01) << "fraction " << f;
+  const auto small = [&](const std::vector<double>& radii) {
+    const double limit = 0.65 * at(radii, 0.5);
+    return std::count_if(radii.begin(), radii.end(), [&](double r) { return r < limit; });
+  };
+  EXPECT_NEAR(static_cast<double>(small(ours)), static_cast<double>(small(theirs)), 0.1 * small(theirs));
 }
 
 TEST(Grading, TellsWhatIsWrongWithATable) {

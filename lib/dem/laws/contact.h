@@ -100,20 +100,22 @@ template <class T, class Quantity>
 SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const T& compliance,
                                             const Quantity& increment, const T& limit) {
   SpringStep<T, Quantity> s;
-  const Quantity trial = old - stiffness * increment;
-  const T trial2 = squared(trial), one = all<T>(1), zero = all<T>(0);
-  s.limited = trial2 > limit * limit;
+  const Quantity trial = fused_less(stiffness, increment, old);
+  const T one = all<T>(1), half = 0.5 * compliance;
+  T force2 = squared(trial);
+  s.limited = force2 > limit * limit;
   s.force = trial;
-  s.dissipated = zero;
+  s.dissipated = all<T>(0);
   // Where nothing is limited the scale is exactly 1: to skip it changes no bit.
   if (any(s.limited)) {
-    const T scale = select<T>(s.limited, limit / square_root(maximum(trial2, all<T>(1e-300))), one);
+    const T scale = select<T>(s.limited, limit / square_root(maximum(force2, all<T>(1e-300))), one);
     s.force = scale * trial;
     // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
-    s.dissipated = keep(s.limited, T(0.5 * compliance * (one - scale) * product(Quantity(old + s.force), trial)));
+    s.dissipated = keep(s.limited, T(half * (one - scale) * product(Quantity(old + s.force), trial)));
+    force2 = squared(s.force);
   }
-  s.before = 0.5 * compliance * squared(old);
-  s.stored = 0.5 * compliance * squared(s.force);
+  s.before = half * squared(old);
+  s.stored = half * force2;
   return s;
 }
 
@@ -122,7 +124,7 @@ template <class T, class Quantity>
 SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const T& compliance,
                                     const Quantity& increment) {
   SpringStep<T, Quantity> s;
-  s.force = old - stiffness * increment;
+  s.force = fused_less(stiffness, increment, old);
   s.limited = all<T>(0) > all<T>(0);
   s.dissipated = all<T>(0);
   s.before = 0.5 * compliance * squared(old);

@@ -53,6 +53,11 @@ struct Damping {
     const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star() * stiffness) * k.approach_speed;
     return attraction ? sum : maximum(sum, all<T>(0));
   }
+  /// What it takes in a time dt, J.
+  template <class T>
+  T work(const T& force, const T& elastic, const Kinematics<T>& k, const T& dt) const {
+    return ratio == 0 ? all<T>(0) : T((force - elastic) * k.approach_speed * dt);
+  }
 };
 
 }  // namespace soilweave::dem

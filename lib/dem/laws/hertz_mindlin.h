@@ -64,6 +64,8 @@ struct HertzMindlin {
             Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction), mix_tangential(a, b)};
   }
 
+  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+
   /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R*
   /// delta)).
   template <class T>
@@ -78,7 +80,7 @@ struct HertzMindlin {
     r.normal_stiffness = kn;
     r.shear_stiffness = ks;
     books.elastic_normal = 0.4 * elastic * k.overlap;
-    books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
+    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
     tangential_step(c.tangential, k, memory, r, books);
     return r;
   }

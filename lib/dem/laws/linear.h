@@ -60,6 +60,8 @@ struct Linear {
             mix_tangential(a, b)};
   }
 
+  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+
   /// Springs of the two grains in series, dem-laws §3: kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn = kn delta.
   template <class T>
   static Response<T> respond(const Couple& c, const Kinematics<T>& k, const T& dt, Memory<T>& memory, Books<T>& books) {
@@ -71,7 +73,7 @@ struct Linear {
     const T elastic = r.normal_stiffness * k.overlap;
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
-    books.viscous = (r.normal_force - elastic) * k.approach_speed * dt;
+    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
     // Without stiffness there is no shear force, also where the state was made with one.
     if (c.S1 == 0 || c.S2 == 0) memory.shear = V3<T>{};
     tangential_step(c.tangential, k, memory, r, books);

@@ -1,0 +1,48 @@
+// Eight contacts at once: what lanes.h says of four, for the object that is compiled for AVX-512 (and, for tests of its
+// bits, for the baseline). Included by lanes.h alone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace soilweave {
+
+using Lane8 = double __attribute__((vector_size(64)));
+
+inline Lane4 low(const Lane8& x) { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
+inline Lane4 high(const Lane8& x) { return __builtin_shufflevector(x, x, 4, 5, 6, 7); }
+inline Lane8 join(const Lane4& a, const Lane4& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
+
+#ifdef __AVX512F__
+inline Lane8 square_root(const Lane8& x) { return _mm512_sqrt_pd(x); }
+inline Lane8 fused(const Lane8& a, const Lane8& b, const Lane8& c) { return _mm512_fmadd_pd(a, b, c); }
+inline Lane8 fused_less(const Lane8& a, const Lane8& b, const Lane8& c) { return _mm512_fnmadd_pd(a, b, c); }
+inline unsigned bits(const Mask<Lane8>& mask) {
+  __m512i integers;
+  std::memcpy(&integers, &mask, sizeof integers);
+  return _mm512_cmplt_epi64_mask(integers, _mm512_setzero_si512());
+}
+#else
+inline Lane8 square_root(const Lane8& x) { return join(square_root(low(x)), square_root(high(x))); }
+inline Lane8 fused(const Lane8& a, const Lane8& b, const Lane8& c) {
+  return join(fused(low(a), low(b), low(c)), fused(high(a), high(b), high(c)));
+}
+inline Lane8 fused_less(const Lane8& a, const Lane8& b, const Lane8& c) {
+  return join(fused_less(low(a), low(b), low(c)), fused_less(high(a), high(b), high(c)));
+}
+inline unsigned bits(const Mask<Lane8>& mask) {
+  return bits(__builtin_shufflevector(mask, mask, 0, 1, 2, 3)) |
+         (bits(__builtin_shufflevector(mask, mask, 4, 5, 6, 7)) << 4);
+}
+#endif
+
+template <class T, class Row>
+requires(width<T> == 8) Columns<T> columns(const Row& row) {
+  const Rows4 l = transpose({row(0), row(1), row(2), row(3)}), h = transpose({row(4), row(5), row(6), row(7)});
+  return {join(l.a, h.a), join(l.b, h.b), join(l.c, h.c), join(l.d, h.d)};
+}
+template <class Put>
+void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, const Put& put) {
+  to_rows(low(a), low(b), low(c), low(d), put);
+  to_rows(high(a), high(b), high(c), high(d), [&put](int i, const Lane4& row) { put(i + 4, row); });
+}
+
+}  // namespace soilweave

@@ -1,0 +1,27 @@
+// Tells a processor that is too old for what was compiled, before anything else runs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/processor.h"
+
+#include <unistd.h>
+
+namespace {
+
+// Compiled for any x86-64 (Makefile), and run before the constructors of other files, which are not. Nothing but the
+// system may be called here.
+[[gnu::constructor(101)]] void demand_processor() {
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) return;
+  constexpr char message[] =
+      "soilweave: this processor lacks AVX2, FMA or BMI2 (x86-64-v3, in use since 2013 to 2015): run it on a newer "
+      "one\n";
+  [[maybe_unused]] const auto told = write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(soilweave::old_processor_status);
+}
+
+}  // namespace
+
+namespace soilweave {
+
+void link_processor_check() {}
+
+}  // namespace soilweave
