@@ -27,11 +27,11 @@ constexpr std::int64_t late_rounds = 10;
 struct Position {
   std::int64_t round = 0, first = 0;  // step at which the round began
   double growth = 1, volume = 0;      // volume: m3, at the last measurement
-  bool measured = false;              // of this round
+  bool ending = false;                // full: only the last equilibrium is left
 
   void archive(Archive& a) {
     a.item("round", round), a.item("round_first_step", first), a.item("growth", growth);
-    a.item("delaunay_volume", volume), a.whole("measured", measured);
+    a.item("delaunay_volume", volume), a.whole("ending", ending);
   }
 };
 
@@ -68,10 +68,11 @@ class Grower {
 
   Grown run() {
     const double filling = std::cbrt(growth_.stretch.prod());
-    for (;;) {
+    while (!at_.ending) {
       const bool stretching = at_.growth < filling;
       settle(stretching ? growth_.steps : late_rounds * growth_.steps, least_force_);
-      if ((!stretching || at_.round % growth_.measure_every == 0) && full() && !stretching) break;
+      if (!stretching || at_.round % growth_.measure_every == 0) at_.ending = full() && !stretching;
+      if (at_.ending) break;
       if (at_.round >= growth_.largest_rounds) unreached();
       // The part of the way to the full container that this round goes.
       const double share = stretching ? std::log(growth_.factor) / std::log(filling) : 0;
