@@ -63,9 +63,10 @@ struct FilterExpand {
     if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
     grown.price.output += safe.write([&] { io::write_packing(output, grown.state, past); });
     if (output == "-") return;
-    progress.note(fmt::format("filter-expand: {} grains, e {:.4f}, Delaunay volume {:.6f} m3, mean overlap {:.2e}, Z {:.3f}",
-                              start.grains.size(), grown.fill.void_ratio, grown.fill.volume, grown.fill.overlap,
-                              grown.fill.coordination_number));
+    progress.note(
+        fmt::format("filter-expand: {} grains, e {:.4f}, Delaunay volume {:.6f} m3, mean overlap {:.2e}, Z {:.3f}",
+                    start.grains.size(), grown.fill.void_ratio, grown.fill.volume, grown.fill.overlap,
+                    grown.fill.coordination_number));
     progress.note("filter-expand: " + grown.price.line());
   }
 };

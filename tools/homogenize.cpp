@@ -51,7 +51,8 @@ struct Homogenize {
       if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
         wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
     }
-    if (table == "volumes" && boxes.empty() && !copies && !groups) wrong.emplace_back("--table volumes needs --box, --copies or --groups");
+    if (table == "volumes" && boxes.empty() && !copies && !groups)
+      wrong.emplace_back("--table volumes needs --box, --copies or --groups");
     if (table == "grains" && !grains) wrong.emplace_back("--table grains needs --grains");
     if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
   }

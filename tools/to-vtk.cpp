@@ -50,7 +50,8 @@ struct ToVtk {
   void options(tool::Table& table) {
     table.about(
         "to-vtk", "write packings, runs and fields as VTK files for ParaView",
-        "For each state of a packing or run: the grains, the contacts, the yarns, the cell and the rigid planes as VTK XML "
+        "For each state of a packing or run: the grains, the contacts, the yarns, the cell and the rigid planes as VTK "
+        "XML "
         "files, a .pvd a group with the physical times, and show.py, which shows them in ParaView at once. "
         "Contacts through a periodic face are drawn half out at both sides. Of a run of fem-dem the mesh with what its "
         "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows "

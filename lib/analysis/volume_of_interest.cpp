@@ -52,7 +52,8 @@ std::vector<Volume> groups(const io::Snapshot& state) {
   const std::int32_t middle = (n - 1) / 2;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const std::int32_t id = state.grains.copy_id[i], x = id % n, y = id / n;
-    if (id >= 0 && (y == middle || y == n / 2) && x / 2 < n / 2) all[static_cast<std::size_t>(x / 2)].grains.push_back(i);
+    if (id >= 0 && (y == middle || y == n / 2) && x / 2 < n / 2)
+      all[static_cast<std::size_t>(x / 2)].grains.push_back(i);
   }
   std::erase_if(all, [](const Volume& v) { return v.grains.empty(); });
   return all;

@@ -19,8 +19,8 @@ struct AxisGoal {
 using AxisGoals = std::array<AxisGoal, 3>;
 
 struct Tolerances {
-  double stress = 1e-3;            // relative to the goal
-  double unbalanced_force = 1e-3;  // mean resultant over mean contact force
+  double stress = 1e-3;                                             // relative to the goal
+  double unbalanced_force = 1e-3;                                   // mean resultant over mean contact force
   double kinetic_energy = std::numeric_limits<double>::infinity();  // J
 };
 

@@ -14,7 +14,8 @@
 namespace soilweave::dem {
 namespace {
 
-constexpr Parameter strains{"yarn_strain", "1", 0, 10, true, "strains of the curve's points, ascending, from the origin on"};
+constexpr Parameter strains{
+    "yarn_strain", "1", 0, 10, true, "strains of the curve's points, ascending, from the origin on"};
 constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
 constexpr Parameter slope{"unloading_slope", "N", 0, 1e15, true, "tension per unit of strain when unloading"};
 constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};

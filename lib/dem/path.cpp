@@ -27,7 +27,7 @@ constexpr Entry entry() {
   return {P::name, [](Settings& table) -> std::unique_ptr<Path> { return std::make_unique<P>(P::read(table)); }};
 }
 
-constexpr std::array list = {entry<Isotropic>(),      entry<K0>(),  entry<Triaxial>(), entry<ConstantP>(),
+constexpr std::array list = {entry<Isotropic>(),      entry<K0>(),   entry<Triaxial>(), entry<ConstantP>(),
                              entry<ConstantVolume>(), entry<Free>(), entry<Uniaxial>(), entry<Drive>()};
 
 }  // namespace

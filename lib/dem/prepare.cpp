@@ -52,9 +52,10 @@ void demand_known(const io::Snapshot& state, const Scenario& scenario) {
           "the packing has grains of material {}, the scenario describes {}: add [[material]] tables", id, materials));
   for (const std::int32_t id : state.yarns.geotextile_id)
     if (static_cast<std::size_t>(id) >= scenario.model.geotextiles.size())
-      throw DataError(fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add "
-                                  "[[geotextile]] tables",
-                                  id, scenario.model.geotextiles.size()));
+      throw DataError(
+          fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add "
+                      "[[geotextile]] tables",
+                      id, scenario.model.geotextiles.size()));
 }
 
 // Planes that the run brings along must not stand inside what it loads.
@@ -74,9 +75,10 @@ void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
     for (std::size_t i = 0; i < state.grains.size(); ++i) {
       const double r = state.grains.radius[i], gap = (state.grains.position[i] - plane.point).dot(normal) - r;
       if (plane.touches(node[i]) && gap < -deepest_start * r)
-        throw DataError(fmt::format("plane \"{}\" starts inside the grains: grain {} reaches {:.3g} m beyond it; move "
-                                    "its point outwards by that much",
-                                    p.part.name, i, -gap));
+        throw DataError(
+            fmt::format("plane \"{}\" starts inside the grains: grain {} reaches {:.3g} m beyond it; move "
+                        "its point outwards by that much",
+                        p.part.name, i, -gap));
     }
   }
 }

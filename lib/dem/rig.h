@@ -37,7 +37,8 @@ class Rig {
   bool any() const { return !parts_.empty(); }
   /// Displacements count from here.
   void begin_stage();
-  /// Sets the velocities of all parts for the next step: goals as given, loads of earlier stages held, the rest at rest.
+  /// Sets the velocities of all parts for the next step: goals as given, loads of earlier stages held, the rest at
+  /// rest.
   void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation);
   /// Displacements reached, and loads, old ones too, met to the tolerance.
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;

@@ -15,10 +15,10 @@ namespace soilweave::dem {
 struct Stage {
   std::string name;
   std::unique_ptr<Path> path;
-  bool reset_strain = false;       // the state at its start becomes the reference of the strains
+  bool reset_strain = false;             // the state at its start becomes the reference of the strains
   std::optional<double> friction;        // rad, of all materials from here on
   std::optional<double> plate_friction;  // rad, of the materials of planes alone
-  std::optional<double> damping;   // local damping during this stage
+  std::optional<double> damping;         // local damping during this stage
 };
 
 /// Which recorded stations get a full snapshot beside their row in the series.
@@ -47,7 +47,7 @@ struct Scenario {
   io::PlanesRecord planes;
   std::vector<PartSetting> parts;
   std::vector<io::Source> sources;  // files that the scenario named
-  std::string resolved;  // the TOML with overrides applied, for provenance
+  std::string resolved;             // the TOML with overrides applied, for provenance
 };
 
 /// [contact] (and [[material]]): the law and its materials. Used by every tool that steps grains.

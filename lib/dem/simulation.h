@@ -35,9 +35,9 @@ struct Energies {
   double boundary_work = 0;    // done on the assembly by the deforming cell, moving planes and clamps
   double gravity_work = 0;
   double elastic_yarns = 0, yarn_dissipation = 0;  // stored in yarns; taken by their yielding and breaking
-  double law = 0;          // taken out (+) or created (-) by the incremental contact law itself
-  double initial = 0;      // kinetic and elastic at the start
-  double turned_over = 0;  // work, dissipation and creation of every step, without their signs
+  double law = 0;                                  // taken out (+) or created (-) by the incremental contact law itself
+  double initial = 0;                              // kinetic and elastic at the start
+  double turned_over = 0;                          // work, dissipation and creation of every step, without their signs
   double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
   double error() const {
     return initial + boundary_work + gravity_work -
@@ -60,10 +60,11 @@ class Simulation {
   void step();
 
   const Measures& measures() const;  // of the last step
-  /// Mean resultant on grains over mean force of contacts and taut yarns, or over `least`, N, if that is more; 0/0 is 0.
+  /// Mean resultant on grains over mean force of contacts and taut yarns, or over `least`, N, if that is more; 0/0 is
+  /// 0.
   double unbalanced_force(double least = 0) const;
-  double kinetic_energy() const;     // J
-  double largest_overlap() const;    // over the smaller radius
+  double kinetic_energy() const;   // J
+  double largest_overlap() const;  // over the smaller radius
   Energies energies() const;
   double time_step() const;  // s, of the next step
   double stability_limit();  // s, from the present stiffness
@@ -91,9 +92,10 @@ class Simulation {
 
   void set_model(const Model& model);  // between stages: friction lowered, law parameters changed; history is kept
   void set_damping(double damping);
-  /// Of soil; masses follow at constant density. stretch: soil is also moved, coordinate by coordinate, from the origin.
+  /// Of soil; masses follow at constant density. stretch: soil is also moved, coordinate by coordinate, from the
+  /// origin.
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
-  void stop_motion();               // zero fluctuation velocities and spins
+  void stop_motion();  // zero fluctuation velocities and spins
 
   /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.
   io::Snapshot snapshot() const;

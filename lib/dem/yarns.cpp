@@ -23,8 +23,9 @@ Yarns::Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<Wire
   std::vector<std::uint32_t> count(grains, 0);
   for (std::size_t k = 0; k < record.size(); ++k) {
     if (static_cast<std::size_t>(record.geotextile_id[k]) >= curves_.size())
-      throw DataError(fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add [[geotextile]]",
-                                  record.geotextile_id[k], curves_.size()));
+      throw DataError(
+          fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add [[geotextile]]",
+                      record.geotextile_id[k], curves_.size()));
     Yarn yarn{record.nodes[k][0], record.nodes[k][1], record.geotextile_id[k], record.rest_length[k], {}};
     yarn.memory = {record.largest_strain[k], record.broken[k] != 0};
     yarn.tension = record.tension[k];
@@ -125,7 +126,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   for (std::size_t n = 0; n < node_.size(); ++n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = contacts.loads[i].force;
-    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) along += contacts.loads[s].force;
+    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s)
+      along += contacts.loads[s].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const Yarn& yarn = yarns_[ends_[e] / 2];
       if (yarn.memory.broken) continue;

@@ -14,10 +14,10 @@ namespace soilweave::dem {
 
 /// Sums over the yarns. Elastic: what unloading gives back.
 struct YarnSums {
-  double elastic = 0;      // J
-  double dissipated = 0;   // J, by yielding and breaking in the last step
-  double tension = 0;      // N, sum of the tensions
-  std::int64_t taut = 0;   // yarns under tension
+  double elastic = 0;     // J
+  double dissipated = 0;  // J, by yielding and breaking in the last step
+  double tension = 0;     // N, sum of the tensions
+  std::int64_t taut = 0;  // yarns under tension
   std::int64_t broken = 0;
 };
 
@@ -59,8 +59,9 @@ class Yarns {
 
   std::vector<Yarn> yarns_;
   std::vector<WireCurve> curves_;
-  std::vector<std::int32_t> node_;          // grains that are nodes, ascending
-  std::vector<std::uint32_t> start_, ends_;  // of node k: ends_[start_[k]] .. : twice the yarn, plus one at its second end
+  std::vector<std::int32_t> node_;  // grains that are nodes, ascending
+  std::vector<std::uint32_t> start_,
+      ends_;  // of node k: ends_[start_[k]] .. : twice the yarn, plus one at its second end
   std::vector<YarnSums> partial_;
   YarnSums sums_;
   io::YarnsRecord identity_;  // what does not change

@@ -85,7 +85,8 @@ Snapshot finite_part(const Snapshot& state) {
     const YarnsRecord& whole = state.yarns;
     const std::int32_t first = place[static_cast<std::size_t>(whole.nodes[k][0])];
     const std::int32_t second = place[static_cast<std::size_t>(whole.nodes[k][1])];
-    if (first < 0 || second < 0 || !std::isfinite(whole.tension[k]) || !std::isfinite(whole.largest_strain[k])) continue;
+    if (first < 0 || second < 0 || !std::isfinite(whole.tension[k]) || !std::isfinite(whole.largest_strain[k]))
+      continue;
     y.nodes.push_back({first, second});
     take(y.fabric, whole.fabric, k), take(y.geotextile_id, whole.geotextile_id, k), take(y.family, whole.family, k);
     take(y.rest_length, whole.rest_length, k), take(y.largest_strain, whole.largest_strain, k);

@@ -58,7 +58,8 @@ struct ContactsRecord {
 struct PlanesRecord {
   std::vector<Vec3> point, normal, velocity;
   std::vector<std::int32_t> material_id;
-  std::vector<std::int32_t> partners = {};  // who touches it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, of each
+  std::vector<std::int32_t> partners =
+      {};  // who touches it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, of each
 };
 
 /// Yarns of woven geotextiles: springs between nodes, which are grains. A grain is a node if a yarn, broken or not,

@@ -162,8 +162,9 @@ Section ensemble() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(), yarns(),
-                                                series(),     run(),        checkpoint(), fields(),   ensemble()};
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),    contacts(),
+                                                planes(),     yarns(),      series(),  run(),
+                                                checkpoint(), fields(),     ensemble()};
   return sections;
 }
 

@@ -112,7 +112,8 @@ class Check {
     if (y.fabric[k] < 0 || y.geotextile_id[k] < 0) bad("fabric or geotextile_id is negative");
     if (!(y.rest_length[k] > 0 && std::isfinite(y.rest_length[k]))) bad("rest_length is not positive");
     if (!std::isfinite(y.largest_strain[k]) || !std::isfinite(y.tension[k])) bad("strain or tension is not finite");
-    if (!std::isfinite(y.break_time[k]) || !y.break_position[k].allFinite()) bad("place or time of break is not finite");
+    if (!std::isfinite(y.break_time[k]) || !y.break_position[k].allFinite())
+      bad("place or time of break is not finite");
   }
 
   void contact(std::size_t k) const {

@@ -30,9 +30,7 @@ struct Pillow final : Container {
   static Pillow read(Settings& table);
   double depth(const Vec3& point) const override;
   Vec3 low() const override { return -high(); }
-  Vec3 high() const override {
-    return {0.5 * width + half_height, 0.5 * width + half_height, half_height};
-  }
+  Vec3 high() const override { return {0.5 * width + half_height, 0.5 * width + half_height, half_height}; }
   /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
   double volume(double depth = 0) const override;
   /// The point of the parallel surface `outside` m beyond, for u, v, w in [-1, 1] of which one at least is -1 or 1: a

@@ -23,11 +23,13 @@ constexpr std::int64_t report_interval = 512;
 constexpr std::int64_t look_interval = 4;
 // Steps of a round before a measurement, over those of others: what presses then is held by the container.
 constexpr std::int64_t patience = 10;
+// Of the last equilibrium: grains that are held everywhere have nowhere to fly.
+constexpr double last_damping = 0.9;
 
 struct Position {
-  std::int64_t round = 0, first = 0;  // step at which the round began
+  std::int64_t round = 0, first = 0;               // step at which the round began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
-  bool ending = false;                // full: only the last equilibrium is left
+  bool ending = false;                             // full: only the last equilibrium is left
 
   void archive(Archive& a) {
     a.item("round", round), a.item("round_first_step", first), a.item("growth", growth);
@@ -82,6 +84,7 @@ class Grower {
       ++at_.round;
       at_.first = simulation_.steps();
     }
+    simulation_.set_damping(last_damping);
     if (!settle(growth_.largest_round, 0))
       throw TargetNotReached(
           fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
@@ -103,7 +106,7 @@ class Grower {
     for (;;) {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
-      if (growth_.stop_every > 0 && steps % growth_.stop_every == 0) simulation_.stop_motion();
+      if (growth_.stop_every > 0 && !at_.ending && steps % growth_.stop_every == 0) simulation_.stop_motion();
       if (steps % look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force) return true;
       if (steps >= most) return false;
       if (report_ && steps % report_interval == 0)
@@ -158,11 +161,11 @@ class Grower {
   }
 
   [[noreturn]] void unreached() const {
-    throw TargetNotReached(fmt::format(
-        "after {} rounds the grains do not fill the container: {} ({})", at_.round,
-        !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
-                   : "the mean overlap is below growth.overlap; allow more rounds",
-        text()));
+    throw TargetNotReached(
+        fmt::format("after {} rounds the grains do not fill the container: {} ({})", at_.round,
+                    !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
+                               : "the mean overlap is below growth.overlap; allow more rounds",
+                    text()));
   }
 
   io::Moment moment() {
@@ -190,17 +193,30 @@ class Grower {
 }  // namespace
 
 Growth Growth::read(Settings& table) {
-  static constexpr Parameter factor{"factor", "1", 1, 1.01, true, "of the radii, each time equilibrium is reached",
+  static constexpr Parameter factor{"factor",
+                                    "1",
+                                    1,
+                                    1.01,
+                                    true,
+                                    "of the radii, each time equilibrium is reached",
                                     "larger steps scatter the grains"};
   static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of an equilibrium"};
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
-  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "of a round at most, ten times that before a measurement"};
-  static constexpr Parameter stop{"stop_every", "1", 0, 1e9, false, "steps after which all motion is stopped; 0: never"};
-  static constexpr Parameter volume{"volume_tolerance", "1", 0, 1, true,
-                                    "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
-  static constexpr Parameter overlap{"overlap", "1", 0, 1, true, "mean overlap over the mean radius of a full container"};
+  static constexpr Parameter steps{"steps", "1",   1,
+                                   1e9,     false, "of a round at most, ten times that before a measurement"};
+  static constexpr Parameter stop{"stop_every", "1",   0,
+                                  1e9,          false, "steps after which all motion is stopped; 0: never"};
+  static constexpr Parameter volume{
+      "volume_tolerance",
+      "1",
+      0,
+      1,
+      true,
+      "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
+  static constexpr Parameter overlap{"overlap", "1",  0,
+                                     1,         true, "mean overlap over the mean radius of a full container"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
   Growth g;

@@ -15,18 +15,18 @@
 namespace soilweave::packing {
 
 struct Growth {
-  double factor = 1.0002;            // of the radii, a round
+  double factor = 1.0002;  // of the radii, a round
   /// Between the grains as they are cut and the container that they fill: coordinates are stretched by this while the
   /// radii grow by the cube root of its product, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
-  double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
-  double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less
-  double damping = 0.5;              // Cundall's
-  std::int64_t steps = 100;          // of a round at most; ten times that before a measurement
-  std::int64_t stop_every = 50;      // steps after which all motion is stopped, 0: never: damping takes none of flight
-  double volume_tolerance = 0.9;     // growth of the Delaunay volume over that of free grains: less is standing still
-  double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full
-  std::int64_t measure_every = 10;   // rounds
+  double unbalanced_force = 1e-3;   // of an equilibrium: mean resultant over mean contact force
+  double negligible = 1e-4;         // overlap over radius whose force counts instead, while contacts carry less
+  double damping = 0.5;             // Cundall's
+  std::int64_t steps = 100;         // of a round at most; ten times that before a measurement
+  std::int64_t stop_every = 50;     // steps after which all motion is stopped, 0: never: damping takes none of flight
+  double volume_tolerance = 0.9;    // growth of the Delaunay volume over that of free grains: less is standing still
+  double overlap = 1e-4;            // mean overlap over the mean radius at which the grains are full
+  std::int64_t measure_every = 10;  // rounds
   std::int64_t largest_rounds = 2000;
   std::int64_t largest_round = 100'000;  // steps
 
@@ -35,11 +35,11 @@ struct Growth {
 
 /// What is measured now and then.
 struct Fill {
-  double growth = 1;                // of the radii, so far
-  double volume = 0;                // m3, of the Delaunay tetrahedra of the soil's centres
-  double void_ratio = 0;            // of that volume
-  double overlap = 0;               // mean over the contacts, over the soil's mean radius
-  double coordination_number = 0;   // 2 Nc/N of the soil, contacts with nodes counting once
+  double growth = 1;               // of the radii, so far
+  double volume = 0;               // m3, of the Delaunay tetrahedra of the soil's centres
+  double void_ratio = 0;           // of that volume
+  double overlap = 0;              // mean over the contacts, over the soil's mean radius
+  double coordination_number = 0;  // 2 Nc/N of the soil, contacts with nodes counting once
 };
 
 struct Grown {

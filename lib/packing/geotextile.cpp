@@ -82,7 +82,8 @@ void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state) {
     g.copy_id.push_back(-1);
   }
   for (const Fabric::Yarn& yarn : fabric.yarns) {
-    const Vec3 reach = fabric.nodes[static_cast<std::size_t>(yarn.second)] - fabric.nodes[static_cast<std::size_t>(yarn.first)];
+    const Vec3 reach =
+        fabric.nodes[static_cast<std::size_t>(yarn.second)] - fabric.nodes[static_cast<std::size_t>(yarn.first)];
     y.nodes.push_back({first + yarn.first, first + yarn.second});
     y.fabric.push_back(number), y.geotextile_id.push_back(recipe.geotextile), y.family.push_back(yarn.family);
     y.rest_length.push_back(reach.norm()), y.largest_strain.push_back(0), y.tension.push_back(0);

@@ -21,8 +21,8 @@ struct Fabric {
 
 /// How nodes are made; yarns are free of tension where they are laid.
 struct NodeRecipe {
-  double radius = 0.0025;    // m
-  double density = 444e3;    // kg/m3, scaled
+  double radius = 0.0025;     // m
+  double density = 444e3;     // kg/m3, scaled
   std::int32_t material = 1;  // material_id
   std::int32_t geotextile = 0;
 
@@ -32,7 +32,8 @@ struct NodeRecipe {
 /// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the bag with node centres `outside` m
 /// beyond it. cells[0] and cells[1] are equal.
 Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside);
-/// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m apart.
+/// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m
+/// apart.
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);
 
 /// Adds the fabric's nodes behind the grains, and its yarns. The fabric's number is the next one free; nodes have the

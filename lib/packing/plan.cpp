@@ -81,9 +81,10 @@ void demand_cover(const io::Snapshot& block, const Container& container) {
     // The surface may stand out of the block by less than a grain: the grains grow.
     const double slack = *std::max_element(block.grains.radius.begin(), block.grains.radius.end());
     if (half + slack < reach)
-      throw DataError(fmt::format("the copies of the representative volume reach to {} = {:.4g} m, the container to "
-                                  "{:.4g} m: raise container.copies",
-                                  "xyz"[a], half, reach));
+      throw DataError(
+          fmt::format("the copies of the representative volume reach to {} = {:.4g} m, the container to "
+                      "{:.4g} m: raise container.copies",
+                      "xyz"[a], half, reach));
   }
 }
 

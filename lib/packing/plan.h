@@ -16,7 +16,7 @@ namespace soilweave::packing {
 struct Plan {
   std::unique_ptr<Container> container;  // none: no soil
   std::optional<std::array<int, 3>> copies;
-  const Pillow* pillow = nullptr;        // the container, where it is one
+  const Pillow* pillow = nullptr;              // the container, where it is one
   std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the pillow
   struct Sheet {
     std::array<int, 2> cells;

@@ -94,8 +94,8 @@ class Tiling {
     for (std::size_t c = 0; c < of_.contacts.size(); ++c) {
       const auto [first, second] = of_.contacts.bodies[c];
       if (second < 0) continue;
-      Vec3i other =
-          copy + of_.contacts.image[c] + wraps_[static_cast<std::size_t>(second)] - wraps_[static_cast<std::size_t>(first)];
+      Vec3i other = copy + of_.contacts.image[c] + wraps_[static_cast<std::size_t>(second)] -
+                    wraps_[static_cast<std::size_t>(first)];
       Vec3i image = Vec3i::Zero();
       bool there = true;
       for (int a = 0; a < 3; ++a) {
@@ -122,9 +122,10 @@ class Tiling {
 io::Snapshot tile(const io::Snapshot& packing, const std::array<int, 3>& copies, const std::array<bool, 3>& closed) {
   for (int a = 0; a < 3; ++a)
     if (!packing.cell.periodic[static_cast<std::size_t>(a)])
-      throw DataError(fmt::format("the representative volume is not periodic along {}: its copies would not fit each "
-                                  "other; make it with pack-generate",
-                                  "xyz"[a]));
+      throw DataError(
+          fmt::format("the representative volume is not periodic along {}: its copies would not fit each "
+                      "other; make it with pack-generate",
+                      "xyz"[a]));
   return Tiling(packing, copies, closed).make();
 }
 

@@ -11,8 +11,8 @@ namespace soilweave::packing {
 
 /// Copies of a periodic packing in a block around the origin. Contacts through the faces join neighbouring copies with
 /// their whole memory; those through the outside of the block are lost, where an axis of `closed` is true they join the
-/// block with itself and the block's cell stays periodic there. copy_id: the copy, x fastest. Throws DataError where the
-/// packing is not periodic.
+/// block with itself and the block's cell stays periodic there. copy_id: the copy, x fastest. Throws DataError where
+/// the packing is not periodic.
 io::Snapshot tile(const io::Snapshot& packing, const std::array<int, 3>& copies,
                   const std::array<bool, 3>& closed = {false, false, false});
 

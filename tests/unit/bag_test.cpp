@@ -76,7 +76,8 @@ TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
   double shortest = 1, longest = 0, hoop = 0;
   for (const Fabric::Yarn& yarn : fabric.yarns) {
     ++family[yarn.family];
-    const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)], b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
+    const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)],
+               b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
     const double length = (b - a).norm();
     shortest = std::min(shortest, length), longest = std::max(longest, length);
     // The yarns around the bag in the plane next to y = 0.
@@ -106,7 +107,8 @@ TEST(Geotextile, IsMirroredBitByBit) {
   }
 }
 
-const std::string sand = "law = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n";
+const std::string sand =
+    "law = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n";
 const std::string materials = "[contact]\n" + sand + "[[material]]\n" + sand.substr(sand.find('\n') + 1);
 
 TEST(Plan, RefusesWhatCannotBeFilled) {

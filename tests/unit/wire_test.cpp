@@ -42,7 +42,8 @@ TEST(Wire, BreaksBeyondItsLastPointForGood) {
   EXPECT_EQ(pull(pe, 0.05, memory), 0);
 }
 
-const std::string node = "law = \"hertz-mindlin\"\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
+const std::string node =
+    "law = \"hertz-mindlin\"\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
 const std::string materials = "[contact]\n" + node + "[[material]]\n" + node.substr(node.find('\n') + 1);
 
 // A strip one cell wide and n long, 5 mm yarns; two cells of it hang between the clamps of its ends.

@@ -11,9 +11,11 @@ class Uniaxial final : public Path {
   static constexpr std::string_view name = "uniaxial";
   static Uniaxial read(Settings& table) {
     static constexpr Parameter height{"height", "m", 0, 1e3, true, "height that engineering strains refer to"};
-    static constexpr Parameter strain{"strain", "1", -1, 1, false, "engineering strain at the end, compression positive"};
+    static constexpr Parameter strain{"strain", "1",   -1,
+                                      1,        false, "engineering strain at the end, compression positive"};
     static constexpr Parameter increment{"increment", "1", 0, 1, true, "strain between recorded stations"};
-    static constexpr Parameter list{"stations", "1", -1, 1, false, "strains to record at, up and down, instead of strain"};
+    static constexpr Parameter list{"stations", "1",   -1,
+                                    1,          false, "strains to record at, up and down, instead of strain"};
     static constexpr Parameter rate{"rate", "1/s", 0, 1e3, true, "strain rate"};
     Uniaxial path;
     path.lower_ = table.text("lower", "bottom"), path.upper_ = table.text("upper", "top");
