@@ -110,3 +110,12 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   mentions 1 fem-dem "not at rest after 2 steps" --quiet elastic.toml --set quasi_static.kinetic_energy=1e-12 \
     --set quasi_static.steps=2 -o never.h5
 }
+
+@test "spread over 2 and 4 processes it gives the same bytes" {
+  local mpi=$BIN/../mpi/fem-dem n
+  [[ -x $mpi ]] && command -v mpirun > /dev/null || skip "not built: make mpi"
+  for n in 2 4; do
+    mpirun --allow-run-as-root --oversubscribe -n $n "$mpi" --quiet grains.toml disks.h5 "${SHORT[@]}" -o "$n.h5"
+    same_bytes run.h5 "$n.h5"
+  done
+}
