@@ -95,6 +95,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
 
 @test "what breaks is named, and left to be looked at" {
   mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set geosynthetic.strength=500 -o out.h5
+  # shellcheck disable=SC2154  # set by mentions
   [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
   to-vtk --quiet out.h5.part/stopped.h5 -o broken
   [[ -e broken/soil_000001.vtu || -e broken/soil_000000.vtu ]]
