@@ -13,11 +13,12 @@ MAKEFLAGS += --no-builtin-rules
 #   make                build/            release
 #   make SANITIZE=1     build/sanitize/   address and undefined-behaviour sanitizers
 #   make COVERAGE=1     build/coverage/   gcov counters
+#   make FUZZ=1         build/fuzz/       clang's libFuzzer and sanitizers
 PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
-CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
-VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage))
+CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),g++,$(CXX)))
+VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz)))
 B := build$(addprefix /,$(VARIANT))
 
 # ---- Flags ----------------------------------------------------------------------------------------------------------
@@ -26,11 +27,14 @@ OPTIMISE_ := -O3 -DNDEBUG
 # Null pointers, overruns and wrong types show as address errors: looking twice would double the time to compile.
 OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment \
   -fno-sanitize-recover=all
+# The compiler's own omp.h is not clang's: one thread.
+OPTIMISE_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-openmp
 OPTIMISE_coverage := -O0 -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
 # clang-tidy watch instead.
-WARNINGS := -Wall -Wextra -Wpedantic -Werror -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
+WARNINGS := -Wall -Wextra -Wpedantic -Werror -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized \
+  $(if $(FUZZ),-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-private-field -Wno-unknown-warning-option)
 PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
 system = $(patsubst -I%,-isystem %,$(1))
 
@@ -55,7 +59,7 @@ BENCH := $(sort $(wildcard tests/benchmarks/bench_*.cpp))
 SUPPORT := $(sort $(wildcard tests/support/*.cpp))
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT)
 HEADERS := $(sort $(shell find lib tests -name '*.h'))
-SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh pipelines/*.sh pipelines/*/*.sh \
+SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
@@ -68,7 +72,7 @@ all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANIT
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
 # $(B)/flags changes only when the command line of the compiler does; every object depends on it.
-FLAGS := $(CXX) $(CPPFLAGS) $(CXXFLAGS)
+FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
 $(B)/flags: always
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(FLAGS)' | cmp -s - $@ || printf '%s\n' '$(FLAGS)' > $@
@@ -155,6 +159,12 @@ $(B)/tests/bench: $(call object,$(BENCH) $(SUPPORT)) $(B)/libsoilweave.a
 	@echo '  link  $@'
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -lbenchmark -lbenchmark_main -o $@
 
+FUZZED := $(addprefix $(B)/tests/fuzz/,scenario table spheres file)
+$(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilweave.a
+	@mkdir -p $(@D)
+	@echo '  link  $@'
+	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
+
 -include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
 
 .PHONY: programs
@@ -222,6 +232,12 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on failing disks, and a million steps at rest (minutes)
 	@BIN=$(CURDIR)/$(B)/bin bash tests/soak/faults.sh
 	@$(B)/tests/soak --gtest_brief=1
+
+.PHONY: fuzz fuzz-targets
+fuzz-targets: $(FUZZED)
+fuzz: $(TOOLS) ## every reader under libFuzzer, FUZZ_TIME=600 s each
+	@$(AGAIN) FUZZ=1 fuzz-targets
+	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
 
 .PHONY: golden
 golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them with git diff

@@ -1,6 +1,7 @@
 #!/bin/sh
 # One row of an ensemble: isotropic compression, then drained triaxial compression with the row's contact parameters. What
-# the filter reads is kept in the row's folder; a row that has it already, with the same parameters, is not run again.
+# the filter reads is kept in the row's folder; a row that has it already, with the same parameters, is not run again, and one
+# that was stopped goes on.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin run.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_% ID E NU KR ETA MU [TWIN]
 # TWIN: number of a twin whose grains start 1e-6 of a radius apart; 0, the packing itself.
@@ -15,11 +16,12 @@ here=$(dirname "$0")
 row=$(printf '%s/runs/%06d' "$folder" "$id")
 
 parameters="$law $pressure $strain $modulus $ratio $rolling $limit $friction $twin"
-if [ -e "$row/series.h5" ] || [ -e "$row/failed" ]; then
-  [ "$(cat "$row/parameters" 2>/dev/null)" = "$parameters" ] && exit 0
+if [ "$(cat "$row/parameters" 2>/dev/null)" = "$parameters" ]; then
+  [ -e "$row/series.h5" ] || [ -e "$row/failed" ] && exit 0
+else
+  rm -rf "$row"
+  mkdir -p "$row" && printf '%s\n' "$parameters" > "$row/parameters" || exit 73
 fi
-rm -rf "$row"
-mkdir -p "$row" && printf '%s\n' "$parameters" > "$row/parameters" || exit 73
 
 # The author's scripts: in Hertz-Mindlin contacts a limit of 0 is none, and twisting has none; nu of linear ones is k_s/k_n.
 ratio_key=poisson_ratio twisting_limit=none
@@ -32,11 +34,11 @@ OMP_NUM_THREADS=1 "$BIN/run-dem" "$packing" "$scenario" --set "contact.young_mod
   --set "contact.rolling.stiffness=$rolling" --set "contact.twisting.stiffness=$rolling" --set "contact.rolling.limit=$limit" \
   --set "contact.twisting.limit=$twisting_limit" --set "contact.friction_angle=$friction" \
   --set "stage.0.pressure=${pressure}e6" --set "stage.1.confining_pressure=${pressure}e6" \
-  --set "stage.1.axial_strain=${strain}e-2" --perturb "$perturb" --seed "$twin" --threads 1 --quiet -o "$row/run.h5" 2> "$row/log"
+  --set "stage.1.axial_strain=${strain}e-2" --perturb "$perturb" --seed "$twin" --threads 1 --quiet --resume -o "$row/run.h5" 2> "$row/log"
 status=$?
 case $status in
   0) ;;
-  1 | 65 | 70) mv "$row/log" "$row/failed"; exec "$here/progress.sh" "$folder" ;;
+  1 | 65 | 70) rm -rf "$row/run.h5.part"; mv "$row/log" "$row/failed"; exec "$here/progress.sh" "$folder" ;;
   *) cat "$row/log" >&2; exit $status ;;
 esac
 

@@ -51,7 +51,7 @@ C2_SIZES := $(sort $(foreach c,$(C2_CASES),$(call grains,$(c))))
 $(C2_SIZES:%=$(C2O)/packing_%.h5): $(C2O)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@flock $@.lock $(BIN)/pack-generate --grains $* --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
+	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains $* --void-ratio 0.68 --pressure 1e3 --seed 1
 
 # q/p at failure as stress ratio, (3 + 2 q/p)/(3 - q/p).
 $(C2O)/peak_%MPa.tsv: data/laboratory/toyoura_peak_obliquity.tsv

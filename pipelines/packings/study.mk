@@ -22,8 +22,8 @@ PK_CELLS := $(PK_PACKINGS:%=$(PKO)/packing_%.tsv)
 $(PKO)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@flock $@.lock $(BIN)/pack-generate --grains $(word 1,$(subst _, ,$*)) --pressure $(word 2,$(subst _, ,$*)) \
-	  --seed $(word 3,$(subst _, ,$*)) --void-ratio 0.68 --threads 1 --quiet --force -o $@
+	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains $(word 1,$(subst _, ,$*)) --pressure $(word 2,$(subst _, ,$*)) \
+	  --seed $(word 3,$(subst _, ,$*)) --void-ratio 0.68
 $(PK_CELLS): $(PKO)/packing_%.tsv: $(PKO)/packing_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv $(call whole,$@)
 
@@ -33,8 +33,8 @@ define packing_test
 $(PKO)/triaxial_$(1).tsv: $(PKO)/packing_$(word 1,$(subst _, ,$(1)))_1e3_$(word 2,$(subst _, ,$(1))).h5 $(PK_SCENARIO) \
   $(BIN)/run-dem $(BIN)/homogenize
 	@echo '  run   $$@'
-	@$(BIN)/run-dem $$< $(PK_SCENARIO) --set stage.1.axial_strain=0.08 --perturb $(if $(filter %_0,$(1)),0,1e-6) \
-	  --seed $(word 3,$(subst _, ,$(1))) --threads 1 --quiet --force -o $(PKO)/triaxial_$(1).h5
+	@pipelines/resume.sh $(PKO)/triaxial_$(1).h5 $(BIN)/run-dem $$< $(PK_SCENARIO) --set stage.1.axial_strain=0.08 --perturb $(if $(filter %_0,$(1)),0,1e-6) \
+	  --seed $(word 3,$(subst _, ,$(1)))
 	@$(BIN)/homogenize $(PKO)/triaxial_$(1).h5 --tsv --table series $$(call whole,$$@)
 endef
 $(foreach t,$(PK_TESTS),$(eval $(call packing_test,$(t))))

@@ -15,7 +15,7 @@ quickstart: $(QSO)/page.html ## Toyoura sand, grading curve to triaxial test, in
 $(QSO)/packing.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@flock $@.lock $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
+	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed 1
 
 # One row a run: pressure and twin; twin 0 starts from the packing itself, the others from grains moved by 1e-6 r.
 $(QSO)/runs.tsv: $(QS)/study.mk $(OUT)/profile

@@ -1,0 +1,113 @@
+// Every reader, given bytes that nobody checked.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/hostile.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "calibration/prior.h"
+#include "core/error.h"
+#include "core/settings.h"
+#include "dem/path.h"
+#include "dem/scenario.h"
+#include "dem/simulation.h"
+#include "gws/geotextile.h"
+#include "gws/soil.h"
+#include "io/files.h"
+#include "io/table.h"
+#include "packing/grading.h"
+
+namespace soilweave::hostile {
+namespace {
+
+template <class F>
+void expect_error_of_ours(F f) {
+  try {
+    f();
+  } catch (const Error&) {
+  }
+}
+
+// A file of the process's own, where readers want a path.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) {
+    const int number = mkstemp(path_.data());
+    if (number < 0 || ::write(number, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
+    ::close(number);
+  }
+  Bytes(const Bytes&) = delete;
+  Bytes& operator=(const Bytes&) = delete;
+  ~Bytes() { std::filesystem::remove(path_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() / "soilweave-XXXXXX").string();
+};
+
+dem::Model sand() {
+  Settings document =
+      Settings::parse("[contact]\nlaw = \"linear\"\nyoung_modulus = 1e8\nstiffness_ratio = 0.3\n", "sand");
+  return dem::read_model(document);
+}
+
+}  // namespace
+
+void scenario(std::string_view bytes) {
+  expect_error_of_ours([&] {
+    const dem::Scenario read = dem::read_scenario(bytes, "scenario", {});
+    const dem::PathState state{3, Mat3::Identity(), Vec3::Zero()};
+    for (const dem::Stage& stage : read.stages) stage.path->goals(stage.path->stations() - 1, state);
+  });
+  expect_error_of_ours([&] { gws::read_geotextile(std::string(bytes), "geotextile"); });
+  for (const auto read :
+       {+[](Settings& s) { (void)calibration::read_prior(s); }, +[](Settings& s) { (void)gws::read_soil(s); },
+        +[](Settings& s) { (void)dem::read_model(s); }})
+    expect_error_of_ours([&] {
+      Settings document = Settings::parse(bytes, "document");
+      read(document);
+      document.finish();
+    });
+}
+
+void table(std::string_view bytes) {
+  expect_error_of_ours([&] { io::from_tsv(bytes, "table"); });
+  expect_error_of_ours([&] { packing::Grading::from_tsv(bytes, "grading").radii(100, 3); });
+}
+
+void spheres(std::string_view bytes) {
+  const Bytes text(bytes);
+  io::CellRecord cell;
+  cell.matrix = Mat3::Identity();
+  for (const io::CellRecord* given : {static_cast<const io::CellRecord*>(nullptr), &std::as_const(cell)})
+    expect_error_of_ours([&] {
+      const io::PackingFile read = io::import_spheres(text.path(), 2650, given);
+      dem::Simulation simulation(read.state, sand(), {});
+      for (int step = 0; step < 2; ++step) simulation.step();
+    });
+}
+
+void file(std::string_view bytes) {
+  const Bytes file(bytes);
+  expect_error_of_ours([&] { io::read_kind(file.path()); });
+  expect_error_of_ours([&] { io::read_history(file.path()); });
+  expect_error_of_ours([&] { io::read_states(file.path()); });
+  expect_error_of_ours([&] { io::read_run_series(file.path()); });
+  expect_error_of_ours([&] { io::read_fields(file.path()); });
+  expect_error_of_ours([&] { io::read_ensemble(file.path()); });
+}
+
+Reader reader(std::string_view name) {
+  if (name == "scenario") return scenario;
+  if (name == "table") return table;
+  if (name == "spheres") return spheres;
+  if (name == "file") return file;
+  return nullptr;
+}
+
+}  // namespace soilweave::hostile
