@@ -43,6 +43,7 @@ struct Simulation::Impl {
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         guard(settings, bodies, cell, planes),
+        smallest_radius(bodies.smallest_radius()),
         time(state.time),
         steps(state.step) {
     restore(state.contacts);
@@ -90,10 +91,12 @@ struct Simulation::Impl {
     std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
       return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
     });
-    contacts.assign(bodies.size(), pairs, std::move(with_planes));
+    contacts.list(bodies.size(), pairs, std::move(with_planes));
     std::size_t k = 0;
-    for (std::size_t b = 0; b < contacts.blocks.size(); ++b)
-      for (int lane = 0; lane < contacts.blocks[b].count; ++lane) contacts.set_history(b, lane, histories[k++]);
+    for (auto& chunk : contacts.chunks)
+      for (ContactBlock& block : chunk)
+        for (int lane = 0; lane < block.count; ++lane) Contacts::set_history(block, lane, histories[k++]);
+    record.contacts = {};
   }
 
   void archive(Archive& a) {
@@ -118,7 +121,7 @@ struct Simulation::Impl {
     cell.advance(dt);
     planes.advance(dt);
     clock.lap(Phase::integration);
-    if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
+    if (neighbours.outdated(bodies, moved.fastest, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
     sums = sweep->run(scene(), dt, contacts);
@@ -200,7 +203,7 @@ struct Simulation::Impl {
   };
 
   Stiffness look_at_stiffness() {
-    const double r = bodies.smallest_radius();
+    const double r = smallest_radius;
     const double reference =
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
     const Vec3 sum = sweep->stiffen(scene(), contacts);
@@ -221,8 +224,8 @@ struct Simulation::Impl {
 
   void limit_move(double fastest) {
     time_step = stable;
-    if (!numerics.time_step && fastest * stable > largest_move * bodies.smallest_radius())
-      time_step = largest_move * bodies.smallest_radius() / fastest;
+    if (!numerics.time_step && fastest * stable > largest_move * smallest_radius)
+      time_step = largest_move * smallest_radius / fastest;
   }
 
   double fastest_plane() const {
@@ -246,6 +249,7 @@ struct Simulation::Impl {
   SweepSums sums;
   Measures measures;
   Energies energies;
+  double smallest_radius;  // m
   double stable = 0, time_step = 0, time = 0;
   double estimated_at = 0;  // largest overlap over radius when the step was last estimated
   std::int64_t steps = 0, contact_steps = 0;
@@ -278,18 +282,18 @@ io::ContactsRecord Simulation::Impl::contacts_record() const {
           bodies.radius(i) - height);
     }
   };
-  for (std::size_t b = 0; b < contacts.blocks.size(); ++b) {
-    const ContactBlock& block = contacts.blocks[b];
-    for (int k = 0; k < block.count; ++k) {
-      if (!((block.touching >> k) & 1)) continue;
-      const auto [first, second, image] = contacts.pair(b, k);
-      add_planes_up_to(first);
-      const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-      const Vec3 branch =
-          vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-      add(contacts.history(b, k), first, second, image, branch, bodies.radius(i) + bodies.radius(j) - branch.norm());
-    }
-  }
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        const auto [first, second, image] = contacts.pair(block, k);
+        add_planes_up_to(first);
+        const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+        const Vec3 branch =
+            vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
+        add(Contacts::history(block, k), first, second, image, branch,
+            bodies.radius(i) + bodies.radius(j) - branch.norm());
+      }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;
 }
@@ -335,6 +339,7 @@ void Simulation::set_damping(double damping) { impl_->numerics.damping = damping
 void Simulation::scale_radii(double factor) {
   impl_->bodies.scale_radii(factor);
   Impl& s = *impl_;
+  s.smallest_radius = s.bodies.smallest_radius();
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
