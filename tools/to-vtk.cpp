@@ -50,7 +50,7 @@ struct ToVtk {
   void options(tool::Table& table) {
     table.about(
         "to-vtk", "write packings, runs and fields as VTK files for ParaView",
-        "For each state of a packing or run: the grains, the contacts, the cell and the rigid planes as VTK XML "
+        "For each state of a packing or run: the grains, the contacts, the yarns, the cell and the rigid planes as VTK XML "
         "files, a .pvd a group with the physical times, and show.py, which shows them in ParaView at once. "
         "Contacts through a periodic face are drawn half out at both sides. Of a run of fem-dem the mesh with what its "
         "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows "
@@ -145,6 +145,7 @@ struct ToVtk {
       if (contacts > 0) folder.add("contacts", indices[s], io::show_contacts(*shown[s], unwrapped, scale));
       folder.add("cell", indices[s], io::show_cell(*shown[s]));
       if (!shown[s]->planes.point.empty()) folder.add("planes", indices[s], io::show_planes(*shown[s]));
+      if (shown[s]->yarns.size() > 0) folder.add("yarns", indices[s], io::show_yarns(*shown[s]));
       progress.update(static_cast<double>(s + 1) / static_cast<double>(shown.size()));
     }
     folder.finish();

@@ -95,7 +95,24 @@ Section planes() {
           {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
            {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
            {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
-           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true}},
+           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true},
+           {"/planes/partners", int32, "F P", "1", "who touches it; 0: all, 1: soil, 2: nodes of geotextiles", true}},
+          {}};
+}
+
+Section yarns() {
+  return {"Yarns of geotextiles (absent without)",
+          "packing run checkpoint",
+          {{"/yarns/nodes", int32, "F Y 2", "1", "rows of both nodes in /particles/grains", true},
+           {"/yarns/fabric", int32, "F Y", "1", "which fabric; nodes of one fabric do not touch each other", true},
+           {"/yarns/geotextile_id", int32, "F Y", "1", "which geotextile of the scenario", true},
+           {"/yarns/family", int32, "F Y", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", true},
+           {"/yarns/rest_length", float64, "F Y", "m", "length without tension", true},
+           {"/yarns/largest_strain", float64, "F Y", "1", "largest strain so far", true},
+           {"/yarns/tension", float64, "F Y", "N", "tension", true},
+           {"/yarns/broken", uint8, "F Y", "1", "1 where broken", true},
+           {"/yarns/break_time", float64, "F Y", "s", "time at which it broke; 0 where whole", true},
+           {"/yarns/break_position", float64, "F Y 3", "m", "where it broke; 0 where whole", true}},
           {}};
 }
 
@@ -145,7 +162,7 @@ Section ensemble() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(),
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(), yarns(),
                                                 series(),     run(),        checkpoint(), fields(),   ensemble()};
   return sections;
 }
