@@ -89,7 +89,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   if (stage.path && stage.path->stations() > 0)
     for (const DriveGoal& goal : stage.path->drives(0))
       if (std::none_of(parts.begin(), parts.end(), [&](const PartSetting& p) { return p.part.name == goal.part; }))
-        table.mistake("", "moves \"" + goal.part + "\", which no [[plane]] or [[clamp]] is called");
+        table.mistake("", "moves \"" + goal.part + "\", but no [[plane]] or [[clamp]] is called so");
   return stage;
 }
 

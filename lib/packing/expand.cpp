@@ -21,17 +21,17 @@ namespace {
 constexpr std::int64_t report_interval = 512;
 // Steps between two looks at the equilibrium.
 constexpr std::int64_t look_interval = 4;
-// Steps of a round once the container is full to its sides, over those before.
-constexpr std::int64_t late_rounds = 10;
+// Steps of a round before a measurement, over those of others: what presses then is held by the container.
+constexpr std::int64_t patience = 10;
 
 struct Position {
   std::int64_t round = 0, first = 0;  // step at which the round began
-  double growth = 1, volume = 0;      // volume: m3, at the last measurement
-  bool measured = false;              // of this round
+  double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
+  bool ending = false;                // full: only the last equilibrium is left
 
   void archive(Archive& a) {
     a.item("round", round), a.item("round_first_step", first), a.item("growth", growth);
-    a.item("delaunay_volume", volume), a.whole("measured", measured);
+    a.item("delaunay_volume", volume), a.item("measured_at", measured_at), a.whole("ending", ending);
   }
 };
 
@@ -68,10 +68,12 @@ class Grower {
 
   Grown run() {
     const double filling = std::cbrt(growth_.stretch.prod());
-    for (;;) {
+    while (!at_.ending) {
       const bool stretching = at_.growth < filling;
-      settle(stretching ? growth_.steps : late_rounds * growth_.steps, least_force_);
-      if ((!stretching || at_.round % growth_.measure_every == 0) && full() && !stretching) break;
+      const bool measuring = at_.round % growth_.measure_every == 0;
+      settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
+      if (measuring) at_.ending = full();
+      if (at_.ending) break;
       if (at_.round >= growth_.largest_rounds) unreached();
       // The part of the way to the full container that this round goes.
       const double share = stretching ? std::log(growth_.factor) / std::log(filling) : 0;
@@ -147,7 +149,10 @@ class Grower {
     const double before = at_.volume;
     measure();
     at_.volume = fill_.volume;
-    standing_ = before > 0 && fill_.volume / before - 1 < growth_.volume_tolerance;
+    // Grains that grow freely carry their volume along; grains that are held press on each other instead.
+    const double free = 3 * std::log(at_.growth / at_.measured_at);
+    standing_ = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
+    at_.measured_at = at_.growth;
     if (report_) report_(progress(), fmt::format("round {}: {}", at_.round, text()));
     return standing_ && fill_.overlap >= growth_.overlap;
   }
@@ -191,10 +196,10 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
-  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "of a round at most, ten times that in the end"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "of a round at most, ten times that before a measurement"};
   static constexpr Parameter stop{"stop_every", "1", 0, 1e9, false, "steps after which all motion is stopped; 0: never"};
   static constexpr Parameter volume{"volume_tolerance", "1", 0, 1, true,
-                                    "relative growth of the Delaunay volume in a round that counts as standing still"};
+                                    "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
   static constexpr Parameter overlap{"overlap", "1", 0, 1, true, "mean overlap over the mean radius of a full container"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};

@@ -22,11 +22,11 @@ struct Growth {
   double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
   double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less
   double damping = 0.5;              // Cundall's
-  std::int64_t steps = 100;          // of a round while soil is stretched; later ten times that
+  std::int64_t steps = 100;          // of a round at most; ten times that before a measurement
   std::int64_t stop_every = 50;      // steps after which all motion is stopped, 0: never: damping takes none of flight
-  double volume_tolerance = 1e-4;    // relative growth of the Delaunay volume, a round, below which it stands still
+  double volume_tolerance = 0.9;     // growth of the Delaunay volume over that of free grains: less is standing still
   double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full
-  std::int64_t measure_every = 10;   // rounds, while soil is stretched
+  std::int64_t measure_every = 10;   // rounds
   std::int64_t largest_rounds = 2000;
   std::int64_t largest_round = 100'000;  // steps
 
