@@ -1,6 +1,8 @@
-// One sweep over all candidate pairs, a vector register of contacts at a time. What is summed over contacts is summed
-// contact by contact within a chunk of grains, and the chunks in order: every bit is independent of the width of the
-// register, of the pairs listed without touching, and of the number of threads.
+// One sweep over all candidate pairs, a vector register of contacts at a time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is summed over contacts is summed contact by contact within a chunk of grains, and the chunks in order: every
+// bit is independent of the width of the register, of the pairs listed without touching, and of the number of threads.
 //
 // A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
 // of registers through one stage after the other (approach, act): within a stage the processor works on several of
@@ -10,7 +12,6 @@
 //
 // The stress needs no product of force and branch for every contact: the sum of f (x) l is that of F (x) x over the
 // grains, F their resultants (motion.h), and of f times cell offset over the pairs that reach across the cell's faces.
-// SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contact_sweep.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <span>
 
 #include "dem/block_lanes.h"
+#include "dem/contact_action.h"
 #include "dem/couples.h"
 #include "dem/row_sums.h"
 #include "dem/transport.h"
@@ -62,38 +64,6 @@ struct StepSums {
     s.contacts += contacts;
   }
 };
-
-// The force and the torques of a contact.
-template <class T>
-struct Action {
-  V3<T> force;                        // N, on the second body
-  V3<T> torque_first, torque_second;  // N m, that on the first the other way round
-};
-
-template <class T>
-Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& normal_force) {
-  const V3<T>& n = g.kinematics.normal;
-  const V3<T> moment = fused(memory.twisting, n, memory.rolling);
-  const V3<T> turn = cross(n, memory.shear);
-  return {fused(normal_force, n, memory.shear), fused(g.arm_1, turn, moment), fused_less(g.arm_2, turn, moment)};
-}
-
-// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).
-template <class T>
-std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
-  const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
-  const T kr = r.rolling_stiffness + r.shear_stiffness * (radius * radius);
-  return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
-          kr * one + (r.twisting_stiffness - kr) * n2};
-}
-
-// Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
-template <class T>
-V3<T> affine_stiffness(const V3<T>& n, const T& length, const Response<T>& r) {
-  const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;
-  const auto along = [&](const T& n_a) { return T((length2 * (n_a * n_a)) * fused(difference, T(n_a * n_a), ks)); };
-  return {along(n.x), along(n.y), along(n.z)};
-}
 
 template <class T>
 void put(const V3<T>& v, Lane4& row) {
@@ -205,8 +175,8 @@ class LawSweep final : public ContactSweep {
                            reinterpret_cast<double*>(contacts.loads.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
       std::array<Group, batch_size> groups;
-      ContactBlock* next = contacts.blocks.data() + contacts.chunk_start[chunk];
-      ContactBlock* const end = contacts.blocks.data() + contacts.chunk_start[chunk + 1];
+      ContactBlock* next = contacts.chunks[chunk].data();
+      ContactBlock* const end = next + contacts.chunks[chunk].size();
       while (next != end) {
         std::size_t n = 0;
         next = approach(next, end, s, groups, n);

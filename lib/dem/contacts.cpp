@@ -3,7 +3,9 @@
 #include "dem/contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace soilweave::dem {
 namespace {
@@ -31,97 +33,128 @@ std::size_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
                                   images.begin());
 }
 
-auto key(const Pair& p) { return std::tuple(p.first, p.second, p.image[0], p.image[1], p.image[2]); }
+Pair pair_of(const ContactBlock& b, int k, const std::vector<Vec3i>& images) {
+  const auto image = static_cast<std::size_t>(ContactBlock::index(b.image[k]));
+  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[image]};
+}
 
-// Walks through the pairs of a list in order.
-struct Cursor {
-  const Contacts& contacts;
-  std::size_t block = 0;
-  int lane = 0;
-
-  explicit Cursor(const Contacts& list) : contacts(list) { settle(); }
-  bool done() const { return block >= contacts.blocks.size(); }
-  Pair pair() const { return contacts.pair(block, lane); }
+// A chunk's pairs in order.
+class Cursor {
+ public:
+  Cursor(std::vector<ContactBlock>& chunk, const std::vector<Vec3i>& images)
+      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images) {
+    settle();
+  }
+  bool done() const { return block_ == end_; }
+  const Pair& pair() const { return pair_; }
+  ContactBlock& block() const { return *block_; }
+  int lane() const { return lane_; }
   void next() {
-    ++lane;
+    if (++lane_ == block_->count) ++block_, lane_ = 0;
     settle();
   }
 
  private:
   void settle() {
-    while (!done() && lane >= contacts.blocks[block].count) ++block, lane = 0;
+    if (!done()) pair_ = pair_of(*block_, lane_, images_);
   }
+
+  ContactBlock *block_, *end_;
+  int lane_ = 0;
+  const std::vector<Vec3i>& images_;
+  Pair pair_;
 };
+
+void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
+  if (!((from.touching >> k) & 1)) return;  // it holds zeros
+  const double* source = from.normal[0] + k;
+  double* target = to.normal[0] + l;
+  for (int array = 0; array < ContactBlock::arrays; ++array)
+    target[array * ContactBlock::size] = source[array * ContactBlock::size];
+  to.touching |= 1u << l;
+  to.sliding |= ((from.sliding >> k) & 1u) << l;
+}
+
+void inherit(std::vector<ContactBlock>& old, const std::vector<Vec3i>& old_images, std::vector<ContactBlock>& chunk,
+             const std::vector<Vec3i>& images) {
+  Cursor from(old, old_images);
+  for (Cursor to(chunk, images); !to.done() && !from.done(); to.next()) {
+    while (!from.done() && before(from.pair(), to.pair())) from.next();
+    if (!from.done() && !before(to.pair(), from.pair())) copy_history(from.block(), from.lane(), to.block(), to.lane());
+  }
+}
+
+void inherit(const std::vector<PlanePair>& old, std::vector<PlanePair>& planes) {
+  auto known = old.begin();
+  const auto place = [](const PlanePair& p) { return std::tuple(p.grain, p.plane); };
+  for (PlanePair& p : planes) {
+    while (known != old.end() && place(*known) < place(p)) ++known;
+    if (known != old.end() && place(*known) == place(p)) p.history = known->history;
+  }
+}
+
+// A block whose lanes name a grain and itself, far away.
+ContactBlock empty_block(std::size_t grain, std::size_t far) {
+  ContactBlock block{};
+  std::fill_n(block.first, ContactBlock::size, row_distance(grain));
+  std::fill_n(block.second, ContactBlock::size, row_distance(grain));
+  std::fill_n(block.load_second, ContactBlock::size, row_distance(grain));
+  std::fill_n(block.image, ContactBlock::size, row_distance(far));
+  return block;
+}
 
 }  // namespace
 
-bool before(const Pair& a, const Pair& b) { return key(a) < key(b); }
+bool before(const Pair& a, const Pair& b) {
+  if (a.first != b.first) return a.first < b.first;
+  if (a.second != b.second) return a.second < b.second;
+  return earlier(a.image, b.image);
+}
 
-void Contacts::assign(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes) {
-  planes = std::move(with_planes);
-  images = images_of(pairs);
+void Contacts::assign_loads(std::size_t grains, const std::vector<Pair>& pairs) {
   load_start.assign(grains + 1, 0);
   for (const Pair& p : pairs)
     if (chunk_of(p.first) != chunk_of(p.second)) ++load_start[static_cast<std::size_t>(p.second) + 1];
   for (const PlanePair& p : planes) ++load_start[static_cast<std::size_t>(p.grain) + 1];
   load_start[0] = static_cast<std::uint32_t>(grains);
   for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
-  std::vector<std::uint32_t> next(load_start.begin(), load_start.end() - 1);
+  next_.assign(load_start.begin(), load_start.end() - 1);
   loads.assign(load_start.back(), Load{});
+}
 
-  blocks.clear();
-  chunk_start.assign(1, 0);
-  std::size_t at = 0;
-  for (std::size_t chunk = 0; chunk < chunks_of(grains); ++chunk) {
-    const auto begin = static_cast<std::uint32_t>(chunk * grains_per_chunk);
-    const auto end = static_cast<std::int32_t>((chunk + 1) * grains_per_chunk);
-    while (at < pairs.size() && pairs[at].first < end) {
-      ContactBlock block{};
-      std::fill_n(block.first, ContactBlock::size, row_distance(begin));
-      std::fill_n(block.second, ContactBlock::size, row_distance(begin));
-      std::fill_n(block.load_second, ContactBlock::size, row_distance(begin));
-      std::fill_n(block.image, ContactBlock::size, row_distance(images.size() - 1));
-      for (; block.count < ContactBlock::size && at < pairs.size() && pairs[at].first < end; ++at, ++block.count) {
-        const Pair& p = pairs[at];
+void Contacts::list(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes) {
+  const std::vector<Vec3i> old_images = std::exchange(images, images_of(pairs));
+  inherit(planes, with_planes);
+  planes = std::move(with_planes);
+  assign_loads(grains, pairs);
+  chunks.resize(chunks_of(grains));
+  auto at = pairs.begin();
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+    const std::size_t begin = chunk * grains_per_chunk;
+    const auto end = static_cast<std::int32_t>(begin + grains_per_chunk);
+    std::vector<ContactBlock>& blocks = chunks[chunk];
+    before_.swap(blocks);
+    blocks.clear();
+    while (at != pairs.end() && at->first < end) {
+      ContactBlock& block = blocks.emplace_back(empty_block(begin, images.size() - 1));
+      for (; block.count < ContactBlock::size && at != pairs.end() && at->first < end; ++at, ++block.count) {
         const int k = block.count;
-        const auto first = static_cast<std::size_t>(p.first), second = static_cast<std::size_t>(p.second);
+        const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
         block.first[k] = row_distance(first), block.second[k] = row_distance(second);
-        block.image[k] = row_distance(place(p.image, images));
+        block.image[k] = row_distance(place(at->image, images));
         block.folded = block.folded || block.image[k] != 0;
-        block.load_second[k] = row_distance(p.second < end ? second : next[second]++);
+        block.load_second[k] = row_distance(at->second < end ? second : next_[second]++);
       }
       block.folded = block.folded || block.count < ContactBlock::size;
-      blocks.push_back(block);
     }
-    chunk_start.push_back(blocks.size());
+    inherit(before_, old_images, blocks, images);
   }
-  for (PlanePair& p : planes) p.load = next[static_cast<std::size_t>(p.grain)]++;
+  for (PlanePair& p : planes) p.load = next_[static_cast<std::size_t>(p.grain)]++;
 }
 
-void Contacts::inherit(const Contacts& old) {
-  Cursor from(old);
-  for (Cursor to(*this); !to.done() && !from.done(); to.next()) {
-    const Pair wanted = to.pair();
-    while (!from.done() && before(from.pair(), wanted)) from.next();
-    if (!from.done() && !before(wanted, from.pair()))
-      set_history(to.block, to.lane, old.history(from.block, from.lane));
-  }
-  auto known = old.planes.begin();
-  const auto place = [](const PlanePair& p) { return std::tuple(p.grain, p.plane); };
-  for (PlanePair& p : planes) {
-    while (known != old.planes.end() && place(*known) < place(p)) ++known;
-    if (known != old.planes.end() && place(*known) == place(p)) p.history = known->history;
-  }
-}
+Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }
 
-Pair Contacts::pair(std::size_t block, int k) const {
-  const ContactBlock& b = blocks[block];
-  const auto image = static_cast<std::size_t>(ContactBlock::index(b.image[k]));
-  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[image]};
-}
-
-History Contacts::history(std::size_t block, int k) const {
-  const ContactBlock& b = blocks[block];
+History Contacts::history(const ContactBlock& b, int k) {
   History h;
   h.normal = {b.normal[0][k], b.normal[1][k], b.normal[2][k]};
   h.memory.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
@@ -133,8 +166,7 @@ History Contacts::history(std::size_t block, int k) const {
   return h;
 }
 
-void Contacts::set_history(std::size_t block, int k, const History& h) {
-  ContactBlock& b = blocks[block];
+void Contacts::set_history(ContactBlock& b, int k, const History& h) {
   b.normal[0][k] = h.normal.x, b.normal[1][k] = h.normal.y, b.normal[2][k] = h.normal.z;
   b.shear[0][k] = h.memory.shear.x, b.shear[1][k] = h.memory.shear.y, b.shear[2][k] = h.memory.shear.z;
   b.rolling[0][k] = h.memory.rolling.x, b.rolling[1][k] = h.memory.rolling.y, b.rolling[2][k] = h.memory.rolling.z;
@@ -147,14 +179,15 @@ void Contacts::set_history(std::size_t block, int k, const History& h) {
 double force_sum(const Contacts& contacts) {
   double sum = 0;
   // What does not touch holds zeros.
-  for (const ContactBlock& block : contacts.blocks)
-    for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
-      const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
-                            load<Lane4>(block.shear[2] + k)};
-      const Lane4 normal = load<Lane4>(block.normal_force + k);
-      const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
-      for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
-    }
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
+        const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
+                              load<Lane4>(block.shear[2] + k)};
+        const Lane4 normal = load<Lane4>(block.normal_force + k);
+        const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
+        for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
+      }
   for (const PlanePair& pair : contacts.planes)
     sum += std::sqrt(pair.history.normal_force * pair.history.normal_force + norm2(pair.history.memory.shear));
   return sum;

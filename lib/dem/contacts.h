@@ -22,12 +22,12 @@ inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
 struct alignas(64) ContactBlock {
-  static constexpr int size = 8;
-  double normal[3][size];     // of the last sweep: part of the history
-  double shear[3][size];      // N
-  double rolling[3][size];    // N m
-  double twisting[size];      // N m
-  double normal_force[size];  // N
+  static constexpr int size = 8, arrays = 11;  // pairs; arrays of numbers, which lie one after the other
+  double normal[3][size];                      // of the last sweep: part of the history
+  double shear[3][size];                       // N
+  double rolling[3][size];                     // N m
+  double twisting[size];                       // N m
+  double normal_force[size];                   // N
   // Distances from the first row of an array of rows, in numbers: of the grains, first < second, of the cell offset of
   // the second one among Contacts::images, and half the distance of the load that takes what acts on the second grain.
   std::uint32_t first[size], second[size], image[size], load_second[size];
@@ -66,9 +66,8 @@ struct PlanePair {
 };
 
 struct Contacts {
-  std::vector<ContactBlock> blocks;
-  std::vector<std::size_t> chunk_start;  // first block of each chunk, and the end
-  std::vector<PlanePair> planes;         // sorted by (grain, plane)
+  std::vector<std::vector<ContactBlock>> chunks;
+  std::vector<PlanePair> planes;  // sorted by (grain, plane)
   // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
   std::vector<Vec3i> images;
   // First a load for every grain, to which the pairs of its own chunk add in their order. Then loads of one pair each,
@@ -77,15 +76,19 @@ struct Contacts {
   std::vector<Load> loads;
   std::vector<std::uint32_t> load_start;
 
-  /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane), without
-  /// history.
-  void assign(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes);
-  /// Gives every pair the history it had in `old`.
-  void inherit(const Contacts& old);
+  /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane). A pair that
+  /// was listed before keeps its history.
+  void list(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes);
 
-  Pair pair(std::size_t block, int lane) const;
-  History history(std::size_t block, int lane) const;
-  void set_history(std::size_t block, int lane, const History& history);
+  Pair pair(const ContactBlock& block, int lane) const;
+  static History history(const ContactBlock& block, int lane);
+  static void set_history(ContactBlock& block, int lane, const History& history);
+
+ private:
+  void assign_loads(std::size_t grains, const std::vector<Pair>& pairs);
+
+  std::vector<ContactBlock> before_;  // of one chunk, while it is listed anew
+  std::vector<std::uint32_t> next_;   // load that is free for another pair of each grain
 };
 
 /// Sum of the magnitudes of all contact forces, N, contact by contact.

@@ -31,18 +31,18 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
           bodies.radius(i) - height);
     }
   };
-  for (std::size_t b = 0; b < contacts.blocks.size(); ++b) {
-    const ContactBlock& block = contacts.blocks[b];
-    for (int k = 0; k < block.count; ++k) {
-      if (!((block.touching >> k) & 1)) continue;
-      const auto [first, second, image] = contacts.pair(b, k);
-      add_planes_up_to(first);
-      const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-      const Vec3 branch =
-          vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-      add(contacts.history(b, k), first, second, image, branch, bodies.radius(i) + bodies.radius(j) - branch.norm());
-    }
-  }
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        const auto [first, second, image] = contacts.pair(block, k);
+        add_planes_up_to(first);
+        const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+        const Vec3 branch =
+            vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
+        add(Contacts::history(block, k), first, second, image, branch,
+            bodies.radius(i) + bodies.radius(j) - branch.norm());
+      }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;
 }

@@ -17,19 +17,33 @@ class Neighbours {
   /// Skins (gaps up to which pairs are listed) are fractions of this radius, m.
   explicit Neighbours(double largest_radius);
 
-  /// Counts how much pairs may have closed in a step: twice the fastest grain plus the affine closing of the longest
-  /// branch. Returns true when the list is no longer safe.
-  bool outdated(double largest_speed, const Mat3& velocity_gradient, double dt);
+  /// Counts how much pairs may have closed in a step: at first twice the fastest grain plus the affine closing of the
+  /// longest branch, and when that sum uses up the skin, by what the grains have truly moved since. Returns true when
+  /// the list is no longer safe. Speeds in m/s, of the fluctuation and of planes.
+  bool outdated(const Bodies& bodies, double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt);
   /// Lists all pairs of grains, and of grains and planes, closer than the skin; what `contacts` knew of them is kept.
   void rebuild(const Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:
+  // A state that pairs were looked for in, and what has moved since.
+  struct Since {
+    std::vector<Lane4> position;
+    Mat3 deformation = Mat3::Identity();
+    double planes = 0;  // m
+    double closed = 0;  // m, at most
+
+    void begin(const Bodies& bodies);
+    void move(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt, double longest);
+    void look(const Bodies& bodies, double longest);
+  };
+
   void search(const Bodies& bodies, const Cell& cell);
+  double longest() const { return 2 * radius_ + outer_skin_; }  // branch that is listed, m
 
   double radius_, outer_skin_, skin_;  // m
-  double closed_ = 0;                  // m, since the list was filtered
-  double outer_closed_;                // m, since the grid was searched
-  std::vector<Pair> outer_, listed_;   // sorted
+  bool planes_ = false;
+  Since filtered_, searched_;
+  std::vector<Pair> outer_, listed_;  // sorted
 };
 
 }  // namespace soilweave::dem

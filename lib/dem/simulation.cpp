@@ -45,6 +45,7 @@ struct Simulation::Impl {
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         guard(settings, bodies, cell, planes),
+        smallest_radius(bodies.smallest_radius()),
         time(state.time),
         steps(state.step) {
     bodies.set_fabric(yarns.fabric_of());
@@ -104,10 +105,12 @@ struct Simulation::Impl {
     std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
       return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
     });
-    contacts.assign(bodies.size(), pairs, std::move(with_planes));
+    contacts.list(bodies.size(), pairs, std::move(with_planes));
     std::size_t k = 0;
-    for (std::size_t b = 0; b < contacts.blocks.size(); ++b)
-      for (int lane = 0; lane < contacts.blocks[b].count; ++lane) contacts.set_history(b, lane, histories[k++]);
+    for (auto& chunk : contacts.chunks)
+      for (ContactBlock& block : chunk)
+        for (int lane = 0; lane < block.count; ++lane) Contacts::set_history(block, lane, histories[k++]);
+    record.contacts = {};
   }
 
   void archive(Archive& a) {
@@ -134,7 +137,7 @@ struct Simulation::Impl {
     cell.advance(dt);
     planes.advance(dt);
     clock.lap(Phase::integration);
-    if (neighbours.outdated(moved.fastest + fastest_plane(), gradient, dt))
+    if (neighbours.outdated(bodies, moved.fastest, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
     sums = sweep->run(scene(), dt, contacts);
@@ -221,7 +224,7 @@ struct Simulation::Impl {
   };
 
   Stiffness look_at_stiffness() {
-    const double r = bodies.smallest_radius();
+    const double r = smallest_radius;
     const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
@@ -244,8 +247,8 @@ struct Simulation::Impl {
 
   void limit_move(double fastest) {
     time_step = stable;
-    if (!numerics.time_step && fastest * stable > largest_move * bodies.smallest_radius())
-      time_step = largest_move * bodies.smallest_radius() / fastest;
+    if (!numerics.time_step && fastest * stable > largest_move * smallest_radius)
+      time_step = largest_move * smallest_radius / fastest;
   }
 
   double fastest_plane() const {
@@ -271,6 +274,7 @@ struct Simulation::Impl {
   SweepSums sums;
   Measures measures;
   Energies energies;
+  double smallest_radius;  // m
   double stable = 0, time_step = 0, time = 0;
   double estimated_at = 0;  // largest overlap over radius when the step was last estimated
   std::int64_t steps = 0, contact_steps = 0;
@@ -334,6 +338,7 @@ void Simulation::set_damping(double damping) { impl_->numerics.damping = damping
 void Simulation::scale_radii(double factor, const Vec3& stretch) {
   impl_->bodies.scale_radii(factor, stretch);
   Impl& s = *impl_;
+  s.smallest_radius = s.bodies.smallest_radius();
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);

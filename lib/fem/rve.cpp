@@ -91,6 +91,8 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
   if (packing.grains.dimension != 2 || !packing.cell.periodic[0] || !packing.cell.periodic[1])
     throw DataError(
         "a material point needs disks in a cell that is periodic along x and y (pack-generate --dimension 2)");
+  if (!packing.planes.point.empty() || packing.yarns.size() > 0)
+    throw DataError("a material point is of disks alone: this packing has planes or yarns");
   const auto materials = std::visit([](const auto& m) { return m.size(); }, grains.model.materials);
   io::Snapshot state = packing;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {

@@ -7,7 +7,7 @@ start = 'if (format eq "svg") { set terminal svg size W,H font "Helvetica,14" ba
   set terminal pngcairo size 2*W,2*H font "Helvetica,14" fontscale 1.9 linewidth 2 pointscale 1.7 background "#ffffff" rounded }'
 figure(name) = sprintf("%s/%s.%s", out, name, format)
 series(example, c) = sprintf("%s/%s_%s.tsv", out, example, c)
-table(example, name) = sprintf("%s/%s_%s_%s.tsv", out, example, main, name)
+rows_of(example, name) = sprintf("%s/%s_%s_%s.tsv", out, example, main, name)
 squares(c) = int(substr(c, 1, strstrt(c, "_") - 1))
 speed(c) = substr(c, strstrt(c, "_") + 1, strlen(c))
 label(c) = sprintf("%d elements, %s cm/s", 2 * squares(c) * squares(c), speed(c))
@@ -30,36 +30,39 @@ plot for [c in cases] series("pullout", c) using (100 * column("pull_end [m]")):
   column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
 unset multiplot; unset title; set key top left
 
+# Time of the last state of both examples.
+ends = system(sprintf("for e in shape pullout; do tail -n 1 %s/${e}_%s_points.tsv | cut -f 2; done | tr '\\n' ' '", out, main))
+
 # --- Figs. 6.3, 6.4: fields of the last state; triangles as coloured points, the bars with their tension
 do for [example in "shape pullout"] {
-  stats table(example, "points") using "time [s]" nooutput
-  last = STATS_max - 1e-9
-  W = 1100; H = 900; @start
+  last = real(word(ends, example eq "shape" ? 1 : 2)) - 1e-9
+  W = 1100; H = 760; @start
   set output figure(example . "_fields")
   set multiplot layout 2,3
   set size ratio -1; set key off; set autoscale; unset xlabel; unset ylabel
-  set xrange [-0.15:1.45]; set yrange [(example eq "shape" ? -0.3 : -0.1):1.35]
+  set xtics 0.4; set ytics 0.4; set xrange [-0.15:1.45]; set yrange [(example eq "shape" ? -0.3 : -0.1):1.35]
   do for [k = 1:6] {
     column_name = word("mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric", k)
     unit = word("[Pa] [Pa] [1] [rad] [1] [1]", k)
     what = column_name . " " . unit
-    set title word("p_(kPa) q_(kPa) ε_q rotation_(rad) F_a ε_v", k) noenhanced
+    set title k == 1 ? "p (kPa)" : k == 2 ? "q (kPa)" : k == 3 ? "ε_q" : k == 4 ? "rotation (rad)" : k == 5 ? "F_a" : "ε_v"
     factor = k < 3 ? 1e-3 : 1
-    plot table(example, "points") using (column("time [s]") >= last ? column("x [m]") : NaN):(column("y [m]")): \
-        (factor * column(what)) with points pointtype 5 pointsize 2.2 linecolor palette, \
-      table(example, "nodes") using (column("time [s]") >= last ? column("x [m]") - column("displacement_x [m]") : NaN): \
+    plot rows_of(example, "points") using (column("time [s]") >= last ? column("x [m]") : NaN):(column("y [m]")): \
+        (factor * column(what)) with points pointtype 5 pointsize (16.0 / squares(main)) linecolor palette, \
+      rows_of(example, "nodes") using (column("time [s]") >= last ? column("x [m]") - column("displacement_x [m]") : NaN): \
         (column("y [m]") - column("displacement_y [m]")):(column("displacement_x [m]")):(column("displacement_y [m]")) \
-        with vectors linecolor rgb "#606060" linewidth 0.8 head size 0.01,20, \
-      table(example, "bars") using (column("time [s]") >= last ? column("x_0 [m]") : NaN):(column("y_0 [m]")) with points \
+        with vectors head size 0.01,20,60 linecolor rgb "#606060" linewidth 0.8, \
+      rows_of(example, "bars") using (column("time [s]") >= last ? column("x_0 [m]") : NaN):(column("y_0 [m]")) with points \
         pointtype 7 pointsize 0.25 linecolor rgb "#202020"
   }
   unset multiplot
-  set size noratio; set autoscale; set key on; unset title
+  set size noratio; set autoscale; set xtics autofreq; set ytics autofreq; set key on; unset title
 }
 
 # --- Figs. 6.5, 6.6: local responses
 do for [example in "shape pullout"] {
-  W = 1000; H = 360; @start
+  W = 1200; H = 380; @start
+  set xtics rotate by -40
   set output figure(example . "_local")
   local = sprintf("%s/%s_local.tsv", out, example)
   set multiplot layout 1,3

@@ -27,8 +27,11 @@ packing() {
     1000) zcat "$reference/hm31_0.2MPa_N1000.txt.gz" > 1000.txt ;;
     70000) zcat "$reference/hm31_eta0.13_0.2MPa_N70000_tiled7x10x1.txt.gz" > 70000.txt ;;
     disks)
-      pack-generate --quiet --dimension 2 --grains 400 --aspect 1 --mean-radius 0.003 --pressure 1e5 -o disks.h5
-      to-vtk --text disks.h5 > disks.txt
+      pack-generate --quiet --dimension 2 --grains 400 --aspect 1 --mean-radius 0.003 --density 2650 --pressure 1e5 -o disks.h5
+      { h5dump -m '%.17g' -d /particles/grains/box/edges/value -y disks.h5 | tr -d ' {}' | awk -F , '/^[-0-9]/ {
+          for (i = 1; i <= NF; ++i) if ($i != "" && $i + 0 > 0) edge[++n] = $i }
+          END { printf "##PERIODIC:: %s %s 0.03\n", edge[1], edge[2] }'
+        to-vtk --text disks.h5; } > disks.txt
       return ;;
   esac
   pack-generate --quiet --import "$1.txt" --as-is -o "$1.h5"
@@ -36,14 +39,14 @@ packing() {
 
 scenario() { # CASE STRAIN
   if [[ $1 == disks ]]; then
-    printf '[contact]\nlaw = "linear"\nyoung_modulus = 1e8\nstiffness_ratio = 0.5\nfriction_angle = 29\n'
+    printf '[contact]\nlaw = "linear"\nyoung_modulus = 3e10\nstiffness_ratio = 0.5\nfriction_angle = 29\n'
   else
     printf '[contact]\nlaw = "hertz-mindlin"\nyoung_modulus = 3.1e9\npoisson_ratio = 0.3\nfriction_angle = 29\n'
     printf '[contact.%s]\nstiffness = 0.13\nlimit = "none"\n' rolling twisting
   fi
   cat << TOML
 [grains]
-density = 2650e3
+density = $([[ $1 == disks ]] && echo 2650 || echo 2650e3)
 [equilibrium]
 unbalanced_force = 0.9
 stress_tolerance = 0.9
@@ -60,16 +63,18 @@ TOML
 }
 
 # ---- Each engine: its steps per second to a file --------------------------------------------------------------------
-# The time that a run spends stepping: its output and the start, once a run, are left out, as they are for the peers.
+# Of one thread all count processor time, which others on the machine take less from than from the clock's. What is spent
+# on output and the start, once a run, is left out here as it is for the peers.
 ours() { # CASE THREADS TO
   scenario "$1" "${strain[$1]}" > scenario.toml
-  local pin=(first_core)
+  local pin=(first_core) TIMEFORMAT='%R %U %S'
   [[ $2 == 1 ]] || pin=()
-  "${pin[@]}" run-dem "$1.h5" scenario.toml --threads "$2" --force -o run.h5 2> said.txt
-  grep ' steps/s, ' said.txt | tail -n 1 | awk '{
-    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") time = $(i - 1)
-      if ($i == "contacts") pairs = $(i - 1); if ($i == "output") output = $(i + 1) }
-    printf "%.6g %d\n", steps / (time * (1 - output / 100)), pairs }' > "$3"
+  { time "${pin[@]}" run-dem "$1.h5" scenario.toml --threads "$2" --force -o run.h5 2> said.txt; } 2> time.txt
+  grep ' steps/s, ' said.txt | tail -n 1 | awk -v threads="$2" -v took="$(tail -n 1 time.txt)" '{
+    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
+      if ($i == "contacts" && !pairs) pairs = $(i - 1); if ($i == "output") output = $(i + 1) }
+    split(took, t, " "); share = threads == 1 && t[2] + t[3] < t[1] ? (t[2] + t[3]) / t[1] : 1
+    printf "%.6g %d\n", steps / (clock * share * (1 - output / 100)), pairs }' > "$3"
 }
 
 yade_speed() { # CASE TO
@@ -105,7 +110,7 @@ lammps_speed() { # CASE TO PROGRAM
     printf 'fix motion all nve/sphere\nfix cell all deform 1 x erate 0.05 y erate 0.05 z erate -0.1 remap v\ntimestep %s\n' "$step"
     printf 'thermo 1000000\nrun %s\nrun %s\n' "${peer_warm_up[$1]}" "$((8 * ${peer_steps[$1]}))"; } > peer.in
   first_core "$3" -in peer.in > peer.log 2>&1 < /dev/null || { tail -n 3 peer.log >&2; echo "bench-peers: $3 did not finish" >&2; exit 1; }
-  awk '/^Loop time/ { speed = $9 / $4 } END { print speed }' peer.log > "$2"
+  awk '/^Loop time/ { speed = $9 / $4 } / CPU use with/ { speed *= 100 / $1 } END { print speed }' peer.log > "$2"
 }
 
 # ---- Tables ---------------------------------------------------------------------------------------------------------

@@ -95,6 +95,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
 
 @test "what breaks is named, and left to be looked at" {
   mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set geosynthetic.strength=500 -o out.h5
+  # shellcheck disable=SC2154  # set by mentions
   [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
   to-vtk --quiet out.h5.part/stopped.h5 -o broken
   [[ -e broken/soil_000001.vtu || -e broken/soil_000000.vtu ]]
@@ -109,4 +110,13 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { sub(/ .*/, "", $i); at[$i] = i } next } NR > 2 && $at["soil_kinetic_energy"] > 1e-4 { exit 1 }' <<< "$output"
   mentions 1 fem-dem "not at rest after 2 steps" --quiet elastic.toml --set quasi_static.kinetic_energy=1e-12 \
     --set quasi_static.steps=2 -o never.h5
+}
+
+@test "spread over 2 and 4 processes it gives the same bytes" {
+  local mpi=$BIN/../mpi/fem-dem n
+  [[ -x $mpi ]] && command -v mpirun > /dev/null || skip "not built: make mpi"
+  for n in 2 4; do
+    mpirun --allow-run-as-root --oversubscribe -n $n "$mpi" --quiet grains.toml disks.h5 "${SHORT[@]}" -o "$n.h5"
+    same_bytes run.h5 "$n.h5"
+  done
 }

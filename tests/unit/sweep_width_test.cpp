@@ -1,6 +1,5 @@
-// The sweep of eight contacts at a time, as processors with AVX-512 run it, gives the bits of the sweep of four. Here
-// it is lowered to the baseline (Makefile): the same source and the same order of operations. SPDX-License-Identifier:
-// GPL-3.0-or-later
+// The sweep of eight contacts at a time gives the bits of the sweep of four.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -14,6 +13,7 @@
 namespace soilweave::dem {
 namespace {
 
+// The sweep of eight as processors with AVX-512 run it, but lowered to the baseline (Makefile): the same source.
 using Make = std::unique_ptr<ContactSweep> (*)(const Model&);
 
 // Grains in a shearing cell, stepped by hand.
@@ -33,7 +33,7 @@ struct Stepper {
   void step(double dt) {
     const MotionSums moved = motion.advance(cell, Vec3(0, 0, -9.81), 0.2, dt, bodies);
     cell.advance(dt);
-    if (neighbours.outdated(moved.fastest, cell.velocity_gradient(), dt))
+    if (neighbours.outdated(bodies, moved.fastest, 0, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(scene(), dt, contacts);
     sums.force_branch += motion.gather(contacts, bodies);

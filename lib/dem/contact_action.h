@@ -1,0 +1,43 @@
+// What a contact does to its grains: force and torques, and the stiffness it gives them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "dem/pair_geometry.h"
+
+namespace soilweave::dem {
+
+/// The force and the torques of a contact.
+template <class T>
+struct Action {
+  V3<T> force;                        // N, on the second body
+  V3<T> torque_first, torque_second;  // N m, that on the first the other way round
+};
+
+template <class T>
+Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& normal_force) {
+  const V3<T>& n = g.kinematics.normal;
+  const V3<T> moment = fused(memory.twisting, n, memory.rolling);
+  const V3<T> turn = cross(n, memory.shear);
+  return {fused(normal_force, n, memory.shear), fused(g.arm_1, turn, moment), fused_less(g.arm_2, turn, moment)};
+}
+
+/// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).
+template <class T>
+std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
+  const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
+  const T kr = r.rolling_stiffness + r.shear_stiffness * (radius * radius);
+  return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
+          kr * one + (r.twisting_stiffness - kr) * n2};
+}
+
+/// Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
+template <class T>
+V3<T> affine_stiffness(const V3<T>& n, const T& length, const Response<T>& r) {
+  const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;
+  const auto along = [&](const T& n_a) { return T((length2 * (n_a * n_a)) * fused(difference, T(n_a * n_a), ks)); };
+  return {along(n.x), along(n.y), along(n.z)};
+}
+
+}  // namespace soilweave::dem
