@@ -50,7 +50,8 @@ VTK_LIBS := $(patsubst %,-lvtk%-$(VTK),IOXML IOXMLParser IOCore CommonExecutionM
 # ---- Sources --------------------------------------------------------------------------------------------------------
 LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
 VTK_ONLY := lib/io/vtk.cpp
-LIB := $(filter-out $(VTK_ONLY),$(LIB_ALL))
+MPI_ONLY := lib/fem/ranks_mpi.cpp
+LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
 TOOL := $(if $(NO_VTK),$(filter-out tools/to-vtk.cpp,$(TOOL)),$(TOOL))
 TESTED := unit property benchmarks soak
@@ -145,6 +146,15 @@ $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 
 $(B)/bin/to-vtk: $(call object,$(VTK_ONLY))
 $(B)/bin/to-vtk: LDLIBS += -Wl,--as-needed $(VTK_LIBS)
+
+# Linked before the archive: its ranks take the place of the one process there.
+$(call object,$(MPI_ONLY)): private CPPFLAGS += $(call system,$(shell pkg-config --cflags ompi-cxx 2>/dev/null))
+.PHONY: mpi
+mpi: $(B)/mpi/fem-dem ## fem-dem over several machines: mpirun -n 4 build/mpi/fem-dem (needs libopenmpi-dev)
+$(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave.a
+	@mkdir -p $(@D)
+	@echo '  link  $@'
+	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
 
 define test_program
 $(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(if $(filter unit,$(1)),$(B)/obj/lib/dem/contact_sweep.eight.o) $(B)/libsoilweave.a
@@ -274,7 +284,7 @@ format-check:
 # clang-tidy leaves a stamp per source, so that only what changed, or what it includes, is looked at again.
 # -idirafter: clang has no omp.h of its own, the compiler's will do.
 TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -fopenmp -Wno-unknown-warning-option -idirafter $(shell $(CXX) -print-file-name=include)
-TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(LIB),$(LIB_ALL)) $(TOOL))
+TIDY := $(patsubst %.cpp,build/lint/%.tidy,$(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL))
 build/lint/%.tidy: %.cpp .clang-tidy
 	@mkdir -p $(@D)
 	@echo '  tidy  $<'

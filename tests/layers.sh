@@ -35,6 +35,7 @@ only() {
 only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/store.cpp'
 only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp'
 only 'vtk' 'lib tools' 'lib/io/vtk.cpp'
+only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'
 only 'CLI/' 'lib tools' 'lib/core/tool_parse.cpp'
 only 'toml' 'lib tools' 'lib/core/settings.cpp'
 only '(Eigen/|unsupported/)' 'tools' ''

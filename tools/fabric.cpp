@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/bag.h"
 #include "analysis/tables.h"
 #include "core/error.h"
 #include "core/tool.h"
@@ -55,7 +56,9 @@ struct FabricTool {
                      {"rose", "contacts by orientation", {}},
                      {"chains", "contacts of the force chains", {}}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
-      const io::Snapshot& s = file.snapshots[n];
+      // Of a bag, the contacts of soil with soil, geotextile and plates.
+      const io::Snapshot& all = file.snapshots[n];
+      const io::Snapshot s = all.yarns.size() > 0 ? analysis::soil_contacts(all) : all;
       analysis::put_fabric(fields.groups[0].table, s);
       analysis::put_histogram(fields.groups[1].table, s);
       analysis::put_rose(fields.groups[2].table, s, static_cast<std::size_t>(classes));

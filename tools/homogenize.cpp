@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/bag.h"
 #include "analysis/tables.h"
 #include "core/error.h"
 #include "core/tool.h"
@@ -20,7 +21,7 @@ struct Homogenize {
   std::filesystem::path input, output;
   std::string state = "all", table = "cell";
   std::vector<std::string> boxes;
-  bool tsv = false, copies = false, grains = false, tessellation = false;
+  bool tsv = false, copies = false, groups = false, grains = false, tessellation = false;
 
   void options(tool::Table& t) {
     t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
@@ -28,11 +29,12 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing or run, - for standard input");
-    t.choice(table, "table", {"cell", "volumes", "grains", "series"}, "what --tsv prints");
+    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "broken"}, "what --tsv prints");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
+    t.flag(groups, "groups", "four copies each along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9");
     t.flag(grains, "grains", "one row per grain");
     t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
     t.optional_output(output, "fields file to write");
@@ -49,7 +51,7 @@ struct Homogenize {
       if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
         wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
     }
-    if (table == "volumes" && boxes.empty() && !copies) wrong.emplace_back("--table volumes needs --box or --copies");
+    if (table == "volumes" && boxes.empty() && !copies && !groups) wrong.emplace_back("--table volumes needs --box, --copies or --groups");
     if (table == "grains" && !grains) wrong.emplace_back("--table grains needs --grains");
     if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
   }
@@ -59,9 +61,12 @@ struct Homogenize {
     io::FieldsFile fields;
     fields.groups = {{"cell", "whole cell, one row per state", {}},
                      {"volumes", "volumes of interest, one row per volume and state", {}},
-                     {"grains", "one row per grain and state", {}}};
+                     {"grains", "one row per grain and state", {}},
+                     {"bag", "soil in geotextile as a whole, one row per state", {}},
+                     {"broken", "broken yarns of the last state", {}}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
       add(file.snapshots.front(), file.snapshots[n], fields);
+    if (file.snapshots.back().yarns.size() > 0) analysis::put_broken(fields.groups[4].table, file.snapshots.back());
     if (file.series.rows() > 0) fields.groups.push_back({"series", "the run's own series", file.series});
     if (tsv) print(fields);
     if (!output.empty()) {
@@ -72,10 +77,13 @@ struct Homogenize {
 
   void add(const io::Snapshot& first, const io::Snapshot& s, io::FieldsFile& fields) const {
     analysis::put_cell(fields.groups[0].table, s, tessellation);
-    if (boxes.empty() && !copies && !grains) return;
+    if (s.yarns.size() > 0) analysis::put_bag(fields.groups[3].table, s);
+    if (boxes.empty() && !copies && !groups && !grains) return;
     const analysis::Local local = analysis::local(first, s);
     std::vector<analysis::Volume> parts;
     if (copies) parts = analysis::copies(s);
+    if (groups)
+      for (analysis::Volume& group : analysis::groups(s)) parts.push_back(std::move(group));
     for (const std::string& text : boxes) {
       const std::vector<double> b = parse(text);
       parts.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));

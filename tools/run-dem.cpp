@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/bag.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
@@ -64,13 +65,24 @@ struct RunDem {
     if (check) return io::write_bytes("-", dem::forecast(state, plan).text());
     Progress progress("run-dem", invocation.quiet);
     const dem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
-    const io::History history = io::extend({start.source, text.source}, invocation, plan.resolved);
+    const io::History history = io::extend(sources(start, text, plan), invocation, plan.resolved);
     const StopSignals signals;
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
-    dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals});
+    dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals},
+                                    state.yarns.size() > 0 ? dem::Observe(observe) : dem::Observe());
     outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
     if (output != "-") progress.note("run-dem: " + outcome.price.line());
+  }
+
+  /// Of a geotextile: sheets hold no soil to speak of.
+  static void observe(const io::Snapshot& state, io::Series& series) { analysis::put_bag(series, state); }
+
+  static std::vector<io::Source> sources(const io::PackingFile& start, const io::TextFile& text,
+                                         const dem::Scenario& plan) {
+    std::vector<io::Source> all = {start.source, text.source};
+    all.insert(all.end(), plan.sources.begin(), plan.sources.end());
+    return all;
   }
 };
 

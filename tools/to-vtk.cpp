@@ -12,6 +12,7 @@
 #include "core/tool.h"
 #include "io/bytes.h"
 #include "io/display.h"
+#include "io/display_multiscale.h"
 #include "io/display_table.h"
 #include "io/files.h"
 #include "io/paraview.h"
@@ -49,14 +50,15 @@ struct ToVtk {
   void options(tool::Table& table) {
     table.about(
         "to-vtk", "write packings, runs and fields as VTK files for ParaView",
-        "For each state of a packing or run: the grains, the contacts, the cell and the rigid planes as VTK XML "
+        "For each state of a packing or run: the grains, the contacts, the yarns, the cell and the rigid planes as VTK XML "
         "files, a .pvd a group with the physical times, and show.py, which shows them in ParaView at once. "
-        "Contacts through a periodic face are drawn half out at both sides. Groups of a fields file whose rows "
+        "Contacts through a periodic face are drawn half out at both sides. Of a run of fem-dem the mesh with what its "
+        "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows "
         "have a place become points, the others .csv tables.");
     table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
     table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
-    table.input(input, "INPUT", "packing, run or fields file");
+    table.input(input, "INPUT", "packing, run, fields or multiscale file");
     table.output_folder(output, "folder for the VTK files; with --history and --text a file");
     table.option(state, "state", "last|all|N", "which states: the last, all, or number N, counted from 0");
     table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
@@ -79,7 +81,9 @@ struct ToVtk {
   void run(const tool::Invocation& invocation) const {
     if (history) return io::write_bytes(output, io::describe(io::read_history(input)));
     if (text) return io::write_bytes(output, io::export_spheres(io::read_state(input).state));
-    if (input != "-" && io::read_kind(input) == "fields") return show_fields(invocation);
+    const std::string kind = input != "-" ? io::read_kind(input) : "";
+    if (kind == "fields") return show_fields(invocation);
+    if (kind == "multiscale") return show_multiscale(invocation);
     show_states(invocation);
   }
 
@@ -141,8 +145,21 @@ struct ToVtk {
       if (contacts > 0) folder.add("contacts", indices[s], io::show_contacts(*shown[s], unwrapped, scale));
       folder.add("cell", indices[s], io::show_cell(*shown[s]));
       if (!shown[s]->planes.point.empty()) folder.add("planes", indices[s], io::show_planes(*shown[s]));
+      if (shown[s]->yarns.size() > 0) folder.add("yarns", indices[s], io::show_yarns(*shown[s]));
       progress.update(static_cast<double>(s + 1) / static_cast<double>(shown.size()));
     }
+    folder.finish();
+  }
+
+  void show_multiscale(const tool::Invocation& invocation) const {
+    const io::MultiscaleFile file = io::read_multiscale(input);
+    const std::vector<io::VtkPicture> mesh = io::show_mesh(file), bars = io::show_bars(file);
+    io::ParaviewFolder folder(output, invocation.force, compress);
+    for (const std::size_t index : chosen(mesh.size())) {
+      folder.add("soil", index, mesh[index]);
+      if (index < bars.size()) folder.add("geosynthetic", index, bars[index]);
+    }
+    folder.add_table("series", io::to_csv(file.series));
     folder.finish();
   }
 

@@ -20,6 +20,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -102,7 +103,7 @@ Vec3 dual(const Triangulation& t, const Cell& cell) {
   return {CGAL::to_double(centre.x()), CGAL::to_double(centre.y()), CGAL::to_double(centre.z())};
 }
 
-std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n) {
+std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std::vector<bool>* unbounded = nullptr) {
   using Base = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel, Base>;
   using Structure = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
@@ -130,7 +131,10 @@ std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n) {
       else
         polygon.push_back(dual(t, around));
     } while (++around != first);
-    if (open) continue;  // only at the hull of the margin; the check of the sum would show it
+    if (open) {  // in a periodic cell only at the hull of the margin; the check of the sum would show it
+      if (unbounded) (*unbounded)[one.grain] = (*unbounded)[other.grain] = true;
+      continue;
+    }
     Vec3 area = Vec3::Zero();
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
       area += 0.5 * (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
@@ -247,9 +251,30 @@ auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
   }
 }
 
+// A cell this many times its grain reaches outside through a hole.
+constexpr double largest_cell = 8;
+
+std::vector<double> open_volumes(const io::Snapshot& s) {
+  std::vector<Site> all = sites(s, Vec3::Zero());
+  std::vector<bool> skip(s.grains.size(), false);
+  for (const auto& ends : s.yarns.nodes)
+    for (const std::int32_t node : ends) {
+      all[static_cast<std::size_t>(node)].original = false;
+      skip[static_cast<std::size_t>(node)] = true;
+    }
+  std::vector<double> volumes = volumes_3d(all, s.grains.size(), &skip);
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    const double r = s.grains.radius[i], sphere = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    if (skip[i] || !(volumes[i] > 0) || volumes[i] > largest_cell * sphere) volumes[i] = 0;
+  }
+  return volumes;
+}
+
 }  // namespace
 
 std::vector<double> power_cell_volumes(const io::Snapshot& state) {
+  const auto& p = state.cell.periodic;
+  if (state.grains.dimension == 3 && !p[0] && !p[1] && !p[2]) return open_volumes(state);
   if (!periodic(state)) throw DataError("power cells need a cell that is periodic along every axis");
   const std::size_t n = state.grains.size();
   const auto make = [&](const std::vector<Site>& all) {

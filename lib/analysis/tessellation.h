@@ -9,9 +9,11 @@
 
 namespace soilweave::analysis {
 
-/// Volume of every grain's power cell, m3 (2D: area, m2). The cell must be periodic along every axis of the space, and
-/// may be sheared; images are laid around it and triangulated. Throws DataError for another cell, and PhysicsError
+/// Volume of every grain's power cell, m3 (2D: area, m2). A cell that is periodic along every axis may be sheared; images
+/// are laid around it and triangulated. Throws DataError for one that is periodic along some axes only, and PhysicsError
 /// unless every grain has a cell and they fill the periodic cell to 1e-10: a grain lost or counted twice shows there.
+/// In an open assembly of spheres the cells of nodes of geotextiles bound those of the soil; nodes, and soil whose cell
+/// reaches outside, have the volume 0.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
 /// A tetrahedron of grain centres (2D: a triangle, the fourth vertex unused). A vertex lies at position + cell * image.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -32,12 +33,28 @@ Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
 std::vector<Volume> copies(const io::Snapshot& state) {
   std::map<std::int32_t, Volume> by_copy;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    if (state.grains.copy_id[i] < 0) continue;  // a node of a geotextile
     Volume& v = by_copy[state.grains.copy_id[i]];
     v.name = fmt::format("copy {}", state.grains.copy_id[i]);
     v.grains.push_back(i);
   }
   std::vector<Volume> all;
   for (auto& [id, v] : by_copy) all.push_back(std::move(v));
+  return all;
+}
+
+std::vector<Volume> groups(const io::Snapshot& state) {
+  std::int32_t last = 0;
+  for (const std::int32_t id : state.grains.copy_id) last = std::max(last, id);
+  const auto n = static_cast<std::int32_t>(std::lround(std::sqrt(last + 1.0)));
+  std::vector<Volume> all(static_cast<std::size_t>(n / 2));
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].name = fmt::format("#{}", k + 1);
+  const std::int32_t middle = (n - 1) / 2;
+  for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    const std::int32_t id = state.grains.copy_id[i], x = id % n, y = id / n;
+    if (id >= 0 && (y == middle || y == n / 2) && x / 2 < n / 2) all[static_cast<std::size_t>(x / 2)].grains.push_back(i);
+  }
+  std::erase_if(all, [](const Volume& v) { return v.grains.empty(); });
   return all;
 }
 
@@ -52,6 +69,7 @@ VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const 
   VolumeState v;
   double solids = 0;
   for (const std::size_t i : volume.grains) {
+    if (cell_volumes[i] == 0) continue;  // its cell reaches outside
     v.volume += cell_volumes[i];
     v.stress += dyads[i];
     solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);

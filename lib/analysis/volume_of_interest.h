@@ -19,6 +19,9 @@ struct Volume {
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 /// One volume per copy of a tiled representative volume, in the order of copy_id.
 std::vector<Volume> copies(const io::Snapshot& state);
+/// #1 to #5 of thesis Fig. 3.9: four neighbouring copies each, along x in the middle of y; of ten by ten copies, else
+/// as many as there are pairs along x. Empty where the packing is not tiled so.
+std::vector<Volume> groups(const io::Snapshot& state);
 /// Every grain.
 Volume whole(const io::Snapshot& state);
 

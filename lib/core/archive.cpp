@@ -33,6 +33,32 @@ void Archive::numbers_of(const std::string& name, double* values, std::size_t le
   std::copy(from.begin(), from.end(), values);
 }
 
+std::string Archive::packed(const Numbers& numbers) {
+  std::string bytes;
+  const auto put = [&bytes](const void* from, std::size_t size) { bytes.append(static_cast<const char*>(from), size); };
+  for (const auto& [name, values] : numbers) {
+    for (const std::size_t size : {name.size(), values.size()}) put(&size, sizeof size);
+    put(name.data(), name.size());
+    put(values.data(), values.size() * sizeof(double));
+  }
+  return bytes;
+}
+
+Archive::Numbers Archive::unpacked(const std::string& bytes) {
+  Numbers numbers;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const auto take = [&](void* to, std::size_t size) { at += bytes.copy(static_cast<char*>(to), size, at); };
+    std::size_t length = 0, size = 0;
+    take(&length, sizeof length), take(&size, sizeof size);
+    std::string name(length, '\0');
+    take(name.data(), length);
+    std::vector<double> values(size);
+    take(values.data(), size * sizeof(double));
+    numbers.emplace(std::move(name), std::move(values));
+  }
+  return numbers;
+}
+
 void Archive::item(const std::string& name, double& value) { numbers_of(name, &value, 1); }
 
 void Archive::item(const std::string& name, std::int64_t& value) {

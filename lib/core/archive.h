@@ -23,6 +23,9 @@ class Archive {
 
   bool giving_back() const { return giving_back_; }
   const Numbers& numbers() const { return numbers_; }
+  /// Numbers as bytes for another process on an equal machine, and back.
+  static std::string packed(const Numbers& numbers);
+  static Numbers unpacked(const std::string& bytes);
 
   // Keeps the value, or sets it to the one kept, bit for bit. Throws DataError where none of the name and length is.
   void item(const std::string& name, double& value);

@@ -7,9 +7,11 @@
 
 namespace soilweave {
 
+using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec3i = Eigen::Vector3i;
 using Vec4 = Eigen::Vector4d;  // quaternions, in the order w x y z
+using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
 /// Mean of the diagonal over the space's dimension (2 or 3). For a compression-positive stress: the mean stress p.

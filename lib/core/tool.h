@@ -42,6 +42,7 @@ class Table {
   /// Positional file ("-" means standard input where the format is streamable).
   void input(std::filesystem::path& field, std::string name, std::string sentence);
   void inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
+  void optional_inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_input(std::filesystem::path& field, std::string name, std::string sentence);
   /// -o/--output; "-" means standard output. An existing file is refused without --force (which this also declares).
   /// Where the field is empty when bound, the user must give it.

@@ -125,6 +125,11 @@ void Table::optional_input(std::filesystem::path& field, std::string name, std::
   impl_->inputs.push_back({std::move(name), std::move(sentence), false, false, [&field](auto& t) { field = t; }, {}});
 }
 
+void Table::optional_inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence) {
+  inputs(field, std::move(name), std::move(sentence));
+  impl_->inputs.back().required = false;
+}
+
 void Table::output(std::filesystem::path& field, std::string sentence) {
   impl_->output = &field;
   impl_->output_required = field.empty();

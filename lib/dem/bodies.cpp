@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace soilweave::dem {
 
@@ -23,9 +24,16 @@ Bodies::Bodies(const io::GrainsRecord& record)
   }
 }
 
-void Bodies::scale_radii(double factor) {
+void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
+  fabric = std::move(fabric_of);
+  for (std::size_t i = 0; i < size(); ++i)
+    if (is_node(i)) spin[i] = row(Vec3::Zero(), radius(i));
+}
+
+void Bodies::scale_radii(double factor, const Vec3& stretch) {
   for (std::size_t i = 0; i < size(); ++i) {
-    position[i][3] *= factor;
+    if (is_node(i)) continue;
+    position[i] *= row(stretch, factor);
     velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
     spin[i][3] = radius(i);
   }

@@ -138,7 +138,7 @@ class LawSweep final : public ContactSweep {
     return {total[0], total[1], total[2]};
   }
 
-  double stiffness(double radius, double overlap) const override {
+  double stiffness(double radius, double overlap, std::int32_t materials) const override {
     Kinematics<double> kinematics{};
     kinematics.normal = {1, 0, 0};
     kinematics.overlap = overlap;
@@ -146,7 +146,7 @@ class LawSweep final : public ContactSweep {
     kinematics.R_star = radius / 2;
     kinematics.m1 = kinematics.m2 = 1;
     double largest = 0;
-    for (const auto& couple : couples_.all()) {
+    for (const auto& couple : couples_.of_first(materials)) {
       Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
       Books<double> books;
       largest = std::max(largest, Law::respond(couple, kinematics, 0.0, memory, books).normal_stiffness);

@@ -52,9 +52,9 @@ class ContactSweep {
   /// stiffness times squared branch along the axes, summed over contacts, N m.
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
-  /// Normal stiffness of two equal grains of this radius at the given overlap, N/m: bounds the step before contacts
-  /// form.
-  virtual double stiffness(double radius, double overlap) const = 0;
+  /// Largest normal stiffness of a grain of a material below `materials` and an equal one of any material at the given
+  /// overlap, N/m: bounds the step before contacts form.
+  virtual double stiffness(double radius, double overlap, std::int32_t materials) const = 0;
 };
 
 /// The sweep for the law and materials of a model, eight contacts at a time where the processor has AVX-512, else four:

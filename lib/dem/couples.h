@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "dem/block_lanes.h"
@@ -19,6 +20,10 @@ class Couples {
 
   const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
   const std::vector<typename Law::Couple>& all() const { return all_; }
+  /// Those of the first n materials with any.
+  std::span<const typename Law::Couple> of_first(std::int32_t n) const {
+    return std::span(all_).first(std::min(count_, static_cast<std::size_t>(n)) * count_);
+  }
 
   /// Whether some couple's answer depends on the masses.
   bool use_masses() const {

@@ -12,7 +12,7 @@
 namespace soilweave::dem {
 
 static_assert(sizeof(SweepSums) == 19 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
-                  sizeof(Energies) == 14 * sizeof(double),
+                  sizeof(Energies) == 16 * sizeof(double),
               "a number was added that is not in the lists below");
 
 inline void archive(Archive& a, SweepSums& s) {
@@ -29,6 +29,7 @@ inline void archive(Archive& a, Measures& m) {
 }
 
 inline void archive(Archive& a, Energies& e) {
+  a.item("energy_elastic_yarns", e.elastic_yarns), a.item("energy_yarn_dissipation", e.yarn_dissipation);
   a.item("energy_kinetic", e.kinetic), a.item("energy_elastic_normal", e.elastic_normal);
   a.item("energy_elastic_shear", e.elastic_shear), a.item("energy_elastic_rolling", e.elastic_rolling);
   a.item("energy_elastic_twisting", e.elastic_twisting), a.item("energy_frictional", e.frictional);

@@ -9,6 +9,7 @@
 
 #include "core/tensor.h"
 #include "dem/laws.h"
+#include "dem/wire.h"
 
 namespace soilweave::dem {
 
@@ -16,6 +17,7 @@ namespace soilweave::dem {
 /// One alternative per registered law (laws.h).
 struct Model {
   AnyMaterials materials;  // std::variant<std::vector<HertzMindlin::Material>, std::vector<Linear::Material>>
+  std::vector<WireCurve> geotextiles = {};  // by geotextile_id
 };
 
 /// Beyond what a simulation counts as broken.
@@ -31,6 +33,7 @@ struct Numerics {
   std::optional<double> time_step;  // s, fixed; overrides the estimate
   Vec3 gravity = Vec3::Zero();      // m/s2
   Limits limits;
+  std::vector<std::vector<std::int32_t>> clamps = {};  // grains of each; a clamped grain moves as it is told
   int threads = 1;
 };
 

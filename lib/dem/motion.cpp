@@ -210,7 +210,8 @@ double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
     const double m = bodies.mass(i), inertia = bodies.inertia(i);
     const Lane4 v = bodies.velocity[i] + (0.5 * dt / m) * resultant(bodies, i, g);
     const Lane4 w = bodies.spin[i] + (0.5 * dt / inertia) * bodies.torque[i];
-    sum += 0.5 * m * length2(v) + 0.5 * inertia * length2(w);
+    sum += 0.5 * m * length2(v);
+    if (std::isfinite(inertia)) sum += 0.5 * inertia * length2(w);
   }
   return sum;
 }

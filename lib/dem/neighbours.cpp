@@ -50,7 +50,7 @@ class Grid {
           const std::size_t b = index(bin);
           for (std::int32_t m = start_[b]; m < start_[b + 1]; ++m) {
             const std::int32_t j = members_[static_cast<std::size_t>(m)];
-            if (static_cast<std::size_t>(j) <= i) continue;
+            if (static_cast<std::size_t>(j) <= i || bodies_.in_one_fabric(i, static_cast<std::size_t>(j))) continue;
             const Vec3i image = turn + wrap_[i] - wrap_[static_cast<std::size_t>(j)];
             const Vec3 d =
                 vector_of(bodies_.position[static_cast<std::size_t>(j)]) + cell_.matrix() * image.cast<double>() - xi;
@@ -190,6 +190,7 @@ void Neighbours::rebuild(const Bodies& bodies, const Cell& cell, const Planes& p
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (std::size_t p = 0; p < planes.all.size(); ++p) {
         const Plane& plane = planes.all[p];
+        if (!plane.touches(bodies.is_node(i))) continue;
         if ((vector_of(bodies.position[i]) - plane.point).dot(plane.normal) - bodies.radius(i) < skin_)
           with_planes.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p), 0, {}});
       }

@@ -7,10 +7,12 @@
 
 #include "dem/paths/constant_p.h"
 #include "dem/paths/constant_volume.h"
+#include "dem/paths/drive.h"
 #include "dem/paths/free.h"
 #include "dem/paths/isotropic.h"
 #include "dem/paths/k0.h"
 #include "dem/paths/triaxial.h"
+#include "dem/paths/uniaxial.h"
 
 namespace soilweave::dem {
 namespace {
@@ -26,7 +28,7 @@ constexpr Entry entry() {
 }
 
 constexpr std::array list = {entry<Isotropic>(),      entry<K0>(),  entry<Triaxial>(), entry<ConstantP>(),
-                             entry<ConstantVolume>(), entry<Free>()};
+                             entry<ConstantVolume>(), entry<Free>(), entry<Uniaxial>(), entry<Drive>()};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "core/settings.h"
 #include "dem/control.h"
+#include "dem/rig.h"
 
 namespace soilweave::dem {
 
@@ -26,6 +28,10 @@ class Path {
   virtual std::size_t stations() const = 0;
   /// Goals on the way to a station (0 to stations() - 1); strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
+  /// What plates and clamps are asked for on the way to a station.
+  virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
+  /// The strain that names a station, where the cell's own does not.
+  virtual double nominal_strain(std::size_t) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
 /// Loading axis: the last one of the space.

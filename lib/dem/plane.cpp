@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/plane.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace soilweave::dem {
@@ -17,7 +18,8 @@ Vec3 unit(const Vec3& v) {
 
 Planes::Planes(const io::PlanesRecord& record) {
   for (std::size_t k = 0; k < record.point.size(); ++k)
-    all.push_back({record.point[k], unit(record.normal[k]), record.velocity[k], record.material_id[k]});
+    all.push_back({record.point[k], unit(record.normal[k]), record.velocity[k], record.material_id[k],
+                   record.partners.empty() ? Partners::all : static_cast<Partners>(record.partners[k])});
 }
 
 io::PlanesRecord Planes::record() const {
@@ -27,7 +29,10 @@ io::PlanesRecord Planes::record() const {
     record.normal.push_back(p.normal);
     record.velocity.push_back(p.velocity);
     record.material_id.push_back(p.material);
+    record.partners.push_back(static_cast<std::int32_t>(p.partners));
   }
+  if (std::all_of(all.begin(), all.end(), [](const Plane& p) { return p.partners == Partners::all; }))
+    record.partners.clear();
   return record;
 }
 

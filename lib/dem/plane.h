@@ -10,9 +10,15 @@
 
 namespace soilweave::dem {
 
+/// Who touches a plane; numbers as in files.
+enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
+
 struct Plane {
   Vec3 point, normal, velocity;
   std::int32_t material;
+  Partners partners = Partners::all;
+
+  bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
 };
 
 struct Planes {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "dem/bodies.h"
+#include "dem/prepare.h"
 #include "dem/record.h"
 
 namespace soilweave::dem {
@@ -18,33 +18,32 @@ namespace {
 
 // Steps between two looks at whether a station has settled, and between two reports.
 constexpr std::int64_t report_interval = 256;
+// Steps between two looks at whether plates and grains have come to rest.
+constexpr std::int64_t look_interval = 4;
 
 // Uniform in [-1, 1) from the engine's bits alone: standard distributions differ between libraries.
 double symmetric_uniform(std::mt19937_64& engine) {
   return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;
 }
 
-bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int axis) {
+bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int axis, double nominal) {
   if (rule.which == SnapshotRule::Which::stations) return true;
   if (rule.which == SnapshotRule::Which::ends) return false;
-  const double strain = simulation.strain()[axis];
+  const double strain = std::isnan(nominal) ? simulation.strain()[axis] : nominal;
   return std::any_of(rule.strains.begin(), rule.strains.end(), [&](double s) { return std::abs(s - strain) < 1e-7; });
 }
 
-void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
-  const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
-  for (const Stage& stage : scenario.stages)
-    for (std::size_t station = 0; station < stage.path->stations(); ++station) {
-      const AxisGoals goals = stage.path->goals(station, unloaded);
-      for (std::size_t a = 0; a < static_cast<std::size_t>(unloaded.dimension); ++a) {
-        const bool held = goals[a].kind == AxisGoal::Kind::strain && goals[a].value == 0;
-        if (!packing.cell.periodic[a] && !held)
-          throw DataError(
-              fmt::format("stage \"{}\" loads axis {}, along which the packing's cell is not periodic: give the "
-                          "packing a periodic cell, or hold the axis by a stage of path \"free\"",
-                          stage.name, "xyz"[a]));
-      }
-    }
+std::vector<RigPart> parts_of(const Scenario& scenario) {
+  std::vector<RigPart> parts;
+  for (const PartSetting& p : scenario.parts) parts.push_back(p.part);
+  return parts;
+}
+
+Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
+  Numerics numerics = scenario.numerics;
+  for (const PartSetting& p : scenario.parts)
+    if (p.part.is_clamp) numerics.clamps.push_back(nodes_within(start, p.low, p.high));
+  return numerics;
 }
 
 // How far a run is.
@@ -65,16 +64,19 @@ struct Position {
 class Runner {
  public:
   Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
-         std::optional<io::Moment> last)
+         const Observe& observe, std::optional<io::Moment> last)
       : scenario_(scenario),
         report_(report),
+        observe_(observe),
+        has_yarns_(start.yarns.size() > 0),
         dimension_(start.grains.dimension),
         model_(scenario.model),
         keeper_(safekeeping, start.grains.size()),
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
-        simulation_(last ? Simulation(last->state, scenario.model, scenario.numerics, kept_)
-                         : Simulation(start, scenario.model, scenario.numerics)),
-        servo_(scenario.servo) {
+        simulation_(last ? Simulation(last->state, scenario.model, with_clamps(scenario, start), kept_)
+                         : Simulation(start, scenario.model, with_clamps(scenario, start))),
+        servo_(scenario.servo),
+        rig_(parts_of(scenario)) {
     result_.series = last ? std::move(last->series) : empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
@@ -95,7 +97,8 @@ class Runner {
         ++at_.done;
         const bool last_of_stage = ++at_.station == stage.path->stations();
         at_.first = simulation_.steps();
-        if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1)) keep_state();
+        const double nominal = stage.path->nominal_strain(at_.station - 1);
+        if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1, nominal)) keep_state();
       }
     }
     const Price price = clock_.price(simulation_, keeper_.seconds());
@@ -108,7 +111,7 @@ class Runner {
 
  private:
   void go_on() {
-    servo_.archive(kept_);
+    servo_.archive(kept_), rig_.archive(kept_);
     at_.archive(kept_);
     clock_.archive(simulation_, keeper_.seconds(), kept_);
     for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
@@ -117,7 +120,7 @@ class Runner {
   io::Moment moment() {
     Archive archive;
     simulation_.archive(archive);
-    servo_.archive(archive);
+    servo_.archive(archive), rig_.archive(archive);
     at_.archive(archive);
     clock_.archive(simulation_, keeper_.seconds(), archive);
     return {simulation_.snapshot(), result_.series, archive.numbers()};
@@ -125,8 +128,9 @@ class Runner {
 
   // What a stage changes in the grains.
   void apply(const Stage& stage) {
-    if (!stage.friction) return;
-    model_ = with_friction(model_, *stage.friction);
+    if (!stage.friction && !stage.plate_friction) return;
+    if (stage.friction) model_ = with_friction(model_, *stage.friction);
+    if (stage.plate_friction) model_ = with_friction(model_, *stage.plate_friction, scenario_.planes.material_id);
     simulation_.set_model(model_);
   }
 
@@ -138,6 +142,7 @@ class Runner {
       if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table, too
     }
     at_.start_of_stage = simulation_.strain();
+    rig_.begin_stage();
     at_.first = simulation_.steps();
     at_.begun = true;
   }
@@ -154,17 +159,30 @@ class Runner {
   }
 
   void travel(const Stage& stage, std::size_t station) {
+    const std::vector<DriveGoal> drives = stage.path->drives(station);
+    const double damping = stage.damping.value_or(scenario_.numerics.damping);
     for (;;) {
       const AxisGoals goals = goals_of(stage, station);
       servo_.drive(goals, dimension_, simulation_);
+      rig_.drive(drives, damping, simulation_);
       simulation_.step();
-      if (Servo::settled(goals, dimension_, scenario_.tolerances, simulation_)) break;
+      if (settled(goals, drives)) break;
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
       if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
       keeper_.after_step([this] { return moment(); });
     }
     tell(stage, station);
+  }
+
+  bool settled(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
+    if (rig_.any()) {
+      if (simulation_.steps() % look_interval != 0) return false;
+      if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
+    }
+    return Servo::settled(goals, dimension_, scenario_.tolerances, simulation_) &&
+           (std::isinf(scenario_.tolerances.kinetic_energy) ||
+            simulation_.kinetic_energy() <= scenario_.tolerances.kinetic_energy);
   }
 
   void tell(const Stage& stage, std::size_t station) const {
@@ -212,7 +230,16 @@ class Runner {
     return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }
 
-  void row(std::size_t stage) { record(simulation_, dimension_, static_cast<int>(stage), result_.series); }
+  void row(std::size_t stage) {
+    record(simulation_, dimension_, static_cast<int>(stage), result_.series);
+    rig_.record(simulation_, result_.series);
+    if (has_yarns_) {
+      const Energies e = simulation_.energies();
+      append(result_.series, "yarn_elastic_energy", "J", "stored in yarns", e.elastic_yarns);
+      append(result_.series, "yarn_dissipation", "J", "dissipated by yielding and breaking yarns", e.yarn_dissipation);
+    }
+    if (observe_) observe_(simulation_.snapshot(), result_.series);
+  }
 
   void keep_state() {
     if (keeper_.keeps())
@@ -223,12 +250,15 @@ class Runner {
 
   const Scenario& scenario_;
   const Report& report_;
+  const Observe& observe_;
+  bool has_yarns_;
   int dimension_;
   Model model_;
   Keeper keeper_;
   Archive kept_;
   Simulation simulation_;
   Servo servo_;
+  Rig rig_;
   Position at_;
   io::RunFile result_;
   std::size_t total_ = 0;
@@ -236,25 +266,6 @@ class Runner {
 };
 
 }  // namespace
-
-io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
-  demand_periodic(packing, scenario);
-  io::Snapshot state = packing;
-  const auto materials = std::visit([](const auto& m) { return m.size(); }, scenario.model.materials);
-  for (const std::int32_t id : state.grains.material_id)
-    if (id < 0 || static_cast<std::size_t>(id) >= materials)
-      throw DataError(fmt::format(
-          "the packing has grains of material {}, the scenario describes {}: add [[material]] tables", id, materials));
-  if (scenario.density > 0) {
-    for (std::size_t i = 0; i < state.grains.size(); ++i) {
-      state.grains.mass[i] = scenario.density * grain_volume(state.grains.dimension, state.grains.radius[i]);
-    }
-  }
-  if (!scenario.planes.point.empty()) state.planes = scenario.planes;
-  state.step = 0;
-  state.time = 0;
-  return state;
-}
 
 io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed) {
   io::Snapshot twin = packing;
@@ -265,9 +276,10 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
   return twin;
 }
 
-Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping) {
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
+            const Observe& observe) {
   io::Part* part = safekeeping.part;
-  Runner runner(start, scenario, report, safekeeping, part ? part->take_last() : std::nullopt);
+  Runner runner(start, scenario, report, safekeeping, observe, part ? part->take_last() : std::nullopt);
   return carry_out<true>(runner, part);
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "dem/keeper.h"
+#include "dem/prepare.h"
 #include "dem/price.h"
 #include "dem/scenario.h"
 #include "io/files.h"
@@ -15,14 +16,12 @@ namespace soilweave::dem {
 /// Called now and then: overall fraction done (0 to 1) and a line about the moment.
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
-/// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
-/// Throws DataError where the packing names materials the scenario lacks, or a stage loads an axis that is not
-/// periodic.
-io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
-
 /// Positions moved at random by at most `fraction` of the radius along each axis: a twin that shows the scatter of a
 /// chaotic system. The same seed gives the same twin everywhere. Contacts keep their history.
 io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
+
+/// Appends what else is to be known of a recorded state to the series: the same columns each time.
+using Observe = std::function<void(const io::Snapshot& state, io::Series& series)>;
 
 struct Outcome {
   io::RunFile file;
@@ -34,6 +33,6 @@ struct Outcome {
 /// and ends in the same file, bit by bit. Throws TargetNotReached when a station cannot be settled, PhysicsError when
 /// physics breaks, Stopped after a signal; the message says what is kept.
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report,
-            const Safekeeping& safekeeping = {});
+            const Safekeeping& safekeeping = {}, const Observe& observe = {});
 
 }  // namespace soilweave::dem

@@ -5,10 +5,19 @@
 #include <algorithm>
 #include <numbers>
 
+#include "dem/geotextile.h"
+
 namespace soilweave::dem {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr Parameter density_parameter{"density",
+                                      "kg/m3",
+                                      0,
+                                      1e12,
+                                      true,
+                                      "density of the grains, scaling included",
+                                      "grains without mass cannot be moved"};
 
 Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
   static constexpr Parameter unbalanced{
@@ -18,8 +27,11 @@ Tolerances read_tolerances(Settings& document, std::int64_t& largest_station) {
   static constexpr Parameter steps{"steps", "1", 1, 1e12, false, "steps after which a station counts as unreachable"};
   Settings table = document.table("equilibrium");
   largest_station = table.integer(steps, 2'000'000);
+  static constexpr Parameter kinetic{"kinetic_energy", "J", 0, 1e300, true, "largest at every recorded state"};
   const double force = table.number(unbalanced, 1e-3);
-  return {table.number(stress, 1e-3), force};
+  Tolerances tolerances{table.number(stress, 1e-3), force};
+  if (table.has("kinetic_energy")) tolerances.kinetic_energy = table.number(kinetic);
+  return tolerances;
 }
 
 ServoRule read_servo(Settings& document) {
@@ -46,7 +58,21 @@ SnapshotRule read_snapshots(Settings& document) {
   return rule;
 }
 
-Stage read_stage(Settings table) {
+constexpr Parameter part_mass{"mass", "kg", 0, 1e15, false, "mass of a plate or clamp; 0: carried by its contacts"};
+
+void read_clamps(Settings& document, std::vector<PartSetting>& parts) {
+  static constexpr Parameter low{"low", "m", -1e6, 1e6, false, "lower corner of the box whose nodes are held"};
+  static constexpr Parameter high{"high", "m", -1e6, 1e6, false, "upper corner"};
+  std::size_t number = 0;
+  for (Settings table : document.tables("clamp")) {
+    PartSetting p{{table.text("name"), true, number++, table.number(part_mass, 1.0)}};
+    if (p.part.mass == 0) table.mistake("mass", "is zero: a clamp has no contacts that could carry it");
+    p.low = table.vector(low), p.high = table.vector(high);
+    parts.push_back(p);
+  }
+}
+
+Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   static constexpr Parameter friction{
       "friction_angle", "deg", 0, 89.9, false, "friction angle of all materials from this stage on"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
@@ -55,12 +81,19 @@ Stage read_stage(Settings table) {
   stage.name = table.text("name", path);
   stage.reset_strain = table.flag("reset_strain", false);
   if (table.has("friction_angle")) stage.friction = table.number(friction) * degree;
+  static constexpr Parameter plates{
+      "plate_friction_angle", "deg", 0, 89.9, false, "friction angle of the planes' materials from this stage on"};
+  if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
   stage.path = read_path(path, table);
+  if (stage.path && stage.path->stations() > 0)
+    for (const DriveGoal& goal : stage.path->drives(0))
+      if (std::none_of(parts.begin(), parts.end(), [&](const PartSetting& p) { return p.part.name == goal.part; }))
+        table.mistake("", "moves \"" + goal.part + "\", but no [[plane]] or [[clamp]] is called so");
   return stage;
 }
 
-io::PlanesRecord read_planes(Settings& document, std::size_t materials) {
+io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vector<PartSetting>& parts) {
   static constexpr Parameter point{"point", "m", -1e6, 1e6, false, "a point of the plane"};
   static constexpr Parameter normal{"normal", "1", -1, 1, false, "normal towards the grains"};
   static constexpr Parameter velocity{"velocity", "m/s", -1e6, 1e6, false, "constant velocity of the plane"};
@@ -75,6 +108,10 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials) {
     planes.material_id.push_back(static_cast<std::int32_t>(table.integer(material, 0)));
     if (planes.material_id.back() >= static_cast<std::int32_t>(materials))
       table.mistake("material", "names no material: 0 is [contact], 1 the first [[material]]");
+    const std::string partners = table.choice("partners", {"all", "soil", "geotextile"}, "all");
+    planes.partners.push_back(partners == "all" ? 0 : (partners == "soil" ? 1 : 2));
+    if (table.has("name"))
+      parts.push_back({{table.text("name"), false, planes.point.size() - 1, table.number(part_mass, 0.0)}});
   }
   return planes;
 }
@@ -90,15 +127,8 @@ Model read_model(Settings& document) {
 }
 
 double read_density(Settings& document) {
-  static constexpr Parameter density{"density",
-                                     "kg/m3",
-                                     0,
-                                     1e12,
-                                     true,
-                                     "density of the grains, scaling included",
-                                     "grains without mass cannot be moved"};
   Settings grains = document.table("grains");
-  return grains.has("density") ? grains.number(density) : 0.0;
+  return grains.has("density") ? grains.number(density_parameter) : 0.0;
 }
 
 Limits read_limits(Settings& document) {
@@ -140,13 +170,18 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   for (const std::string& assignment : overrides) document.set(assignment);
   Scenario s;
   s.model = read_model(document);
-  s.density = read_density(document);
+  s.density.push_back(read_density(document));
+  for (Settings table : document.tables("material"))
+    s.density.push_back(table.has("density") ? table.number(density_parameter) : s.density.front());
+  for (Settings table : document.tables("geotextile"))
+    s.model.geotextiles.push_back(read_geotextile(table, s.sources));
   s.numerics = read_numerics(document);
   s.tolerances = read_tolerances(document, s.largest_station);
   s.servo = read_servo(document);
   s.snapshots = read_snapshots(document);
-  s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials));
-  for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table));
+  s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials), s.parts);
+  read_clamps(document, s.parts);
+  for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table, s.parts));
   if (s.stages.empty() && !document.has("stage"))
     document.mistake("stage", "is missing: a scenario has at least one [[stage]] with a path");
   document.finish();
@@ -154,11 +189,13 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   return s;
 }
 
-Model with_friction(const Model& model, double angle) {
+Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
   Model changed = model;
   std::visit(
-      [&](auto& materials) {
-        for (auto& m : materials) m.friction_angle = angle;
+      [&](auto& all) {
+        if (materials.empty())
+          for (auto& m : all) m.friction_angle = angle;
+        for (const std::int32_t k : materials) all[static_cast<std::size_t>(k)].friction_angle = angle;
       },
       changed.materials);
   return changed;

@@ -8,6 +8,7 @@
 
 #include "core/settings.h"
 #include "dem/path.h"
+#include "io/provenance.h"
 
 namespace soilweave::dem {
 
@@ -15,7 +16,8 @@ struct Stage {
   std::string name;
   std::unique_ptr<Path> path;
   bool reset_strain = false;       // the state at its start becomes the reference of the strains
-  std::optional<double> friction;  // rad, of all materials from here on
+  std::optional<double> friction;        // rad, of all materials from here on
+  std::optional<double> plate_friction;  // rad, of the materials of planes alone
   std::optional<double> damping;   // local damping during this stage
 };
 
@@ -26,16 +28,25 @@ struct SnapshotRule {
   std::vector<double> strains;  // loading-axis strains, for `list`
 };
 
+/// A plane or clamp that can be driven, and for a clamp the upright box of the nodes it holds, m.
+struct PartSetting {
+  RigPart part;
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+};
+
 struct Scenario {
   Model model;
   Numerics numerics;
-  double density = 0;  // kg/m3, scaled; replaces the packing's masses where positive
+  /// kg/m3 by material_id, scaled; replaces the packing's masses where positive.
+  std::vector<double> density;
   Tolerances tolerances;
   ServoRule servo;
   std::int64_t largest_station = 0;  // steps after which a station counts as unreachable
   SnapshotRule snapshots;
   std::vector<Stage> stages;
   io::PlanesRecord planes;
+  std::vector<PartSetting> parts;
+  std::vector<io::Source> sources;  // files that the scenario named
   std::string resolved;  // the TOML with overrides applied, for provenance
 };
 
@@ -49,8 +60,8 @@ Numerics read_numerics(Settings& document);
 /// Reads and checks everything; all mistakes are reported at once. Throws DataError.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 
-/// Model with every friction angle replaced, rad.
-Model with_friction(const Model& model, double angle);
+/// Model with every friction angle replaced, rad; of these materials alone, where some are named.
+Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
 /// Smallest friction angle of a model's materials, rad.
 double friction(const Model& model);
 

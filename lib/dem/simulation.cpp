@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
+#include "dem/contacts_record.h"
 #include "dem/guard.h"
 #include "dem/ledger.h"
 #include "dem/motion.h"
@@ -22,6 +23,9 @@ namespace {
 constexpr std::int64_t stiffness_interval = 8;
 // Steps between two passes over the grains by the guards.
 constexpr std::int64_t guard_interval = 256;
+// Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
+// may be too long by the root of that at most, which its safety covers.
+constexpr double overlap_growth = 2;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
 // The fastest grain moves at most this fraction of the smallest radius in a step.
@@ -36,6 +40,7 @@ struct Simulation::Impl {
         bodies(state.grains),
         cell(state.cell, state.grains.dimension),
         planes(state.planes),
+        yarns(state.yarns, bodies.size(), model.geotextiles),
         neighbours(bodies.largest_radius()),
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
@@ -43,24 +48,36 @@ struct Simulation::Impl {
         smallest_radius(bodies.smallest_radius()),
         time(state.time),
         steps(state.step) {
+    bodies.set_fabric(yarns.fabric_of());
     restore(state.contacts);
     neighbours.rebuild(bodies, cell, planes, contacts);
-    if (kept)
+    for (const auto& held : numerics.clamps) clamps.all.push_back({held});
+    if (kept) {
+      yarns.run(time, numerics.threads, bodies);  // lengths and directions, of which nothing is kept
       archive(*kept);
-    else
+    } else {
       begin();
+    }
   }
 
   Scene scene() const { return {bodies, cell, planes, numerics.threads}; }
 
   void begin() {
     sums = sweep->run(scene(), 0.0, contacts);
-    sums.force_branch += motion.gather(contacts, bodies);
+    gather();
+    for (std::size_t k = 0; k < clamps.all.size(); ++k) clamps.set_velocity(k, Vec3::Zero(), bodies);
+    clamps.take(numerics.gravity, 0, bodies);
     measure();
     if (sums.largest_relative_overlap > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
     estimate_step();
-    energies.initial = kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
+    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
+  }
+
+  // Forces of contacts and yarns on every grain.
+  void gather() {
+    sums.force_branch += motion.gather(contacts, bodies);
+    if (yarns.any()) yarns.run(time, numerics.threads, bodies);
   }
 
   void restore(const io::ContactsRecord& r) {
@@ -101,11 +118,14 @@ struct Simulation::Impl {
     archive_rows(a, "torque", bodies.torque);
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
+    a.item("overlap_at_estimate", estimated_at);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
     dem::archive(a, energies);
     guard.archive(a);
+    for (Clamp& c : clamps.all) a.item(fmt::format("clamp_velocity_{}", &c - clamps.all.data()), c.velocity);
+    for (Clamp& c : clamps.all) a.item(fmt::format("clamp_force_{}", &c - clamps.all.data()), c.force);
   }
 
   void step() {
@@ -122,24 +142,25 @@ struct Simulation::Impl {
     clock.lap(Phase::neighbours);
     sums = sweep->run(scene(), dt, contacts);
     clock.lap(Phase::contacts);
-    sums.force_branch += motion.gather(contacts, bodies);
-    clock.lap(Phase::integration);
     ++steps;
     time += dt;
+    gather();
+    const double clamped = clamps.take(numerics.gravity, dt, bodies);
+    clock.lap(Phase::integration);
     contact_steps += sums.contacts;
 
-    account(moved, dt, before, gradient);
+    account(moved, dt, before, gradient, clamped);
     measure();
     watch();
-    if (steps % stiffness_interval == 0) estimate_step();
+    if (steps % stiffness_interval == 0 || outgrown()) estimate_step();
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
 
-  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient) {
+  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
     const double law = before.elastic_tangential - sums.tangential_before + sums.kinematic;
     const double boundary =
-        sums.plane_work - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
+        sums.plane_work + clamped - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
     energies.law += law;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
@@ -147,20 +168,23 @@ struct Simulation::Impl {
     energies.damping += moved.damping;
     energies.gravity_work += moved.gravity_work;
     energies.boundary_work += boundary;
-    for (const double part :
-         {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping, moved.gravity_work})
+    energies.yarn_dissipation += yarns.sums().dissipated;
+    for (const double part : {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping,
+                              moved.gravity_work, yarns.sums().dissipated})
       energies.turned_over += std::abs(part);
   }
 
-  double elastic() const { return sums.elastic_normal + sums.elastic_tangential; }
+  double elastic() const { return sums.elastic_normal + sums.elastic_tangential + yarns.sums().elastic; }
 
   void measure() {
     measures.stress = symmetric(sums.force_branch) / cell.volume();
     measures.contacts = sums.contacts;
   }
 
-  double unbalanced_force() {
-    const double mean_contact = sums.contacts ? force_sum(contacts) / static_cast<double>(sums.contacts) : 0;
+  double unbalanced_force(double least = 0) {
+    const auto carriers = static_cast<double>(sums.contacts + yarns.sums().taut);
+    const double mean_contact =
+        std::max(least, carriers > 0 ? (force_sum(contacts) + yarns.sums().tension) / carriers : 0);
     const double mean_resultant = motion.resultants(numerics.gravity, bodies) / static_cast<double>(bodies.size());
     return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
@@ -179,7 +203,8 @@ struct Simulation::Impl {
     const StoredEnergies stored = sweep->stored(scene(), contacts);
     e.elastic_normal = sums.elastic_normal, e.elastic_shear = stored.shear;
     e.elastic_rolling = stored.rolling, e.elastic_twisting = stored.twisting;
-    e.kinetic = kinetic_energy(bodies, numerics.gravity, time_step);
+    e.elastic_yarns = yarns.sums().elastic;
+    e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
 
@@ -200,13 +225,20 @@ struct Simulation::Impl {
 
   Stiffness look_at_stiffness() {
     const double r = smallest_radius;
+    const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
-        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r)));
+        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
     const Vec3 sum = sweep->stiffen(scene(), contacts);
-    return {sum / cell.volume(), std::min(reference, motion.stable_time_step(bodies, contacts))};
+    const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
+    return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(bodies, contacts)})};
+  }
+
+  bool outgrown() const {
+    return sums.largest_relative_overlap > overlap_growth * std::max(estimated_at, reference_overlap);
   }
 
   void estimate_step() {
+    estimated_at = sums.largest_relative_overlap;
     const Stiffness found = look_at_stiffness();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
     time_step = stable;
@@ -225,13 +257,15 @@ struct Simulation::Impl {
     return v;
   }
 
-  io::ContactsRecord contacts_record() const;
+  io::ContactsRecord contacts_record() const { return dem::contacts_record(contacts, bodies, cell, planes); }
 
   Numerics numerics;
   io::Snapshot record;  // identities and whatever the engine does not change
   Bodies bodies;
   Cell cell;
   Planes planes;
+  Yarns yarns;
+  Clamps clamps;
   Neighbours neighbours;
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
@@ -242,51 +276,10 @@ struct Simulation::Impl {
   Energies energies;
   double smallest_radius;  // m
   double stable = 0, time_step = 0, time = 0;
+  double estimated_at = 0;  // largest overlap over radius when the step was last estimated
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
-
-io::ContactsRecord Simulation::Impl::contacts_record() const {
-  io::ContactsRecord r;
-  const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
-                        const Vec3& branch, double overlap) {
-    r.bodies.push_back({first, second});
-    r.image.push_back(image);
-    r.normal.push_back(to_eigen(h.normal));
-    r.branch_vector.push_back(branch);
-    r.overlap.push_back(overlap);
-    r.normal_force.push_back(h.normal_force);
-    r.shear_force.push_back(to_eigen(h.memory.shear));
-    r.rolling_moment.push_back(to_eigen(h.memory.rolling));
-    r.twisting_moment.push_back(h.memory.twisting);
-    r.sliding.push_back(h.sliding);
-  };
-  auto with_plane = contacts.planes.begin();
-  const auto add_planes_up_to = [&](std::int32_t grain) {
-    for (; with_plane != contacts.planes.end() && with_plane->grain <= grain; ++with_plane) {
-      if (!with_plane->history.touching) continue;
-      const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
-      const auto i = static_cast<std::size_t>(with_plane->grain);
-      const double height = (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
-      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), -height * plane.normal,
-          bodies.radius(i) - height);
-    }
-  };
-  for (const auto& chunk : contacts.chunks)
-    for (const ContactBlock& block : chunk)
-      for (int k = 0; k < block.count; ++k) {
-        if (!((block.touching >> k) & 1)) continue;
-        const auto [first, second, image] = contacts.pair(block, k);
-        add_planes_up_to(first);
-        const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-        const Vec3 branch =
-            vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-        add(Contacts::history(block, k), first, second, image, branch,
-            bodies.radius(i) + bodies.radius(j) - branch.norm());
-      }
-  add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
-  return r;
-}
 
 Simulation::Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics)
     : impl_(std::make_unique<Impl>(state, model, numerics, nullptr)) {}
@@ -304,7 +297,7 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
-double Simulation::unbalanced_force() const { return impl_->unbalanced_force(); }
+double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
 double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
 double Simulation::stability_limit() { return impl_->look_at_stiffness().limit; }
 double Simulation::time() const { return impl_->time; }
@@ -323,28 +316,45 @@ Vec3 Simulation::strain() const {
 
 void Simulation::set_reference() { impl_->cell.set_reference(); }
 void Simulation::set_velocity_gradient(const Mat3& gradient) { impl_->cell.set_velocity_gradient(gradient); }
-void Simulation::set_model(const Model& model) { impl_->sweep = make_contact_sweep(model); }
+void Simulation::set_model(const Model& model) {
+  impl_->sweep = make_contact_sweep(model);
+  impl_->yarns.set_curves(model.geotextiles);
+}
+void Simulation::set_plane_velocity(std::size_t plane, const Vec3& v) { impl_->planes.all[plane].velocity = v; }
+const Planes& Simulation::planes() const { return impl_->planes; }
+std::vector<PlateLoad> Simulation::plate_loads() const {
+  return dem::plate_loads(impl_->contacts, impl_->bodies, impl_->planes);
+}
+void Simulation::set_clamp_velocity(std::size_t clamp, const Vec3& velocity) {
+  impl_->energies.boundary_work += impl_->clamps.set_velocity(clamp, velocity, impl_->bodies);
+}
+const std::vector<Clamp>& Simulation::clamps() const { return impl_->clamps.all; }
+const YarnSums& Simulation::yarns() const { return impl_->yarns.sums(); }
+double Simulation::kinetic_energy() const {
+  return dem::kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
+}
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 
-void Simulation::scale_radii(double factor) {
-  impl_->bodies.scale_radii(factor);
+void Simulation::scale_radii(double factor, const Vec3& stretch) {
+  impl_->bodies.scale_radii(factor, stretch);
   Impl& s = *impl_;
   s.smallest_radius = s.bodies.smallest_radius();
   const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.sums = s.sweep->run(s.scene(), 0.0, s.contacts);
-  s.sums.force_branch += s.motion.gather(s.contacts, s.bodies);
+  s.gather();
+  s.clamps.take(s.numerics.gravity, 0, s.bodies);
   s.measure();
   s.energies.boundary_work += s.elastic() - before;
   s.estimate_step();
 }
 
 void Simulation::stop_motion() {
-  const double moving = impl_->energies_now().kinetic;
+  const double moving = kinetic_energy();
   for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
     for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
-  impl_->energies.damping += moving - impl_->energies_now().kinetic;
+  impl_->energies.damping += moving - kinetic_energy();
 }
 
 io::Snapshot Simulation::snapshot() const {
@@ -355,6 +365,7 @@ io::Snapshot Simulation::snapshot() const {
   impl_->bodies.store(s.grains);
   s.contacts = impl_->contacts_record();
   s.planes = impl_->planes.record();
+  if (impl_->yarns.any()) s.yarns = impl_->yarns.record();
   return s;
 }
 

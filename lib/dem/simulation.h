@@ -7,8 +7,11 @@
 #include <optional>
 
 #include "core/archive.h"
+#include "dem/clamp.h"
 #include "dem/model.h"
+#include "dem/plate.h"
 #include "dem/step_times.h"
+#include "dem/yarns.h"
 #include "io/records.h"
 
 namespace soilweave::dem {
@@ -29,15 +32,16 @@ struct Energies {
   double rolling_plastic = 0;  // dissipated at the rolling and twisting limits
   double viscous = 0;          // dissipated by contact damping
   double damping = 0;          // dissipated by local non-viscous damping
-  double boundary_work = 0;    // done on the assembly by the deforming cell and moving planes
+  double boundary_work = 0;    // done on the assembly by the deforming cell, moving planes and clamps
   double gravity_work = 0;
+  double elastic_yarns = 0, yarn_dissipation = 0;  // stored in yarns; taken by their yielding and breaking
   double law = 0;          // taken out (+) or created (-) by the incremental contact law itself
   double initial = 0;      // kinetic and elastic at the start
   double turned_over = 0;  // work, dissipation and creation of every step, without their signs
-  double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting; }
+  double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
   double error() const {
     return initial + boundary_work + gravity_work -
-           (kinetic + elastic() + frictional + rolling_plastic + viscous + damping + law);
+           (kinetic + elastic() + frictional + rolling_plastic + viscous + damping + yarn_dissipation + law);
   }
 };
 
@@ -56,7 +60,9 @@ class Simulation {
   void step();
 
   const Measures& measures() const;  // of the last step
-  double unbalanced_force() const;   // mean resultant on grains over mean contact force; 0/0 is 0
+  /// Mean resultant on grains over mean force of contacts and taut yarns, or over `least`, N, if that is more; 0/0 is 0.
+  double unbalanced_force(double least = 0) const;
+  double kinetic_energy() const;     // J
   double largest_overlap() const;    // over the smaller radius
   Energies energies() const;
   double time_step() const;  // s, of the next step
@@ -76,9 +82,17 @@ class Simulation {
   void set_reference();                              // the present cell becomes the reference of the strains
   void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
 
+  void set_plane_velocity(std::size_t plane, const Vec3& velocity);  // m/s
+  const Planes& planes() const;
+  std::vector<PlateLoad> plate_loads() const;
+  void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);  // m/s
+  const std::vector<Clamp>& clamps() const;
+  const YarnSums& yarns() const;
+
   void set_model(const Model& model);  // between stages: friction lowered, law parameters changed; history is kept
   void set_damping(double damping);
-  void scale_radii(double factor);  // masses follow at constant density
+  /// Of soil; masses follow at constant density. stretch: soil is also moved, coordinate by coordinate, from the origin.
+  void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
   void stop_motion();               // zero fluctuation velocities and spins
 
   /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.

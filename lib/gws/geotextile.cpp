@@ -27,6 +27,11 @@ Geotextile read_geotextile(const std::string& text, const std::string& where) {
   found.stiffness = document.number(tensile_stiffness);
   found.strength = document.number(tensile_strength);
   found.failure_strain = document.number(failure_strain_range);
+  // The yarns' curve is the discrete model's.
+  static constexpr Parameter point{"yarn_strain", "1", 0, 1e12, true, "points of the yarns' curve"};
+  for (const char* key : {"yarn_strain", "yarn_tension"})
+    if (document.has(key)) document.numbers({key, point.unit, point.low, point.high, true, point.sentence});
+  if (document.has("unloading_slope")) document.number({"unloading_slope", "1", 0, 1e15, true, point.sentence});
   document.finish();
   return found;
 }

@@ -288,4 +288,24 @@ VtkPicture show_planes(const Snapshot& state) {
   return picture;
 }
 
+VtkPicture show_yarns(const Snapshot& state) {
+  const YarnsRecord& y = state.yarns;
+  VtkPicture picture = picture_of(state, VtkShape::line);
+  std::vector<double> tension, strain;
+  std::vector<std::int32_t> family, fabric;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (y.broken[k]) continue;
+    const Vec3& a = state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
+    const Vec3& b = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])];
+    picture.points.push_back(a), picture.points.push_back(b);
+    tension.push_back(y.tension[k]), strain.push_back((b - a).norm() / y.rest_length[k] - 1);
+    family.push_back(y.family[k]), fabric.push_back(y.fabric[k]);
+  }
+  picture.cell_data = {{"tension", 1, std::move(tension)},
+                       {"strain", 1, std::move(strain)},
+                       {"family", 1, std::move(family)},
+                       {"fabric", 1, std::move(fabric)}};
+  return picture;
+}
+
 }  // namespace soilweave::io

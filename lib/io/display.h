@@ -41,4 +41,7 @@ VtkPicture show_cell(const Snapshot& state);
 /// velocity.
 VtkPicture show_planes(const Snapshot& state);
 
+/// Yarns as lines between their nodes, broken ones left out. Cell data: tension (N), strain, family, fabric.
+VtkPicture show_yarns(const Snapshot& state);
+
 }  // namespace soilweave::io

@@ -98,9 +98,10 @@ OpenFile::OpenFile(std::string bytes, const std::string& where, std::string role
     throw DataError(fmt::format("{}: has the format version {}.{}, this program reads {}.{} at most; use a newer one",
                                 where, version[0], version[1], format_major, format_minor));
   kind = reader.text_attribute("/", "kind");
-  if (kind != "packing" && kind != "run" && kind != "fields" && kind != "checkpoint" && kind != "ensemble")
+  if (kind != "packing" && kind != "run" && kind != "fields" && kind != "checkpoint" && kind != "ensemble" &&
+      kind != "multiscale")
     throw DataError(where + ": has the unknown kind \"" + kind +
-                    "\"; known are packing, run, fields, checkpoint, ensemble");
+                    "\"; known are packing, run, fields, checkpoint, ensemble, multiscale");
 }
 
 void OpenFile::demand_kind(std::string_view kinds) const {

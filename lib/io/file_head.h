@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/provenance.h"
-#include "io/records.h"
+#include "io/files.h"
 #include "io/store.h"
 
 namespace soilweave::io {
@@ -39,6 +38,13 @@ std::string child_path(const std::string& group, const std::string& name);
 /// Tables: one dataset a column, in `path`; empty where the group is missing.
 void write_columns(Writer& file, const std::string& path, const Series& table);
 Series read_columns(const Reader& file, const std::string& path);
+
+/// Groups of tables, in /fields.
+void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups);
+std::vector<FieldsFile::Group> read_groups(const Reader& file);
+/// The tables and grains that a run of several scales recorded; no trajectory where there are no grains.
+void write_recorded(Writer& file, const std::vector<FieldsFile::Group>& groups, const std::vector<Snapshot>& frames,
+                    const History& history);
 
 /// The frames of packings and runs. write: throws DataError where frames differ in grains, dimension or planes.
 void write_states(Writer& file, const std::vector<const Snapshot*>& states, const History& history);

@@ -80,6 +80,8 @@ void write_file(const std::filesystem::path& path, const std::string& kind, cons
   write_bytes(path, file.image());
 }
 
+}  // namespace
+
 void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups) {
   file.group(fields_group);
   std::set<std::string> names;
@@ -104,7 +106,13 @@ std::vector<FieldsFile::Group> read_groups(const Reader& file) {
   return groups;
 }
 
-}  // namespace
+void write_recorded(Writer& file, const std::vector<FieldsFile::Group>& groups, const std::vector<Snapshot>& frames,
+                    const History& history) {
+  std::vector<const Snapshot*> states;
+  for (const Snapshot& frame : frames) states.push_back(&frame);
+  if (!states.empty()) write_states(file, states, history);
+  write_groups(file, groups);
+}
 
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history) {
   check(state, output_name(path));
@@ -126,6 +134,19 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
   }
   write_file(path, "run", history, [&](Writer& file) {
     write_states(file, states, history);
+    write_columns(file, series_group, run.series);
+    link_observables(file, run.series);
+    file.write_text("/scenario", run.scenario, label_of("/scenario"));
+    Work work = run.work;
+    if (work.steps > 0)
+      for (const auto& [path, number] : numbers_of(work))
+        file.write<std::int64_t>(path, {number, 1}, {}, label_of(path));
+  });
+}
+
+void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history) {
+  write_file(path, "multiscale", history, [&](Writer& file) {
+    write_recorded(file, run.groups, run.frames, history);
     write_columns(file, series_group, run.series);
     link_observables(file, run.series);
     file.write_text("/scenario", run.scenario, label_of("/scenario"));
@@ -174,6 +195,19 @@ PackingFile read_state(const std::filesystem::path& path, std::string role) {
   return {std::move(states.back()), std::move(file.source)};
 }
 
+MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role) {
+  OpenFile file(path, std::move(role));
+  file.demand_kind("multiscale");
+  MultiscaleFile run;
+  run.groups = read_groups(file.reader);
+  run.series = read_columns(file.reader, series_group);
+  run.scenario = file.reader.read_text("/scenario");
+  if (file.reader.has("/particles")) run.frames = read_frames(file.reader);
+  run.source = std::move(file.source);
+  run.source.history = read_history(file.reader);
+  return run;
+}
+
 FieldsFile read_fields(const std::filesystem::path& path, std::string role) {
   OpenFile file(path, std::move(role));
   file.demand_kind("fields");
@@ -195,8 +229,8 @@ EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role) 
 
 SeriesFile read_run_series(const std::filesystem::path& path, std::string role) {
   OpenFile file(path, std::move(role));
-  file.demand_kind("run fields");
-  const std::string place = file.kind == "run" ? series_group : fields_group + "/series";
+  file.demand_kind("run fields multiscale");
+  const std::string place = file.kind != "fields" ? series_group : fields_group + "/series";
   if (!file.reader.has(place)) file.reader.fail(place, "is missing: the fields are not those of a run");
   SeriesFile read{read_columns(file.reader, place), std::move(file.source)};
   read.source.history = read_history(file.reader);

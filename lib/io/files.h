@@ -56,6 +56,18 @@ struct EnsembleFile {
   Source source;
 };
 
+/// A run of finite elements whose points are material: tables of the mesh, nodes, points and bars over all recorded
+/// moments, series, and the grains of the points that were recorded whole: one frame a moment and point, in the order
+/// of the table "recorded".
+struct MultiscaleFile {
+  std::vector<FieldsFile::Group> groups;
+  Series series;
+  std::vector<Snapshot> frames;
+  std::string scenario;  // resolved TOML
+  Work work;             // of all grains
+  Source source;
+};
+
 /// The series of a run without its states, from the run or from the fields that homogenize made of it.
 struct SeriesFile {
   Series series;
@@ -68,6 +80,7 @@ void write_packing(const std::filesystem::path& path, const Snapshot& state, con
 /// The size of the file that write_packing would write of a state, bytes.
 std::size_t packing_bytes(const Snapshot& state);
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
+void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history);
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
 
@@ -76,6 +89,7 @@ void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensem
 PackingFile read_packing(const std::filesystem::path& path, std::string role = "packing");
 RunFile read_run(const std::filesystem::path& path, std::string role = "run");
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
+MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");
 EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role = "ensemble");
 SeriesFile read_run_series(const std::filesystem::path& path, std::string role = "run");
 TextFile read_text(const std::filesystem::path& path, std::string role);
@@ -86,7 +100,8 @@ PackingFile read_state(const std::filesystem::path& path, std::string role = "pa
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");
 /// Whether a file's first bytes are HDF5's; false where it cannot be opened.
 bool is_hdf5(const std::filesystem::path& path);
-/// The kind written in the file's root ("packing", "run", "fields", "ensemble"), its version, and its history alone.
+/// The kind written in the file's root ("packing", "run", "fields", "ensemble", "multiscale"), its version, and its
+/// history alone.
 std::string read_kind(const std::filesystem::path& path);
 History read_history(const std::filesystem::path& path);
 

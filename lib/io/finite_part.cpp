@@ -80,6 +80,18 @@ Snapshot finite_part(const Snapshot& state) {
     take(c.rolling_moment, all.rolling_moment, k), take(c.twisting_moment, all.twisting_moment, k);
     take(c.sliding, all.sliding, k);
   }
+  YarnsRecord& y = left.yarns;
+  for (std::size_t k = 0; k < state.yarns.size(); ++k) {
+    const YarnsRecord& whole = state.yarns;
+    const std::int32_t first = place[static_cast<std::size_t>(whole.nodes[k][0])];
+    const std::int32_t second = place[static_cast<std::size_t>(whole.nodes[k][1])];
+    if (first < 0 || second < 0 || !std::isfinite(whole.tension[k]) || !std::isfinite(whole.largest_strain[k])) continue;
+    y.nodes.push_back({first, second});
+    take(y.fabric, whole.fabric, k), take(y.geotextile_id, whole.geotextile_id, k), take(y.family, whole.family, k);
+    take(y.rest_length, whole.rest_length, k), take(y.largest_strain, whole.largest_strain, k);
+    take(y.tension, whole.tension, k), take(y.broken, whole.broken, k), take(y.break_time, whole.break_time, k);
+    take(y.break_position, whole.break_position, k);
+  }
   return left;
 }
 

@@ -15,10 +15,14 @@ const std::string series_group = "/series", numbers_group = "/checkpoint";
 }  // namespace
 
 void write_moment(const std::filesystem::path& path, const Moment& moment, const History& history) {
-  check(moment.state, path.string());
   Writer file;
   write_head(file, "checkpoint", history);
-  write_states(file, {&moment.state}, history);
+  if (moment.state.grains.size() > 0) {
+    check(moment.state, path.string());
+    write_states(file, {&moment.state}, history);
+  } else {
+    write_recorded(file, moment.tables, moment.frames, history);
+  }
   write_columns(file, series_group, moment.series);
   file.group(numbers_group);
   const Entry& e = entry("/checkpoint/<name>");
@@ -33,10 +37,16 @@ Moment read_moment(const std::filesystem::path& path, History& history) {
   file.demand_kind("checkpoint");
   history = read_history(file.reader);
   Moment moment;
-  std::vector<Snapshot> states = read_frames(file.reader);
-  if (states.size() != 1) file.reader.fail("/particles/grains", fmt::format("holds {} states, not one", states.size()));
-  check(states.front(), path.string());
-  moment.state = std::move(states.front());
+  if (file.reader.has("/fields")) {
+    moment.tables = read_groups(file.reader);
+    if (file.reader.has("/particles")) moment.frames = read_frames(file.reader);
+  } else {
+    std::vector<Snapshot> states = read_frames(file.reader);
+    if (states.size() != 1)
+      file.reader.fail("/particles/grains", fmt::format("holds {} states, not one", states.size()));
+    check(states.front(), path.string());
+    moment.state = std::move(states.front());
+  }
   moment.series = read_columns(file.reader, series_group);
   for (const std::string& name : file.reader.children(numbers_group)) {
     const std::string place = child_path(numbers_group, name);

@@ -66,7 +66,7 @@ ParaviewFolder::ParaviewFolder(fs::path folder, bool force, bool compress)
 void ParaviewFolder::add(const std::string& group, std::size_t index, const VtkPicture& picture) {
   auto& frames = groups_[group];
   if (!frames.empty()) demand_advance(group, {frames.back().time, picture.time});
-  const bool grid = picture.shape == VtkShape::hexahedron;
+  const bool grid = picture.grid || picture.shape == VtkShape::hexahedron;
   std::string number = std::to_string(index);
   if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
   const std::string file = group + "_" + number + (grid ? ".vtu" : ".vtp");

@@ -21,8 +21,8 @@ class ParaviewFolder {
   /// earlier call left are removed, other files are left alone. compress: zlib. Throws CannotCreate.
   ParaviewFolder(std::filesystem::path folder, bool force, bool compress);
 
-  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron) and notes its time. The frames of a group come in order of time;
-  /// throws DataError where time does not advance.
+  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh) and notes its time. The frames of a group come in order
+  /// of time; throws DataError where time does not advance.
   void add(const std::string& group, std::size_t index, const VtkPicture& picture);
   /// Writes NAME.csv: columns without a place in space.
   void add_table(const std::string& name, const std::string& csv);

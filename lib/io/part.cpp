@@ -236,8 +236,20 @@ Error Part::explained(const Error& error) const {
   return {error.status(), line};
 }
 
-Error Part::stopped(const Error& error, const Snapshot& state) const {
-  const fs::path left = leave(state), good = last();
+Error Part::stopped(const Error& error, const Snapshot& state) const { return stopped_at(error, leave(state)); }
+
+Error Part::stopped(const Error& error, const std::function<void(const fs::path&)>& leave) const {
+  fs::path left = folder_ / left_name;
+  try {
+    leave(left);
+  } catch (const Error&) {
+    left.clear();  // the guard's own message matters more
+  }
+  return stopped_at(error, left);
+}
+
+Error Part::stopped_at(const Error& error, const fs::path& left) const {
+  const fs::path good = last();
   std::string line = error.what();
   if (!left.empty()) line += fmt::format("; {} shows it (to-vtk)", left.string());
   if (!good.empty()) line += fmt::format("; {} is the last good state", good.string());

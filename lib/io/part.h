@@ -3,23 +3,26 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/archive.h"
 #include "core/error.h"
-#include "io/provenance.h"
-#include "io/records.h"
+#include "io/files.h"
 
 namespace soilweave::io {
 
 /// A moment of a run from which it can go on: the state, the rows of the series so far, and the numbers that only the
-/// running program knows.
+/// running program knows. A run of several scales has no grains in `state` (its step names the file): its grains are in
+/// the numbers, and what it has recorded so far in `tables` and `frames`.
 struct Moment {
   Snapshot state;
   Series series;
   Archive::Numbers numbers;
+  std::vector<FieldsFile::Group> tables = {};
+  std::vector<Snapshot> frames = {};
 };
 
 /// Writes a moment as a file of kind "checkpoint", atomically. Throws CannotCreate, IoError, DataError for a state that
@@ -69,6 +72,8 @@ class Part {
   /// The error of a guard. The state it stopped at is left beside the moments, for the eye; grains whose numbers are
   /// not finite are not in it.
   Error stopped(const Error& error, const Snapshot& state) const;
+  /// The same, of what leave() writes to the path it is given.
+  Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
 
  private:
   struct File {
@@ -76,6 +81,7 @@ class Part {
     bool recorded;
   };
   std::filesystem::path path_of(const File& file) const;
+  Error stopped_at(const Error& error, const std::filesystem::path& left) const;
   std::filesystem::path leave(const Snapshot& state) const;
   void list();
   void enter(Entry entry);

@@ -58,6 +58,24 @@ struct ContactsRecord {
 struct PlanesRecord {
   std::vector<Vec3> point, normal, velocity;
   std::vector<std::int32_t> material_id;
+  std::vector<std::int32_t> partners = {};  // who touches it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, of each
+};
+
+/// Yarns of woven geotextiles: springs between nodes, which are grains. A grain is a node if a yarn, broken or not,
+/// ends in it.
+struct YarnsRecord {
+  std::vector<std::array<std::int32_t, 2>> nodes;  // indices into GrainsRecord
+  std::vector<std::int32_t> fabric;                // nodes of one fabric do not touch each other
+  std::vector<std::int32_t> geotextile_id;         // which geotextile of the scenario
+  std::vector<std::int32_t> family;                // 0: faces, 1: sides, in plane, 2: sides, from face to face
+  std::vector<double> rest_length;                 // m
+  std::vector<double> largest_strain;              // 1, reached so far
+  std::vector<double> tension;                     // N
+  std::vector<std::uint8_t> broken;
+  std::vector<double> break_time;    // s; 0 where whole
+  std::vector<Vec3> break_position;  // m, of its middle; zero where whole
+
+  std::size_t size() const { return nodes.size(); }
 };
 
 struct Snapshot {
@@ -67,6 +85,7 @@ struct Snapshot {
   GrainsRecord grains;
   ContactsRecord contacts;  // empty where only geometry is known
   PlanesRecord planes;
+  YarnsRecord yarns;
 };
 
 /// One column of a series: a value per recorded state.

@@ -13,10 +13,10 @@ using enum Type;
 
 Section every_file() {
   return {"Every file",
-          "packing run fields checkpoint ensemble",
+          "packing run fields checkpoint ensemble multiscale",
           {{"/provenance/<n>/scenario", text, "", "1", "scenario as it was resolved, TOML", true}},
           {{"/", "format", "\"soilweave\"", "what reads it"},
-           {"/", "kind", "\"packing\", \"run\", \"fields\", \"checkpoint\" or \"ensemble\"",
+           {"/", "kind", "\"packing\", \"run\", \"fields\", \"checkpoint\", \"ensemble\" or \"multiscale\"",
             "which of the kinds below it is"},
            {"/", "format_version", "int64[2]", "major, minor; readers refuse a greater major"},
            {"/", "creator", "text", "tool that wrote the file"},
@@ -32,7 +32,7 @@ Section every_file() {
 
 Section trajectory() {
   return {"Grains: an H5MD 1.1 trajectory",
-          "packing run checkpoint",
+          "packing run checkpoint multiscale",
           {{"/particles/grains/position/step", int64, "F", "1", "number of time steps taken"},
            {"/particles/grains/position/time", float64, "F", "s", "time"},
            {"/particles/grains/position/value", float64, "F N D", "m", "centre, not wrapped into the cell"},
@@ -63,7 +63,7 @@ Section trajectory() {
 Section cell() {
   return {
       "The cell, beyond its edges",
-      "packing run checkpoint",
+      "packing run checkpoint multiscale",
       {{"/cell/velocity_gradient", float64, "F 3 3", "s-1", "velocity gradient, extension positive"},
        {"/cell/deformation_gradient", float64, "F 3 3", "1", "deformation gradient since the reference of the strains"},
        {"/cell/thickness", float64, "F", "m", "length of the third cell vector, 2D only", true}},
@@ -72,7 +72,7 @@ Section cell() {
 
 Section contacts() {
   return {"Contacts: one group a frame, numbered from 000000, sorted by bodies",
-          "packing run checkpoint",
+          "packing run checkpoint multiscale",
           {{"/contacts/<frame>/bodies", int32, "M 2", "1",
             "rows of the first and second grain in /particles/grains; -1 - k in second: plane k"},
            {"/contacts/<frame>/image", int32, "M 3", "1", "cell vectors to add to the second grain's position"},
@@ -91,17 +91,34 @@ Section contacts() {
 
 Section planes() {
   return {"Rigid planes (absent without)",
-          "packing run checkpoint",
+          "packing run checkpoint multiscale",
           {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
            {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
            {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
-           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true}},
+           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true},
+           {"/planes/partners", int32, "F P", "1", "who touches it; 0: all, 1: soil, 2: nodes of geotextiles", true}},
+          {}};
+}
+
+Section yarns() {
+  return {"Yarns of geotextiles (absent without)",
+          "packing run checkpoint",
+          {{"/yarns/nodes", int32, "F Y 2", "1", "rows of both nodes in /particles/grains", true},
+           {"/yarns/fabric", int32, "F Y", "1", "which fabric; nodes of one fabric do not touch each other", true},
+           {"/yarns/geotextile_id", int32, "F Y", "1", "which geotextile of the scenario", true},
+           {"/yarns/family", int32, "F Y", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", true},
+           {"/yarns/rest_length", float64, "F Y", "m", "length without tension", true},
+           {"/yarns/largest_strain", float64, "F Y", "1", "largest strain so far", true},
+           {"/yarns/tension", float64, "F Y", "N", "tension", true},
+           {"/yarns/broken", uint8, "F Y", "1", "1 where broken", true},
+           {"/yarns/break_time", float64, "F Y", "s", "time at which it broke; 0 where whole", true},
+           {"/yarns/break_position", float64, "F Y 3", "m", "where it broke; 0 where whole", true}},
           {}};
 }
 
 Section series() {
   return {"The series: one value a recorded moment",
-          "run checkpoint",
+          "run checkpoint multiscale",
           {{"/series/step", int64, "R", "1", "number of time steps taken", true},
            {"/series/<column>", float64, "R", "its own", "its own", true}},
           {{"/series/<column>", "column", "int64", "place among the columns, from 0"}}};
@@ -109,7 +126,7 @@ Section series() {
 
 Section run() {
   return {"A run besides",
-          "run",
+          "run multiscale",
           {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
            {"/price/steps", int64, "", "1", "time steps taken", true},
            {"/price/contact_steps", int64, "", "1", "contacts, summed over the steps", true}},
@@ -125,7 +142,7 @@ Section checkpoint() {
 
 Section fields() {
   return {"Fields: the tables of an analysis",
-          "fields ensemble",
+          "fields ensemble checkpoint multiscale",
           {{"/fields/<group>/step", int64, "R", "its own", "its own", true},
            {"/fields/<group>/<column>", float64, "R", "its own", "its own", true}},
           {{"/fields/<group>", "long_name", "text", "what the table is of"},
@@ -145,7 +162,7 @@ Section ensemble() {
 }  // namespace
 
 const std::vector<Section>& schema() {
-  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(),
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),       contacts(), planes(), yarns(),
                                                 series(),     run(),        checkpoint(), fields(),   ensemble()};
   return sections;
 }

@@ -11,13 +11,13 @@
 
 namespace soilweave::io {
 
-inline constexpr std::int64_t format_major = 1, format_minor = 1;
+inline constexpr std::int64_t format_major = 1, format_minor = 2;
 
 enum class Type { float64, int64, int32, uint8, text };
 
 /// One dataset. Words in <> stand for names that vary. Shapes are letters and numbers, outermost dimension first:
-/// F frames, N grains, D space dimension, M contacts of that frame, P planes, R rows of the table, K numbers; empty: a
-/// scalar. A leading (F) marks an H5MD element: a dataset without F where all frames are equal, else a group with step,
+/// F frames, N grains, D space dimension, M contacts of that frame, P planes, Y yarns, R rows of the table, K numbers;
+/// empty: a scalar. A leading (F) marks an H5MD element: a dataset without F where all frames are equal, else a group with step,
 /// time and value, and value has F.
 struct Entry {
   std::string_view path;

@@ -73,6 +73,14 @@ def show_outline(view, name):
     return high > low
 
 
+def show_yarns(view):
+    yarns = load("yarns")
+    if yarns is not None:
+        display = Show(yarns, view)
+        display.LineWidth = 2.0
+        colour(display, view, "CELLS", "tension", "tension of yarns (N)")
+
+
 def show_places(view, places):
     """Points with fields; where there is a stress, as ellipsoids along its principal directions."""
     Show(places, view).ColorArrayName = ["POINTS", ""]
@@ -106,9 +114,10 @@ def main():
         show_contacts(view, contacts)
     deep = show_outline(view, "cell")
     show_outline(view, "planes")
+    show_yarns(view)
     for file in sorted(os.listdir(FOLDER)):
         name, extension = os.path.splitext(file)
-        if extension == ".pvd" and name not in ("grains", "contacts", "cell", "planes"):
+        if extension == ".pvd" and name not in ("grains", "contacts", "cell", "planes", "yarns"):
             show_places(view, load(name))
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()

@@ -25,6 +25,7 @@ class Check {
     for (std::size_t i = 0; i < state_.grains.size(); ++i) grain(i);
     size();
     for (std::size_t k = 0; k < state_.planes.point.size(); ++k) plane(k);
+    for (std::size_t k = 0; k < state_.yarns.size(); ++k) yarn(k);
     for (std::size_t c = 0; c < state_.contacts.size(); ++c) contact(c);
   }
 
@@ -48,6 +49,10 @@ class Check {
           c.rolling_moment, c.twisting_moment, c.sliding);
     const PlanesRecord& p = state_.planes;
     equal("planes", p.point.size(), p.normal, p.velocity, p.material_id);
+    if (!p.partners.empty()) equal("planes", p.point.size(), p.partners);
+    const YarnsRecord& y = state_.yarns;
+    equal("yarns", y.size(), y.fabric, y.geotextile_id, y.family, y.rest_length, y.largest_strain, y.tension, y.broken,
+          y.break_time, y.break_position);
   }
 
   void cell() const {
@@ -93,6 +98,21 @@ class Check {
     if (!(std::abs(p.normal[k].norm() - 1) <= unit_tolerance))
       fail(fmt::format("plane {}: normal is no unit vector", k));
     if (p.material_id[k] < 0) fail(fmt::format("plane {}: material_id is negative", k));
+  }
+
+  void yarn(std::size_t k) const {
+    const YarnsRecord& y = state_.yarns;
+    const auto bad = [&](const char* what) {
+      fail(fmt::format("yarn {} (nodes {} and {}): {}", k, y.nodes[k][0], y.nodes[k][1], what));
+    };
+    const auto grains = static_cast<std::int64_t>(state_.grains.size());
+    for (const std::int32_t node : y.nodes[k])
+      if (node < 0 || node >= grains) bad("names a grain that is not there");
+    if (y.nodes[k][0] == y.nodes[k][1]) bad("ends where it begins");
+    if (y.fabric[k] < 0 || y.geotextile_id[k] < 0) bad("fabric or geotextile_id is negative");
+    if (!(y.rest_length[k] > 0 && std::isfinite(y.rest_length[k]))) bad("rest_length is not positive");
+    if (!std::isfinite(y.largest_strain[k]) || !std::isfinite(y.tension[k])) bad("strain or tension is not finite");
+    if (!std::isfinite(y.break_time[k]) || !y.break_position[k].allFinite()) bad("place or time of break is not finite");
   }
 
   void contact(std::size_t k) const {

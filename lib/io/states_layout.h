@@ -111,6 +111,20 @@ void of_planes(const Visit& visit) {
   visit("/planes/normal", &PlanesRecord::normal);
   visit("/planes/velocity", &PlanesRecord::velocity);
   visit("/planes/material_id", &PlanesRecord::material_id);
+  visit("/planes/partners", &PlanesRecord::partners);
+}
+template <class Visit>
+void of_yarns(const Visit& visit) {
+  visit("/yarns/nodes", &YarnsRecord::nodes);
+  visit("/yarns/fabric", &YarnsRecord::fabric);
+  visit("/yarns/geotextile_id", &YarnsRecord::geotextile_id);
+  visit("/yarns/family", &YarnsRecord::family);
+  visit("/yarns/rest_length", &YarnsRecord::rest_length);
+  visit("/yarns/largest_strain", &YarnsRecord::largest_strain);
+  visit("/yarns/tension", &YarnsRecord::tension);
+  visit("/yarns/broken", &YarnsRecord::broken);
+  visit("/yarns/break_time", &YarnsRecord::break_time);
+  visit("/yarns/break_position", &YarnsRecord::break_position);
 }
 
 }  // namespace soilweave::io::layout

@@ -26,6 +26,9 @@ class StatesReader {
     const Shape planes = file.has("/planes/point") ? file.shape("/planes/point") : Shape{0, 0, 0};
     if (planes.size() != 3) file.fail("/planes/point", "has the shape " + print(planes) + ", not F x P x 3");
     extents_['P'] = planes[1];
+    const Shape yarns = file.has("/yarns/nodes") ? file.shape("/yarns/nodes") : Shape{0, 0, 2};
+    if (yarns.size() != 3) file.fail("/yarns/nodes", "has the shape " + print(yarns) + ", not F x Y x 2");
+    extents_['Y'] = yarns[1];
   }
 
   std::vector<Snapshot> read() {
@@ -37,6 +40,8 @@ class StatesReader {
     for (std::size_t frame = 0; frame < states_.size(); ++frame) read_contacts(frame);
     if (extents_['P'] > 0)
       of_planes([&](const std::string& path, auto member) { read_frames(path, path, &Snapshot::planes, member); });
+    if (extents_['Y'] > 0)
+      of_yarns([&](const std::string& path, auto member) { read_frames(path, path, &Snapshot::yarns, member); });
     return std::move(states_);
   }
 
@@ -56,6 +61,7 @@ class StatesReader {
   void read_frames(const std::string& path, const std::string& in_schema, Record Snapshot::*record,
                    Items Record::*member) {
     using T = typename NumberOf<Items>::type;
+    if (path == "/planes/partners" && !file_.has(path)) return;
     const std::vector<T> values = get<T>(path, in_schema);
     const Shape shape = resolve(entry(in_schema).shape, extents_);
     const Extent width = shape.size() > 2 ? shape[2] : 1;

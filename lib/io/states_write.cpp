@@ -22,7 +22,8 @@ class StatesWriter {
     extents_ = {{'F', states.size()},
                 {'N', first.grains.size()},
                 {'D', static_cast<Extent>(first.grains.dimension)},
-                {'P', first.planes.point.size()}};
+                {'P', first.planes.point.size()},
+                {'Y', first.yarns.size()}};
   }
 
   void write(const History& history) {
@@ -35,8 +36,10 @@ class StatesWriter {
     for (const char* name : {"/velocity", "/angular_velocity"}) file_.attribute(grains + name, "time_offset", -0.5);
     write_cell();
     for (std::size_t frame = 0; frame < states_.size(); ++frame) write_contacts(frame);
-    if (extents_['P'] == 0) return;
-    of_planes([&](const std::string& path, auto member) { write_frames(path, path, &Snapshot::planes, member); });
+    if (extents_['P'] > 0)
+      of_planes([&](const std::string& path, auto member) { write_frames(path, path, &Snapshot::planes, member); });
+    if (extents_['Y'] > 0)
+      of_yarns([&](const std::string& path, auto member) { write_frames(path, path, &Snapshot::yarns, member); });
   }
 
  private:
@@ -54,6 +57,7 @@ class StatesWriter {
     const Shape shape = resolve(entry(in_schema).shape, extents_);
     std::vector<typename NumberOf<Items>::type> values;
     for (const Snapshot* state : states_) append(values, state->*record.*member, shape.back());
+    if (path == "/planes/partners" && values.empty()) return;
     put(path, in_schema, values);
   }
 
@@ -146,6 +150,7 @@ void check_alike(const States& states) {
     if (state.grains.size() != first.grains.size()) differ("number of grains");
     if (state.grains.dimension != first.grains.dimension) differ("dimension");
     if (state.planes.point.size() != first.planes.point.size()) differ("number of planes");
+    if (state.yarns.size() != first.yarns.size()) differ("number of yarns");
     if (state.cell.periodic != first.cell.periodic) differ("periodic axes");
     if (state.step < states[f - 1]->step)
       throw DataError(fmt::format("state {} is of an earlier step than {}", f, f - 1));

@@ -129,6 +129,7 @@ std::string to_vtp(const VtkPicture& picture, bool compress) {
     case VtkShape::line:
       data->SetLines(cells);
       break;
+    case VtkShape::triangle:
     case VtkShape::quad:
       data->SetPolys(cells);
       break;
@@ -141,10 +142,11 @@ std::string to_vtp(const VtkPicture& picture, bool compress) {
 std::string to_vtu(const VtkPicture& picture, bool compress) {
   vtkNew<vtkUnstructuredGrid> data;
   describe_data(data, picture);
-  const int type = picture.shape == VtkShape::vertex ? VTK_VERTEX
-                   : picture.shape == VtkShape::line ? VTK_LINE
-                   : picture.shape == VtkShape::quad ? VTK_QUAD
-                                                     : VTK_HEXAHEDRON;
+  const int type = picture.shape == VtkShape::vertex     ? VTK_VERTEX
+                   : picture.shape == VtkShape::line     ? VTK_LINE
+                   : picture.shape == VtkShape::triangle ? VTK_TRIANGLE
+                   : picture.shape == VtkShape::quad     ? VTK_QUAD
+                                                         : VTK_HEXAHEDRON;
   data->SetCells(type, consecutive_cells(picture));
   return written<vtkXMLUnstructuredGridWriter>(data, compress);
 }

@@ -19,19 +19,20 @@ struct VtkArray {
       values;
 };
 
-/// Every cell of a picture has the same shape and takes the next 1, 2, 4 or 8 points: no point is shared.
-enum class VtkShape { vertex = 1, line = 2, quad = 4, hexahedron = 8 };
+/// Every cell of a picture has the same shape and takes the next 1, 2, 3, 4 or 8 points: no point is shared.
+enum class VtkShape { vertex = 1, line = 2, triangle = 3, quad = 4, hexahedron = 8 };
 
 /// What one VTK file shows.
 struct VtkPicture {
   double time = 0;  // s
   std::int64_t step = 0;
   VtkShape shape = VtkShape::vertex;
+  bool grid = false;         // a mesh: an unstructured grid (.vtu) whatever its shape
   std::vector<Vec3> points;  // m
   std::vector<VtkArray> point_data, cell_data;
 };
 
-/// PolyData: vertices, lines or quads. compress: zlib instead of raw. Equal pictures give equal bytes.
+/// PolyData: vertices, lines, triangles or quads. compress: zlib instead of raw. Equal pictures give equal bytes.
 /// Throws DataError if an array's length disagrees with the points or cells.
 std::string to_vtp(const VtkPicture& picture, bool compress = false);
 /// UnstructuredGrid: any shape.

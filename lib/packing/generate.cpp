@@ -7,7 +7,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -242,12 +241,8 @@ Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Nu
   io::Snapshot start = cloud;
   start.step = 0;
   start.time = 0;
-  // Grains of a cloud fly into each other, and an impact may be over before the step is shortened for it: energy
-  // appears and is damped away. It leaves no trace in the packing, which comes to rest afterwards.
-  dem::Numerics unbalanced = numerics;
-  unbalanced.limits.energy_error = std::numeric_limits<double>::infinity();
   io::Part* part = safekeeping.part;
-  Compaction compaction(start, model, unbalanced, recipe, report, safekeeping, part ? part->take_last() : std::nullopt);
+  Compaction compaction(start, model, numerics, recipe, report, safekeeping, part ? part->take_last() : std::nullopt);
   return dem::carry_out<false>(compaction, part);
 }
 

@@ -93,7 +93,7 @@ every_file() {
   edit 'f.attrs["note"] = "mine"'
   exits 0 homogenize "$edited" --tsv
   edit 'f.attrs["format_version"] = [2, 1]'
-  mentions 65 homogenize "has the format version 2.1, this program reads 1.1 at most" "$edited" --tsv
+  mentions 65 homogenize "has the format version 2.1, this program reads 1.2 at most" "$edited" --tsv
   edit 'del g["mass"]'
   mentions 65 homogenize "/particles/grains/mass is missing" "$edited" --tsv
   edit 'g["position/value"][0, 5, 1] = float("nan")'

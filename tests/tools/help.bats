@@ -4,7 +4,7 @@
 load common
 
 # The order in which the examples can follow one another: each tool reads what those before it wrote.
-ORDER=(pack-generate run-dem homogenize fabric to-vtk gws-solve pf-weight)
+ORDER=(pack-generate filter-expand run-dem homogenize fabric to-vtk gws-solve pf-weight)
 
 setup_file() {
   load common

@@ -133,7 +133,7 @@ off() {
     "$PYTHON" -c "import h5py; f = h5py.File('edited.h5', 'r+'); g = f['particles/grains']; $1"
   }
   edit 'f.attrs["format_version"] = [2, 1]'
-  refuses 65 run-dem "has the format version 2.1, this program reads 1.1 at most" edited.h5 short.toml -o out.h5
+  refuses 65 run-dem "has the format version 2.1, this program reads 1.2 at most" edited.h5 short.toml -o out.h5
   edit 'g["position/value"][0, 5, 1] = float("nan")'
   refuses 65 run-dem "/particles/grains/position/value holds nan" edited.h5 short.toml -o out.h5
   edit 'g["species"][3] = 1'

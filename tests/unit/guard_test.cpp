@@ -140,7 +140,7 @@ TEST(Guard, TheStabilityLimitKeepsAMargin) {
         const Energies e = good.energies();
         const double turned_over = e.initial + std::abs(e.boundary_work) + e.frictional;
         EXPECT_LT(std::abs(e.error()), (damping > 0 ? 5e-3 : 0.1) * turned_over);
-        EXPECT_NEAR(mean(good.measures().stress, dimension), pressure, pressure);
+        EXPECT_NEAR(good.measures().stress(0, 0), pressure, 0.1 * pressure);  // the servo's goal
         EXPECT_THROW(compress(bad, dimension, pressure, 600), PhysicsError);
         EXPECT_LT(bad.steps(), 50);
       }

@@ -1,0 +1,131 @@
+// A bag of soil wrapped in geotextile as one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/bag.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/stress.h"
+#include "analysis/tables.h"
+#include "analysis/tessellation.h"
+
+namespace soilweave::analysis {
+namespace {
+
+constexpr std::array<const char*, 3> families = {"face", "side_horizontal", "side_vertical"};
+
+// atan(tau/sigma) on the face across an axis, deg.
+double face_friction(const Mat3& stress, int axis) {
+  const Mat3 s = symmetric(stress);
+  const double tau = std::hypot(s(axis, (axis + 1) % 3), s(axis, (axis + 2) % 3));
+  return std::atan2(tau, s(axis, axis)) * 180 / std::numbers::pi;
+}
+
+void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarter) {
+  put(table, "soil_volume", "m3", "sum of the soil's power cells", soil.volume);
+  put(table, "soil_void_ratio", "1", "void ratio of the soil from its power cells", soil.void_ratio);
+  put(table, "soil_stress", "Pa", "Love-Weber stress of the soil over its power cells", symmetric(soil.stress), 3);
+  const double p = mean(soil.stress), q = deviatoric_stress(soil.stress);
+  put(table, "soil_mean_stress", "Pa", "mean stress p of the soil", p);
+  put(table, "soil_deviatoric_stress", "Pa", "deviatoric stress q of the soil", q);
+  put(table, "soil_obliquity", "1", "q/p of the soil", p != 0 ? q / p : 0);
+  for (int a = 0; a < 3; ++a)
+    put(table, fmt::format("face_friction_{}", "xyz"[a]), "deg",
+        "friction mobilised at the face across the axis, thesis Eq. 3.5, from a quarter of the soil",
+        face_friction(quarter, a));
+}
+
+}  // namespace
+
+std::vector<bool> nodes(const io::Snapshot& state) {
+  std::vector<bool> node(state.grains.size(), false);
+  for (const auto& ends : state.yarns.nodes)
+    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
+  return node;
+}
+
+io::Snapshot soil_contacts(const io::Snapshot& state) {
+  const std::vector<bool> node = nodes(state);
+  io::Snapshot left = state;
+  io::ContactsRecord& c = left.contacts;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const auto [first, second] = c.bodies[k];
+    if (node[static_cast<std::size_t>(first)] && (second < 0 || node[static_cast<std::size_t>(second)])) continue;
+    c.bodies[n] = c.bodies[k], c.image[n] = c.image[k], c.normal[n] = c.normal[k];
+    c.branch_vector[n] = c.branch_vector[k], c.overlap[n] = c.overlap[k], c.normal_force[n] = c.normal_force[k];
+    c.shear_force[n] = c.shear_force[k], c.rolling_moment[n] = c.rolling_moment[k];
+    c.twisting_moment[n] = c.twisting_moment[k], c.sliding[n] = c.sliding[k];
+    ++n;
+  }
+  c.bodies.resize(n), c.image.resize(n), c.normal.resize(n), c.branch_vector.resize(n), c.overlap.resize(n);
+  c.normal_force.resize(n), c.shear_force.resize(n), c.rolling_moment.resize(n), c.twisting_moment.resize(n);
+  c.sliding.resize(n);
+  return left;
+}
+
+std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
+  const io::YarnsRecord& y = state.yarns;
+  std::array<YarnMean, 3> means;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    YarnMean& m = means[static_cast<std::size_t>(std::min(2, y.family[k]))];
+    if (y.broken[k]) {
+      ++m.broken;
+      continue;
+    }
+    const Vec3 reach = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])] -
+                       state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
+    m.tension += y.tension[k], m.strain += reach.norm() / y.rest_length[k] - 1;
+    ++m.whole;
+  }
+  for (YarnMean& m : means)
+    if (m.whole) m.tension /= static_cast<double>(m.whole), m.strain /= static_cast<double>(m.whole);
+  return means;
+}
+
+void put_bag(io::Series& table, const io::Snapshot& state) {
+  const std::vector<bool> node = nodes(state);
+  const std::vector<double> volumes = power_cell_volumes(state);
+  const std::vector<Mat3> dyads = grain_dyads(state);
+  Volume soil, quarter;
+  double ends = 0;
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    if (node[i]) continue;
+    soil.grains.push_back(i);
+    outside += volumes[i] == 0;
+    if (state.grains.position[i].x() > 0 && state.grains.position[i].y() > 0) quarter.grains.push_back(i);
+  }
+  for (const auto& bodies : state.contacts.bodies)
+    for (const std::int32_t b : bodies) ends += b >= 0 && !node[static_cast<std::size_t>(b)];
+  const VolumeState whole = volume_state(state, soil, dyads, volumes);
+  put_stresses(table, whole, volume_state(state, quarter, dyads, volumes).stress);
+  put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", static_cast<double>(outside));
+  put(table, "soil_coordination_number", "1", "contacts of the soil's grains over their number",
+      ends / static_cast<double>(soil.grains.size()));
+  const auto means = yarn_means(state);
+  double broken = 0;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    put(table, fmt::format("yarn_tension_{}", families[f]), "N", "mean tension of the whole yarns", means[f].tension);
+    put(table, fmt::format("yarn_strain_{}", families[f]), "1", "mean strain of the whole yarns", means[f].strain);
+    broken += static_cast<double>(means[f].broken);
+  }
+  put(table, "broken_yarns", "1", "yarns broken so far", broken);
+}
+
+void put_broken(io::Series& table, const io::Snapshot& state) {
+  const io::YarnsRecord& y = state.yarns;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (!y.broken[k]) continue;
+    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put(table, "yarn", "1", "number of the yarn", static_cast<double>(k));
+    put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
+    put(table, "break_time", "s", "when it broke", y.break_time[k]);
+    for (int a = 0; a < 3; ++a)
+      put(table, fmt::format("position_{}", "xyz"[a]), "m", "where it broke", y.break_position[k][a]);
+  }
+}
+
+}  // namespace soilweave::analysis

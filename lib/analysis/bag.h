@@ -1,0 +1,31 @@
+// A bag of soil wrapped in geotextile as one: stress and void ratio of the soil, friction at its faces, its yarns.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "io/records.h"
+
+namespace soilweave::analysis {
+
+/// Which grains are nodes of geotextiles.
+std::vector<bool> nodes(const io::Snapshot& state);
+/// The state with contacts of soil alone: with soil, with nodes, with planes.
+io::Snapshot soil_contacts(const io::Snapshot& state);
+
+/// Mean over the whole yarns of a family.
+struct YarnMean {
+  double tension = 0, strain = 0;  // N, 1
+  std::size_t whole = 0, broken = 0;
+};
+/// By family as in files: faces, sides in plane, sides from face to face.
+std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
+
+/// One row: volume, void ratio and stress of the soil over its power cells, friction mobilised at the faces (thesis Eq.
+/// 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken ones.
+void put_bag(io::Series& table, const io::Snapshot& state);
+/// One row a broken yarn: when and where it broke.
+void put_broken(io::Series& table, const io::Snapshot& state);
+
+}  // namespace soilweave::analysis

@@ -1,0 +1,50 @@
+// Contacts as files hold them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/contacts_record.h"
+
+namespace soilweave::dem {
+
+io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
+                                   const Planes& planes) {
+  io::ContactsRecord r;
+  const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
+                        const Vec3& branch, double overlap) {
+    r.bodies.push_back({first, second});
+    r.image.push_back(image);
+    r.normal.push_back(to_eigen(h.normal));
+    r.branch_vector.push_back(branch);
+    r.overlap.push_back(overlap);
+    r.normal_force.push_back(h.normal_force);
+    r.shear_force.push_back(to_eigen(h.memory.shear));
+    r.rolling_moment.push_back(to_eigen(h.memory.rolling));
+    r.twisting_moment.push_back(h.memory.twisting);
+    r.sliding.push_back(h.sliding);
+  };
+  auto with_plane = contacts.planes.begin();
+  const auto add_planes_up_to = [&](std::int32_t grain) {
+    for (; with_plane != contacts.planes.end() && with_plane->grain <= grain; ++with_plane) {
+      if (!with_plane->history.touching) continue;
+      const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
+      const auto i = static_cast<std::size_t>(with_plane->grain);
+      const double height = (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
+      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), -height * plane.normal,
+          bodies.radius(i) - height);
+    }
+  };
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        const auto [first, second, image] = contacts.pair(block, k);
+        add_planes_up_to(first);
+        const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+        const Vec3 branch =
+            vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
+        add(Contacts::history(block, k), first, second, image, branch,
+            bodies.radius(i) + bodies.radius(j) - branch.norm());
+      }
+  add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
+  return r;
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,16 @@
+// Contacts as files hold them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/bodies.h"
+#include "dem/cell.h"
+#include "dem/contacts.h"
+#include "dem/plane.h"
+
+namespace soilweave::dem {
+
+/// The pairs that touch, of grains and of grains and planes, with their history, sorted by bodies.
+io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
+                                   const Planes& planes);
+
+}  // namespace soilweave::dem

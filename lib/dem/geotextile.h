@@ -1,0 +1,17 @@
+// Geotextiles of a scenario: the tension-strain curve of their yarns, by name, from a file, or by numbers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/settings.h"
+#include "dem/wire.h"
+#include "io/provenance.h"
+
+namespace soilweave::dem {
+
+/// A [[geotextile]] table: `curve` (a name of data/geotextiles, also as a multiple, 3PP, or a TOML file) or the lists
+/// `strain` and `tension`; `multiple`; `unloading_slope`. Mistakes go to the table. Files read are added to `sources`.
+WireCurve read_geotextile(Settings& table, std::vector<io::Source>& sources);
+
+}  // namespace soilweave::dem

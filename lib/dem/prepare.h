@@ -1,0 +1,20 @@
+// A packing made ready for a scenario, and what the two must agree on.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "dem/scenario.h"
+#include "io/records.h"
+
+namespace soilweave::dem {
+
+/// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
+/// Throws DataError where the packing names materials or geotextiles the scenario lacks, a stage loads an axis that is
+/// not periodic, a plane starts inside the grains, or a clamp holds nothing.
+io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
+
+/// The nodes of geotextiles in an upright box, m, ascending.
+std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high);
+
+}  // namespace soilweave::dem

@@ -1,0 +1,136 @@
+// What moves the named plates and clamps of a run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace soilweave::dem {
+namespace {
+
+// A massless plate follows its contacts as if it had the mass that oscillates on them so slowly, times the step; it is
+// damped critically.
+constexpr double frequency_times_step = 0.1;
+// A displacement is met to this much, m.
+constexpr double displacement_tolerance = 1e-10;
+
+}  // namespace
+
+std::size_t Rig::index(const std::string& name) const {
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    if (parts_[p].name == name) return p;
+  throw DataError(fmt::format("no [[plane]] or [[clamp]] is called \"{}\"", name));
+}
+
+void Rig::begin_stage() {
+  for (State& s : states_) s.at_start = s.displacement;
+}
+
+Vec3 Rig::force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const {
+  const RigPart& p = parts_[part];
+  return p.is_clamp ? simulation.clamps()[p.number].force : plates[p.number].force;
+}
+
+double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
+                          const Simulation& simulation) {
+  State& s = states_[part];
+  const double dt = simulation.time_step();
+  const double error = s.load + force(part, plates, simulation).dot(s.direction);  // N, what the grains do not bear yet
+  double mass = parts_[part].mass, direct = 0;
+  if (mass == 0 && !parts_[part].is_clamp) {
+    // Until it touches, the plate approaches at its full speed.
+    const double stiffness = plates[parts_[part].number].stiffness;
+    if (stiffness == 0) return s.velocity = s.load > 0 ? s.speed : 0.0;
+    const double omega = frequency_times_step / dt;
+    mass = stiffness / (omega * omega);
+    direct = 2 * omega * error / stiffness;
+  }
+  const double side = s.velocity * error > 0 ? 1 : (s.velocity * error < 0 ? -1 : 0);
+  const double damped = direct == 0 ? damping * side : 0.0;
+  s.velocity = std::clamp(s.velocity + (1 - damped) * dt * error / mass, -s.speed, s.speed);
+  return std::clamp(s.velocity + direct, -s.speed, s.speed);
+}
+
+void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation) {
+  if (!any()) return;
+  const double dt = simulation.time_step();
+  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  std::vector<Vec3> velocity(parts_.size(), Vec3::Zero());
+  for (const DriveGoal& goal : goals) {
+    const std::size_t p = index(goal.part);
+    State& s = states_[p];
+    if (goal.kind == DriveGoal::Kind::load) {
+      if (!s.loaded) s.velocity = 0;
+      s.loaded = true;
+      s.direction = goal.direction, s.load = goal.value, s.speed = goal.speed;
+    } else {
+      // A part that is moved along its load's direction carries the load no more.
+      if (s.loaded && std::abs(s.direction.dot(goal.direction)) > 0.5) s.loaded = false;
+      const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
+      velocity[p] += std::clamp(left / dt, -goal.speed, goal.speed) * goal.direction;
+    }
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    State& s = states_[p];
+    if (s.loaded) velocity[p] += load_velocity(p, plates, damping, simulation) * s.direction;
+    s.displacement += dt * velocity[p];
+    const RigPart& part = parts_[p];
+    if (!part.is_clamp)
+      simulation.set_plane_velocity(part.number, velocity[p]);
+    else if (simulation.clamps()[part.number].velocity != velocity[p])
+      simulation.set_clamp_velocity(part.number, velocity[p]);
+  }
+}
+
+bool Rig::arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const {
+  for (const DriveGoal& goal : goals) {
+    if (goal.kind != DriveGoal::Kind::displacement) continue;
+    const State& s = states_[index(goal.part)];
+    const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
+    if (std::abs(left) > displacement_tolerance) return false;
+  }
+  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const State& s = states_[p];
+    if (s.loaded && std::abs(s.load + force(p, plates, simulation).dot(s.direction)) > tolerance * std::abs(s.load))
+      return false;
+  }
+  return true;
+}
+
+void Rig::record(const Simulation& simulation, io::Series& series) const {
+  if (!any()) return;
+  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const Vec3 f = force(p, plates, simulation);
+    for (int a = 0; a < 3; ++a) {
+      const std::string suffix = parts_[p].name + "_" + "xyz"[a];
+      append(series, "displacement_" + suffix, "m", "displacement of the part since the start",
+             states_[p].displacement[a]);
+      append(series, "force_" + suffix, "N", "force of the grains on the part", f[a]);
+    }
+  }
+}
+
+void Rig::archive(Archive& a) {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    State& s = states_[p];
+    const auto name = [p](const char* what) { return fmt::format("rig_{}_{}", p, what); };
+    a.item(name("displacement"), s.displacement), a.item(name("at_start"), s.at_start);
+    a.whole(name("loaded"), s.loaded), a.item(name("direction"), s.direction);
+    a.item(name("load"), s.load), a.item(name("speed"), s.speed), a.item(name("velocity"), s.velocity);
+  }
+}
+
+void append(io::Series& series, const std::string& name, const std::string& unit, const std::string& long_name,
+            double value) {
+  for (io::Column& column : series.columns)
+    if (column.name == name) return column.values.push_back(value);
+  series.columns.push_back({name, unit, long_name, {value}});
+}
+
+}  // namespace soilweave::dem

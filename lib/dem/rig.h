@@ -1,0 +1,68 @@
+// What moves the named plates and clamps of a run: displacements at a speed, and loads, which stay until changed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/archive.h"
+#include "dem/simulation.h"
+
+namespace soilweave::dem {
+
+/// What one part is asked for along a direction. Where several goals are of one part, its velocities add up.
+struct DriveGoal {
+  enum class Kind { displacement, load };
+  std::string part;
+  Kind kind = Kind::displacement;
+  Vec3 direction = Vec3::UnitZ();  // unit; a load pushes the grains along it
+  double value = 0;                // m since the start of the stage, or N
+  double speed = 0;                // m/s, largest
+};
+
+/// A plate or clamp that can be driven.
+struct RigPart {
+  std::string name;
+  bool is_clamp = false;
+  std::size_t number = 0;  // of the plane or clamp
+  double mass = 0;         // kg; 0: massless, carried by its contacts
+};
+
+class Rig {
+ public:
+  Rig() = default;
+  explicit Rig(std::vector<RigPart> parts) : parts_(std::move(parts)), states_(parts_.size()) {}
+
+  bool any() const { return !parts_.empty(); }
+  /// Displacements count from here.
+  void begin_stage();
+  /// Sets the velocities of all parts for the next step: goals as given, loads of earlier stages held, the rest at rest.
+  void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation);
+  /// Displacements reached, and loads, old ones too, met to the tolerance.
+  bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
+  /// Displacement and force of every part, appended to the series.
+  void record(const Simulation& simulation, io::Series& series) const;
+  void archive(Archive& archive);
+
+ private:
+  struct State {
+    Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();  // m
+    bool loaded = false;
+    Vec3 direction = Vec3::Zero();
+    double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load
+  };
+  std::size_t index(const std::string& name) const;
+  Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
+  double load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
+                       const Simulation& simulation);
+
+  std::vector<RigPart> parts_;
+  std::vector<State> states_;
+};
+
+/// Appends a value to the named column, which is made where it is missing.
+void append(io::Series& series, const std::string& name, const std::string& unit, const std::string& long_name,
+            double value);
+
+}  // namespace soilweave::dem

@@ -1,0 +1,70 @@
+// The yarns of all geotextiles: their tensions, and what they do to their nodes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/bodies.h"
+#include "dem/cell.h"
+#include "dem/contacts.h"
+#include "dem/wire.h"
+
+namespace soilweave::dem {
+
+/// Sums over the yarns. Elastic: what unloading gives back.
+struct YarnSums {
+  double elastic = 0;      // J
+  double dissipated = 0;   // J, by yielding and breaking in the last step
+  double tension = 0;      // N, sum of the tensions
+  std::int64_t taut = 0;   // yarns under tension
+  std::int64_t broken = 0;
+};
+
+class Yarns {
+ public:
+  Yarns() = default;
+  /// curves: by geotextile_id. Throws DataError where the record names one that is not there, or a yarn of a fabric
+  /// shares a node with another fabric.
+  Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
+
+  bool any() const { return !yarns_.empty(); }
+  /// Fabric of every grain, -1 of soil; empty without yarns.
+  std::vector<std::int32_t> fabric_of() const;
+  void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
+
+  /// Stretches all yarns to the present positions and adds their pull to the forces on their nodes, each node in the
+  /// order of its yarns. The result is the same on any number of threads.
+  void run(double time, int threads, Bodies& bodies);
+  const YarnSums& sums() const { return sums_; }
+
+  /// Largest stiffness over mass of the nodes, 1/s2: of their yarns, and of the contacts in the loads as
+  /// ContactSweep::stiffen leaves them. 0 without yarns.
+  double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
+  io::YarnsRecord record() const;
+
+ private:
+  struct Yarn {
+    std::int32_t first, second, geotextile;
+    double rest_length;  // m
+    WireMemory memory;
+    double tension = 0;                  // N
+    double length = 0;                   // m, of the last look; 0: none yet
+    Lane4 direction = Lane4{};           // unit, from first to second
+    double break_time = 0;               // s
+    Vec3 break_position = Vec3::Zero();  // m
+  };
+  YarnSums stretch(double time, const Bodies& bodies, Yarn& yarn) const;
+  double elastic(const Yarn& yarn) const;
+
+  std::vector<Yarn> yarns_;
+  std::vector<WireCurve> curves_;
+  std::vector<std::int32_t> node_;          // grains that are nodes, ascending
+  std::vector<std::uint32_t> start_, ends_;  // of node k: ends_[start_[k]] .. : twice the yarn, plus one at its second end
+  std::vector<YarnSums> partial_;
+  YarnSums sums_;
+  io::YarnsRecord identity_;  // what does not change
+  std::size_t grains_ = 0;
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,41 @@
+// The processes that share the points of one run. Alone, there is one; `make mpi` links fem-dem with ranks_mpi.cpp
+// in place of ranks.cpp, to be started by mpirun. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soilweave::fem {
+
+/// Every process computes the same soil and geosynthetic; points are dealt out in turn. The first process alone reads
+/// and writes checkpoints, and writes the output.
+class Ranks {
+ public:
+  Ranks();
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  bool first() const { return rank_ == 0; }
+  int size() const { return size_; }
+  bool owns(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)) == rank_; }
+  int owner(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)); }
+
+  // All processes call these together.
+
+  /// Numbers of all points, `width` each: those of the own points go to every process, bit for bit.
+  void share(std::vector<double>& values, std::size_t width) const;
+  /// The failure of the least task over all processes; nothing without. At most 1000 bytes of it.
+  std::string agree(const std::string& failure, std::int64_t task) const;
+  /// What the first process says.
+  std::int64_t told(std::int64_t number) const;
+  std::string told(const std::string& bytes) const;
+  /// From a process to the first one: returned there, elsewhere empty.
+  std::string to_first(const std::string& bytes, int from) const;
+
+ private:
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace soilweave::fem

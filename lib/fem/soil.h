@@ -1,0 +1,123 @@
+// The finite elements: lumped mass, internal forces on the geometry of the moment, central differences.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/material_point.h"
+#include "fem/mesh.h"
+
+namespace soilweave::fem {
+
+/// What holds or drives the nodes of a boundary ("all": every node) along the axes that are given, m/s.
+struct Support {
+  std::string boundary;
+  std::optional<double> x, y;
+  std::optional<Mat2> gradient;  // 1/s: velocity = gradient times position, on both axes
+};
+
+/// Force per area of the boundary as it is at the moment, Pa.
+struct Traction {
+  std::string boundary;
+  Vec2 value = Vec2::Zero();
+};
+
+struct SoilSetup {
+  Mesh mesh;
+  Integration integration = Integration::reduced;
+  double density = 0;  // kg/m3
+  double damping = 0;  // c of thesis Eq. 6.2, 1/s
+  std::vector<Support> supports;
+  std::vector<Traction> tractions;
+};
+
+/// Where a point of integration lies.
+struct Place {
+  Index element;
+  Vec2 position;  // m
+  double area;    // m2, of the element, that it stands for
+};
+
+/// Work and energy since the start, J per metre of thickness.
+struct SoilEnergies {
+  double kinetic = 0, internal_work = 0, viscous = 0;
+  double traction_work = 0, support_work = 0, interface_work = 0;
+  double external() const { return traction_work + support_work + interface_work; }
+  double error() const { return external() - kinetic - internal_work - viscous; }
+};
+
+using Points = std::vector<std::unique_ptr<MaterialPoint>>;
+
+class Soil {
+ public:
+  /// Checks the mesh; masses by HRZ lumping (Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
+  /// matrix scaled to the element's mass. Throws DataError where a boundary is unknown.
+  explicit Soil(SoilSetup setup);
+  Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
+  Index points_of_element() const { return rule_.size(); }
+
+  /// Largest eigenvalue of M^-1 K is at most that of one element alone (Irons & Treharne 1971), 1/s2; tangent: of a
+  /// point, as MaterialPoint. With it the stable step is 2/sqrt of it.
+  double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
+
+  /// One step of central differences (thesis Eqs. 6.1 to 6.3): forces of the stresses (of every point, Pa, tension
+  /// positive) and tractions, and those of the
+  /// interface (N/m, a node), to new positions. Sets gradients(): of the displacement increment, on the geometry
+  /// before. Throws PhysicsError naming a degenerate element.
+  void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
+
+  const std::vector<Mat2>& gradients() const { return gradients_; }
+  const std::vector<Mat2>& strains() const { return strains_; }  // plain sums of the gradients
+  const std::vector<Vec2>& positions() const { return positions_; }
+  const std::vector<Vec2>& displacements() const { return displacements_; }
+  const std::vector<Vec2>& velocities() const { return velocities_; }
+  const std::vector<double>& masses() const { return masses_; }
+  const Mesh& mesh() const { return setup_.mesh; }
+  SoilEnergies energies() const;
+  double kinetic_energy() const;
+  Place place(Index point) const;
+  /// Point values averaged at the nodes, by area.
+  std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
+  /// The resultant of the internal forces at a boundary's nodes, N/m: what supports and interface exert on it, at rest.
+  Vec2 reaction(const std::string& boundary) const;
+  /// Internal forces of the present stresses, N/m a node. Throws PhysicsError naming a degenerate element.
+  std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
+
+  /// Supports stand still while held; the viscous coefficient replaces the scenario's.
+  void hold(bool held, std::optional<double> damping = std::nullopt);
+  void set_velocities(std::vector<Vec2> velocities) { velocities_ = std::move(velocities); }
+  void archive(Archive& archive);
+
+ private:
+  std::vector<Vec2> traction_forces() const;
+  void lump();
+  void support(Index node, Vec2& velocity, bool* fixed) const;
+  void collect_supports();
+
+  SoilSetup setup_;
+  std::vector<IntegrationPoint> rule_;
+  std::vector<double> masses_;  // kg/m
+  std::vector<Vec2> positions_, displacements_, velocities_, increments_;
+  std::vector<Mat2> gradients_, strains_;
+  std::vector<Vec2> internal_;  // N/m, at the start of the step
+  struct Held {
+    std::array<bool, 2> axis{};
+    Vec2 velocity = Vec2::Zero();
+    std::optional<Mat2> gradient;
+  };
+  std::vector<Held> held_;
+  bool standing_ = false;
+  std::optional<double> damping_;
+  SoilEnergies energies_;
+};
+
+/// Equal strains of unequal elements differ by rounding, and grains would make chaos of that: gradients are kept to
+/// multiples of 2^-60.
+Mat2 rounded_gradient(const Mat2& gradient);
+
+}  // namespace soilweave::fem

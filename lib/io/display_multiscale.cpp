@@ -1,0 +1,106 @@
+// What to show of a run of two scales.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/display_multiscale.h"
+
+#include <string>
+
+#include "core/error.h"
+#include "io/display_table.h"
+
+namespace soilweave::io {
+namespace {
+
+const Series* table(const MultiscaleFile& run, const std::string& name) {
+  for (const auto& group : run.groups)
+    if (group.name == name) return &group.table;
+  return nullptr;
+}
+
+const Series& demanded(const MultiscaleFile& run, const std::string& name) {
+  if (const Series* found = table(run, name)) return *found;
+  throw DataError(run.source.role + ": has no table \"" + name + "\": no mesh can be shown");
+}
+
+// Rows of the elements: of the table in `rows`, in the order of their nodes.
+std::vector<std::size_t> of_corners(const Series& elements, std::size_t corners) {
+  std::vector<std::size_t> nodes;
+  for (std::size_t e = 0; e < elements.rows(); ++e)
+    for (std::size_t k = 0; k < corners; ++k)
+      nodes.push_back(static_cast<std::size_t>(elements.at("node_" + std::to_string(k)).values[e]));
+  return nodes;
+}
+
+// Means over the points of every element, as a table with a row an element.
+Series element_means(const Series& points, const TableState& state, std::size_t elements) {
+  Series means;
+  const std::vector<double>& element = points.at("element").values;
+  for (const Column& column : points.columns) {
+    if (column.name == "step" || column.name == "time" || column.name == "point" || column.name == "x" ||
+        column.name == "y")
+      continue;
+    Column mean{column.name, column.unit, column.long_name, std::vector<double>(elements, 0)};
+    std::vector<double> number(elements, 0);
+    for (const std::size_t r : state.rows) {
+      const auto e = static_cast<std::size_t>(element[r]);
+      if (e >= elements) throw DataError("a point names an element that is none");
+      mean.values[e] += column.values[r];
+      ++number[e];
+    }
+    for (std::size_t e = 0; e < elements; ++e) mean.values[e] /= number[e];
+    means.columns.push_back(std::move(mean));
+  }
+  return means;
+}
+
+std::vector<std::size_t> all_rows(const Series& table) {
+  std::vector<std::size_t> rows(table.rows());
+  for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = r;
+  return rows;
+}
+
+}  // namespace
+
+std::vector<VtkPicture> show_mesh(const MultiscaleFile& run) {
+  const Series &elements = demanded(run, "elements"), &nodes = demanded(run, "nodes"),
+               &points = demanded(run, "points");
+  const std::size_t corners = elements.find("node_3") ? 4 : 3;
+  const std::vector<std::size_t> corner_nodes = of_corners(elements, corners);
+  const auto states = states_of(nodes), point_states = states_of(points);
+  if (states.size() != point_states.size()) throw DataError("the tables of nodes and points have other outputs");
+  std::vector<VtkPicture> pictures;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    VtkPicture& picture = pictures.emplace_back();
+    picture.time = states[k].time, picture.step = states[k].step;
+    picture.shape = corners == 3 ? VtkShape::triangle : VtkShape::quad;
+    picture.grid = true;
+    std::vector<std::size_t> rows;
+    for (const std::size_t n : corner_nodes) rows.push_back(states[k].rows.at(n));
+    for (const std::size_t r : rows) picture.points.emplace_back(nodes.at("x").values[r], nodes.at("y").values[r], 0);
+    picture.point_data = arrays_of(nodes, rows);
+    const Series means = element_means(points, point_states[k], elements.rows());
+    picture.cell_data = arrays_of(means, all_rows(means));
+  }
+  return pictures;
+}
+
+std::vector<VtkPicture> show_bars(const MultiscaleFile& run) {
+  std::vector<VtkPicture> pictures;
+  const Series* bars = table(run, "bars");
+  if (!bars) return pictures;
+  Series values;
+  for (const Column& column : bars->columns)
+    if (column.name != "x_0" && column.name != "y_0" && column.name != "x_1" && column.name != "y_1")
+      values.columns.push_back(column);
+  for (const TableState& state : states_of(*bars)) {
+    VtkPicture& picture = pictures.emplace_back();
+    picture.time = state.time, picture.step = state.step;
+    picture.shape = VtkShape::line;
+    for (const std::size_t r : state.rows)
+      for (const std::string end : {"0", "1"})
+        picture.points.emplace_back(bars->at("x_" + end).values[r], bars->at("y_" + end).values[r], 0);
+    picture.cell_data = arrays_of(values, state.rows);
+  }
+  return pictures;
+}
+
+}  // namespace soilweave::io

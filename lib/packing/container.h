@@ -1,0 +1,54 @@
+// Closed surfaces that hold grains: how deep a point lies inside, and the bag of the thesis.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/settings.h"
+#include "core/tensor.h"
+
+namespace soilweave::packing {
+
+class Container {
+ public:
+  virtual ~Container() = default;
+  /// Distance to the surface, m; negative outside. Must be exact for points within a few grains of the surface.
+  virtual double depth(const Vec3& point) const = 0;
+  /// Corners of an upright box around it, m.
+  virtual Vec3 low() const = 0;
+  virtual Vec3 high() const = 0;
+  /// m3, of what lies at least `depth` m inside.
+  virtual double volume(double depth = 0) const = 0;
+};
+
+/// The filled bag: the surface at the distance half_height from a flat square in z = 0 with rounded corners.
+struct Pillow final : Container {
+  double width = 0.374336;        // m, of the flat square
+  double half_height = 0.04;      // m
+  double corner_radius = 0.0357;  // m
+
+  static Pillow read(Settings& table);
+  double depth(const Vec3& point) const override;
+  Vec3 low() const override { return -high(); }
+  Vec3 high() const override {
+    return {0.5 * width + half_height, 0.5 * width + half_height, half_height};
+  }
+  /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
+  double volume(double depth = 0) const override;
+  /// The point of the parallel surface `outside` m beyond, for u, v, w in [-1, 1] of which one at least is -1 or 1: a
+  /// point of the surface of a box, whose top and bottom reach as far down the sides as arcs of equal length ask for;
+  /// shares: the cells of a box's face and of its side, of which a hoop has twice each.
+  Vec3 at(const Vec3& box, double face_cells, double side_cells, double outside) const;
+};
+
+/// An upright box.
+struct Box final : Container {
+  Vec3 lower, upper;  // m
+
+  double depth(const Vec3& point) const override { return (point - lower).cwiseMin(upper - point).minCoeff(); }
+  Vec3 low() const override { return lower; }
+  Vec3 high() const override { return upper; }
+  double volume(double depth = 0) const override { return (upper - lower - Vec3::Constant(2 * depth)).prod(); }
+};
+
+}  // namespace soilweave::packing

@@ -1,0 +1,232 @@
+// Grains that grow until they fill a container.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/expand.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/tables.h"
+#include "analysis/tessellation.h"
+#include "core/error.h"
+#include "dem/bodies.h"
+#include "dem/contact_sweep.h"
+#include "packing/tile.h"
+
+namespace soilweave::packing {
+namespace {
+
+constexpr std::int64_t report_interval = 512;
+// Steps between two looks at the equilibrium.
+constexpr std::int64_t look_interval = 4;
+// Steps of a round before a measurement, over those of others: what presses then is held by the container.
+constexpr std::int64_t patience = 10;
+
+struct Position {
+  std::int64_t round = 0, first = 0;  // step at which the round began
+  double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
+  bool ending = false;                // full: only the last equilibrium is left
+
+  void archive(Archive& a) {
+    a.item("round", round), a.item("round_first_step", first), a.item("growth", growth);
+    a.item("delaunay_volume", volume), a.item("measured_at", measured_at), a.whole("ending", ending);
+  }
+};
+
+std::vector<std::int32_t> nodes_of(const io::Snapshot& state) {
+  std::vector<std::int32_t> nodes;
+  for (const auto& ends : state.yarns.nodes) nodes.insert(nodes.end(), ends.begin(), ends.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+class Grower {
+ public:
+  Grower(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
+         const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
+      : growth_(growth),
+        report_(report),
+        keeper_(safekeeping, start.grains.size()),
+        kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
+        simulation_(last ? dem::Simulation(last->state, model, numerics, kept_)
+                         : dem::Simulation(start, model, numerics)),
+        soil_(start.grains.size(), true) {
+    const double r = *std::max_element(start.grains.radius.begin(), start.grains.radius.end());
+    const double u = growth.negligible * r;
+    least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1) * u;
+    for (const std::int32_t node : nodes_of(start)) soil_[static_cast<std::size_t>(node)] = false;
+    if (last) {
+      at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
+      history_ = std::move(last->series);
+    } else {
+      simulation_.set_damping(growth.damping);
+    }
+  }
+
+  Grown run() {
+    const double filling = std::cbrt(growth_.stretch.prod());
+    while (!at_.ending) {
+      const bool stretching = at_.growth < filling;
+      const bool measuring = at_.round % growth_.measure_every == 0;
+      settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
+      if (measuring) at_.ending = full();
+      if (at_.ending) break;
+      if (at_.round >= growth_.largest_rounds) unreached();
+      // The part of the way to the full container that this round goes.
+      const double share = stretching ? std::log(growth_.factor) / std::log(filling) : 0;
+      at_.growth *= growth_.factor;
+      simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
+      ++at_.round;
+      at_.first = simulation_.steps();
+    }
+    if (!settle(growth_.largest_round, 0))
+      throw TargetNotReached(
+          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
+                      "growth.unbalanced_force",
+                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
+    measure();
+    io::Snapshot state = simulation_.snapshot();
+    for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
+      for (Vec3& v : *rows) v.setZero();
+    state.step = 0, state.time = 0;
+    return {std::move(state), fill_, std::move(history_), clock_.price(simulation_, keeper_.seconds())};
+  }
+
+  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+
+ private:
+  // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
+  bool settle(std::int64_t most, double least) {
+    for (;;) {
+      simulation_.step();
+      const std::int64_t steps = simulation_.steps() - at_.first;
+      if (growth_.stop_every > 0 && steps % growth_.stop_every == 0) simulation_.stop_motion();
+      if (steps % look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force) return true;
+      if (steps >= most) return false;
+      if (report_ && steps % report_interval == 0)
+        report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
+                                        simulation_.unbalanced_force(), text()));
+      keeper_.after_step([this] { return moment(); });
+    }
+  }
+
+  double progress() const { return std::min(1.0, fill_.overlap / growth_.overlap); }
+  std::string text() const {
+    return fmt::format("radii x {:.5f}, Delaunay volume {:.6f} m3, e {:.4f}, mean overlap {:.2e}, Z {:.3f}", at_.growth,
+                       fill_.volume, fill_.void_ratio, fill_.overlap, fill_.coordination_number);
+  }
+
+  void measure() {
+    const io::Snapshot state = simulation_.snapshot();
+    const io::Snapshot soil = filter(state, [this](std::size_t i) { return soil_[i]; });
+    double solids = 0, radii = 0, overlaps = 0, ends = 0;
+    for (const double r : soil.grains.radius) solids += dem::grain_volume(3, r), radii += r;
+    for (std::size_t c = 0; c < state.contacts.size(); ++c) {
+      overlaps += state.contacts.overlap[c];
+      for (const std::int32_t body : state.contacts.bodies[c]) ends += soil_[static_cast<std::size_t>(body)];
+    }
+    const auto n = static_cast<double>(soil.grains.size());
+    fill_.growth = at_.growth;
+    fill_.volume = analysis::delaunay_volume(soil);
+    fill_.void_ratio = fill_.volume / solids - 1;
+    fill_.overlap = state.contacts.size() ? overlaps / static_cast<double>(state.contacts.size()) / (radii / n) : 0;
+    fill_.coordination_number = ends / n;
+    using analysis::put;
+    put(history_, "round", "1", "growths of the radii", static_cast<double>(at_.round));
+    put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
+    put(history_, "growth", "1", "radii over those at the start", at_.growth);
+    put(history_, "delaunay_volume", "m3", "volume of the tetrahedra of the soil's centres", fill_.volume);
+    put(history_, "void_ratio", "1", "void ratio of that volume", fill_.void_ratio);
+    put(history_, "mean_overlap", "1", "mean overlap over the mean radius", fill_.overlap);
+    put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);
+  }
+
+  // Measures; whether the volume stands still and the grains are full.
+  bool full() {
+    const double before = at_.volume;
+    measure();
+    at_.volume = fill_.volume;
+    // Grains that grow freely carry their volume along; grains that are held press on each other instead.
+    const double free = 3 * std::log(at_.growth / at_.measured_at);
+    standing_ = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
+    at_.measured_at = at_.growth;
+    if (report_) report_(progress(), fmt::format("round {}: {}", at_.round, text()));
+    return standing_ && fill_.overlap >= growth_.overlap;
+  }
+
+  [[noreturn]] void unreached() const {
+    throw TargetNotReached(fmt::format(
+        "after {} rounds the grains do not fill the container: {} ({})", at_.round,
+        !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
+                   : "the mean overlap is below growth.overlap; allow more rounds",
+        text()));
+  }
+
+  io::Moment moment() {
+    Archive archive;
+    simulation_.archive(archive);
+    at_.archive(archive);
+    clock_.archive(simulation_, keeper_.seconds(), archive);
+    return {simulation_.snapshot(), history_, archive.numbers()};
+  }
+
+  const Growth& growth_;
+  const Report& report_;
+  dem::Keeper keeper_;
+  Archive kept_;
+  dem::Simulation simulation_;
+  std::vector<bool> soil_;
+  Position at_;
+  Fill fill_;
+  double least_force_ = 0;  // N
+  bool standing_ = false;
+  io::Series history_;
+  dem::PriceClock clock_;
+};
+
+}  // namespace
+
+Growth Growth::read(Settings& table) {
+  static constexpr Parameter factor{"factor", "1", 1, 1.01, true, "of the radii, each time equilibrium is reached",
+                                    "larger steps scatter the grains"};
+  static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of an equilibrium"};
+  static constexpr Parameter negligible{
+      "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
+  static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "of a round at most, ten times that before a measurement"};
+  static constexpr Parameter stop{"stop_every", "1", 0, 1e9, false, "steps after which all motion is stopped; 0: never"};
+  static constexpr Parameter volume{"volume_tolerance", "1", 0, 1, true,
+                                    "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
+  static constexpr Parameter overlap{"overlap", "1", 0, 1, true, "mean overlap over the mean radius of a full container"};
+  static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
+  static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
+  Growth g;
+  g.factor = table.number(factor, g.factor);
+  g.unbalanced_force = table.number(unbalanced, g.unbalanced_force);
+  g.negligible = table.number(negligible, g.negligible);
+  g.damping = table.number(damping, g.damping);
+  g.steps = table.integer(steps, g.steps);
+  g.stop_every = table.integer(stop, g.stop_every);
+  g.volume_tolerance = table.number(volume, g.volume_tolerance);
+  g.overlap = table.number(overlap, g.overlap);
+  g.measure_every = table.integer(every, g.measure_every);
+  g.largest_rounds = table.integer(rounds, g.largest_rounds);
+  return g;
+}
+
+Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
+           const Report& report, const dem::Safekeeping& safekeeping) {
+  dem::Numerics held = numerics;
+  held.clamps = {nodes_of(start)};
+  // Nothing pulls at yarns whose nodes stand still.
+  // Radii grow by work that no boundary does, and rattlers fly: what the balance leaves over is damped away.
+  held.limits.energy_error = std::numeric_limits<double>::infinity();
+  io::Part* part = safekeeping.part;
+  Grower grower(start, model, held, growth, report, safekeeping, part ? part->take_last() : std::nullopt);
+  return dem::carry_out<false>(grower, part);
+}
+
+}  // namespace soilweave::packing

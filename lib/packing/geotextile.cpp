@@ -1,0 +1,93 @@
+// Woven geotextiles as meshes of nodes and yarns.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/geotextile.h"
+
+#include <algorithm>
+#include <map>
+
+#include "dem/bodies.h"
+
+namespace soilweave::packing {
+
+NodeRecipe NodeRecipe::read(Settings& table) {
+  static constexpr Parameter radius{"node_radius", "m", 0, 1e3, true, "radius of the nodes"};
+  static constexpr Parameter density{"node_density", "kg/m3", 0, 1e12, true, "density of the nodes, scaling included"};
+  static constexpr Parameter material{"material", "1", 0, 1e3, false, "material_id of the nodes"};
+  static constexpr Parameter geotextile{"geotextile_id", "1", 0, 1e3, false, "which [[geotextile]] of a scenario"};
+  NodeRecipe r;
+  r.radius = table.number(radius, r.radius);
+  r.density = table.number(density, r.density);
+  r.material = static_cast<std::int32_t>(table.integer(material, r.material));
+  r.geotextile = static_cast<std::int32_t>(table.integer(geotextile, r.geotextile));
+  return r;
+}
+
+Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) {
+  Fabric fabric;
+  const auto [nx, ny, nz] = cells;
+  std::map<std::array<int, 3>, std::int32_t> number;
+  for (int k = 0; k <= nz; ++k)
+    for (int j = 0; j <= ny; ++j)
+      for (int i = 0; i <= nx; ++i) {
+        const bool face = k == 0 || k == nz, side = i == 0 || i == nx || j == 0 || j == ny;
+        if (!face && !side) continue;
+        number[{i, j, k}] = static_cast<std::int32_t>(fabric.nodes.size());
+        // Whole numbers until the last division: mirrored nodes are mirrored to the last bit.
+        const Vec3 box(static_cast<double>(2 * i - nx) / nx, static_cast<double>(2 * j - ny) / ny,
+                       static_cast<double>(2 * k - nz) / nz);
+        fabric.nodes.push_back(bag.at(box, nx, nz, outside));
+      }
+  for (const auto& [at, one] : number)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<int, 3> next = at;
+      ++next[axis];
+      const auto other = number.find(next);
+      if (other == number.end()) continue;
+      const bool face = at[2] == next[2] && (at[2] == 0 || at[2] == nz);
+      // Two nodes of opposite sides may follow each other in a bag one cell wide; they share no quadrilateral then.
+      fabric.yarns.push_back({one, other->second, face ? 0 : (axis == 2 ? 2 : 1)});
+    }
+  return fabric;
+}
+
+Fabric sheet(const std::array<int, 2>& cells, double spacing, double height) {
+  Fabric fabric;
+  const auto [nx, ny] = cells;
+  const auto number = [&](int i, int j) { return static_cast<std::int32_t>(j * (nx + 1) + i); };
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) {
+      fabric.nodes.emplace_back((i - 0.5 * nx) * spacing, (j - 0.5 * ny) * spacing, height);
+      if (i > 0) fabric.yarns.push_back({number(i - 1, j), number(i, j), 0});
+      if (j > 0) fabric.yarns.push_back({number(i, j - 1), number(i, j), 0});
+    }
+  return fabric;
+}
+
+void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state) {
+  io::GrainsRecord& g = state.grains;
+  io::YarnsRecord& y = state.yarns;
+  const auto first = static_cast<std::int32_t>(g.size());
+  std::int64_t id = 0;
+  for (const std::int64_t known : g.body_id) id = std::max(id, known + 1);
+  const std::int32_t number = y.fabric.empty() ? 0 : 1 + *std::max_element(y.fabric.begin(), y.fabric.end());
+  for (const Vec3& x : fabric.nodes) {
+    g.body_id.push_back(id++);
+    g.position.push_back(x);
+    g.orientation.emplace_back(1, 0, 0, 0);
+    g.velocity.emplace_back(Vec3::Zero());
+    g.angular_velocity.emplace_back(Vec3::Zero());
+    g.radius.push_back(recipe.radius);
+    g.mass.push_back(recipe.density * dem::grain_volume(3, recipe.radius));
+    g.material_id.push_back(recipe.material);
+    g.copy_id.push_back(-1);
+  }
+  for (const Fabric::Yarn& yarn : fabric.yarns) {
+    const Vec3 reach = fabric.nodes[static_cast<std::size_t>(yarn.second)] - fabric.nodes[static_cast<std::size_t>(yarn.first)];
+    y.nodes.push_back({first + yarn.first, first + yarn.second});
+    y.fabric.push_back(number), y.geotextile_id.push_back(recipe.geotextile), y.family.push_back(yarn.family);
+    y.rest_length.push_back(reach.norm()), y.largest_strain.push_back(0), y.tension.push_back(0);
+    y.broken.push_back(0), y.break_time.push_back(0), y.break_position.emplace_back(Vec3::Zero());
+  }
+}
+
+}  // namespace soilweave::packing

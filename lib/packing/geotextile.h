@@ -1,0 +1,42 @@
+// Woven geotextiles as a quadrilateral mesh of nodes and yarns: on a bag, or flat.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "io/records.h"
+#include "packing/container.h"
+
+namespace soilweave::packing {
+
+/// The nodes of a woven geotextile and the yarns between them, by node.
+struct Fabric {
+  struct Yarn {
+    std::int32_t first, second, family;  // family as in files
+  };
+  std::vector<Vec3> nodes;  // m
+  std::vector<Yarn> yarns;
+};
+
+/// How nodes are made; yarns are free of tension where they are laid.
+struct NodeRecipe {
+  double radius = 0.0025;    // m
+  double density = 444e3;    // kg/m3, scaled
+  std::int32_t material = 1;  // material_id
+  std::int32_t geotextile = 0;
+
+  static NodeRecipe read(Settings& table);
+};
+
+/// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the bag with node centres `outside` m
+/// beyond it. cells[0] and cells[1] are equal.
+Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside);
+/// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m apart.
+Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);
+
+/// Adds the fabric's nodes behind the grains, and its yarns. The fabric's number is the next one free; nodes have the
+/// copy_id -1.
+void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state);
+
+}  // namespace soilweave::packing

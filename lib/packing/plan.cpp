@@ -1,0 +1,177 @@
+// What filter-expand is told, and the assembly before it grows.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/plan.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "dem/bodies.h"
+#include "dem/scenario.h"
+#include "packing/tile.h"
+
+namespace soilweave::packing {
+namespace {
+
+std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std::array<int, 3> fallback) {
+  const Vec3 v = table.vector(parameter, Vec3(fallback[0], fallback[1], fallback[2]));
+  for (int a = 0; a < 3; ++a)
+    if (v[a] != std::round(v[a])) table.mistake(parameter.name, "has a part that is no whole number");
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
+}
+
+void read_container(Settings& document, Plan& plan) {
+  static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
+  static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
+  static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
+  Settings table = document.table("container");
+  const std::string shape = table.kind("shape", {"pillow", "box", "none"});
+  if (shape == "pillow") {
+    auto pillow = std::make_unique<Pillow>(Pillow::read(table));
+    plan.pillow = pillow.get();
+    plan.container = std::move(pillow);
+  } else if (shape == "box") {
+    auto box = std::make_unique<Box>();
+    box->lower = table.vector(low), box->upper = table.vector(high);
+    if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
+    plan.container = std::move(box);
+  }
+  if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
+}
+
+void read_fabrics(Settings& document, Plan& plan) {
+  static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
+  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns of a sheet"};
+  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
+  if (document.has("geotextile_mesh")) {
+    Settings table = document.table("geotextile_mesh");
+    plan.wrapping = whole_triple(table, cells, {91, 91, 20});
+    if ((*plan.wrapping)[0] != (*plan.wrapping)[1]) table.mistake("cells", "differ along x and y: the bag is square");
+    if (!plan.pillow) table.mistake("", "wraps a container of shape \"pillow\" only; use [[sheet]] for flat ones");
+    plan.nodes = NodeRecipe::read(table);
+  }
+  for (Settings table : document.tables("sheet")) {
+    Plan::Sheet sheet;
+    const std::array<int, 3> n = whole_triple(table, cells, {1, 1, 1});
+    sheet.cells = {n[0], n[1]};
+    sheet.spacing = table.number(spacing, 0.005), sheet.height = table.number(height, 0.0);
+    sheet.nodes = NodeRecipe::read(table);
+    plan.sheets.push_back(sheet);
+  }
+}
+
+// As many copies as cover the container, centred on the origin.
+std::array<int, 3> covering(const io::Snapshot& volume, const Container& container) {
+  std::array<int, 3> n = {1, 1, 1};
+  for (int a = 0; a < 3; ++a) {
+    const double reach = 2 * std::max(container.high()[a], -container.low()[a]);
+    n[static_cast<std::size_t>(a)] =
+        std::max(1, static_cast<int>(std::ceil(reach / volume.cell.matrix(a, a) * (1 - 1e-9))));
+  }
+  return n;
+}
+
+void demand_cover(const io::Snapshot& block, const Container& container) {
+  for (int a = 0; a < 3; ++a) {
+    const double half = 0.5 * block.cell.matrix(a, a);
+    const double reach = std::max(container.high()[a], -container.low()[a]);
+    // The surface may stand out of the block by less than a grain: the grains grow.
+    const double slack = *std::max_element(block.grains.radius.begin(), block.grains.radius.end());
+    if (half + slack < reach)
+      throw DataError(fmt::format("the copies of the representative volume reach to {} = {:.4g} m, the container to "
+                                  "{:.4g} m: raise container.copies",
+                                  "xyz"[a], half, reach));
+  }
+}
+
+void scale(io::Snapshot& volume, double factor) {
+  volume.cell.matrix *= factor;
+  for (Vec3& x : volume.grains.position) x *= factor;
+  for (double& r : volume.grains.radius) r *= factor;
+  for (double& m : volume.grains.mass) m *= factor * factor * factor;
+  for (Vec3& v : volume.grains.velocity) v *= factor;
+  io::ContactsRecord& c = volume.contacts;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    // The same strains and stresses: forces with the square of lengths, moments with the cube.
+    c.branch_vector[k] *= factor, c.overlap[k] *= factor;
+    c.normal_force[k] *= factor * factor, c.shear_force[k] *= factor * factor;
+    c.rolling_moment[k] *= factor * factor * factor, c.twisting_moment[k] *= factor * factor * factor;
+  }
+}
+
+}  // namespace
+
+Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "of the representative volume's lengths"};
+  Settings document = Settings::parse(text, name);
+  for (const std::string& assignment : overrides) document.set(assignment);
+  Plan plan;
+  read_container(document, plan);
+  read_fabrics(document, plan);
+  Settings grains = document.table("grains");
+  plan.scale = grains.number(size, 1.0);
+  plan.density = dem::read_density(document);
+  plan.model = dem::read_model(document);
+  plan.numerics = dem::read_numerics(document);
+  if (document.has("growth")) {
+    Settings table = document.table("growth");
+    plan.growth = Growth::read(table);
+    if (!plan.wrapping) table.mistake("", "needs a geotextile to grow against: give [geotextile_mesh]");
+  }
+  document.finish();
+  plan.resolved = document.resolved();
+  // Yarns lie without tension while grains grow: any curve will do.
+  plan.model.geotextiles.assign(1, {"resting", {1}, {1}, 1});
+  return plan;
+}
+
+io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan) {
+  io::Snapshot state;
+  if (plan.container) {
+    io::Snapshot volume = representative_volume;
+    scale(volume, plan.scale);
+    const io::Snapshot block = tile(volume, plan.copies.value_or(covering(volume, *plan.container)));
+    demand_cover(block, *plan.container);
+    state = filter(block, [&](std::size_t i) {
+      return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i];
+    });
+    if (state.grains.size() == 0) throw DataError("no grain of the representative volume fits into the container");
+    if (plan.density > 0)
+      for (std::size_t i = 0; i < state.grains.size(); ++i)
+        state.grains.mass[i] = plan.density * dem::grain_volume(3, state.grains.radius[i]);
+  }
+  state.cell = {};
+  state.cell.periodic = {false, false, false};
+  if (plan.wrapping) add(wrap(*plan.pillow, *plan.wrapping, plan.nodes.radius), plan.nodes, state);
+  for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
+  if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
+  // Open along all axes, the cell only carries lengths.
+  for (int a = 0; a < 3; ++a) {
+    double low = 0, high = 0;
+    for (std::size_t i = 0; i < state.grains.size(); ++i) {
+      const double x = state.grains.position[i][a], r = state.grains.radius[i];
+      low = i ? std::min(low, x - r) : x - r, high = i ? std::max(high, x + r) : x + r;
+    }
+    state.cell.matrix(a, a) = high - low;
+  }
+  return state;
+}
+
+Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container) {
+  double filled = 0;
+  for (std::size_t i = 0; i < assembled.grains.size(); ++i)
+    if (assembled.grains.copy_id[i] >= 0) filled += (1 + void_ratio) * dem::grain_volume(3, assembled.grains.radius[i]);
+  // The volume falls with the depth: bisection to rounding.
+  const Vec3 half = 0.5 * (container.high() - container.low());
+  double low = 0, high = half.minCoeff();
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    (container.volume(middle) > filled ? low : high) = middle;
+  }
+  return half.cwiseQuotient(half - Vec3::Constant(low));
+}
+
+}  // namespace soilweave::packing

@@ -1,0 +1,47 @@
+// What filter-expand is told, in TOML: the container, its geotextile, the materials, how the grains grow.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem/model.h"
+#include "packing/expand.h"
+#include "packing/geotextile.h"
+
+namespace soilweave::packing {
+
+struct Plan {
+  std::unique_ptr<Container> container;  // none: no soil
+  std::optional<std::array<int, 3>> copies;
+  const Pillow* pillow = nullptr;        // the container, where it is one
+  std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the pillow
+  struct Sheet {
+    std::array<int, 2> cells;
+    double spacing, height;  // m
+    NodeRecipe nodes;
+  };
+  std::vector<Sheet> sheets;
+  NodeRecipe nodes;
+  double density = 0;  // kg/m3 of the soil; 0: the packing's
+  double scale = 1;    // of the representative volume
+  dem::Model model;
+  dem::Numerics numerics;
+  std::optional<Growth> growth;
+  std::string resolved;
+};
+
+/// All mistakes at once. Throws DataError.
+Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+
+/// Copies cut to the container, its geotextile around them, not yet grown. Throws DataError where the representative
+/// volume, copied as often as the plan says, is too small for the container.
+io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan);
+
+/// By how much the soil cut to the container must be stretched to fill it as densely as the representative volume:
+/// the cut leaves a gap of a grain's size along the surface.
+Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container);
+
+}  // namespace soilweave::packing

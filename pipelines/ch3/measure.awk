@@ -1,0 +1,117 @@
+# The numbers of chapter 3: generation, compression beside the recorded series of the same model, shear, strips.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: awk -v loads='1330 ...' -f measure.awk uc_*.tsv ss_*.tsv strip_*.tsv generation.tsv soilbag_uniaxial_*.tsv > measured.tsv
+# value[file, column, row] in SI; rows[file]. Files are named by their last part without the ending.
+function name_of(path) { sub(/.*\//, "", path); sub(/\.tsv$/, "", path); return path }
+function factor(unit) { return unit == "%" ? 0.01 : unit ~ /^k/ ? 1000 : 1 }
+function size(x) { return x < 0 ? -x : x }
+function put(name, number) { printf "%s\t%.6g\t\n", name, number }
+function last(file, column) { return value[file, column, rows[file]] }
+
+# The column y of a file where its column x first reaches `at`, straight between rows; its last value where it never does.
+function where(file, x, y, at, i) {
+  for (i = 2; i <= rows[file]; ++i)
+    if (value[file, x, i] >= at)
+      return value[file, y, i - 1] + (value[file, y, i] - value[file, y, i - 1]) * (at - value[file, x, i - 1]) / \
+        (value[file, x, i] - value[file, x, i - 1])
+  return last(file, y)
+}
+function greatest(file, column, i, row) {
+  row = 1
+  for (i = 2; i <= rows[file]; ++i) if (value[file, column, i] > value[file, column, row]) row = i
+  return row
+}
+
+# Axial strain from the end of the preload, load over 0.16 m2.
+function compression(f, i, start) {
+  for (start = 1; start < rows[f] && value[f, "stage", start + 1] == 0; ++start) { }
+  for (i = 1; i <= rows[f]; ++i) {
+    value[f, "strain", i] = (value[f, "displacement_bottom_z", i] - value[f, "displacement_top_z", i] - \
+      value[f, "displacement_bottom_z", start] + value[f, "displacement_top_z", start]) / 0.08
+    value[f, "pressure", i] = 0.5 * (size(value[f, "force_top_z", i]) + size(value[f, "force_bottom_z", i])) / 0.16
+    value[f, "lateral", i] = 0.5 * (value[f, "soil_stress_xx", i] + value[f, "soil_stress_yy", i])
+  }
+}
+
+# One geotextile beside its recorded series, in the order: contraction, tension, q/p, load.
+function compare(g, f, r, i, at, worst, n, slope, base, peak, recorded) {
+  f = "uc_" g; r = "soilbag_uniaxial_" g
+  compression(f)
+  put("least_void_ratio_" g, value[f, "soil_void_ratio", 1])
+  worst = 0
+  for (i = 1; i <= rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
+  put("first_break_" g, 100 * value[f, "strain", i < rows[f] ? i : rows[f]])
+  base = i < rows[f] ? i : rows[f]
+  put("obliquity_" g, value[f, "soil_deviatoric_stress", base] / value[f, "soil_mean_stress", base])
+  put("obliquity_ratio_" g, (value[f, "soil_deviatoric_stress", base] / value[f, "soil_mean_stress", base]) / \
+    (where(r, "strain_axial", "deviatoric_stress", value[f, "strain", base]) / where(r, "strain_axial", "mean_stress", value[f, "strain", base])))
+  peak = greatest(f, "soil_stress_zz"); recorded = greatest(r, "axial_stress")
+  put("peak_axial_" g, value[f, "soil_stress_zz", peak] / 1000)
+  put("peak_pressure_" g, value[f, "pressure", greatest(f, "pressure")] / 1000)
+  put("peak_strain_" g, 100 * value[f, "strain", peak])
+  # At equal tension of the yarns on the faces, and at equal strain from 3 % to the recorded peak: greatest differences.
+  for (i = 2; i <= recorded; ++i) {
+    at = value[r, "tension_yarn_face", i]
+    note("tension", g, "lateral", where(f, "yarn_tension_face", "lateral", at), value[r, "radial_stress", i])
+    note("tension", g, "axial", where(f, "yarn_tension_face", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("tension", g, "pressure", where(f, "yarn_tension_face", "pressure", at), value[r, "plate_pressure", i])
+    at = value[r, "strain_axial", i]
+    if (at < 0.03) continue
+    note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
+    note("strain", g, "axial", where(f, "strain", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("strain", g, "pressure", where(f, "strain", "pressure", at), value[r, "plate_pressure", i])
+    note("strain", g, "tension", where(f, "strain", "yarn_tension_face", at), value[r, "tension_yarn_face", i])
+  }
+  # Energy that the balance leaves over, of the work of the plates.
+  put("energy_error_" g, 100 * size(last(f, "energy_error")) / size(last(f, "boundary_work")))
+  put("axial_above_pressure_" g, last(f, "soil_stress_zz") / last(f, "pressure"))
+  put("tension_families_" g, value[f, "yarn_tension_face", base] / value[f, "yarn_tension_side_horizontal", base])
+  put("hoop_over_side_" g, value[f, "yarn_tension_side_horizontal", base] / value[f, "yarn_tension_side_vertical", base])
+  put("face_friction_" g, value[f, "face_friction_z", base])
+  put("grain_fraction_" g, last(f, "broken_yarns"))
+}
+function note(at, g, what, measured, recorded, d, key) {
+  d = 100 * (measured / recorded - 1)
+  key = "equal_" at "_" what "_" g
+  if (size(d) > size(misfit[key])) misfit[key] = d
+}
+
+FNR == 1 { file = name_of(FILENAME); head = 0 }
+/^#/ { next }
+!head {
+  head = 1
+  n = split($0, title, "\t")
+  for (k = 1; k <= n; ++k) {
+    unit[k] = title[k]; sub(/.*\[/, "", unit[k]); sub(/\].*/, "", unit[k])
+    sub(/ *\[.*/, "", title[k])
+  }
+  next
+}
+{
+  split($0, field, "\t")
+  ++rows[file]
+  for (k = 1; k <= n; ++k) value[file, title[k], rows[file]] = field[k] * factor(unit[k])
+}
+END {
+  put("void_ratio", last("generation", "void_ratio"))
+  put("coordination_number", last("generation", "coordination_number"))
+  compare("PE"); compare("PP")
+  for (key in misfit) put(key, misfit[key])
+  # Strips: 5 yarns side by side, 100 mm long.
+  split("PE PP", fabrics, " ")
+  split("4.2 15", initial, " ")
+  for (k = 1; k <= 2; ++k) {
+    f = "strip_" fabrics[k]
+    put("strip_stiffness_" fabrics[k], size(value[f, "force_right_y", 2]) / 5 / initial[k])
+    put("strip_strength_" fabrics[k], size(value[f, "force_right_y", greatest(f, "yarn_tension_face")]) / 5)
+  }
+  m = split(loads, load, " ")
+  for (k = 1; k <= m; ++k) {
+    f = "ss_" load[k]
+    peak = 1
+    for (i = 2; i <= rows[f]; ++i) if (size(value[f, "force_top_x", i]) > size(value[f, "force_top_x", peak])) peak = i
+    ratio[k] = size(value[f, "force_top_x", peak]) / size(value[f, "force_top_z", peak])
+  }
+  put("shear_ratio_first", ratio[1])
+  put("shear_ratio_falls", ratio[m] - ratio[1])
+}

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Chapter 3 as a section of the report, on standard output.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: OUT=out/ch3 PROFILE=quick page.sh > page.html
+set -eu
+# shellcheck source=pipelines/figure.sh
+. "$(dirname "$0")/../figure.sh"
+
+cat <<'PAGE'
+<section id="ch3">
+<h2>The soilbag</h2>
+<p>Copies of a representative volume of Toyoura sand, cut to the pillow of a filled bag, wrapped in a woven geotextile of nodes and
+yarns and grown until they press (<code>filter-expand</code>); compressed between smooth plates and sheared under a dead load
+(<code>run-dem</code>).</p>
+PAGE
+[ "$PROFILE" = thesis ] || cat <<'PAGE'
+<p>Quick profile: grains and yarns are twice as large as the thesis's. Such a bag is softer than the full one: published values are
+of the full size, and what is missed here by a tenth or two says little about it.</p>
+PAGE
+echo '<h3>Measured beside published</h3>'
+awk -f pipelines/table.awk "$OUT/comparison.tsv"
+echo '<h3>Statements</h3>'
+awk -f pipelines/table.awk "$OUT/checklist.tsv"
+echo '<h3>Figures</h3>'
+figure compression 'Uniaxial compression (thesis Figs. 3.6 and 3.7). Points: recorded series of the same model.'
+figure paths 'Stress paths and void ratio (Figs. 3.10 and 3.12).'
+figure yarns 'Tension of the yarns on the faces, and broken yarns.'
+figure shear 'Simple shear under dead loads (Fig. 3.8).'
+figure strip 'Wide-width tension with unloading and reloading (Fig. 3.3).'
+echo '</section>'

@@ -1,0 +1,74 @@
+# Chapter 3: the soilbag, generated and loaded (thesis Figs. 3.3 to 3.18). PROFILE=quick: grains and yarns twice as large, rolling
+# stiffness eight times, yarns twice as strong, so that stresses are the same.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+STUDIES += ch3
+C3 := pipelines/ch3
+C3O := $(OUT)/ch3
+C3_SEEDS_quick := 1
+C3_SEEDS_thesis := 1 2 3
+C3_LOADS_quick := 2410 24100
+C3_LOADS_thesis := 1330 1870 2410 12050 24100 36150
+C3_LOADS := $(C3_LOADS_$(PROFILE))
+C3_GRAINS_quick := --set grains.scale=2 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] --set geotextile_mesh.node_radius=0.005
+C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
+  $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
+C3_BAG_quick := $(C3_GRAINS_quick) --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
+  --set material.0.rolling.stiffness=1.04 --set material.0.twisting.stiffness=1.04
+C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.05] --set plane.1.point=[0,0,-0.05]
+C3_THREADS := 2
+
+.PHONY: ch3
+ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 68,900 grains)
+
+.PRECIOUS: $(C3O)/%.h5
+$(C3O)/rv.h5: $(BIN)/pack-generate
+	@mkdir -p $(@D)
+	@echo '  pack  $@'
+	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
+
+$(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
+	@echo '  fill  $(C3O)/bag.h5'
+	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_THREADS) --quiet --resume --force \
+	  --history $(C3O)/generation.tsv -o $(C3O)/bag.h5
+
+# % is the geotextile.
+$(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set geotextile.0.curve=$* --threads $(C3_THREADS) --quiet --resume --force -o $@
+# % is the dead load in N.
+$(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C3)/ss.toml $(C3_LOAD_$(PROFILE)) --set stage.0.load.0.force=$* --set stage.1.load.0.force=$* \
+	  --threads $(C3_THREADS) --quiet --resume --force -o $@
+
+$(C3O)/strip.h5: $(C3O)/rv.h5 $(C3)/strip_plan.toml $(BIN)/filter-expand
+	@$(BIN)/filter-expand $< $(C3)/strip_plan.toml --quiet --force -o $@
+$(C3O)/strip_%.h5: $(C3O)/strip.h5 $(C3)/strip.toml $(BIN)/run-dem
+	@$(BIN)/run-dem $< $(C3)/strip.toml --set geotextile.0.curve=$* --threads 1 --quiet --force -o $@
+
+$(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table series --tsv > $@.part && mv $@.part $@
+$(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --tsv > $@.part && mv $@.part $@
+$(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --groups --table volumes --tsv > $@.part && mv $@.part $@
+
+C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
+C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
+C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
+C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
+
+$(C3O)/measured.tsv: $(C3)/measure.awk $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3O)/generation.tsv $(C3_RECORDED)
+	@awk -v loads='$(C3_LOADS)' -f $^ > $@.part && mv $@.part $@
+$(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
+	@awk -f $^ > $@.part && mv $@.part $@
+$(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
+	@awk -f $^ > $@.part && mv $@.part $@
+$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_RECORDED)
+	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'" $<; done
+	@touch $@
+$(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures
+	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh > $@.part && mv $@.part $@
+	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch3: %d published values and statements met, %d not met (make report)\n", \
+	  met, not }' $(C3O)/comparison.tsv $(C3O)/checklist.tsv

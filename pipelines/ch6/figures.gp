@@ -1,0 +1,82 @@
+# Figures of chapter 6: thesis Figs. 6.2 to 6.6.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: gnuplot -e "out='out/ch6'; format='svg'; main='8_0.5'; cases='6_1 8_1 ...'" figures.gp     (format: svg or png)
+set datafile separator "\t"
+set encoding utf8
+start = 'if (format eq "svg") { set terminal svg size W,H font "Helvetica,14" background "#ffffff" rounded } else { \
+  set terminal pngcairo size 2*W,2*H font "Helvetica,14" fontscale 1.9 linewidth 2 pointscale 1.7 background "#ffffff" rounded }'
+figure(name) = sprintf("%s/%s.%s", out, name, format)
+series(example, c) = sprintf("%s/%s_%s.tsv", out, example, c)
+rows_of(example, name) = sprintf("%s/%s_%s_%s.tsv", out, example, main, name)
+squares(c) = int(substr(c, 1, strstrt(c, "_") - 1))
+speed(c) = substr(c, strstrt(c, "_") + 1, strlen(c))
+label(c) = sprintf("%d elements, %s cm/s", 2 * squares(c) * squares(c), speed(c))
+absolute(x) = x < 0 ? -x : x
+set border 3 linecolor rgb "#505860" linewidth 1
+set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6
+set grid linecolor rgb "#e3e6ea" linewidth 0.8 linetype 1
+set key noautotitle Left reverse top left samplen 1.6
+
+# --- Fig. 6.2: the global responses
+W = 1000; H = 420; @start
+set output figure("global")
+set multiplot layout 1,2
+set xlabel "pulled (cm)"
+set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]
+plot for [c in cases] series("shape", c) using (100 * column("pull_end [m]")):(absolute(column("force_y_bottom [N m-1]")) / \
+  column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c)
+set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
+plot for [c in cases] series("pullout", c) using (100 * column("pull_end [m]")):(-column("interface_shear [N m-1]") / \
+  column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
+unset multiplot; unset title; set key top left
+
+# Time of the last state of both examples.
+ends = system(sprintf("for e in shape pullout; do tail -n 1 %s/${e}_%s_points.tsv | cut -f 2; done | tr '\\n' ' '", out, main))
+
+# --- Figs. 6.3, 6.4: fields of the last state; triangles as coloured points, the bars with their tension
+do for [example in "shape pullout"] {
+  last = real(word(ends, example eq "shape" ? 1 : 2)) - 1e-9
+  W = 1100; H = 760; @start
+  set output figure(example . "_fields")
+  set multiplot layout 2,3
+  set size ratio -1; set key off; set autoscale; unset xlabel; unset ylabel
+  set xtics 0.4; set ytics 0.4; set xrange [-0.15:1.45]; set yrange [(example eq "shape" ? -0.3 : -0.1):1.35]
+  do for [k = 1:6] {
+    column_name = word("mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric", k)
+    unit = word("[Pa] [Pa] [1] [rad] [1] [1]", k)
+    what = column_name . " " . unit
+    set title k == 1 ? "p (kPa)" : k == 2 ? "q (kPa)" : k == 3 ? "ε_q" : k == 4 ? "rotation (rad)" : k == 5 ? "F_a" : "ε_v"
+    factor = k < 3 ? 1e-3 : 1
+    plot rows_of(example, "points") using (column("time [s]") >= last ? column("x [m]") : NaN):(column("y [m]")): \
+        (factor * column(what)) with points pointtype 5 pointsize (16.0 / squares(main)) linecolor palette, \
+      rows_of(example, "nodes") using (column("time [s]") >= last ? column("x [m]") - column("displacement_x [m]") : NaN): \
+        (column("y [m]") - column("displacement_y [m]")):(column("displacement_x [m]")):(column("displacement_y [m]")) \
+        with vectors head size 0.01,20,60 linecolor rgb "#606060" linewidth 0.8, \
+      rows_of(example, "bars") using (column("time [s]") >= last ? column("x_0 [m]") : NaN):(column("y_0 [m]")) with points \
+        pointtype 7 pointsize 0.25 linecolor rgb "#202020"
+  }
+  unset multiplot
+  set size noratio; set autoscale; set xtics autofreq; set ytics autofreq; set key on; unset title
+}
+
+# --- Figs. 6.5, 6.6: local responses
+do for [example in "shape pullout"] {
+  W = 1200; H = 380; @start
+  set xtics rotate by -40
+  set output figure(example . "_local")
+  local = sprintf("%s/%s_local.tsv", out, example)
+  set multiplot layout 1,3
+  set key off
+  set xlabel "ε_q (%)"; set ylabel "q/p"; set y2label "ε_v (%)"; set y2tics
+  plot local using (100 * column("strain_shear [1]")):(column("mean_stress [Pa]") > 1 ? column("deviatoric_stress [Pa]") / \
+      column("mean_stress [Pa]") : NaN) with lines linewidth 1.6 linecolor rgb "#1f6fb2", \
+    local using (100 * column("strain_shear [1]")):(100 * column("strain_volumetric [1]")) axes x1y2 with lines linewidth 1.6 \
+      linecolor rgb "#d9772b"
+  unset y2label; unset y2tics
+  set xlabel "p (kPa)"; set ylabel "q (kPa)"
+  plot local using (1e-3 * column("mean_stress [Pa]")):(1e-3 * column("deviatoric_stress [Pa]")) with lines linewidth 1.6 \
+    linecolor rgb "#1f6fb2"
+  set xlabel "ε_q (%)"; set ylabel "F_a"
+  plot local using (100 * column("strain_shear [1]")):(column("anisotropy [1]")) with lines linewidth 1.6 linecolor rgb "#2f8f6b"
+  unset multiplot
+}

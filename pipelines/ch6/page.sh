@@ -1,0 +1,28 @@
+#!/bin/sh
+# Chapter 6 as a section of the report, on standard output.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: OUT=out/ch6 GRAINS=400 MAIN=8_0.5 page.sh > page.html
+set -eu
+# shellcheck source=pipelines/figure.sh
+. "$(dirname "$0")/../figure.sh"
+cat <<PAGE
+<section id="ch6">
+<h2>Two scales: a geosynthetic in soil of aluminium rods</h2>
+<p>Explicit finite elements whose points are periodic packings of $GRAINS disks, beside a chain of bars for the geosynthetic
+(<code>fem-dem</code>, thesis chapter 6): a sheet that forms a square of soil without confinement, and a sheet that is pulled out
+from under soil at 20 kPa. Elements along a side and speed (cm/s) of the runs shown: $MAIN. The thesis publishes curves and
+pictures, no numbers: its statements are held against the runs.</p>
+PAGE
+awk -f pipelines/table.awk "$OUT/comparison.tsv"
+cat <<'PAGE'
+<p>Known differences from the thesis's program: interface forces are read where the soil is, not one step of the bars further; friction
+stays with a place of the sheet while it slides from one bar of the boundary to the next; the time step of the soil follows from its
+masses and the contacts; the packings are our own, of the published sizes and numbers of rods.</p>
+<h3>Figures</h3>
+PAGE
+figure global 'Vertical stress at the bottom in shape-forming, mobilised friction in pull-out, over the pull (thesis Fig. 6.2).'
+figure shape_fields 'Shape-forming at the end (Fig. 6.3): stress, strain, rotation and anisotropy of the points; arrows: displacement of the nodes.'
+figure pullout_fields 'Pull-out at the end (Fig. 6.4).'
+figure shape_local 'Point A, under the middle of the top, in shape-forming (Fig. 6.5): q/p (blue) and volumetric strain (orange, contraction positive), stress path, fabric anisotropy.'
+figure pullout_local 'Point B, above the inclusion, in pull-out (Fig. 6.6).'
+printf '</section>\n'

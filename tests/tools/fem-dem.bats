@@ -1,0 +1,122 @@
+#!/usr/bin/env bats
+# fem-dem: the same bytes on any number of threads and after a stop, grains of a point taken out, and every class of error.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  cd "$BATS_FILE_TMPDIR" || return
+  cp "$BATS_TEST_DIRNAME/examples/pull.toml" elastic.toml
+  # The same with grains.
+  awk '/^material/ { print "material = \"grains\""; next } /^(density|young|poisson|initial_stress)/ { next }
+    /^columns/ { print "columns = 2"; next } /^rows/ { print "rows = 1"; next } { print }' elastic.toml > grains.toml
+  cat >> grains.toml << 'TOML'
+[contact]
+law = "linear"
+young_modulus = "7.5 GPa"
+stiffness_ratio = 0.2
+friction_angle = 16
+[grains]
+density = 2700
+[record]
+points = [1]
+TOML
+  sed 's/^friction_angle.*/friction_angle = 0/; /^\[record\]/,$d' <(sed -n '/^\[contact\]/,$p' grains.toml) > material.toml
+  pack-generate --quiet --dimension 2 --grains 40 --aspect 1 --pressure 2e4 --tolerance 1e-2 --material material.toml \
+    --density 2700 -o disks.h5
+  fem-dem --quiet grains.toml disks.h5 --set time.duration=0.02 --set time.output_interval=0.01 -o run.h5
+}
+
+setup() {
+  mkdir "$BATS_TEST_TMPDIR/here"
+  cd "$BATS_TEST_TMPDIR/here" || return
+  ln -s "$BATS_FILE_TMPDIR"/* .
+}
+
+SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
+
+@test "the same bytes with 1, 2 and 3 threads" {
+  local n
+  for n in 1 2 3; do fem-dem --quiet --threads $n grains.toml disks.h5 "${SHORT[@]}" -o "$n.h5"; done
+  same_bytes run.h5 1.h5
+  same_bytes 1.h5 2.h5
+  same_bytes 1.h5 3.h5
+}
+
+@test "stopped at any time it goes on to the same bytes" {
+  local wait
+  for wait in 0.05 0.13 0.29; do
+    timeout --preserve-status -s TERM $wait fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --checkpoint-every 0.02 -o stopped.h5 &&
+      same_bytes run.h5 stopped.h5 && rm stopped.h5 && continue
+    fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --resume --threads 2 -o stopped.h5
+    same_bytes run.h5 stopped.h5
+    rm stopped.h5
+  done
+  timeout -s KILL 0.3 fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --checkpoint-every 0.02 -o killed.h5 || true
+  [[ -e killed.h5 ]] || fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --resume -o killed.h5
+  same_bytes run.h5 killed.h5
+}
+
+@test "an elastic soil sets the problem up in seconds, --check says what it takes" {
+  exits 0 fem-dem --check elastic.toml
+  [[ $output == *"36 elements of the shape triangle3"* && $output == *"stability limit"* && $output == *"about "*" s on 1 thread"* ]] ||
+    show "no forecast"
+  fem-dem --quiet elastic.toml -o elastic.h5
+  exits 0 fem-dem --table series elastic.h5
+  [[ $(wc -l <<< "$output") -eq 5 ]] || show "wanted a header and four states"
+  # Energy: the error of the balance is below 1 % of the work.
+  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { sub(/ .*/, "", $i); at[$i] = i } next } { w = $at["external_work"]; e = $at["energy_error"] }
+    END { exit !(w > 0 && e < 0.01 * w && e > -0.01 * w) }' <<< "$output"
+}
+
+@test "the grains of a point are a run, the whole is shown by to-vtk" {
+  fem-dem --take 1 run.h5 -o point.h5
+  exits 0 homogenize point.h5 --tsv
+  [[ $(wc -l <<< "$output") -eq 4 ]] || show "wanted a header and three states"
+  exits 0 fabric point.h5 --tsv
+  to-vtk --quiet run.h5 -o shown
+  [[ -e shown/soil.pvd && -e shown/soil_000002.vtu && -e shown/geosynthetic_000002.vtp && -e shown/series.csv ]] || show "$(ls shown)"
+  mentions 65 fem-dem "name it in record.points" --take 0 run.h5 -o point0.h5
+  mentions 64 fem-dem "has the tables series, elements, nodes, points, bars, recorded" --table nods run.h5
+}
+
+@test "what does not fit is refused before anything runs" {
+  refuses 65 fem-dem 'no boundary "botom"; did you mean '"'bottom'" elastic.toml --set 'geosynthetic.along="botom"' -o out.h5
+  refuses 65 fem-dem "did you mean 'left'" elastic.toml --set 'support.0.on="lefd"' -o out.h5
+  refuses 65 fem-dem "is over the stable one" elastic.toml --set time.step=0.1 -o out.h5
+  refuses 65 fem-dem "no packing is given" grains.toml -o out.h5
+  refuses 65 fem-dem "2 packings are given for 4 points" grains.toml disks.h5 disks.h5 -o out.h5
+  refuses 65 fem-dem "did you mean 'stiffness'" elastic.toml --set geosynthetic.stifness=1 -o out.h5
+  printf 'solid\n' > wrong.msh
+  refuses 65 fem-dem "wrong.msh:1: the mesh" elastic.toml --mesh wrong.msh -o out.h5
+  refuses 64 fem-dem "name the file to write with -o" elastic.toml
+}
+
+@test "what breaks is named, and left to be looked at" {
+  mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set geosynthetic.strength=500 -o out.h5
+  # shellcheck disable=SC2154  # set by mentions
+  [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
+  to-vtk --quiet out.h5.part/stopped.h5 -o broken
+  [[ -e broken/soil_000001.vtu || -e broken/soil_000000.vtu ]]
+  mentions 70 fem-dem "element 0, point 0 at" --quiet grains.toml disks.h5 --set 'traction.0.y="-500 MPa"' -o crushed.h5 ||
+    [[ $stderr == *"element "* ]]
+}
+
+@test "a quasi-static run comes to rest at every output" {
+  fem-dem --quiet elastic.toml --set quasi_static.kinetic_energy=1e-4 --set quasi_static.soil_damping=100 \
+    --set 'geosynthetic.end.x="5 cm/s"' -o quiet.h5
+  exits 0 fem-dem --table series quiet.h5
+  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { sub(/ .*/, "", $i); at[$i] = i } next } NR > 2 && $at["soil_kinetic_energy"] > 1e-4 { exit 1 }' <<< "$output"
+  mentions 1 fem-dem "not at rest after 2 steps" --quiet elastic.toml --set quasi_static.kinetic_energy=1e-12 \
+    --set quasi_static.steps=2 -o never.h5
+}
+
+@test "spread over 2 and 4 processes it gives the same bytes" {
+  local mpi=$BIN/../mpi/fem-dem n
+  [[ -x $mpi ]] && command -v mpirun > /dev/null || skip "not built: make mpi"
+  for n in 2 4; do
+    mpirun --allow-run-as-root --oversubscribe -n $n "$mpi" --quiet grains.toml disks.h5 "${SHORT[@]}" -o "$n.h5"
+    same_bytes run.h5 "$n.h5"
+  done
+}

@@ -1,0 +1,97 @@
+#!/usr/bin/env bats
+# filter-expand and what run-dem does with its bags: the same bytes each time, stopped or not; what is refused.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  cd "$BATS_FILE_TMPDIR" || return
+  cp "$BATS_TEST_DIRNAME/examples/bag.toml" .
+  cat > press.toml << 'TOML'
+[contact]
+law = "hertz-mindlin"
+young_modulus = "4 GPa"
+poisson_ratio = 0.33
+friction_angle = 29
+[contact.rolling]
+stiffness = 0.13
+limit = "none"
+[[material]]
+young_modulus = "8 GPa"
+poisson_ratio = 0.33
+friction_angle = 21
+[[material]]
+young_modulus = "200 GPa"
+poisson_ratio = 0.33
+friction_angle = 0
+[[geotextile]]
+yarn_strain = [0.02, 0.06, 0.17035]
+yarn_tension = [8.4, 20.6, 47.5]
+[[plane]]
+name = "top"
+point = [0, 0, 0.021]
+normal = [0, 0, -1]
+material = 2
+[[plane]]
+name = "bottom"
+point = [0, 0, -0.021]
+normal = [0, 0, 1]
+material = 2
+[equilibrium]
+unbalanced_force = 1e-2
+stress_tolerance = 0.05
+[[stage]]
+path = "uniaxial"
+height = "32 mm"
+strain = 0.02
+increment = 0.01
+rate = 0.5
+TOML
+  pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
+  filter-expand --quiet packing.h5 bag.toml -o bag.h5 --history growth.tsv
+  run-dem --quiet bag.h5 press.toml -o run.h5
+}
+
+setup() {
+  mkdir "$BATS_TEST_TMPDIR/here"
+  cd "$BATS_TEST_TMPDIR/here" || return
+  ln -s "$BATS_FILE_TMPDIR"/* .
+}
+
+@test "a bag is the same with one thread and with three, and so is what it carries" {
+  filter-expand --quiet --threads 3 packing.h5 bag.toml -o three.h5
+  same_bytes bag.h5 three.h5
+  run-dem --quiet --threads 3 bag.h5 press.toml -o pressed.h5
+  same_bytes run.h5 pressed.h5
+}
+
+@test "generation and loading that were stopped go on to the same bytes" {
+  local status=0
+  timeout -s TERM 0.4 filter-expand --quiet packing.h5 bag.toml -o again.h5 || status=$?
+  [[ $status -eq 124 || $status -eq 0 ]]
+  filter-expand --quiet --resume packing.h5 bag.toml -o again.h5
+  same_bytes bag.h5 again.h5
+  status=0
+  timeout -s TERM 0.4 run-dem --quiet bag.h5 press.toml -o once.h5 || status=$?
+  [[ $status -eq 124 || $status -eq 0 ]]
+  run-dem --quiet --resume bag.h5 press.toml -o once.h5
+  same_bytes run.h5 once.h5
+}
+
+@test "a bag carries its plates, its yarns pull, and the tables of it are there" {
+  homogenize run.h5 --table series --tsv > series.tsv
+  awk -F '\t' 'NR == 1 { for (k = 1; k <= NF; ++k) at[$k] = k }
+    END { exit !($at["force_top_z [N]"] > 0 && $at["force_bottom_z [N]"] < 0 && $at["yarn_tension_face [N]"] > 0 &&
+      $at["soil_stress_zz [Pa]"] > 0) }' series.tsv || show "$(cat series.tsv)"
+  homogenize run.h5 --table bag --tsv | grep -q soil_void_ratio
+  [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
+}
+
+@test "what cannot be is refused" {
+  refuses 65 filter-expand "raise container.copies" packing.h5 bag.toml --set 'container.copies=[1,1,1]' -o out.h5
+  refuses 65 filter-expand "is more than half the width" packing.h5 bag.toml --set container.corner_radius=1 -o out.h5
+  refuses 65 run-dem "starts inside the grains" bag.h5 press.toml --set 'plane.0.point=[0,0,0.015]' -o out.h5
+  refuses 65 run-dem "growing strain" bag.h5 press.toml --set 'geotextile.0.yarn_strain=[0.02,0.01,0.17]' -o out.h5
+  refuses 65 run-dem "no [[plane]] or [[clamp]] is called so" bag.h5 press.toml --set stage.0.upper=lid -o out.h5
+}

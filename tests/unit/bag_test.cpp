@@ -1,0 +1,125 @@
+// Copies of a packing, what a container keeps of them, and the geotextile around it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "core/error.h"
+#include "dem/simulation.h"
+#include "packing/plan.h"
+#include "packing/tile.h"
+#include "support/assemblies.h"
+
+namespace soilweave::packing {
+namespace {
+
+using std::numbers::pi;
+
+TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
+  const dem::Model model = dem::testing::sand();
+  const io::Snapshot one = dem::testing::packed(model, 1e5);
+  const std::array<int, 3> copies = {2, 3, 1};
+  const io::Snapshot block = tile(one, copies, {true, true, true});
+  const std::size_t n = one.grains.size(), all = 6;
+  ASSERT_EQ(block.grains.size(), all * n);
+  ASSERT_EQ(block.contacts.size(), all * one.contacts.size());
+  // The same forces, so the same stress, and rest stays rest: the simulation finds every contact with its memory.
+  dem::Simulation small(one, model, {}), large(block, model, {});
+  EXPECT_LT((small.measures().stress - large.measures().stress).norm(), 1e-9 * small.measures().stress.norm());
+  EXPECT_EQ(large.measures().contacts, static_cast<std::int64_t>(all) * small.measures().contacts);
+  EXPECT_NEAR(large.unbalanced_force(), small.unbalanced_force(), 1e-9);
+  for (std::size_t c = 0; c < block.contacts.size(); ++c)
+    if (c > 0) EXPECT_LE(block.contacts.bodies[c - 1], block.contacts.bodies[c]);
+  const std::int32_t last = *std::max_element(block.grains.copy_id.begin(), block.grains.copy_id.end());
+  EXPECT_EQ(last, 5);
+}
+
+TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
+  const io::Snapshot one = dem::testing::packed(dem::testing::sand(), 1e5);
+  std::array<std::size_t, 3> through = {0, 0, 0};
+  const io::Snapshot closed = tile(one, {2, 2, 2}, {true, true, true}), open = tile(one, {2, 2, 2});
+  std::size_t inside = 0;
+  for (const Vec3i& image : closed.contacts.image) inside += image.isZero();
+  EXPECT_EQ(open.contacts.size(), inside);
+  EXPECT_LT(inside, closed.contacts.size());
+  (void)through;
+}
+
+TEST(Pillow, DepthAndVolumeAgree) {
+  Pillow bag;
+  EXPECT_NEAR(bag.volume(), 0.0150, 1e-6) << "parameters of the reference";
+  std::mt19937_64 engine(1);
+  const Vec3 high = bag.high();
+  std::uniform_real_distribution<double> share(-1, 1);
+  const int n = 400'000;
+  int inside = 0;
+  for (int k = 0; k < n; ++k) {
+    const double x = share(engine), y = share(engine), z = share(engine);
+    inside += bag.depth(Vec3(x, y, z).cwiseProduct(high)) > 0;
+  }
+  const double box = 8 * high.prod(), found = box * inside / n;
+  EXPECT_NEAR(found, bag.volume(), 4 * box * std::sqrt(0.1 / n)) << "four standard deviations of the sampling";
+  EXPECT_NEAR(bag.depth(Vec3(0, 0, 0.03)), 0.01, 1e-15);
+  EXPECT_NEAR(bag.depth(Vec3(0.5 * bag.width + 0.01, 0, 0)), 0.03, 1e-15);
+}
+
+TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
+  const Pillow bag;
+  const Fabric fabric = wrap(bag, {91, 91, 20}, 0.0025);
+  EXPECT_EQ(fabric.nodes.size(), 23844U);
+  std::map<int, int> family;
+  double shortest = 1, longest = 0, hoop = 0;
+  for (const Fabric::Yarn& yarn : fabric.yarns) {
+    ++family[yarn.family];
+    const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)], b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
+    const double length = (b - a).norm();
+    shortest = std::min(shortest, length), longest = std::max(longest, length);
+    // The yarns around the bag in the plane next to y = 0.
+    if (std::abs(a.y()) < 0.003 && a.y() > 0 && std::abs(a.y() - b.y()) < 1e-4) hoop += length;
+  }
+  EXPECT_EQ(family[0], 33488), EXPECT_EQ(family[1], 6916), EXPECT_EQ(family[2], 7280);
+  EXPECT_EQ(fabric.yarns.size(), 47684U) << "as recorded of the thesis' model";
+  for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
+  EXPECT_GT(shortest, 0.0035);
+  EXPECT_LT(longest, 0.0055);
+  // Straight faces and half circles of 42.5 mm; chords of the arcs are shorter by less than a thousandth.
+  EXPECT_NEAR(hoop, 2 * bag.width + 2 * pi * 0.0425, 1e-3 * hoop);
+}
+
+TEST(Geotextile, IsMirroredBitByBit) {
+  const Fabric fabric = wrap(Pillow(), {9, 9, 4}, 0.0025);
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+  };
+  std::vector<Vec3> nodes = fabric.nodes;
+  std::sort(nodes.begin(), nodes.end(), less);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Vec3> mirrored = fabric.nodes;
+    for (Vec3& x : mirrored) x[axis] = 0.0 - x[axis];
+    std::sort(mirrored.begin(), mirrored.end(), less);
+    EXPECT_EQ(nodes, mirrored) << "axis " << axis;
+  }
+}
+
+const std::string sand = "law = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n";
+const std::string materials = "[contact]\n" + sand + "[[material]]\n" + sand.substr(sand.find('\n') + 1);
+
+TEST(Plan, RefusesWhatCannotBeFilled) {
+  const io::Snapshot one = dem::testing::packed(dem::testing::sand(), 1e5);
+  const std::string bag = "[container]\nshape = \"pillow\"\ncopies = [2, 2, 1]\n" + materials;
+  EXPECT_THROW(assemble(one, read_plan(bag, "plan", {})), DataError) << "too few copies";
+  EXPECT_THROW(read_plan("[container]\nshape = \"pillow\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
+  EXPECT_THROW(read_plan("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1, 1, 0]\n" + materials, "plan", {}),
+               DataError);
+  io::Snapshot open = one;
+  open.cell.periodic[1] = false;
+  EXPECT_THROW(tile(open, {1, 1, 1}), DataError);
+}
+
+}  // namespace
+}  // namespace soilweave::packing

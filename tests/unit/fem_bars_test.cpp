@@ -1,0 +1,175 @@
+// The geosynthetic alone: tension, catenary, friction between flat sides, breakage, energy, and forces read without a
+// step. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/error.h"
+#include "fem/bars.h"
+#include "support/same_state.h"
+
+namespace soilweave::fem {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+BarsSetup sheet() {
+  BarsSetup b;
+  b.interface = {{0, 10}, {1, 10}};  // far away
+  b.radius = 5e-3;
+  b.stiffness = 222.8e3;
+  b.areal_density = 0.35;
+  b.damping = 0.4;
+  b.touch = {1.4e9, 0.33, 21 * degree};
+  return b;
+}
+
+std::vector<Vec2> straight(double length, std::size_t bars, double y = 0) {
+  std::vector<Vec2> nodes;
+  for (std::size_t k = 0; k <= bars; ++k)
+    nodes.emplace_back(length * static_cast<double>(k) / static_cast<double>(bars), y);
+  return nodes;
+}
+
+TEST(Bars, a_pulled_chain_bears_its_stiffness_times_its_strain) {
+  BarsSetup setup = sheet();
+  setup.chain = straight(1, 20);
+  setup.start = {0, 0};
+  setup.end = {0.01, 0};
+  Bars bars(setup);
+  bars.advance(setup.interface, 0.5);
+  bars.hold(true);
+  bars.advance(setup.interface, 0.2);
+  for (std::size_t b = 0; b < bars.bars(); ++b) EXPECT_NEAR(bars.tension(b) / (222.8e3 * 0.005), 1, 1e-9);
+  EXPECT_NEAR(bars.end_force(true)[0] / (222.8e3 * 0.005), 1, 1e-9);
+  const BarEnergies e = bars.energies();
+  EXPECT_NEAR(e.elastic / (0.5 * 222.8e3 * 0.005 * 0.005), 1, 1e-9);
+  EXPECT_LT(std::abs(e.error()), 1e-3 * e.end_work);
+}
+
+TEST(Bars, compression_is_borne_by_choice) {
+  for (const bool compression : {true, false}) {
+    BarsSetup setup = sheet();
+    setup.chain = straight(1, 4);
+    setup.compression = compression;
+    setup.start = {0, 0};
+    setup.end = {-0.01, 0};
+    Bars bars(setup);
+    bars.advance(setup.interface, 0.1);
+    bars.hold(true);
+    bars.advance(setup.interface, 0.1);
+    EXPECT_NEAR(bars.end_force(true)[0], compression ? -222.8 : 0, 1e-3);
+  }
+}
+
+// A nearly inextensible chain 1.2 m long between supports 1 m apart: y = a cosh(x/a), 2 a sinh(1/(2a)) = 1.2.
+TEST(Bars, hangs_in_a_catenary) {
+  const std::size_t n = 40;
+  BarsSetup setup = sheet();
+  setup.stiffness = 1e5;
+  setup.damping = 0.3;
+  setup.gravity = Vec2(0, -9.81);
+  setup.start = setup.end = {0, 0};
+  // From a symmetric V of the right length.
+  const double depth = std::sqrt(0.36 - 0.25);
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double s = static_cast<double>(k) / static_cast<double>(n);
+    setup.chain.emplace_back(s, -depth * (s < 0.5 ? 2 * s : 2 - 2 * s));
+  }
+  Bars bars(setup);
+  bars.hold(false, 0.3);
+  for (int k = 0; k < 40; ++k) bars.advance(setup.interface, 0.1);
+  double a = 0.5;
+  for (int k = 0; k < 100; ++k) {
+    const double u = 0.5 / a, f = 2 * a * std::sinh(u) - 1.2, slope = 2 * std::sinh(u) - std::cosh(u) / a;
+    a -= f / slope;
+  }
+  const double sag = a * std::cosh(0.5 / a) - a;
+  EXPECT_NEAR(-bars.nodes()[n / 2][1] / sag, 1, 1e-3);
+  // The horizontal part of the tension is the same everywhere: w a, w the weight per length.
+  const double weight = 0.35 * 9.81;
+  for (const std::size_t b : {std::size_t{0}, n / 4, n / 2}) {
+    const Vec2 bar = (bars.nodes()[b + 1] - bars.nodes()[b]).normalized();
+    EXPECT_NEAR(bars.tension(b) * bar[0] / (weight * a), 1, 2e-3);
+  }
+}
+
+// Pressed on a smooth guide by 20 kPa through a flat side of three edges: pulled out, it costs mu N, also while its
+// disks pass from one edge to the next.
+TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
+  BarsSetup setup = sheet();
+  const double r = setup.radius, pressure = 20e3, length = 0.6;
+  setup.interface = {{0, 0}, {0.2, 0}, {0.4, 0}, {0.6, 0}};
+  setup.chain = chain_beside(setup.interface, r, 0.01, 0.2);
+  ASSERT_EQ(setup.chain.size(), 81U);
+  EXPECT_NEAR((setup.chain[20] - Vec2(0, -2 * r)).norm(), 0, 1e-15);
+  setup.guides = {{{-1, -4 * r}, {2, -4 * r}, true}};
+  setup.end = {0.1, {}};
+  Bars bars(setup);
+  bars.seat({0.1 * -pressure, 0.2 * -pressure, 0.2 * -pressure, 0.1 * -pressure});
+  EXPECT_NEAR(bars.contact_sum()[0], pressure * length, 1e-3 * pressure * length);
+  const std::vector<Vec2> before = bars.interface_forces();
+  EXPECT_EQ(before, bars.interface_forces()) << "reading moves nothing";
+  EXPECT_NEAR(before[1][1], 0.2 * pressure, 1e-4 * pressure);
+  const double mu = std::tan(21 * degree);
+  for (int k = 0; k < 60; ++k) bars.advance(setup.interface, 2e-3);  // 12 mm: every disk has passed a whole bar
+  for (int k = 0; k < 10; ++k) {
+    bars.advance(setup.interface, 1e-3);
+    const Vec2 sum = bars.contact_sum();
+    EXPECT_NEAR(-sum[1] / (mu * sum[0]), 1, 1e-3);
+    EXPECT_NEAR(sum[0] / (pressure * length), 1, 1e-3);
+    Vec2 on_soil = Vec2::Zero();
+    for (const Vec2& f : bars.interface_forces()) on_soil += f;
+    EXPECT_NEAR(on_soil[0] / (mu * pressure * length), 1, 2e-3);
+  }
+  const BarEnergies e = bars.energies();
+  EXPECT_LT(std::abs(e.error()), 1e-2 * e.end_work);
+  EXPECT_GT(e.friction, 0.6 * e.end_work) << "the rest strains the sheet";
+}
+
+TEST(Bars, break_at_their_strength_and_say_so) {
+  BarsSetup setup = sheet();
+  setup.chain = straight(1, 4);
+  setup.strength = 500;
+  setup.start = {0, 0};
+  setup.end = {0.1, 0};
+  Bars stopped(setup);
+  io::test::expect_error<PhysicsError>([&] { stopped.advance(setup.interface, 0.1); },
+                                       "of the geosynthetic broke: its tension of");
+  setup.stop_when_broken = false;
+  Bars bars(setup);
+  bars.advance(setup.interface, 0.1);
+  EXPECT_EQ(bars.broken_bars(), 1U);
+}
+
+TEST(Bars, goes_on_bit_by_bit) {
+  BarsSetup setup = sheet();
+  setup.interface = {{0, 0}, {0.3, 0}};
+  setup.chain = chain_beside(setup.interface, setup.radius, 0.01, 0);
+  setup.guides = {{{-1, -0.02}, {2, -0.02}, true}};
+  setup.end = {0.05, 0.01};
+  Bars one(setup), other(setup);
+  one.seat({-3000, -3000});
+  const std::vector<Vec2> moved = {{1e-6, -2e-6}, {0.3, -1e-6}};
+  one.advance(moved, 1e-3);
+  Archive kept;
+  one.archive(kept);
+  Archive given(kept.numbers(), "memory");
+  other.archive(given);
+  for (Bars* b : {&one, &other}) b->advance(setup.interface, 1e-3);
+  EXPECT_EQ(one.nodes(), other.nodes());
+  EXPECT_EQ(one.interface_forces(), other.interface_forces());
+  EXPECT_EQ(one.energies().friction, other.energies().friction);
+}
+
+TEST(Bars, chains_lie_a_diameter_outside_with_corners_on_the_bisector) {
+  const std::vector<Vec2> line = {{1, 0}, {1, 1}, {0, 1}};
+  const std::vector<Vec2> chain = chain_beside(line, 5e-3, 0.1, 0);
+  ASSERT_EQ(chain.size(), 21U);
+  EXPECT_NEAR((chain.front() - Vec2(1.01, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((chain[10] - Vec2(1.01, 1.01)).norm(), 0, 1e-15);
+  EXPECT_NEAR((chain.back() - Vec2(0, 1.01)).norm(), 0, 1e-15);
+}
+
+}  // namespace
+}  // namespace soilweave::fem

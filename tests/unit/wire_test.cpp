@@ -1,0 +1,129 @@
+// Yarns: the law of one, and what a strip of them does between clamps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "dem/geotextile.h"
+#include "dem/run.h"
+#include "packing/plan.h"
+
+namespace soilweave::dem {
+namespace {
+
+const WireCurve pe{"PE", {0.02, 0.06, 0.17035}, {8.4, 20.6, 47.5}, 420};
+
+TEST(Wire, FollowsItsCurveOnFirstLoading) {
+  WireMemory memory;
+  EXPECT_DOUBLE_EQ(pull(pe, 0.01, memory), 4.2);
+  EXPECT_DOUBLE_EQ(pull(pe, 0.04, memory), 14.5);
+  EXPECT_DOUBLE_EQ(pull(pe, 0.17035, memory), 47.5);
+  EXPECT_FALSE(memory.broken);
+}
+
+TEST(Wire, UnloadsAlongTheFirstSlopeFromThePlasticStrain) {
+  WireMemory memory;
+  pull(pe, 0.06, memory);
+  const double plastic = 0.06 - 20.6 / 420;
+  EXPECT_NEAR(pull(pe, 0.05, memory), 420 * (0.05 - plastic), 1e-12);
+  EXPECT_EQ(pull(pe, 0.9 * plastic, memory), 0) << "below the plastic strain it is slack";
+  EXPECT_EQ(pull(pe, -0.5, memory), 0) << "compression carries nothing";
+  EXPECT_NEAR(pull(pe, 0.055, memory), 420 * (0.055 - plastic), 1e-12) << "reloading takes the same line";
+  EXPECT_NEAR(pull(pe, 0.10, memory), 20.6 + 0.04 * (47.5 - 20.6) / 0.11035, 1e-12) << "and then the curve";
+}
+
+TEST(Wire, BreaksBeyondItsLastPointForGood) {
+  WireMemory memory;
+  EXPECT_EQ(pull(pe, 0.17036, memory), 0);
+  EXPECT_TRUE(memory.broken);
+  EXPECT_EQ(pull(pe, 0.05, memory), 0);
+}
+
+const std::string node = "law = \"hertz-mindlin\"\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
+const std::string materials = "[contact]\n" + node + "[[material]]\n" + node.substr(node.find('\n') + 1);
+
+// A strip one cell wide and n long, 5 mm yarns; two cells of it hang between the clamps of its ends.
+io::Snapshot strip(int n) {
+  const packing::Plan plan = packing::read_plan(
+      "[container]\nshape = \"none\"\n[[sheet]]\ncells = [1, " + std::to_string(n) + ", 1]\n" + materials, "plan", {});
+  return packing::assemble({}, plan);
+}
+
+Scenario pulled(const std::string& curve, const std::string& stages, double half) {
+  const auto box = [](double low, double high) {
+    return "low = [-1, " + std::to_string(low) + ", -1]\nhigh = [1, " + std::to_string(high) + ", 1]\n";
+  };
+  return read_scenario(materials + "[[geotextile]]\n" + curve + "[[clamp]]\nname = \"left\"\n" +
+                           box(-half - 1e-3, -half + 1e-3) + "[[clamp]]\nname = \"right\"\n" +
+                           box(half - 1e-3, half + 1e-3) +
+                           "[equilibrium]\nunbalanced_force = 1e-9\n[numerics]\ndamping = 0.8\n" + stages,
+                       "test", {});
+}
+
+std::string move(double distance, int parts, double speed = 1e-3) {
+  return "[[stage]]\npath = \"drive\"\nparts = " + std::to_string(parts) +
+         "\n[[stage.move]]\npart = \"right\"\nalong = [0, " + (distance > 0 ? "1" : "-1") +
+         ", 0]\ndistance = " + std::to_string(std::abs(distance)) + "\nspeed = " + std::to_string(speed) + "\n";
+}
+
+const std::string pe_points = "yarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n";
+
+TEST(Strip, CarriesItsCurveUnloadsAtTheSlopeAndBreaks) {
+  // Four yarns of 5 mm one after the other; two such rows.
+  const io::Snapshot start = strip(4);
+  const Scenario plan = pulled(pe_points, move(1.8e-3, 9) + move(-0.4e-3, 2) + move(2.4e-3, 12), 0.01);
+  const io::RunFile run = dem::run(prepare(start, plan), plan, {}).file;
+  const auto& way = run.series.at("displacement_right_y").values;
+  const auto& force = run.series.at("force_right_y").values;
+  WireMemory memory;
+  for (std::size_t k = 0; k < way.size(); ++k)
+    EXPECT_NEAR(-force[k], 2 * pull(pe, way[k] / 0.02, memory), 1e-6 * 2 * 47.5) << "station " << k;
+  EXPECT_TRUE(memory.broken) << "the last stations lie beyond the last point of the curve";
+  const io::YarnsRecord& yarns = run.snapshots.back().yarns;
+  for (std::size_t k = 0; k < yarns.size(); ++k)
+    if (yarns.broken[k]) {
+      EXPECT_GT(yarns.break_time[k], 0);
+      EXPECT_LT(std::abs(yarns.break_position[k].x()), 3e-3);
+    }
+}
+
+TEST(Strip, EnergyOfYieldingIsAccountedFor) {
+  const io::Snapshot start = strip(4);
+  const Scenario plan = pulled(pe_points, move(2.4e-3, 4), 0.01);
+  const io::RunFile run = dem::run(prepare(start, plan), plan, {}).file;
+  const auto last = [&](const char* name) { return run.series.at(name).values.back(); };
+  EXPECT_LT(std::abs(last("energy_error")), 1e-6 * last("boundary_work"));
+  // 8 yarns of 5 mm strained to 0.12: the area under the curve; a slow pull leaves little to damping.
+  const double at_end = 20.6 + 0.06 * (47.5 - 20.6) / 0.11035;
+  const double work = 8 * 0.005 * (0.5 * 0.02 * 8.4 + 0.5 * 0.04 * (8.4 + 20.6) + 0.5 * 0.06 * (20.6 + at_end));
+  EXPECT_NEAR(last("yarn_elastic_energy") + last("yarn_dissipation"), work, 2e-3 * work);
+}
+
+TEST(Geotextile, RefusesCurvesThatTurnBack) {
+  const std::string stage = move(1e-3, 1);
+  EXPECT_THROW(pulled("yarn_strain = [0.02, 0.01]\nyarn_tension = [1, 2]\n", stage, 0.01), DataError);
+  EXPECT_THROW(pulled("yarn_strain = [0.02]\nyarn_tension = [1, 2]\n", stage, 0.01), DataError);
+  // Stiffening beyond the first slope: unloading along it would end in compression.
+  EXPECT_THROW(pulled("yarn_strain = [0.02, 0.04]\nyarn_tension = [1, 9]\n", stage, 0.01), DataError);
+  EXPECT_THROW(pulled("curve = \"PX\"\n", stage, 0.01), DataError);
+  try {
+    pulled("yarn_strain = [0.02, 0.01]\nyarn_tension = [1, 2]\n", stage, 0.01);
+  } catch (const DataError& e) {
+    EXPECT_NE(std::string(e.what()).find("growing strain"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Geotextile, MultiplesOfKnownOnes) {
+  std::vector<io::Source> sources;
+  Settings one = Settings::parse("curve = \"PP\"\n", "a"), three = Settings::parse("curve = \"3PP\"\n", "b");
+  const WireCurve a = read_geotextile(one, sources), b = read_geotextile(three, sources);
+  ASSERT_EQ(a.tension.size(), b.tension.size());
+  for (std::size_t k = 0; k < a.tension.size(); ++k) EXPECT_DOUBLE_EQ(3 * a.tension[k], b.tension[k]);
+  EXPECT_EQ(sources.size(), 2U) << "what was read is named for the history";
+}
+
+}  // namespace
+}  // namespace soilweave::dem

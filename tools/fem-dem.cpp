@@ -1,0 +1,125 @@
+// fem-dem: finite elements whose points are packings of grains, coupled to a geosynthetic of bars.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/stop_signals.h"
+#include "core/tool.h"
+#include "fem/record.h"
+#include "fem/run.h"
+#include "io/bytes.h"
+#include "io/files.h"
+#include "io/safe_output.h"
+#include "io/table.h"
+
+namespace {
+
+using namespace soilweave;
+
+constexpr Parameter take_parameter{.name = "take",
+                                   .unit = "1",
+                                   .low = 0,
+                                   .high = 1e9,
+                                   .sentence =
+                                       "write the recorded grains of this point as a run, and stop; the first input is "
+                                       "then a file of fem-dem"};
+
+struct FemDem {
+  std::filesystem::path scenario, mesh, output;
+  std::vector<std::filesystem::path> packings;
+  std::vector<std::string> overrides;
+  std::optional<double> take;
+  std::string table;
+  double interval = 300;
+  bool check = false;
+
+  void options(tool::Table& t) {
+    t.about(
+        "fem-dem", "finite elements whose points are packings of grains, beside a geosynthetic of bars",
+        "Explicit finite elements in the plane. Every point of integration is a packing of disks that follows the "
+        "soil's deformation and gives back its stress, or an elastic or Mohr-Coulomb solid, with which a problem is "
+        "set up in seconds. A chain of bars touches the soil's boundary. One packing serves all points, or one is "
+        "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
+    t.example("fem-dem --check pull.toml", "time steps, memory and time it will take, without running");
+    t.example("fem-dem pull.toml -o pull.h5", "of packings: fem-dem rods.toml rods.h5 -o pull.h5");
+    t.example("fem-dem --table series pull.h5", "a table of a run as text; the others: nodes, points, bars");
+    t.input(scenario, "SCENARIO", "scenario (TOML); with --take and --table a file of fem-dem");
+    t.optional_inputs(packings, "PACKING", "packings or runs to start the points from");
+    t.optional_output(output, "file to write");
+    t.option(mesh, "mesh", "FILE", "mesh of Gmsh, ASCII 2.2 or 4.1, in place of the scenario's rectangle");
+    t.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in time.duration=1");
+    t.flag(check, "check", "check the input and say what the run will take; write nothing");
+    t.option(take, take_parameter);
+    t.option(table, "table", "NAME", "print a table of a file of fem-dem as tab-separated text, and stop");
+    t.resume(interval);
+    t.threads();
+  }
+
+  void validate() const {
+    if (check + take.has_value() + !table.empty() > 1)
+      throw UsageError("--check, --take and --table exclude each other");
+    if (output.empty() && !check && table.empty()) throw UsageError("name the file to write with -o");
+  }
+
+  void run(const tool::Invocation& invocation) const {
+    if (take) return take_point(invocation);
+    if (!table.empty()) return print_table();
+    const io::TextFile text = io::read_text(scenario, "scenario");
+    std::vector<io::Source> sources;
+    std::vector<io::Snapshot> states;
+    for (const auto& path : packings) {
+      io::PackingFile packing = io::read_state(path);
+      sources.push_back(packing.source);
+      states.push_back(std::move(packing.state));
+    }
+    sources.push_back(text.source);
+    std::optional<fem::Mesh> given;
+    if (!mesh.empty()) {
+      const io::TextFile file = io::read_text(mesh, "mesh");
+      given = fem::read_gmsh(file.text, mesh.string());
+      sources.push_back(file.source);
+    }
+    fem::Scenario plan = fem::read_scenario(text.text, scenario.string(), overrides, std::move(given));
+    plan.model.threads = invocation.threads;
+    if (plan.model.law) states.clear();
+    if (check) return io::write_bytes("-", fem::forecast(plan, states));
+    const fem::Ranks ranks;
+    Progress progress("fem-dem", invocation.quiet || !ranks.first());
+    const fem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const io::History history = io::extend(sources, invocation, plan.resolved);
+    const StopSignals signals;
+    std::optional<io::SafeOutput> safe;
+    if (ranks.first()) safe.emplace(output, history, invocation);
+    if (ranks.told(std::int64_t{safe && safe->finished(progress)}) != 0) return;
+    const fem::Outcome outcome =
+        fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks);
+    if (!safe) return;
+    safe->write([&] { io::write_multiscale(output, outcome.file, history); });
+    if (output != "-") progress.note("fem-dem: " + outcome.price);
+  }
+
+ private:
+  void take_point(const tool::Invocation& invocation) const {
+    const io::MultiscaleFile file = io::read_multiscale(scenario);
+    const io::RunFile run = fem::run_of_point(file, static_cast<fem::Index>(*take));
+    io::write_run(output, run, io::extend({file.source}, invocation, ""));
+  }
+
+  void print_table() const {
+    const io::MultiscaleFile file = io::read_multiscale(scenario);
+    std::string names = "series";
+    if (table == "series") return io::write_bytes("-", io::to_tsv(file.series));
+    for (const auto& group : file.groups) {
+      if (group.name == table) return io::write_bytes("-", io::to_tsv(group.table));
+      names += ", " + group.name;
+    }
+    throw UsageError("--table " + table + ": " + scenario.string() + " has the tables " + names);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return tool::main<FemDem>(argc, argv); }

@@ -1,0 +1,75 @@
+// filter-expand: copies of a representative volume fill a bag of woven geotextile.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "analysis/volume_of_interest.h"
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/stop_signals.h"
+#include "core/tool.h"
+#include "io/bytes.h"
+#include "io/files.h"
+#include "io/safe_output.h"
+#include "io/table.h"
+#include "packing/expand.h"
+#include "packing/plan.h"
+
+namespace {
+
+using namespace soilweave;
+
+struct FilterExpand {
+  std::filesystem::path packing, plan, output, history;
+  std::vector<std::string> overrides;
+  double interval = 300;
+
+  void options(tool::Table& table) {
+    table.about("filter-expand", "fill a container of geotextile with copies of a packing",
+                "Lays copies of a periodic packing side by side, contacts and their memory carried across the copies' "
+                "faces, keeps the grains inside a closed surface, lays a woven geotextile on it, and grows the grains "
+                "step by step, with equilibrium between, until their volume stands still and they press.");
+    table.example("filter-expand packing.h5 bag.toml -o bag.h5", "a bag, ready for run-dem");
+    table.input(packing, "PACKING", "representative volume, periodic; - for standard input");
+    table.input(plan, "PLAN", "container, geotextile, materials and growth (TOML)");
+    table.output(output, "packing with geotextile to write");
+    table.option(history, "history", "FILE", "write what was measured on the way as tab-separated text");
+    table.option(overrides, "set", "KEY=VALUE", "replace one value of the plan, as in growth.factor=1.0002");
+    table.resume(interval);
+    table.threads();
+  }
+
+  void validate() const {}
+
+  void run(const tool::Invocation& invocation) const {
+    const io::TextFile text = io::read_text(plan, "plan");
+    packing::Plan what = packing::read_plan(text.text, plan.string(), overrides);
+    what.numerics.threads = invocation.threads;
+    const io::PackingFile volume = io::read_state(packing);
+    const io::Snapshot start = packing::assemble(volume.state, what);
+    Progress progress("filter-expand", invocation.quiet);
+    const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const io::History past = io::extend({volume.source, text.source}, invocation, what.resolved);
+    const StopSignals signals;
+    io::SafeOutput safe(output, past, invocation);
+    if (safe.finished(progress)) return;
+    if (what.growth && what.container)
+      what.growth->stretch = packing::stretch_to_fill(start, analysis::void_ratio(volume.state), *what.container);
+    if (!what.growth) return void(safe.write([&] { io::write_packing(output, start, past); }));
+    packing::Grown grown =
+        packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});
+    if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
+    grown.price.output += safe.write([&] { io::write_packing(output, grown.state, past); });
+    if (output == "-") return;
+    progress.note(fmt::format("filter-expand: {} grains, e {:.4f}, Delaunay volume {:.6f} m3, mean overlap {:.2e}, Z {:.3f}",
+                              start.grains.size(), grown.fill.void_ratio, grown.fill.volume, grown.fill.overlap,
+                              grown.fill.coordination_number));
+    progress.note("filter-expand: " + grown.price.line());
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return tool::main<FilterExpand>(argc, argv); }
