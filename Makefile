@@ -60,7 +60,7 @@ BENCH := $(sort $(wildcard tests/benchmarks/bench_*.cpp))
 SUPPORT := $(sort $(wildcard tests/support/*.cpp))
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT)
 HEADERS := $(sort $(shell find lib tests -name '*.h'))
-SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
+SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benchmarks/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
@@ -256,6 +256,10 @@ golden: $(TOOLS) ## write the golden outputs of the tool tests anew; review them
 .PHONY: bench
 bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 	@$(B)/tests/bench $(BENCH_FLAGS)
+
+.PHONY: bench-size
+bench-size: $(B)/tests/bench ## cost of a step from a thousand grains to a million, memory, small systems on two threads
+	@BENCH=$(CURDIR)/$(B)/tests/bench OUT=$(CURDIR)/$(B)/bench bash tests/benchmarks/size.sh
 
 .PHONY: bench-peers
 bench-peers: $(TOOLS) ## steps per second beside YADE, LAMMPS and LIGGGHTS, where they are, on the same packings

@@ -93,7 +93,7 @@ template <class Law>
 class LawSweep final : public ContactSweep {
  public:
   explicit LawSweep(const std::vector<typename Law::Material>& materials)
-      : couples_(materials), use_masses_(couples_.use_masses()) {}
+      : couples_(materials), use_masses_(couples_.use_masses()), use_moments_(couples_.use_moments()) {}
 
   SweepSums run(const Scene& scene, double dt, Contacts& contacts) override {
     const Cell& cell = scene.cell;
@@ -190,7 +190,8 @@ class LawSweep final : public ContactSweep {
                                                                 const Surroundings& s,
                                                                 std::array<Group, batch_size>& groups, std::size_t& n) {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
-    for (; next != end && n + per_block <= batch_size; ++next)
+    for (; next != end && n + per_block <= batch_size; ++next) {
+      call_for(next, end, s);
       for (int k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes{next, k};
         Group& group = groups[n];
@@ -203,7 +204,23 @@ class LawSweep final : public ContactSweep {
         group.touching = bits(group.approach.touching);
         n += (group.touching | lanes.touching()) != 0;
       }
+    }
     return next;
+  }
+
+  // Calls memory for what the sweep will come to: blocks, and the grains of other chunks that one of them names.
+  static void call_for(const ContactBlock* next, const ContactBlock* end, const Surroundings& s) {
+    constexpr int ahead = 6, soon = 3, line = 64;
+    if (end - next <= ahead) return;
+    const char* block = reinterpret_cast<const char*>(next + ahead);
+    for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
+    if (!next[soon].far) return;
+    for (int lane = 0; lane < ContactBlock::size; ++lane) {
+      const std::uint32_t second = next[soon].second[lane];
+      for (const auto* rows : {&s.bodies.position, &s.bodies.velocity, &s.bodies.spin})
+        __builtin_prefetch(reinterpret_cast<const double*>(rows->data()) + second);
+      __builtin_prefetch(s.loads + 2 * static_cast<std::size_t>(next[soon].load_second[lane]));
+    }
   }
 
   template <bool moving>
@@ -217,7 +234,8 @@ class LawSweep final : public ContactSweep {
       if (moving) {
         // Memory that was zero stays zero, also where the old normal is of no meaning.
         const Transport<Lanes> transport(lanes.normal(), a.normal, g.half_spin);
-        before.shear = transport(before.shear), before.rolling = transport(before.rolling);
+        before.shear = transport(before.shear);
+        if (use_moments_) before.rolling = transport(before.rolling);
       }
       if (use_masses_) lanes.masses(s.bodies, g.kinematics);
       Memory<Lanes> memory = before;
@@ -362,7 +380,7 @@ class LawSweep final : public ContactSweep {
   }
 
   Couples<Law> couples_;
-  bool use_masses_;
+  bool use_masses_, use_moments_;
   std::vector<Lane4> shifts_, across_;
   std::vector<StepSums> step_sums_;
   std::vector<Lane4> row_sums_;

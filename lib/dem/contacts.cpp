@@ -143,6 +143,7 @@ void Contacts::list(std::size_t grains, const std::vector<Pair>& pairs, std::vec
         block.first[k] = row_distance(first), block.second[k] = row_distance(second);
         block.image[k] = row_distance(place(at->image, images));
         block.folded = block.folded || block.image[k] != 0;
+        block.far = block.far || at->second >= end;
         block.load_second[k] = row_distance(at->second < end ? second : next_[second]++);
       }
       block.folded = block.folded || block.count < ContactBlock::size;

@@ -15,8 +15,9 @@
 
 namespace soilweave::dem {
 
-/// Grains whose pairs one thread sweeps in one go.
-inline constexpr std::size_t grains_per_chunk = 1024;
+/// Grains whose pairs one thread sweeps in one go: what the second cache holds, and as many as a representative volume
+/// has, whose copies a large packing is often made of, one after the other.
+inline constexpr std::size_t grains_per_chunk = 1000;
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
 inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t>(grain) / grains_per_chunk; }
 
@@ -34,6 +35,7 @@ struct alignas(64) ContactBlock {
   std::uint32_t touching = 0, sliding = 0;  // bit k is pair k
   std::int32_t count = 0;
   bool folded = false;  // some pair reaches across the cell's faces
+  bool far = false;     // some second grain is of another chunk
 
   static constexpr std::uint32_t row_size = width<Lane4>;
   static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / row_size); }

@@ -30,6 +30,11 @@ class Couples {
     return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_masses(couple); });
   }
 
+  /// Whether some couple resists rolling or twisting; where none does, no moment of the memory has a meaning.
+  bool use_moments() const {
+    return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_moments(couple); });
+  }
+
   /// The law's answer in lanes whose couples may differ: each couple answers for all, its own lanes are taken.
   template <class T>
   Response<T> respond(const Bodies& bodies, const BlockLanes<T>& lanes, const Kinematics<T>& kinematics, const T& dt,

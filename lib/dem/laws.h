@@ -24,6 +24,7 @@ concept ContactLaw = requires(const typename L::Material& material, const typena
   { L::name } -> std::convertible_to<std::string_view>;
   { L::mix(material, material) } -> std::same_as<typename L::Couple>;
   { L::uses_masses(couple) } -> std::same_as<bool>;
+  { L::uses_moments(couple) } -> std::same_as<bool>;
   { L::respond(couple, kinematics, dt, memory, books) } -> std::same_as<Response<double>>;
   { L::respond(couple, four, Lane4{}, memories, accounts) } -> std::same_as<Response<Lane4>>;
   requires std::same_as<typename L::Material::Law, L>;

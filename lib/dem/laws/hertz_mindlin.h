@@ -65,6 +65,7 @@ struct HertzMindlin {
   }
 
   static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
 
   /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R*
   /// delta)).

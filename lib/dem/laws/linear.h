@@ -61,6 +61,7 @@ struct Linear {
   }
 
   static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
 
   /// Springs of the two grains in series, dem-laws §3: kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn = kn delta.
   template <class T>

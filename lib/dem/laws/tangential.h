@@ -14,6 +14,8 @@ namespace soilweave::dem {
 struct Tangential {
   double mu;  // tangent of the smaller friction angle
   PairResistance rolling, twisting;
+
+  bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
 };
 
 template <class Material>

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# What a step costs per contact and what memory it takes per grain, from a thousand grains to a million, and how small
+# systems fill two cores: a table, a figure, and the bars they are held to.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# make bench-size. Needs about 3 GB of memory and two cores that nobody else uses. OUT (default build/bench): folder of
+# size.tsv and size.svg. Exits with 1 where a bar is missed.
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")" && pwd)
+bench=${BENCH:-$here/../../build/tests/bench}
+out=${OUT:-$here/../../build/bench}
+mkdir -p "$out"
+export LC_ALL=C.UTF-8
+"$bench" --benchmark_filter='size_of_system|small_systems' --benchmark_format=csv 2> /dev/null > "$out/size.csv"
+
+awk -F , -v OFS='\t' '
+  $1 == "name" { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); at[$i] = i }
+    print "grains [1]", "contacts [1]", "step [ms]", "per_contact [ns]", "per_grain [B]"; next }
+  /size_of_system/ { print $at["grains"], $at["contacts"], $at["cpu_time"], 1e9 * $at["per_contact"], $at["bytes_per_grain"] }
+  ' "$out/size.csv" > "$out/size.tsv"
+column -t -s $'\t' "$out/size.tsv"
+
+if command -v gnuplot > /dev/null; then
+  gnuplot << GP
+set terminal svg size 720,400 font 'sans,13' background 'white'
+set output '$out/size.svg'
+set logscale x
+set format x '10^{%T}'
+set xlabel 'grains'
+set ylabel 'ns per contact and step, one thread'
+set yrange [0:*]
+set grid
+set key off
+plot '$out/size.tsv' using 1:4 skip 1 with linespoints pointtype 7 linewidth 2
+GP
+fi
+
+awk -F '\t' '
+  function bar(words, value, met) { printf "%s: %.4g: %s\n", words, value, met ? "met" : "MISSED"; if (!met) missed = 1 }
+  NR == FNR { if (FNR > 1) { cost[$1] = $4; held[$1] = $5 } next }
+  { split($0, cell, ","); if (cell[1] ~ /small_systems\/1\//) one = cell[3]; if (cell[1] ~ /small_systems\/2\//) two = cell[3] }
+  END {
+    bar("cost per contact of a million grains over that of 70,000, at most 1.5", cost[1000000] / cost[70000],
+      cost[1000000] <= 1.5 * cost[70000])
+    bar("memory of a million grains, bytes a grain, at most 1024", held[1000000], held[1000000] <= 1024)
+    bar("128 systems of 400 grains on two threads over one, at least 1.9", one / two, one >= 1.9 * two)
+    exit missed
+  }' "$out/size.tsv" "$out/size.csv"
