@@ -84,4 +84,19 @@ struct BlockLanes {
   }
 };
 
+/// Calls memory for what the sweep will come to: blocks, and the grains of other chunks that one of them names.
+inline void call_for(const ContactBlock* next, const ContactBlock* end, const Bodies& bodies, const double* loads) {
+  constexpr int ahead = 6, soon = 3, line = 64;
+  if (end - next <= ahead) return;
+  const char* block = reinterpret_cast<const char*>(next + ahead);
+  for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
+  if (!next[soon].far) return;
+  for (int lane = 0; lane < ContactBlock::size; ++lane) {
+    const std::uint32_t second = next[soon].second[lane];
+    for (const auto* rows : {&bodies.position, &bodies.velocity, &bodies.spin})
+      __builtin_prefetch(reinterpret_cast<const double*>(rows->data()) + second);
+    __builtin_prefetch(loads + 2 * static_cast<std::size_t>(next[soon].load_second[lane]));
+  }
+}
+
 }  // namespace soilweave::dem

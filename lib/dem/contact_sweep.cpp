@@ -191,7 +191,7 @@ class LawSweep final : public ContactSweep {
                                                                 std::array<Group, batch_size>& groups, std::size_t& n) {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
     for (; next != end && n + per_block <= batch_size; ++next) {
-      call_for(next, end, s);
+      call_for(next, end, s.bodies, s.loads);
       for (int k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes{next, k};
         Group& group = groups[n];
@@ -206,21 +206,6 @@ class LawSweep final : public ContactSweep {
       }
     }
     return next;
-  }
-
-  // Calls memory for what the sweep will come to: blocks, and the grains of other chunks that one of them names.
-  static void call_for(const ContactBlock* next, const ContactBlock* end, const Surroundings& s) {
-    constexpr int ahead = 6, soon = 3, line = 64;
-    if (end - next <= ahead) return;
-    const char* block = reinterpret_cast<const char*>(next + ahead);
-    for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
-    if (!next[soon].far) return;
-    for (int lane = 0; lane < ContactBlock::size; ++lane) {
-      const std::uint32_t second = next[soon].second[lane];
-      for (const auto* rows : {&s.bodies.position, &s.bodies.velocity, &s.bodies.spin})
-        __builtin_prefetch(reinterpret_cast<const double*>(rows->data()) + second);
-      __builtin_prefetch(s.loads + 2 * static_cast<std::size_t>(next[soon].load_second[lane]));
-    }
   }
 
   template <bool moving>

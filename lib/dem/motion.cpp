@@ -108,7 +108,7 @@ Mat3 Motion::gather(Contacts& contacts, Bodies& bodies) {
       const Load load = take(contacts, i);
       const Lane4& x = bodies.position[i];
       bodies.force[i] = load.force;
-      bodies.torque[i] = load.torque;
+      bodies.torque[i] = bodies.is_node(i) ? Lane4{} : load.torque;  // nodes do not rotate
       for (int a = 0; a < 3; ++a) partial.virial[a] = fused(all<Lane4>(x[a]), load.force, partial.virial[a]);
     }
   });

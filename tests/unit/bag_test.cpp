@@ -21,8 +21,8 @@ namespace {
 using std::numbers::pi;
 
 TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
-  const dem::Model model = dem::testing::sand();
-  const io::Snapshot one = dem::testing::packed(model, 1e5);
+  const dem::Model model = testing::sand();
+  const io::Snapshot one = testing::packed(model, 1e5);
   const std::array<int, 3> copies = {2, 3, 1};
   const io::Snapshot block = tile(one, copies, {true, true, true});
   const std::size_t n = one.grains.size(), all = 6;
@@ -34,13 +34,15 @@ TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
   EXPECT_EQ(large.measures().contacts, static_cast<std::int64_t>(all) * small.measures().contacts);
   EXPECT_NEAR(large.unbalanced_force(), small.unbalanced_force(), 1e-9);
   for (std::size_t c = 0; c < block.contacts.size(); ++c)
-    if (c > 0) EXPECT_LE(block.contacts.bodies[c - 1], block.contacts.bodies[c]);
+    if (c > 0) {
+      EXPECT_LE(block.contacts.bodies[c - 1], block.contacts.bodies[c]);
+    }
   const std::int32_t last = *std::max_element(block.grains.copy_id.begin(), block.grains.copy_id.end());
   EXPECT_EQ(last, 5);
 }
 
 TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
-  const io::Snapshot one = dem::testing::packed(dem::testing::sand(), 1e5);
+  const io::Snapshot one = testing::packed(testing::sand(), 1e5);
   std::array<std::size_t, 3> through = {0, 0, 0};
   const io::Snapshot closed = tile(one, {2, 2, 2}, {true, true, true}), open = tile(one, {2, 2, 2});
   std::size_t inside = 0;
@@ -83,7 +85,9 @@ TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
     // The yarns around the bag in the plane next to y = 0.
     if (std::abs(a.y()) < 0.003 && a.y() > 0 && std::abs(a.y() - b.y()) < 1e-4) hoop += length;
   }
-  EXPECT_EQ(family[0], 33488), EXPECT_EQ(family[1], 6916), EXPECT_EQ(family[2], 7280);
+  EXPECT_EQ(family[0], 33488);
+  EXPECT_EQ(family[1], 6916);
+  EXPECT_EQ(family[2], 7280);
   EXPECT_EQ(fabric.yarns.size(), 47684U) << "as recorded of the thesis' model";
   for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
   EXPECT_GT(shortest, 0.0035);
@@ -112,7 +116,7 @@ const std::string sand =
 const std::string materials = "[contact]\n" + sand + "[[material]]\n" + sand.substr(sand.find('\n') + 1);
 
 TEST(Plan, RefusesWhatCannotBeFilled) {
-  const io::Snapshot one = dem::testing::packed(dem::testing::sand(), 1e5);
+  const io::Snapshot one = testing::packed(testing::sand(), 1e5);
   const std::string bag = "[container]\nshape = \"pillow\"\ncopies = [2, 2, 1]\n" + materials;
   EXPECT_THROW(assemble(one, read_plan(bag, "plan", {})), DataError) << "too few copies";
   EXPECT_THROW(read_plan("[container]\nshape = \"pillow\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
