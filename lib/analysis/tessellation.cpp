@@ -103,6 +103,21 @@ Vec3 dual(const Triangulation& t, const Cell& cell) {
   return {CGAL::to_double(centre.x()), CGAL::to_double(centre.y()), CGAL::to_double(centre.z())};
 }
 
+// CGAL walks edges, and the cells around one, in an order that depends on where they lie in memory. What is summed over
+// them has an order of its own, so that equal states give equal bits.
+struct Facet {
+  std::size_t one, other;   // sites
+  double of_one, of_other;  // m3, pyramids
+};
+
+void from_first_corner(std::vector<Vec3>& polygon) {
+  const auto before = [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  };
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), before), polygon.end());
+  if (before(polygon.back(), polygon[1])) std::reverse(polygon.begin() + 1, polygon.end());
+}
+
 std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std::vector<bool>* unbounded = nullptr) {
   using Base = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel, Base>;
@@ -117,9 +132,11 @@ std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std:
   std::vector<double> volume(n, 0.0);
   // Every facet of a power cell is dual to an edge: a polygon through the duals of the tetrahedra around it.
   std::vector<Vec3> polygon;
+  std::vector<Facet> facets;
   for (auto edge = t.finite_edges_begin(); edge != t.finite_edges_end(); ++edge) {
-    const auto a = edge->first->vertex(edge->second), b = edge->first->vertex(edge->third);
-    const Site &one = all[a->info()], &other = all[b->info()];
+    const auto [a, b] =
+        std::minmax(edge->first->vertex(edge->second)->info(), edge->first->vertex(edge->third)->info());
+    const Site &one = all[a], &other = all[b];
     if (!one.original && !other.original) continue;
     polygon.clear();
     const auto first = t.incident_cells(*edge);
@@ -135,13 +152,20 @@ std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std:
       if (unbounded) (*unbounded)[one.grain] = (*unbounded)[other.grain] = true;
       continue;
     }
+    from_first_corner(polygon);
     Vec3 area = Vec3::Zero();
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
       area += 0.5 * (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
     const Vec3 normal = (other.centre - one.centre).normalized();
     const double third = std::abs(area.dot(normal)) / 3;
-    if (one.original) volume[one.grain] += third * (polygon[0] - one.centre).dot(normal);
-    if (other.original) volume[other.grain] -= third * (polygon[0] - other.centre).dot(normal);
+    facets.push_back(
+        {a, b, third * (polygon[0] - one.centre).dot(normal), -third * (polygon[0] - other.centre).dot(normal)});
+  }
+  std::sort(facets.begin(), facets.end(),
+            [](const Facet& f, const Facet& g) { return std::pair(f.one, f.other) < std::pair(g.one, g.other); });
+  for (const Facet& f : facets) {
+    if (all[f.one].original) volume[all[f.one].grain] += f.of_one;
+    if (all[f.other].original) volume[all[f.other].grain] += f.of_other;
   }
   return volume;
 }

@@ -78,7 +78,7 @@ class Grid {
         low_[a] = low, span_[a] = std::max(high - low, 1e-300) * (1 + 1e-12);
         width *= span_[a];
       }
-      bins_[a] = std::clamp(static_cast<int>(std::floor(width / length)), 1, 256);
+      bins_[a] = static_cast<int>(std::clamp(std::floor(width / length), 1.0, 256.0));
     }
   }
   void place(std::size_t i) {
@@ -90,7 +90,7 @@ class Grid {
         wrap_[i][a] = static_cast<int>(std::floor(s));
         s -= std::floor(s);
       }
-      bin[a] = std::clamp(static_cast<int>(s * bins_[a]), 0, bins_[a] - 1);
+      bin[a] = static_cast<int>(std::clamp(s * bins_[a], 0.0, bins_[a] - 1.0));
     }
     bin_of_[i] = static_cast<std::int32_t>(index(bin));
   }

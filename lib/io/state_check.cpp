@@ -13,6 +13,8 @@ namespace {
 
 /// Unit vectors in files: rounding of a few normalisations, far below what would show in a force.
 constexpr double unit_tolerance = 1e-6;
+// Images are counted in 32 bits; a grain this far from its cell got there by mistake.
+constexpr double most_cells_away = 1e6;
 
 class Check {
  public:
@@ -90,6 +92,13 @@ class Check {
             fmt::format("the largest grain ({} m across) is not smaller than half the cell along axis {} ({} m wide); "
                         "use a larger cell",
                         2 * largest, "xyz"[a], widths[a]));
+    const Mat3 inverse = state_.cell.matrix.inverse();
+    for (std::size_t k = 0; k < state_.grains.size(); ++k)
+      for (int a = 0; a < state_.grains.dimension; ++a)
+        if (state_.cell.periodic[static_cast<std::size_t>(a)] &&
+            !(std::abs(inverse.row(a).dot(state_.grains.position[k])) <= most_cells_away))
+          fail(fmt::format("grain {} lies more than {:g} cells away along axis {}; bring it back into the cell",
+                           state_.grains.body_id[k], most_cells_away, "xyz"[a]));
   }
 
   void plane(std::size_t k) const {

@@ -129,7 +129,7 @@ def check(name):
     with h5py.File(name, "r") as file:
         kind = text(file.attrs["kind"])
         faults.demand(text(file.attrs["format"]) == "soilweave", "no attribute format")
-        faults.demand(list(file.attrs["format_version"]) == [1, 1], "format_version is not 1.1")
+        faults.demand(list(file.attrs["format_version"]) == [1, 2], "format_version is not 1.2")
         faults.demand(len(file["provenance"]) > 0, "no provenance")
         if kind in ("packing", "run"):
             check_head(file, faults)

@@ -129,7 +129,7 @@ PY
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1,1,0 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,x,0,1 "$IN/sheared.h5"
-  mentions 64 homogenize "needs --box or --copies" --tsv --table volumes "$IN/sheared.h5"
+  mentions 64 homogenize "needs --box, --copies or --groups" --tsv --table volumes "$IN/sheared.h5"
   mentions 64 homogenize "needs --grains" --tsv --table grains "$IN/sheared.h5"
   mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"
 }
@@ -142,7 +142,6 @@ PY
   mentions 65 homogenize "words.h5" --tsv words.h5
   mentions 65 homogenize "fields" --tsv "$IN/fields.h5"
   mentions 65 homogenize "series" --tsv --table series "$IN/bare.h5"
-  mentions 65 homogenize "periodic along every axis" --grains -o out.h5 "$IN/box.h5"
   mentions 65 homogenize "no grain lies in box" --box 5,6,5,6,5,6 -o out.h5 "$IN/sheared.h5"
   [[ ! -e out.h5 ]]
 }

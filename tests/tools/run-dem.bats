@@ -208,7 +208,7 @@ off() {
 }
 
 @test "errors: stages, steps and tolerances out of range; units of another kind" {
-  off "stage.0.path: 'triaxal' is not one of isotropic, k0, triaxial, constant-p, constant-volume, free; did you mean" \
+  off "stage.0.path: 'triaxal' is not one of isotropic, k0, triaxial, constant-p, constant-volume, free, uniaxial, drive; did you mean" \
     stage.0.path=triaxal
   off "stage: is not a list of tables; write [[stage]]" stage=1
   off "confining_pressure: -5 is out of range: must be between 0 and 1e12 Pa" stage.0.confining_pressure=-5
