@@ -93,7 +93,7 @@ void check_datasets(const Reader& file, const std::string& group, std::set<std::
     }
     EXPECT_EQ(file.is_integer(path), e.type == Type::int64 || e.type == Type::int32 || e.type == Type::uint8) << path;
     const Shape shape = file.shape(path);
-    const Extents letters = {{'F', 0}, {'N', 0}, {'D', 0}, {'M', 0}, {'P', 0}, {'R', 0}, {'K', 0}};
+    const Extents letters = {{'F', 0}, {'N', 0}, {'D', 0}, {'M', 0}, {'P', 0}, {'R', 0}, {'K', 0}, {'Y', 0}};
     const bool frames = !e.shape.starts_with("(F)") || path.ends_with("/value");
     EXPECT_EQ(shape.size(), resolve(e.shape, letters, frames).size()) << path;
   }
