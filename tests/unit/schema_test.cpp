@@ -107,7 +107,8 @@ TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
   check_datasets(Reader(test::bytes_of(path), "run"), "/", seen);
   write_packing(path, test::example_state(5, 2), {});
   check_datasets(Reader(test::bytes_of(path), "packing"), "/", seen);
-  Snapshot wrapped = test::example_state(5);
+  Snapshot wrapped = test::example_state(5, 3, true);
+  wrapped.planes.partners = {1, 2};
   wrapped.yarns = {{{0, 1}}, {0}, {0}, {0}, {5e-3}, {0.01}, {1.5}, {0}, {0}, {Vec3::Zero()}};
   write_packing(path, wrapped, {});
   check_datasets(Reader(test::bytes_of(path), "packing with yarns"), "/", seen);
