@@ -74,4 +74,4 @@ struct FabricTool {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<FabricTool>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<FabricTool>(argc, argv); }

@@ -122,4 +122,4 @@ struct FemDem {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<FemDem>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<FemDem>(argc, argv); }

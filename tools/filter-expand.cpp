@@ -73,4 +73,4 @@ struct FilterExpand {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<FilterExpand>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<FilterExpand>(argc, argv); }

@@ -188,11 +188,11 @@ int main(int argc, char** argv) {
   Respond respond;
   Identify identify;
   Design design;
-  return tool::main(argc, argv,
-                    {"gws-solve",
-                     "bearing capacity and settlement of soil wrapped in a geotextile",
-                     std::string(gws::assumptions),
-                     {{"respond", tool::program(respond)},
-                      {"identify", tool::program(identify)},
-                      {"design", tool::program(design)}}});
+  return tool::start(argc, argv,
+                     {"gws-solve",
+                      "bearing capacity and settlement of soil wrapped in a geotextile",
+                      std::string(gws::assumptions),
+                      {{"respond", tool::program(respond)},
+                       {"identify", tool::program(identify)},
+                       {"design", tool::program(design)}}});
 }

@@ -117,4 +117,4 @@ struct Homogenize {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<Homogenize>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<Homogenize>(argc, argv); }

@@ -197,4 +197,4 @@ struct PackGenerate {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<PackGenerate>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<PackGenerate>(argc, argv); }

@@ -176,11 +176,11 @@ int main(int argc, char** argv) {
   Draw draw;
   Assimilate assimilate;
   Resample resample;
-  return tool::main(argc, argv,
-                    {"pf-weight",
-                     "identify the parameters of a model from observations with a particle filter",
-                     std::string(calibration::assumptions),
-                     {{"draw", tool::program(draw)},
-                      {"assimilate", tool::program(assimilate)},
-                      {"resample", tool::program(resample)}}});
+  return tool::start(argc, argv,
+                     {"pf-weight",
+                      "identify the parameters of a model from observations with a particle filter",
+                      std::string(calibration::assumptions),
+                      {{"draw", tool::program(draw)},
+                       {"assimilate", tool::program(assimilate)},
+                       {"resample", tool::program(resample)}}});
 }

@@ -88,4 +88,4 @@ struct RunDem {
 
 }  // namespace
 
-int main(int argc, char** argv) { return tool::main<RunDem>(argc, argv); }
+int main(int argc, char** argv) { return tool::start<RunDem>(argc, argv); }

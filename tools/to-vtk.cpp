@@ -189,4 +189,4 @@ struct ToVtk {
 }  // namespace
 }  // namespace soilweave
 
-int main(int argc, char** argv) { return soilweave::tool::main<soilweave::ToVtk>(argc, argv); }
+int main(int argc, char** argv) { return soilweave::tool::start<soilweave::ToVtk>(argc, argv); }

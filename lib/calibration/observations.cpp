@@ -16,8 +16,6 @@
 namespace soilweave::calibration {
 namespace {
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
 /// "NAME=COLUMN,COLUMN": the observed column and those of a run.
 Observable observable(const std::string& text, const io::Series& table) {
   const std::size_t equals = std::min(text.find('='), text.size());

@@ -12,6 +12,8 @@ namespace soilweave::calibration {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
+/// Where vectors and containers of the standard library are read side by side.
+inline Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 enum class Scale { linear, log };
 

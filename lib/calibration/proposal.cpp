@@ -23,8 +23,6 @@ constexpr std::size_t inside_draws = 1 << 14;
 constexpr int iterations = 200;
 constexpr double settled = 1e-8;  // relative change of the log likelihood
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
 Matrix root_of(const Matrix& covariance) {
   const Matrix floor = least_deviation * least_deviation * Matrix::Identity(covariance.rows(), covariance.cols());
   return Eigen::LLT<Matrix>(covariance + floor).matrixL();

@@ -16,8 +16,6 @@
 namespace soilweave::calibration {
 namespace {
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
 /// Uniform in [0, 1) from the engine's bits alone: standard distributions differ between libraries.
 double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
 

@@ -1,4 +1,4 @@
-// What can go wrong, one type per exit status. Thrown where it is known, translated once, in tool::main.
+// What can go wrong, one type per exit status. Thrown where it is known, translated once, in tool::start.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -122,7 +122,7 @@ void close_output() {
 
 }  // namespace
 
-int main(int argc, char** argv, const Program& program) {
+int start(int argc, char** argv, const Program& program) {
   link_processor_check();
   // A reader that goes away must not kill us before the files are in order; writing then fails with EPIPE.
   std::signal(SIGPIPE, SIG_IGN);

@@ -79,7 +79,7 @@ class Table {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What tool::main needs from a tool, type-erased.
+/// What tool::start needs from a tool, type-erased.
 struct Program {
   std::function<void(Table&)> options;
   std::function<void()> validate;  // throws UsageError with all mistakes; opens no data file
@@ -88,7 +88,7 @@ struct Program {
 
 /// Parses, validates, runs, translates errors to one line and an exit status. --help, --version, --man, --completion
 /// are handled here. A broken pipe is success; standard output is closed and checked.
-int main(int argc, char** argv, const Program& program);
+int start(int argc, char** argv, const Program& program);
 
 template <class Tool>
 Program program(Tool& t) {
@@ -97,9 +97,9 @@ Program program(Tool& t) {
 }
 
 template <class Tool>
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   Tool t;
-  return main(argc, argv, program(t));
+  return start(argc, argv, program(t));
 }
 
 /// A tool of several verbs ("gws-solve respond"): each is a program with an option table of its own, named "TOOL VERB".
@@ -112,6 +112,6 @@ struct Suite {
   std::string name, sentence, description;
   std::vector<Verb> verbs;
 };
-int main(int argc, char** argv, const Suite& suite);
+int start(int argc, char** argv, const Suite& suite);
 
 }  // namespace soilweave::tool

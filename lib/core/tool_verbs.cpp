@@ -43,12 +43,12 @@ void describe(Table& table, const Suite& suite, std::filesystem::path& verb) {
 
 std::string verb_name(Table& verb) { return verb.impl().name.substr(verb.impl().name.rfind(' ') + 1); }
 
-int main(int argc, char** argv, const Suite& suite) {
+int start(int argc, char** argv, const Suite& suite) {
   for (const Suite::Verb& verb : suite.verbs)
-    if (argc > 1 && verb.name == argv[1]) return main(argc - 1, argv + 1, verb.program);
+    if (argc > 1 && verb.name == argv[1]) return start(argc - 1, argv + 1, verb.program);
   std::filesystem::path given;
-  return main(argc, argv,
-              {[&](Table& table) { describe(table, suite, given); }, [&] { refuse(suite, given.string()); }, {}});
+  return start(argc, argv,
+               {[&](Table& table) { describe(table, suite, given); }, [&] { refuse(suite, given.string()); }, {}});
 }
 
 }  // namespace soilweave::tool

@@ -19,7 +19,7 @@ struct Unit {
   std::array<int, 4> powers{};  // kg, m, s, rad
 };
 
-struct Named {
+struct NamedUnit {
   std::string_view symbol;
   Unit unit;
   bool prefixed;  // takes k, M, m, …
@@ -28,24 +28,24 @@ struct Named {
 constexpr double degree = std::numbers::pi / 180;
 
 constexpr std::array units{
-    Named{"1", {1, {}}, false},
-    Named{"-", {1, {}}, false},
-    Named{"%", {0.01, {}}, false},
-    Named{"m", {1, {0, 1, 0, 0}}, true},
-    Named{"g", {1e-3, {1, 0, 0, 0}}, true},
-    Named{"t", {1e3, {1, 0, 0, 0}}, false},
-    Named{"s", {1, {0, 0, 1, 0}}, true},
-    Named{"min", {60, {0, 0, 1, 0}}, false},
-    Named{"h", {3600, {0, 0, 1, 0}}, false},
-    Named{"N", {1, {1, 1, -2, 0}}, true},
-    Named{"Pa", {1, {1, -1, -2, 0}}, true},
-    Named{"bar", {1e5, {1, -1, -2, 0}}, false},
-    Named{"J", {1, {1, 2, -2, 0}}, true},
-    Named{"W", {1, {1, 2, -3, 0}}, true},
-    Named{"Hz", {1, {0, 0, -1, 0}}, true},
-    Named{"rad", {1, {0, 0, 0, 1}}, true},
-    Named{"deg", {degree, {0, 0, 0, 1}}, false},
-    Named{"\u00b0", {degree, {0, 0, 0, 1}}, false},
+    NamedUnit{"1", {1, {}}, false},
+    NamedUnit{"-", {1, {}}, false},
+    NamedUnit{"%", {0.01, {}}, false},
+    NamedUnit{"m", {1, {0, 1, 0, 0}}, true},
+    NamedUnit{"g", {1e-3, {1, 0, 0, 0}}, true},
+    NamedUnit{"t", {1e3, {1, 0, 0, 0}}, false},
+    NamedUnit{"s", {1, {0, 0, 1, 0}}, true},
+    NamedUnit{"min", {60, {0, 0, 1, 0}}, false},
+    NamedUnit{"h", {3600, {0, 0, 1, 0}}, false},
+    NamedUnit{"N", {1, {1, 1, -2, 0}}, true},
+    NamedUnit{"Pa", {1, {1, -1, -2, 0}}, true},
+    NamedUnit{"bar", {1e5, {1, -1, -2, 0}}, false},
+    NamedUnit{"J", {1, {1, 2, -2, 0}}, true},
+    NamedUnit{"W", {1, {1, 2, -3, 0}}, true},
+    NamedUnit{"Hz", {1, {0, 0, -1, 0}}, true},
+    NamedUnit{"rad", {1, {0, 0, 0, 1}}, true},
+    NamedUnit{"deg", {degree, {0, 0, 0, 1}}, false},
+    NamedUnit{"\u00b0", {degree, {0, 0, 0, 1}}, false},
 };
 
 struct Prefix {
@@ -58,11 +58,11 @@ constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00
                               Prefix{"M", 1e6},  Prefix{"G", 1e9}};
 
 std::optional<Unit> named(std::string_view symbol) {
-  for (const Named& n : units)
+  for (const NamedUnit& n : units)
     if (n.symbol == symbol) return n.unit;
   for (const Prefix& p : prefixes) {
     if (!symbol.starts_with(p.symbol)) continue;
-    for (const Named& n : units)
+    for (const NamedUnit& n : units)
       if (n.prefixed && n.symbol == symbol.substr(p.symbol.size()))
         return Unit{p.factor * n.unit.factor, n.unit.powers};
   }

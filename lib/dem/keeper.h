@@ -12,6 +12,9 @@
 
 namespace soilweave::dem {
 
+/// Steps between two reports, and between two looks at whether what is waited for has come to rest.
+inline constexpr std::int64_t report_interval = 512, look_interval = 4;
+
 /// Where and when a run is kept.
 struct Safekeeping {
   io::Part* part = nullptr;              // nullptr: nowhere; a signal then ends the program as it always does

@@ -14,7 +14,7 @@ namespace {
 
 // A massless plate follows its contacts as if it had the mass that oscillates on them so slowly, times the step; it is
 // damped critically.
-constexpr double frequency_times_step = 0.1;
+constexpr double plate_frequency_times_step = 0.1;
 // A displacement is met to this much, m.
 constexpr double displacement_tolerance = 1e-10;
 
@@ -45,7 +45,7 @@ double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates
     // Until it touches, the plate approaches at its full speed.
     const double stiffness = plates[parts_[part].number].stiffness;
     if (stiffness == 0) return s.velocity = s.load > 0 ? s.speed : 0.0;
-    const double omega = frequency_times_step / dt;
+    const double omega = plate_frequency_times_step / dt;
     mass = stiffness / (omega * omega);
     direct = 2 * omega * error / stiffness;
   }

@@ -16,11 +16,6 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps between two looks at whether a station has settled, and between two reports.
-constexpr std::int64_t report_interval = 256;
-// Steps between two looks at whether plates and grains have come to rest.
-constexpr std::int64_t look_interval = 4;
-
 // Uniform in [-1, 1) from the engine's bits alone: standard distributions differ between libraries.
 double symmetric_uniform(std::mt19937_64& engine) {
   return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;

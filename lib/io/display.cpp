@@ -55,12 +55,12 @@ struct Box {
 
 /// From where to where the cell reaches, in cell vectors: 0 to 1 along periodic axes, as far as the grains along
 /// others.
-struct Extent {
+struct Reach {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
-Extent cell_extent(const Snapshot& state, const Mat3& inverse) {
-  Extent extent;
+Reach cell_reach(const Snapshot& state, const Mat3& inverse) {
+  Reach extent;
   for (int axis = 0; axis < state.grains.dimension; ++axis) {
     extent.high[axis] = 1;
     if (state.cell.periodic[static_cast<std::size_t>(axis)]) continue;
@@ -244,7 +244,7 @@ VtkPicture show_contacts(const Snapshot& state, bool unwrapped, double force_sca
 VtkPicture show_cell(const Snapshot& state) {
   const int dimension = state.grains.dimension;
   const Mat3 matrix = invertible(state.cell);
-  const Extent extent = cell_extent(state, matrix.inverse());
+  const Reach extent = cell_reach(state, matrix.inverse());
   VtkPicture picture = picture_of(state, dimension == 3 ? VtkShape::hexahedron : VtkShape::quad);
   for (int corner = 0; corner < (dimension == 3 ? 8 : 4); ++corner) {
     const bool right = corner % 4 == 1 || corner % 4 == 2, back = corner % 4 >= 2, top = corner >= 4;

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <unordered_map>
 
 #include "core/error.h"
+#include "io/table.h"
 
 namespace soilweave::io {
 namespace {
@@ -64,11 +64,6 @@ VtkArray array_of(const std::string& name, const Gathered& gathered, const std::
       values.push_back(column ? column->values[row] : 0.0);
     }
   return {name, components, std::move(values)};
-}
-
-std::string exact(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 }  // namespace

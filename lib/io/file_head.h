@@ -35,6 +35,9 @@ History read_history(const Reader& file);
 /// group/name. Throws DataError for names HDF5 would take for a path.
 std::string child_path(const std::string& group, const std::string& name);
 
+/// Where the table of a run lies.
+inline const std::string series_group = "/series";
+
 /// Tables: one dataset a column, in `path`; empty where the group is missing.
 void write_columns(Writer& file, const std::string& path, const Series& table);
 Series read_columns(const Reader& file, const std::string& path);

@@ -18,7 +18,7 @@
 namespace soilweave::io {
 namespace {
 
-const std::string series_group = "/series", fields_group = "/fields", members_group = "/members";
+const std::string fields_group = "/fields", members_group = "/members";
 
 std::string output_name(const std::filesystem::path& path) { return path == "-" ? "standard output" : path.string(); }
 

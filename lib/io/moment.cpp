@@ -10,7 +10,7 @@
 namespace soilweave::io {
 namespace {
 
-const std::string series_group = "/series", numbers_group = "/checkpoint";
+const std::string numbers_group = "/checkpoint";
 
 }  // namespace
 

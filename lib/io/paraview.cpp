@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/paraview.h"
 
-#include <array>
-#include <charconv>
 #include <regex>
 #include <system_error>
 
 #include "core/error.h"
 #include "io/bytes.h"
 #include "io/show_script.h"
+#include "io/table.h"
 
 namespace soilweave::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Shortest text that reads back as the same number.
-std::string exact(double value) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
 
 /// What an earlier call wrote into a folder; anything else is the user's.
 bool ours(const std::string& name) {

@@ -14,11 +14,6 @@
 namespace soilweave::io {
 namespace {
 
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\r'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
@@ -123,6 +118,11 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string exact(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 const Column* Series::find(std::string_view name) const {
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
   return found == columns.end() ? nullptr : &*found;
@@ -149,7 +149,7 @@ std::string to_tsv(const Series& series) {
   for (std::size_t r = 0; r < series.rows(); ++r) {
     for (const Column& column : series.columns) {
       if (&column != series.columns.data()) text += '\t';
-      text += shortest(column.values[r]);
+      text += exact(column.values[r]);
     }
     text += '\n';
   }

@@ -9,7 +9,9 @@
 
 namespace soilweave::io {
 
-/// Header line and rows, shortest round-trip numbers (std::to_chars).
+/// The shortest text that reads back as the same number.
+std::string exact(double value);
+/// Header line and rows, numbers exact.
 std::string to_tsv(const Series& series);
 /// Throws DataError naming file, line and column of what cannot be read. `where` names the document.
 Series from_tsv(std::string_view text, const std::string& where);

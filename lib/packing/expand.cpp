@@ -18,15 +18,12 @@
 namespace soilweave::packing {
 namespace {
 
-constexpr std::int64_t report_interval = 512;
-// Steps between two looks at the equilibrium.
-constexpr std::int64_t look_interval = 4;
 // Steps of a round before a measurement, over those of others: what presses then is held by the container.
 constexpr std::int64_t patience = 10;
 // Of the last equilibrium: grains that are held everywhere have nowhere to fly.
 constexpr double last_damping = 0.9;
 
-struct Position {
+struct Standing {
   std::int64_t round = 0, first = 0;               // step at which the round began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
   bool ending = false;                             // full: only the last equilibrium is left
@@ -107,9 +104,10 @@ class Grower {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (growth_.stop_every > 0 && !at_.ending && steps % growth_.stop_every == 0) simulation_.stop_motion();
-      if (steps % look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force) return true;
+      if (steps % dem::look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force)
+        return true;
       if (steps >= most) return false;
-      if (report_ && steps % report_interval == 0)
+      if (report_ && steps % dem::report_interval == 0)
         report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
                                         simulation_.unbalanced_force(), text()));
       keeper_.after_step([this] { return moment(); });
@@ -182,7 +180,7 @@ class Grower {
   Archive kept_;
   dem::Simulation simulation_;
   std::vector<bool> soil_;
-  Position at_;
+  Standing at_;
   Fill fill_;
   double least_force_ = 0;  // N
   bool standing_ = false;

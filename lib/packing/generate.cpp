@@ -24,7 +24,6 @@ constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
 // While friction is being lowered the equilibria need not be as good as the last one.
 constexpr double coarse_equilibrium = 10;
-constexpr std::int64_t report_interval = 512;
 
 // What is being done, each until an equilibrium.
 enum class Phase { compressing, choosing, lowering, restoring, ending, done };
@@ -190,7 +189,7 @@ class Compaction {
       if (aim > 0 && simulation_.void_ratio() <= aim) return true;
       if (dem::Servo::settled(goals_, dimension_, tolerances, simulation_)) return false;
       const std::int64_t steps = simulation_.steps() - at_.first;
-      if (report_ && steps % report_interval == 0) tell(stage);
+      if (report_ && steps % dem::report_interval == 0) tell(stage);
       if (steps > recipe_.largest_stage)
         throw TargetNotReached(
             fmt::format("{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio "

@@ -52,7 +52,8 @@ Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) 
 
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height) {
   Fabric fabric;
-  const auto [nx, ny] = cells;
+  const int nx = cells[0];
+  const int ny = cells[1];
   const auto number = [&](int i, int j) { return static_cast<std::int32_t>(j * (nx + 1) + i); };
   for (int j = 0; j <= ny; ++j)
     for (int i = 0; i <= nx; ++i) {

@@ -100,9 +100,9 @@ class Tool : public testing::Test {
       for (std::string& argument : arguments) argv.push_back(argument.data());
       Sample tool;
       tool.work = work;
-      const int status = tool::main(static_cast<int>(argv.size()), argv.data(),
-                                    {[&](tool::Table& t) { tool.options(t); }, [&] { tool.validate(); },
-                                     [&](const tool::Invocation& i) { tool.run(i); }});
+      const int status = tool::start(static_cast<int>(argv.size()), argv.data(),
+                                     {[&](tool::Table& t) { tool.options(t); }, [&] { tool.validate(); },
+                                      [&](const tool::Invocation& i) { tool.run(i); }});
       std::fflush(nullptr);
       // Not exit(): a leak checker would look for the threads of the parent, which a forked process has not got.
       _exit(status);
