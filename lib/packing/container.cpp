@@ -76,4 +76,15 @@ Vec3 Pillow::at(const Vec3& box, double face_cells, double side_cells, double ou
   return {xy.x(), xy.y(), box.z() == 0 ? 0.0 : up * radius * std::cos(angle)};
 }
 
+Vec3 Pillow::nearest(const Vec3& point, double outside) const {
+  const double c = 0.5 * width - corner_radius;
+  const Eigen::Array2d from_middle = point.head<2>().array().abs();
+  Eigen::Array2d core = from_middle.min(c);
+  const Eigen::Vector2d beyond = (from_middle - core).matrix();
+  const double reach = beyond.norm();
+  core += reach > corner_radius ? Eigen::Array2d(beyond.array() * (corner_radius / reach)) : beyond.array();
+  const Vec3 foot(std::copysign(core[0], point.x()), std::copysign(core[1], point.y()), 0);
+  return foot + (point - foot).normalized() * (half_height + outside);
+}
+
 }  // namespace soilweave::packing

@@ -37,6 +37,8 @@ struct Pillow final : Container {
   /// point of the surface of a box, whose top and bottom reach as far down the sides as arcs of equal length ask for;
   /// shares: the cells of a box's face and of its side, of which a hoop has twice each.
   Vec3 at(const Vec3& box, double face_cells, double side_cells, double outside) const;
+  /// The point of that parallel surface nearest to one near it.
+  Vec3 nearest(const Vec3& point, double outside) const;
 };
 
 /// An upright box.

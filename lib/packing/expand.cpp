@@ -67,27 +67,23 @@ class Grower {
 
   Grown run() {
     const double filling = std::cbrt(growth_.stretch.prod());
-    while (!at_.ending) {
-      const bool stretching = at_.growth < filling;
-      const bool measuring = at_.round % growth_.measure_every == 0;
-      settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
-      if (measuring) at_.ending = full();
-      if (at_.ending) break;
+    for (;;) {
+      if (at_.ending) {
+        if (full_at_rest()) break;
+      } else if (presses()) {
+        at_.ending = true;
+        at_.first = simulation_.steps();
+        simulation_.set_damping(last_damping);
+        continue;
+      }
       if (at_.round >= growth_.largest_rounds) unreached();
       // The part of the way to the full container that this round goes.
-      const double share = stretching ? std::log(growth_.factor) / std::log(filling) : 0;
+      const double share = at_.growth < filling ? std::log(growth_.factor) / std::log(filling) : 0;
       at_.growth *= growth_.factor;
       simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
       ++at_.round;
       at_.first = simulation_.steps();
     }
-    simulation_.set_damping(last_damping);
-    if (!settle(growth_.largest_round, 0))
-      throw TargetNotReached(
-          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
-                      "growth.unbalanced_force",
-                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
-    measure();
     io::Snapshot state = simulation_.snapshot();
     for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
       for (Vec3& v : *rows) v.setZero();
@@ -107,6 +103,8 @@ class Grower {
       if (steps % dem::look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force)
         return true;
       if (steps >= most) return false;
+      if (at_.ending && steps % dem::report_interval == 0 && mean_overlap(simulation_.snapshot()) < growth_.overlap)
+        return false;
       if (report_ && steps % dem::report_interval == 0)
         report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
                                         simulation_.unbalanced_force(), text()));
@@ -120,21 +118,27 @@ class Grower {
                        fill_.volume, fill_.void_ratio, fill_.overlap, fill_.coordination_number);
   }
 
+  // Over the contacts, over the soil's mean radius.
+  double mean_overlap(const io::Snapshot& state) const {
+    double radii = 0, overlaps = 0, soil = 0;
+    for (std::size_t i = 0; i < soil_.size(); ++i)
+      if (soil_[i]) radii += state.grains.radius[i], soil += 1;
+    for (const double u : state.contacts.overlap) overlaps += u;
+    return state.contacts.size() ? overlaps / static_cast<double>(state.contacts.size()) / (radii / soil) : 0;
+  }
+
   void measure() {
     const io::Snapshot state = simulation_.snapshot();
     const io::Snapshot soil = filter(state, [this](std::size_t i) { return soil_[i]; });
-    double solids = 0, radii = 0, overlaps = 0, ends = 0;
-    for (const double r : soil.grains.radius) solids += dem::grain_volume(3, r), radii += r;
-    for (std::size_t c = 0; c < state.contacts.size(); ++c) {
-      overlaps += state.contacts.overlap[c];
-      for (const std::int32_t body : state.contacts.bodies[c]) ends += soil_[static_cast<std::size_t>(body)];
-    }
-    const auto n = static_cast<double>(soil.grains.size());
+    double solids = 0, ends = 0;
+    for (const double r : soil.grains.radius) solids += dem::grain_volume(3, r);
+    for (const auto& bodies : state.contacts.bodies)
+      for (const std::int32_t body : bodies) ends += soil_[static_cast<std::size_t>(body)];
     fill_.growth = at_.growth;
     fill_.volume = analysis::delaunay_volume(soil);
     fill_.void_ratio = fill_.volume / solids - 1;
-    fill_.overlap = state.contacts.size() ? overlaps / static_cast<double>(state.contacts.size()) / (radii / n) : 0;
-    fill_.coordination_number = ends / n;
+    fill_.overlap = mean_overlap(state);
+    fill_.coordination_number = ends / static_cast<double>(soil.grains.size());
     using analysis::put;
     put(history_, "round", "1", "growths of the radii", static_cast<double>(at_.round));
     put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
@@ -145,8 +149,11 @@ class Grower {
     put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);
   }
 
-  // Measures; whether the volume stands still and the grains are full.
-  bool full() {
+  // A round of equilibrium; whether, where it is measured, the volume stands still and the grains press on each other.
+  bool presses() {
+    const bool measuring = at_.round % growth_.measure_every == 0;
+    settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
+    if (!measuring) return false;
     const double before = at_.volume;
     measure();
     at_.volume = fill_.volume;
@@ -158,11 +165,30 @@ class Grower {
     return standing_ && fill_.overlap >= growth_.overlap;
   }
 
+  // Whether they still do at rest: what presses while it moves may fall apart.
+  bool full_at_rest() {
+    const bool rests = settle(growth_.largest_round, 0);
+    measure();
+    if (report_) report_(progress(), fmt::format("at rest after round {}: {}", at_.round, text()));
+    if (fill_.overlap >= growth_.overlap) {
+      if (rests) return true;
+      throw TargetNotReached(
+          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
+                      "growth.unbalanced_force",
+                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
+    }
+    fell_apart_ = true;
+    at_.ending = false;
+    simulation_.set_damping(growth_.damping);
+    return false;
+  }
+
   [[noreturn]] void unreached() const {
     throw TargetNotReached(
         fmt::format("after {} rounds the grains do not fill the container: {} ({})", at_.round,
                     !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
-                               : "the mean overlap is below growth.overlap; allow more rounds",
+                    : fell_apart_ ? "what presses falls apart as it comes to rest; allow more rounds (growth.rounds)"
+                                  : "the mean overlap is below growth.overlap; allow more rounds (growth.rounds)",
                     text()));
   }
 
@@ -184,6 +210,7 @@ class Grower {
   Fill fill_;
   double least_force_ = 0;  // N
   bool standing_ = false;
+  bool fell_apart_ = false;  // on coming to rest
   io::Series history_;
   dem::PriceClock clock_;
 };

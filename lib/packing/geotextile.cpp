@@ -22,6 +22,42 @@ NodeRecipe NodeRecipe::read(Settings& table) {
   return r;
 }
 
+namespace {
+
+// Nodes of a mesh on the surface of a box: those before and after along each axis, -1 for none.
+using Neighbours = std::vector<std::array<std::array<std::int32_t, 2>, 3>>;
+
+constexpr int evening_sweeps = 1000;
+constexpr double evening_share = 0.25;  // of the differences in length, a sweep
+
+// Woven yarns are equally long wherever they lie: nodes slide on the bag until theirs are. Sums go in pairs, so that
+// mirrored nodes stay mirrored to the last bit.
+void even_out(const Pillow& bag, double outside, const Neighbours& neighbours, Fabric& fabric) {
+  double length = 0;
+  for (const Fabric::Yarn& y : fabric.yarns)
+    length +=
+        (fabric.nodes[static_cast<std::size_t>(y.second)] - fabric.nodes[static_cast<std::size_t>(y.first)]).norm();
+  length /= static_cast<double>(fabric.yarns.size());
+  std::vector<Vec3> moved(fabric.nodes.size());
+  for (int sweep = 0; sweep < evening_sweeps; ++sweep) {
+    for (std::size_t n = 0; n < moved.size(); ++n) {
+      const Vec3& x = fabric.nodes[n];
+      const auto pull = [&](std::int32_t other) -> Vec3 {
+        if (other < 0) return Vec3::Zero();
+        const Vec3 along = fabric.nodes[static_cast<std::size_t>(other)] - x;
+        return along * (1 - length / along.norm());
+      };
+      std::array<Vec3, 3> pulls;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        pulls[axis] = pull(neighbours[n][axis][0]) + pull(neighbours[n][axis][1]);
+      moved[n] = bag.nearest(x + evening_share * (pulls[0] + pulls[1] + pulls[2]), outside);
+    }
+    fabric.nodes.swap(moved);
+  }
+}
+
+}  // namespace
+
 Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) {
   Fabric fabric;
   const auto [nx, ny, nz] = cells;
@@ -37,6 +73,7 @@ Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) 
                        static_cast<double>(2 * k - nz) / nz);
         fabric.nodes.push_back(bag.at(box, nx, nz, outside));
       }
+  Neighbours neighbours(fabric.nodes.size(), {{{-1, -1}, {-1, -1}, {-1, -1}}});
   for (const auto& [at, one] : number)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<int, 3> next = at;
@@ -46,7 +83,10 @@ Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) 
       const bool face = at[2] == next[2] && (at[2] == 0 || at[2] == nz);
       // Two nodes of opposite sides may follow each other in a bag one cell wide; they share no quadrilateral then.
       fabric.yarns.push_back({one, other->second, face ? 0 : (axis == 2 ? 2 : 1)});
+      neighbours[static_cast<std::size_t>(one)][axis][1] = other->second;
+      neighbours[static_cast<std::size_t>(other->second)][axis][0] = one;
     }
+  even_out(bag, outside, neighbours, fabric);
   return fabric;
 }
 

@@ -30,7 +30,7 @@ struct NodeRecipe {
 };
 
 /// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the bag with node centres `outside` m
-/// beyond it. cells[0] and cells[1] are equal.
+/// beyond it, its yarns as equally long as the shape allows. cells[0] and cells[1] are equal.
 Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside);
 /// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m
 /// apart.

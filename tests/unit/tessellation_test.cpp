@@ -92,6 +92,23 @@ TEST(PowerCells, AreRefusedWithoutAPeriodicCellAndForHiddenGrains) {
   EXPECT_THROW(power_cell_volumes(s), PhysicsError);
 }
 
+TEST(PowerCells, InsideAnOpenAssemblyAreThoseOfThePeriodicCell) {
+  const io::Snapshot s = random_cell(60);
+  io::Snapshot open;
+  open.grains.dimension = 3;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      for (int k = -1; k <= 1; ++k)
+        for (std::size_t g = 0; g < s.grains.size(); ++g)
+          test::add_grain(open, s.grains.position[g] + s.cell.matrix * Vec3(i, j, k), s.grains.radius[g]);
+  open.cell.matrix = 3 * s.cell.matrix;
+  open.cell.periodic = {false, false, false};
+  const std::vector<double> inside = power_cell_volumes(open), periodic = power_cell_volumes(s);
+  const std::size_t middle = 13 * s.grains.size();
+  for (std::size_t g = 0; g < s.grains.size(); ++g)
+    EXPECT_NEAR(inside[middle + g], periodic[g], 1e-12 * periodic[g]) << "grain " << g;
+}
+
 TEST(Delaunay, FillsTheCellOnce) {
   for (const int dimension : {2, 3}) {
     const io::Snapshot s = random_cell(150, dimension);
