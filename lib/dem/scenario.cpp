@@ -200,6 +200,16 @@ Model with_friction(const Model& model, double angle, const std::vector<std::int
   return changed;
 }
 
+Model with_friction_times(double factor, const Model& model) {
+  Model changed = model;
+  std::visit(
+      [factor](auto& all) {
+        for (auto& m : all) m.friction_angle *= factor;
+      },
+      changed.materials);
+  return changed;
+}
+
 double friction(const Model& model) {
   return std::visit(
       [](const auto& materials) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,11 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
 
 /// Model with every friction angle replaced, rad; of these materials alone, where some are named.
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
+/// Model with every friction angle multiplied.
+Model with_friction_times(double factor, const Model& model);
 /// Smallest friction angle of a model's materials, rad.
 double friction(const Model& model);
+/// rad; below this friction angle a packing is as dense as friction can make it.
+inline constexpr double lowest_friction = 0.05 * std::numbers::pi / 180;
 
 }  // namespace soilweave::dem

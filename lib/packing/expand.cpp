@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "dem/bodies.h"
 #include "dem/contact_sweep.h"
+#include "dem/scenario.h"
 #include "packing/tile.h"
 
 namespace soilweave::packing {
@@ -20,17 +21,22 @@ namespace {
 
 // Steps of a round before a measurement, over those of others: what presses then is held by the container.
 constexpr std::int64_t patience = 10;
-// Of the last equilibrium: grains that are held everywhere have nowhere to fly.
-constexpr double last_damping = 0.9;
+// Motion is stopped so much more rarely while grains come to rest: what sways as a whole takes its time.
+constexpr std::int64_t rest = 4;
+
+// What is being done: rounds of growth; then coming to rest, and again with the friction that was lowered restored.
+enum class Stage { growing, resting, restored, done };
 
 struct Standing {
-  std::int64_t round = 0, first = 0;               // step at which the round began
+  Stage stage = Stage::growing;
+  std::int64_t round = 0, first = 0;               // step at which the stage, or the round, began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
-  bool ending = false;                             // full: only the last equilibrium is left
+  double friction = 1;                             // over what it is to be
 
   void archive(Archive& a) {
-    a.item("round", round), a.item("round_first_step", first), a.item("growth", growth);
-    a.item("delaunay_volume", volume), a.item("measured_at", measured_at), a.whole("ending", ending);
+    a.whole("stage", stage), a.item("round", round), a.item("stage_first_step", first);
+    a.item("growth", growth), a.item("delaunay_volume", volume), a.item("measured_at", measured_at);
+    a.item("friction", friction);
   }
 };
 
@@ -47,6 +53,7 @@ class Grower {
   Grower(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
          const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
       : growth_(growth),
+        model_(model),
         report_(report),
         keeper_(safekeeping, start.grains.size()),
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
@@ -60,30 +67,13 @@ class Grower {
     if (last) {
       at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
       history_ = std::move(last->series);
-    } else {
-      simulation_.set_damping(growth.damping);
     }
+    simulation_.set_damping(growth.damping);
+    adjust();
   }
 
   Grown run() {
-    const double filling = std::cbrt(growth_.stretch.prod());
-    for (;;) {
-      if (at_.ending) {
-        if (full_at_rest()) break;
-      } else if (presses()) {
-        at_.ending = true;
-        at_.first = simulation_.steps();
-        simulation_.set_damping(last_damping);
-        continue;
-      }
-      if (at_.round >= growth_.largest_rounds) unreached();
-      // The part of the way to the full container that this round goes.
-      const double share = at_.growth < filling ? std::log(growth_.factor) / std::log(filling) : 0;
-      at_.growth *= growth_.factor;
-      simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
-      ++at_.round;
-      at_.first = simulation_.steps();
-    }
+    while (at_.stage != Stage::done) go_on();
     io::Snapshot state = simulation_.snapshot();
     for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
       for (Vec3& v : *rows) v.setZero();
@@ -94,16 +84,65 @@ class Grower {
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
 
  private:
+  void enter(Stage stage) {
+    at_.stage = stage;
+    at_.first = simulation_.steps();
+    adjust();
+  }
+
+  // Friction as the stage has it.
+  void adjust() {
+    const bool lowered = at_.friction < 1 && at_.stage != Stage::restored;
+    simulation_.set_model(lowered ? dem::with_friction_times(at_.friction, model_) : model_);
+  }
+
+  // One stage, or one round of growth, to its end.
+  void go_on() {
+    if (at_.stage == Stage::growing) {
+      if (presses()) return enter(Stage::resting);
+      return grow();
+    }
+    const bool rests = settle(growth_.largest_round, 0);
+    measure();
+    if (report_) report_(progress(), fmt::format("at rest after round {}: {}", at_.round, text()));
+    // What presses while it moves may fall apart as it comes to rest.
+    fell_apart_ = !held();
+    if (fell_apart_) return grow();
+    if (growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio) {
+      lower_friction();
+      return grow();
+    }
+    if (!rests)
+      throw TargetNotReached(
+          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
+                      "growth.unbalanced_force",
+                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
+    enter(at_.stage == Stage::resting && at_.friction < 1 ? Stage::restored : Stage::done);
+  }
+
+  void grow() {
+    if (at_.round >= growth_.largest_rounds) unreached();
+    const double filling = std::cbrt(growth_.stretch.prod());
+    // The part of the way to the full container that this round goes.
+    const double share = at_.growth < filling ? std::log(growth_.factor) / std::log(filling) : 0;
+    at_.growth *= growth_.factor;
+    simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
+    ++at_.round;
+    enter(Stage::growing);
+  }
+
   // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
   bool settle(std::int64_t most, double least) {
+    const std::int64_t stop = (at_.stage == Stage::growing ? 1 : rest) * growth_.stop_every;
     for (;;) {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
-      if (growth_.stop_every > 0 && !at_.ending && steps % growth_.stop_every == 0) simulation_.stop_motion();
+      if (stop > 0 && steps % stop == 0) simulation_.stop_motion();
       if (steps % dem::look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force)
         return true;
       if (steps >= most) return false;
-      if (at_.ending && steps % dem::report_interval == 0 && mean_overlap(simulation_.snapshot()) < growth_.overlap)
+      if (at_.stage != Stage::growing && steps % dem::report_interval == 0 &&
+          mean_overlap(simulation_.snapshot()) < growth_.overlap)
         return false;
       if (report_ && steps % dem::report_interval == 0)
         report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
@@ -149,6 +188,10 @@ class Grower {
     put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);
   }
 
+  bool held() const {
+    return fill_.overlap >= growth_.overlap && fill_.coordination_number >= growth_.coordination_number;
+  }
+
   // A round of equilibrium; whether, where it is measured, the volume stands still and the grains press on each other.
   bool presses() {
     const bool measuring = at_.round % growth_.measure_every == 0;
@@ -162,25 +205,15 @@ class Grower {
     standing_ = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
     at_.measured_at = at_.growth;
     if (report_) report_(progress(), fmt::format("round {}: {}", at_.round, text()));
-    return standing_ && fill_.overlap >= growth_.overlap;
+    return standing_ && held();
   }
 
-  // Whether they still do at rest: what presses while it moves may fall apart.
-  bool full_at_rest() {
-    const bool rests = settle(growth_.largest_round, 0);
-    measure();
-    if (report_) report_(progress(), fmt::format("at rest after round {}: {}", at_.round, text()));
-    if (fill_.overlap >= growth_.overlap) {
-      if (rests) return true;
+  void lower_friction() {
+    at_.friction *= growth_.friction_factor;
+    if (at_.friction * dem::friction(model_) < dem::lowest_friction)
       throw TargetNotReached(
-          fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
-                      "growth.unbalanced_force",
-                      growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
-    }
-    fell_apart_ = true;
-    at_.ending = false;
-    simulation_.set_damping(growth_.damping);
-    return false;
+          fmt::format("void ratio {:.4f} is not reached: without friction the grains press at {:.4f} ({})",
+                      *growth_.void_ratio, fill_.void_ratio, text()));
   }
 
   [[noreturn]] void unreached() const {
@@ -188,7 +221,8 @@ class Grower {
         fmt::format("after {} rounds the grains do not fill the container: {} ({})", at_.round,
                     !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
                     : fell_apart_ ? "what presses falls apart as it comes to rest; allow more rounds (growth.rounds)"
-                                  : "the mean overlap is below growth.overlap; allow more rounds (growth.rounds)",
+                                  : "the mean overlap is below growth.overlap, or the coordination number below "
+                                    "growth.coordination_number; allow more rounds (growth.rounds)",
                     text()));
   }
 
@@ -201,6 +235,7 @@ class Grower {
   }
 
   const Growth& growth_;
+  const dem::Model& model_;
   const Report& report_;
   dem::Keeper keeper_;
   Archive kept_;
@@ -242,6 +277,10 @@ Growth Growth::read(Settings& table) {
       "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
   static constexpr Parameter overlap{"overlap", "1",  0,
                                      1,         true, "mean overlap over the mean radius of a full container"};
+  static constexpr Parameter coordination{"coordination_number", "1", 0, 20, true, "of a full container at rest"};
+  static constexpr Parameter target{
+      "void_ratio", "1", 0, 100, true, "of the full container, by the Delaunay volume; friction is lowered for it"};
+  static constexpr Parameter lowering{"friction_factor", "1", 0, 0.999, true, "of the friction angle, each time"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
   Growth g;
@@ -253,6 +292,9 @@ Growth Growth::read(Settings& table) {
   g.stop_every = table.integer(stop, g.stop_every);
   g.volume_tolerance = table.number(volume, g.volume_tolerance);
   g.overlap = table.number(overlap, g.overlap);
+  g.coordination_number = table.number(coordination, g.coordination_number);
+  if (table.has("void_ratio")) g.void_ratio = table.number(target);
+  g.friction_factor = table.number(lowering, g.friction_factor);
   g.measure_every = table.integer(every, g.measure_every);
   g.largest_rounds = table.integer(rounds, g.largest_rounds);
   return g;

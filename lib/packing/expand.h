@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/settings.h"
@@ -19,13 +20,18 @@ struct Growth {
   /// Between the grains as they are cut and the container that they fill: coordinates are stretched by this while the
   /// radii grow by the cube root of its product, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
-  double unbalanced_force = 1e-3;   // of an equilibrium: mean resultant over mean contact force
-  double negligible = 1e-4;         // overlap over radius whose force counts instead, while contacts carry less
-  double damping = 0.5;             // Cundall's
-  std::int64_t steps = 100;         // of a round at most; ten times that before a measurement
-  std::int64_t stop_every = 50;     // steps after which all motion is stopped, 0: never: damping takes none of flight
-  double volume_tolerance = 0.9;    // growth of the Delaunay volume over that of free grains: less is standing still
-  double overlap = 1e-4;            // mean overlap over the mean radius at which the grains are full
+  double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
+  double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less
+  double damping = 0.5;              // Cundall's
+  std::int64_t steps = 100;          // of a round at most; ten times that before a measurement
+  std::int64_t stop_every = 50;      // steps after which all motion is stopped, 0: never: damping takes none of flight
+  double volume_tolerance = 0.9;     // growth of the Delaunay volume over that of free grains: less is standing still
+  double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full, at rest
+  double coordination_number = 2.5;  // and their coordination number
+  /// Of the full container, by the Delaunay volume: while grains that press are looser, friction is lowered; it is
+  /// restored at the end. None: as dense as they come.
+  std::optional<double> void_ratio;
+  double friction_factor = 0.9;     // of the friction angles, each time
   std::int64_t measure_every = 10;  // rounds
   std::int64_t largest_rounds = 2000;
   std::int64_t largest_round = 100'000;  // steps

@@ -17,8 +17,6 @@ namespace soilweave::packing {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-// Below this friction angle the packing is as dense as friction can make it.
-constexpr double lowest_friction = 0.05 * degree;
 // Of the cell: a little less than the half at which a guard stops.
 constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
@@ -131,7 +129,7 @@ class Compaction {
       return enter(Phase::ending);
     }
     at_.lowered *= recipe_.friction_factor;
-    if (at_.lowered < lowest_friction)
+    if (at_.lowered < dem::lowest_friction)
       throw TargetNotReached(
           fmt::format("void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}; "
                       "raise the pressure, lower the rolling stiffness, or widen the grading",
