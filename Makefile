@@ -131,9 +131,9 @@ $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
 $(TEST_OBJECTS) $(PRECOMPILED_TESTS).gch: private CXXFLAGS += $(if $(SANITIZE),-O0,-O1)
 
 # Trees for tests are built whole: there the sources of a folder compile as one, in two thirds of the time, but for those
-# with flags or a stand-in of their own.
+# with flags of their own, with a stand-in, or that need VTK.
 ALONE := lib/analysis/tessellation.cpp lib/core/processor.cpp lib/dem/contact_sweep.cpp lib/dem/motion.cpp \
-  lib/dem/contacts.cpp lib/fem/ranks.cpp
+  lib/dem/contacts.cpp lib/fem/ranks.cpp lib/io/paraview.cpp
 FOLDED := $(if $(VARIANT),$(filter-out $(ALONE),$(LIB)))
 FOLDS := $(patsubst lib/%/,$(B)/obj/folds/%.o,$(sort $(dir $(FOLDED))))
 LIB_OBJECTS := $(call object,$(filter-out $(FOLDED),$(LIB))) $(FOLDS) $(EIGHT)
@@ -264,7 +264,8 @@ soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on fail
 
 .PHONY: fuzz fuzz-targets
 fuzz-targets: $(FUZZED)
-fuzz: $(TOOLS) ## every reader under libFuzzer, FUZZ_TIME=600 s each
+fuzz: $(TOOLS) ## every reader under libFuzzer, FUZZ_TIME=600 s each (needs clang)
+	@command -v clang++ > /dev/null || { echo "make fuzz: clang++ is missing; run: apt-get install clang" >&2; exit 1; }
 	@$(AGAIN) FUZZ=1 fuzz-targets
 	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
 

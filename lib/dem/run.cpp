@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dem/moment.h"
 #include "dem/prepare.h"
 #include "dem/record.h"
 
@@ -112,14 +113,7 @@ class Runner {
     for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
   }
 
-  io::Moment moment() {
-    Archive archive;
-    simulation_.archive(archive);
-    servo_.archive(archive), rig_.archive(archive);
-    at_.archive(archive);
-    clock_.archive(simulation_, keeper_.seconds(), archive);
-    return {simulation_.snapshot(), result_.series, archive.numbers()};
-  }
+  io::Moment moment() { return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, at_); }
 
   // What a stage changes in the grains.
   void apply(const Stage& stage) {

@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "dem/bodies.h"
 #include "dem/contact_sweep.h"
+#include "dem/moment.h"
 #include "dem/scenario.h"
 #include "packing/tile.h"
 
@@ -226,13 +227,7 @@ class Grower {
                     text()));
   }
 
-  io::Moment moment() {
-    Archive archive;
-    simulation_.archive(archive);
-    at_.archive(archive);
-    clock_.archive(simulation_, keeper_.seconds(), archive);
-    return {simulation_.snapshot(), history_, archive.numbers()};
-  }
+  io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), history_, at_); }
 
   const Growth& growth_;
   const dem::Model& model_;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dem/moment.h"
 #include "dem/scenario.h"
 
 namespace soilweave::packing {
@@ -199,14 +200,7 @@ class Compaction {
     }
   }
 
-  io::Moment moment() {
-    Archive archive;
-    simulation_.archive(archive);
-    servo_.archive(archive);
-    at_.archive(archive);
-    clock_.archive(simulation_, keeper_.seconds(), archive);
-    return {simulation_.snapshot(), {}, archive.numbers()};
-  }
+  io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), {}, servo_, at_); }
 
   void tell(const char* stage) const {
     const dem::Measures& m = simulation_.measures();

@@ -48,11 +48,11 @@ $(C3O)/strip_%.h5: $(C3O)/strip.h5 $(C3)/strip.toml $(BIN)/run-dem
 	@$(BIN)/run-dem $< $(C3)/strip.toml --set geotextile.0.curve=$* --threads 1 --quiet --force -o $@
 
 $(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --table series --tsv > $@.part && mv $@.part $@
+	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
-	@$(BIN)/fabric $< --tsv > $@.part && mv $@.part $@
+	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --groups --table volumes --tsv > $@.part && mv $@.part $@
+	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
 
 C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
 C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
@@ -60,15 +60,15 @@ C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
 
 $(C3O)/measured.tsv: $(C3)/measure.awk $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3O)/generation.tsv $(C3_RECORDED)
-	@awk -v loads='$(C3_LOADS)' -f $^ > $@.part && mv $@.part $@
+	@awk -v loads='$(C3_LOADS)' -f $^ $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 $(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
-	@awk -f $^ > $@.part && mv $@.part $@
+	@awk -f $^ $(call whole,$@)
 $(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_RECORDED)
 	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'" $<; done
 	@touch $@
 $(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures
-	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh > $@.part && mv $@.part $@
+	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch3: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C3O)/comparison.tsv $(C3O)/checklist.tsv

@@ -9,6 +9,7 @@
 #include "dem/motion.h"
 #include "dem/neighbours.h"
 #include "dem/scenario.h"
+#include "packing/tile.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {
@@ -19,27 +20,7 @@ using testing::sand;
 
 constexpr double time_step = 1e-7;  // s; far below the stable one: the grains stay where they are, whatever the count
 constexpr std::size_t base = 1000;
-constexpr int settling = 200;  // steps in which copies, whose contacts are new, come to rest
-
-void repeat(io::Snapshot& state, std::size_t copies) {
-  io::GrainsRecord& g = state.grains;
-  const std::size_t n = g.size();
-  const double height = state.cell.matrix(2, 2);
-  for (std::size_t copy = 1; copy < copies; ++copy)
-    for (std::size_t i = 0; i < n; ++i) {
-      g.body_id.push_back(static_cast<std::int64_t>(g.size()));
-      g.position.push_back(g.position[i] + static_cast<double>(copy) * height * Vec3::UnitZ());
-      g.orientation.push_back(g.orientation[i]);
-      g.velocity.push_back(g.velocity[i]);
-      g.angular_velocity.push_back(g.angular_velocity[i]);
-      g.radius.push_back(g.radius[i]);
-      g.mass.push_back(g.mass[i]);
-      g.material_id.push_back(0);
-      g.copy_id.push_back(0);
-    }
-  state.cell.matrix(2, 2) = static_cast<double>(copies) * height;
-  state.contacts = {};  // of one copy; those of all are found again
-}
+constexpr int settling = 200;  // steps in which the grains come to rest under this friction
 
 /// Dense grains at rest under 0.1 MPa; more than 1000 are copies of 1000 on top of each other. Made once.
 const io::Snapshot& assembly(std::size_t grains, const Model& model) {
@@ -49,8 +30,8 @@ const io::Snapshot& assembly(std::size_t grains, const Model& model) {
   if (known != made.end()) return known->second;
   constexpr double slippery = 5 * testing::degree;
   io::Snapshot state =
-      grains > base ? assembly(base, model) : testing::packed(with_friction(model, slippery), 1e5, grains);
-  if (grains > base) repeat(state, grains / base);
+      grains > base ? packing::tile(assembly(base, model), {1, 1, static_cast<int>(grains / base)}, {true, true, true})
+                    : testing::packed(with_friction(model, slippery), 1e5, grains);
   return made.emplace(key, std::move(state)).first->second;
 }
 

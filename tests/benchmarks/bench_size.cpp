@@ -12,13 +12,14 @@
 
 #include "dem/scenario.h"
 #include "dem/simulation.h"
+#include "packing/tile.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {
 namespace {
 
 constexpr std::size_t base = 1000;
-constexpr int settling = 40;  // steps in which copies, whose contacts are new, come to rest
+constexpr int settling = 40;  // steps in which the grains come to rest under this friction
 
 // Dense grains at rest under 0.1 MPa, made once.
 const io::Snapshot& dense(const Model& model, std::size_t grains) {
@@ -28,35 +29,15 @@ const io::Snapshot& dense(const Model& model, std::size_t grains) {
   return model.materials.index() == 0 && grains == base ? spheres : few;
 }
 
-// So many copies in a nearly cubic array, copy after copy.
+// So many copies in a nearly cubic array.
 io::Snapshot copies(const io::Snapshot& one, std::size_t count) {
-  io::Snapshot all = one;
-  all.contacts = {};  // of one copy; those of all are found again
-  std::array<std::size_t, 3> n{1, 1, 1};
-  for (std::size_t left = count; left > 1;)
-    for (std::size_t& axis : n) {
-      const std::size_t factor = left % 10 == 0 ? 10 : left;
+  std::array<int, 3> n{1, 1, 1};
+  for (auto left = static_cast<int>(count); left > 1;)
+    for (int& axis : n) {
+      const int factor = left % 10 == 0 ? 10 : left;
       if (left > 1) axis *= factor, left /= factor;
     }
-  io::GrainsRecord& g = all.grains;
-  const io::GrainsRecord& from = one.grains;
-  for (std::size_t copy = 1; copy < count; ++copy) {
-    const Vec3 place(static_cast<double>(copy % n[0]), static_cast<double>(copy / n[0] % n[1]),
-                     static_cast<double>(copy / n[0] / n[1]));
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      g.body_id.push_back(static_cast<std::int64_t>(g.size()));
-      g.position.emplace_back(from.position[i] + one.cell.matrix * place);
-      g.orientation.push_back(from.orientation[i]);
-      g.velocity.push_back(from.velocity[i]);
-      g.angular_velocity.push_back(from.angular_velocity[i]);
-      g.radius.push_back(from.radius[i]);
-      g.mass.push_back(from.mass[i]);
-      g.material_id.push_back(0);
-      g.copy_id.push_back(0);
-    }
-  }
-  for (int a = 0; a < 3; ++a) all.cell.matrix.col(a) *= static_cast<double>(n[static_cast<std::size_t>(a)]);
-  return all;
+  return packing::tile(one, n, {true, true, true});
 }
 
 // Bytes this process holds.

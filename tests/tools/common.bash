@@ -67,6 +67,19 @@ same_bytes() {
   cmp "$1" "$2" || show "$1 and $2 differ"
 }
 
+# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last".
+value() {
+  awk -F '\t' -v name="$2" -v row="$3" '
+    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } next }
+    { last = $column } NR == row + 1 { print $column } END { if (row == "last") print last }' "$1"
+}
+
+# near ONE OTHER TOLERANCE (relative)
+near() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
+    show "$1 is not $2 to $3"
+}
+
 # needs_reference FILE: $reference is the path of this reference data; the test is skipped where there is none.
 needs_reference() {
   [[ -n ${SOILWEAVE_REFERENCE:-} ]] || skip "SOILWEAVE_REFERENCE is not set"

@@ -11,19 +11,6 @@ setup() {
 DEM=$BATS_TEST_DIRNAME/../../data/discrete_element
 LAB=$BATS_TEST_DIRNAME/../../data/laboratory
 
-# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last".
-value() {
-  awk -F '\t' -v name="$2" -v row="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } next }
-    { last = $column } NR == row + 1 { print $column } END { if (row == "last") print last }' "$1"
-}
-
-# near ONE OTHER TOLERANCE (relative)
-near() {
-  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
-    show "$1 is not $2 to $3"
-}
-
 # refuses STATUS VERB MESSAGE ARGUMENTS...: exactly one line, "gws-solve VERB: MESSAGE", and nothing on standard output.
 refuses() {
   local wanted=$1 verb=$2 message=$3

@@ -13,19 +13,6 @@ setup() {
   cd "$BATS_TEST_TMPDIR" || return
 }
 
-# value FILE COLUMN ROW: one number of a table; rows count from 1.
-value() {
-  awk -F '\t' -v name="$2" -v row="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } }
-    NR == row + 1 { print $column }' "$1"
-}
-
-# near ONE OTHER TOLERANCE (relative)
-near() {
-  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
-    show "$1 is not $2 to $3"
-}
-
 @test "the cell's stress, invariants and void ratio are numpy's, in space and in the plane" {
   local case
   for case in sheared disks; do
