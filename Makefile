@@ -149,10 +149,10 @@ $(B)/obj/folds/%.o: $(B)/folds/%.cpp $(B)/flags $(PRECOMPILED).gch
 	@echo '  c++   lib/$*'
 	@$(CXX) -I. $(CPPFLAGS) -include $(PRECOMPILED) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
-# $(B)/sources remembers which files the archive is made of: a source taken away must leave it too.
+# $(B)/sources remembers which files the archive is made of, and how: a source taken away must leave it too.
 $(B)/sources: always
 	@mkdir -p $(@D)
-	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
+	@printf '%s\n' $(LIB_OBJECTS) $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB_OBJECTS) $(LIB) > $@
 
 $(B)/libsoilweave.a: $(LIB_OBJECTS) $(B)/sources
 	@echo '  ar    $@'
