@@ -29,7 +29,7 @@ OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefine
   -fno-sanitize-recover=all
 # The compiler's own omp.h is not clang's: one thread.
 OPTIMISE_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-openmp
-OPTIMISE_coverage := -O0 -g --coverage -fprofile-update=atomic -DNDEBUG
+OPTIMISE_coverage := -Og -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
 # clang-tidy watch instead.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <numeric>
 
@@ -93,7 +94,12 @@ TEST(PowerCells, AreRefusedWithoutAPeriodicCellAndForHiddenGrains) {
 }
 
 TEST(PowerCells, InsideAnOpenAssemblyAreThoseOfThePeriodicCell) {
-  const io::Snapshot s = random_cell(60);
+  io::Snapshot s = random_cell(60);
+  for (std::size_t g = 0; g < s.grains.size(); ++g) {
+    const Vec3 reduced = s.cell.matrix.inverse() * s.grains.position[g];
+    s.grains.position[g] = s.cell.matrix * (reduced - reduced.array().floor().matrix());
+    s.grains.radius[g] = std::max(s.grains.radius[g], 0.38);  // a cell many times its grain counts as one at a hole
+  }
   io::Snapshot open;
   open.grains.dimension = 3;
   for (int i = -1; i <= 1; ++i)
