@@ -130,31 +130,12 @@ $(TEST_OBJECTS): $(PRECOMPILED_TESTS).gch
 $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
 $(TEST_OBJECTS) $(PRECOMPILED_TESTS).gch: private CXXFLAGS += $(if $(SANITIZE),-O0,-O1)
 
-# Trees for tests are built whole: there the sources of a folder compile as one, in two thirds of the time, but for those
-# with flags of their own, with a stand-in, or that need VTK.
-ALONE := lib/analysis/tessellation.cpp lib/core/processor.cpp lib/dem/contact_sweep.cpp lib/dem/motion.cpp \
-  lib/dem/contacts.cpp lib/fem/ranks.cpp lib/io/paraview.cpp
-FOLDED := $(if $(VARIANT),$(filter-out $(ALONE),$(LIB)))
-FOLDS := $(patsubst lib/%/,$(B)/obj/folds/%.o,$(sort $(dir $(FOLDED))))
-LIB_OBJECTS := $(call object,$(filter-out $(FOLDED),$(LIB))) $(FOLDS) $(EIGHT)
-# One source of many; tools have a main each.
-define fold
-@mkdir -p $(@D)
-@for f in $(1); do n=$$(basename $$f .cpp); printf '#define main %s_main\n#include "%s"\n#undef main\n' "$${n//-/_}" "$$f"; done > $(2)
-endef
-$(B)/folds/%.cpp: $(B)/sources
-	$(call fold,$(filter lib/$*/%,$(FOLDED)),$@)
-$(B)/obj/folds/%.o: $(B)/folds/%.cpp $(B)/flags $(PRECOMPILED).gch
-	@mkdir -p $(@D)
-	@echo '  c++   lib/$*'
-	@$(CXX) -I. $(CPPFLAGS) -include $(PRECOMPILED) $(CXXFLAGS) -MMD -MP -c $< -o $@
-
-# $(B)/sources remembers which files the archive is made of, and how: a source taken away must leave it too.
+# $(B)/sources remembers which files the archive is made of: a source taken away must leave it too.
 $(B)/sources: always
 	@mkdir -p $(@D)
-	@printf '%s\n' $(LIB_OBJECTS) $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB_OBJECTS) $(LIB) > $@
+	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
 
-$(B)/libsoilweave.a: $(LIB_OBJECTS) $(B)/sources
+$(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
 	@echo '  ar    $@'
 	@rm -f $@ && ar rcsD $@ $(filter %.o,$^)
 
@@ -194,7 +175,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 	@echo '  link  $@'
 	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(FOLDS) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
@@ -307,8 +288,10 @@ TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -fopenmp -Wno-unknown-warning-option -i
 TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL)
 TIDY := $(patsubst %/,build/lint/%.tidy,$(sort $(dir $(TIDY_SOURCES))))
 build/lint/%.tidy: .clang-tidy
+	@mkdir -p $(@D)
 	@echo '  tidy  $*'
-	$(call fold,$(filter $(TIDY_SOURCES),$^),build/lint/$*.cpp)
+	@for f in $(filter $(TIDY_SOURCES),$^); do n=$$(basename $$f .cpp); \
+	  printf '#define main %s_main\n#include "%s"\n#undef main\n' "$${n//-/_}" "$$f"; done > build/lint/$*.cpp
 	@clang-tidy --quiet build/lint/$*.cpp -- -I. $(CPPFLAGS) $(VTK_CPPFLAGS) $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
 	@$(CXX) -std=c++20 -march=x86-64-v3 -fopenmp -I. $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
 $(foreach f,$(TIDY_SOURCES),$(eval $(patsubst %/,build/lint/%.tidy,$(dir $(f))): $(f)))
