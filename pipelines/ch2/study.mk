@@ -11,7 +11,8 @@ C2_CASES_thesis := $(foreach n,1000 2000 5000,hm_$(n)_0.2 cl_$(n)_0.2) $(foreach
 C2_CASES ?= $(C2_CASES_$(PROFILE))
 # Sets of each round, and the axial strain (%) up to which runs go and are compared.
 C2_SAMPLES_quick := 32 24
-C2_SAMPLES_thesis := 2000 200
+# The thesis's 2000, and rounds after them: each narrows the posterior further than more sets of the first would.
+C2_SAMPLES_thesis := 2000 200 100 100
 C2_SAMPLES ?= $(C2_SAMPLES_$(PROFILE))
 C2_STRAIN_quick := 6
 C2_STRAIN_thesis := 8.5
