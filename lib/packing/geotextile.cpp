@@ -27,7 +27,7 @@ namespace {
 // Nodes of a mesh on the surface of a box: those before and after along each axis, -1 for none.
 using Neighbours = std::vector<std::array<std::array<std::int32_t, 2>, 3>>;
 
-constexpr int evening_sweeps = 1000;
+constexpr int evening_sweeps = 500;
 constexpr double evening_share = 0.25;  // of the differences in length, a sweep
 
 // Woven yarns are equally long wherever they lie: nodes slide on the bag until theirs are. Sums go in pairs, so that

@@ -94,12 +94,26 @@ setup() {
 @test "the tables of a bag have its plates, its yarns and its soil" {
   homogenize run.h5 --table series --tsv > series.tsv
   # The second row is the one under the plates' load of 20 N.
-  awk -F '\t' 'NR == 1 { for (k = 1; k <= NF; ++k) at[$k] = k }
-    NR == 3 { exit !($at["force_top_z [N]"] > 19.6 && $at["force_top_z [N]"] < 20.4 && $at["force_bottom_z [N]"] < -19.6 &&
-    $at["force_bottom_z [N]"] > -20.4 && $at["yarn_tension_face [N]"] > 0 && $at["soil_stress_zz [Pa]"] > 0 &&
-    $at["soil_volume [m3]"] > 0) }' series.tsv || show "$(cat series.tsv)"
+  near "$(value series.tsv force_top_z 2)" 20 0.02
+  near "$(value series.tsv force_bottom_z 2)" -20 0.02
+  local column
+  for column in yarn_tension_face soil_stress_zz soil_volume; do
+    awk -v x="$(value series.tsv $column 2)" 'BEGIN { exit !(x > 0) }' || show "$column" "$(cat series.tsv)"
+  done
   homogenize run.h5 --table bag --tsv | grep -q soil_void_ratio
   [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
+}
+
+@test "a bag is full when its grains press at rest, and as dense as asked for" {
+  for row in growth.tsv denser.tsv; do
+    [[ $row == growth.tsv ]] ||
+      filter-expand --quiet packing.h5 bag.toml --set growth.void_ratio=0.42 -o denser.h5 --history denser.tsv
+    awk -v z="$(value $row coordination_number last)" -v u="$(value $row mean_overlap last)" 'BEGIN { exit !(z >= 2.5 && u >= 1e-4) }' ||
+      show "$(tail -n 3 $row)"
+  done
+  awk -v e="$(value denser.tsv void_ratio last)" 'BEGIN { exit !(e <= 0.42 && e > 0.41) }' || show "$(tail -n 3 denser.tsv)"
+  refuses 1 filter-expand "the grains do not fill the container" packing.h5 bag.toml --set growth.rounds=10 -o out.h5
+  refuses 1 filter-expand "falls apart as it comes to rest" packing.h5 bag.toml --set growth.rounds=32 -o out.h5
 }
 
 @test "what cannot be is refused" {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "dem/path.h"
+#include "packing/tile.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {
@@ -36,22 +37,10 @@ Mat3 shearing() {
 
 // 2100 grains, three chunks: copies of 700 along x, moved a little so that no two move alike.
 io::Snapshot several_chunks() {
-  const io::Snapshot one = testing::packed(testing::sand(), 1e5, 700);
-  io::Snapshot all = one;
-  all.contacts = {};
+  io::Snapshot all = packing::tile(testing::packed(testing::sand(), 1e5, 700), {3, 1, 1}, {true, true, true});
   io::GrainsRecord& g = all.grains;
-  const io::GrainsRecord& from = one.grains;
-  for (int copy = 1; copy < 3; ++copy)
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      g.body_id.push_back(static_cast<std::int64_t>(g.size()));
-      g.position.emplace_back(from.position[i] + copy * one.cell.matrix.col(0));
-      g.position.back()[static_cast<int>(i % 3)] += 1e-5 * copy * from.radius[i];
-      g.orientation.push_back(from.orientation[i]), g.velocity.push_back(from.velocity[i]);
-      g.angular_velocity.push_back(from.angular_velocity[i]);
-      g.radius.push_back(from.radius[i]), g.mass.push_back(from.mass[i]);
-      g.material_id.push_back(from.material_id[i]), g.copy_id.push_back(0);
-    }
-  all.cell.matrix.col(0) *= 3;
+  for (std::size_t i = 0; i < g.size(); ++i)
+    g.position[i][static_cast<int>(i % 3)] += 1e-5 * g.copy_id[i] * g.radius[i];
   return all;
 }
 
