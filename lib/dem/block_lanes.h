@@ -10,92 +10,117 @@
 
 namespace soilweave::dem {
 
-/// The row at a distance, counted in numbers, from the first.
-inline Lane4 row_at(const std::vector<Lane4>& rows, std::size_t distance) {
-  return load<Lane4>(reinterpret_cast<const double*>(rows.data()) + distance);
-}
-
 /// The lanes from k on.
 template <class T>
 struct BlockLanes {
   ContactBlock* block;
-  double* reals;              // lane k of the first of the block's arrays of them
-  const std::uint32_t* rows;  // and of the first of its distances
-
-  BlockLanes() = default;
-  BlockLanes(ContactBlock* b, int k) : block(b), reals(b->normal[0] + k), rows(b->first + k) {}
+  int lane;
 
   static constexpr unsigned full = (1u << width<T>)-1;
-  int lane() const { return static_cast<int>(rows - block->first); }
-  unsigned touching() const { return (block->touching >> lane()) & full; }
+  unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
   void set_masks(unsigned touching, unsigned sliding) const {
-    const int k = lane();
-    const unsigned others = ~(full << k);
-    block->touching = (block->touching & others) | (touching << k);
-    block->sliding = (block->sliding & others) | (sliding << k);
+    if constexpr (width<T> == ContactBlock::size) {
+      block->touching = static_cast<std::uint8_t>(touching), block->sliding = static_cast<std::uint8_t>(sliding);
+    } else {
+      const unsigned others = ~(full << lane);
+      block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
+      block->sliding = static_cast<std::uint8_t>((block->sliding & others) | (sliding << lane));
+    }
   }
-  std::size_t first(int lane) const { return rows[lane]; }
-  std::size_t second(int lane) const { return rows[ContactBlock::size + lane]; }
-  std::size_t image(int lane) const { return rows[2 * ContactBlock::size + lane]; }
-  std::size_t load_second(int lane) const { return rows[3 * ContactBlock::size + lane]; }
+  std::size_t first(int k) const { return block->first[lane + k]; }
+  std::size_t second(int k) const { return block->second[lane + k]; }
+  std::size_t load_first(int k) const { return first(k) / (ContactBlock::grain_size / ContactBlock::load_size); }
+  std::size_t load_second(int k) const { return block->load_second[lane + k]; }
+  std::size_t image(int k) const { return block->image[lane + k]; }
 
-  V3<T> normal() const { return load3(0); }
-  Memory<T> memory() const { return {load3(3), load3(6), load<T>(reals + 9 * ContactBlock::size)}; }
-  void remember(const V3<T>& normal, const Memory<T>& memory, const T& normal_force) const {
-    store3(0, normal), store3(3, memory.shear), store3(6, memory.rolling);
-    store(reals + 9 * ContactBlock::size, memory.twisting), store(reals + 10 * ContactBlock::size, normal_force);
+  template <class Space>
+  Vector<T, Space> shear() const {
+    return vector(block->shear, Vector<T, Space>());
   }
+  template <class Space>
+  Turn<T, Space> rolling() const {
+    return turn(block->rolling, Turn<T, Space>());
+  }
+  T twisting() const { return load<T>(block->twisting + lane); }
+  T normal_force() const { return load<T>(block->normal_force + lane); }
+  template <class V>
+  void remember_shear(const V& shear) const {
+    put(shear, block->shear);
+  }
+  template <class Space>
+  void remember_moments(const Memory<T, Space>& memory) const {
+    put(memory.rolling, block->rolling);
+    if constexpr (Space::twists) store(block->twisting + lane, memory.twisting);
+  }
+  void forget_moments() const { remember_moments(Memory<T, Spatial>{}); }
+  void remember_normal_force(const T& force) const { store(block->normal_force + lane, force); }
 
+  /// The grains of the pairs.
+  struct Ends {
+    const Grain *first[width<T>], *second[width<T>];
+  };
+  Ends ends(const double* grains) const {
+    const auto at = [grains](std::size_t distance) { return reinterpret_cast<const Grain*>(grains + distance); };
+    Ends ends;
+    for (int k = 0; k < width<T>; ++k) ends.first[k] = at(first(k)), ends.second[k] = at(second(k));
+    return ends;
+  }
   /// Second grain less first; a cell offset comes with `shifts`, a row for each of Contacts::images.
-  V3<T> branch(const Bodies& bodies, const std::vector<Lane4>& shifts) const {
-    const auto& x = bodies.position;
-    const auto between = [&](int lane) { return row_at(x, second(lane)) - row_at(x, first(lane)); };
-    const Columns<T> d = block->folded
-                             ? columns<T>([&](int lane) { return between(lane) + row_at(shifts, image(lane)); })
-                             : columns<T>(between);
-    return {d.a, d.b, d.c};
+  template <class Space>
+  Vector<T, Space> branch(const Ends& ends, const std::vector<Lane4>& shifts) const {
+    const auto between = [&](int k) { return ends.second[k]->position - ends.first[k]->position; };
+    return Space::vector(block->folded ? columns<T>([&](int k) { return between(k) + shifts[image(k)]; })
+                                       : columns<T>(between));
   }
-  V3<T> velocity(const Bodies& bodies) const {
-    const auto& v = bodies.velocity;
-    const Columns<T> d = columns<T>([&](int lane) { return row_at(v, second(lane)) - row_at(v, first(lane)); });
-    return {d.a, d.b, d.c};
+  template <class Space>
+  static Vector<T, Space> velocity(const Ends& ends) {
+    return Space::vector(columns<T>([&](int k) { return ends.second[k]->velocity - ends.first[k]->velocity; }));
   }
-  void spins_and_radii(const Bodies& bodies, PairMotion<T>& motion) const {
-    const Columns<T> one = columns<T>([&](int lane) { return row_at(bodies.spin, first(lane)); });
-    motion.spin_1 = {one.a, one.b, one.c}, motion.lever_1 = one.d;
-    const Columns<T> two = columns<T>([&](int lane) { return row_at(bodies.spin, second(lane)); });
-    motion.spin_2 = {two.a, two.b, two.c}, motion.lever_2 = two.d;
+  template <class Space>
+  static void spins_and_radii(const Ends& ends, PairMotion<T, Space>& motion) {
+    const Columns<T> one = columns<T>([&](int k) { return ends.first[k]->spin; });
+    motion.spin_1 = Space::turn(one), motion.lever_1 = one.d;
+    const Columns<T> two = columns<T>([&](int k) { return ends.second[k]->spin; });
+    motion.spin_2 = Space::turn(two), motion.lever_2 = two.d;
   }
-  void masses(const Bodies& bodies, Kinematics<T>& kinematics) const {
+  template <class Space>
+  static void masses(const Ends& ends, Kinematics<T, Space>& kinematics) {
     double one[width<T>], two[width<T>];
-    for (int lane = 0; lane < width<T>; ++lane)
-      one[lane] = row_at(bodies.velocity, first(lane))[3], two[lane] = row_at(bodies.velocity, second(lane))[3];
+    for (int k = 0; k < width<T>; ++k) one[k] = ends.first[k]->velocity[3], two[k] = ends.second[k]->velocity[3];
     kinematics.m1 = load<T>(one), kinematics.m2 = load<T>(two);
   }
 
  private:
-  V3<T> load3(int array) const {
-    const double* from = reals + array * ContactBlock::size;
-    return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};
+  using Array = double[ContactBlock::size];
+
+  // The last argument tells the kind. A turn in the plane is the third part.
+  V3<T> vector(const Array (&from)[3], const V3<T>&) const {
+    return {load<T>(from[0] + lane), load<T>(from[1] + lane), load<T>(from[2] + lane)};
   }
-  void store3(int array, const V3<T>& v) const {
-    double* to = reals + array * ContactBlock::size;
-    store(to, v.x), store(to + ContactBlock::size, v.y), store(to + 2 * ContactBlock::size, v.z);
+  V2<T> vector(const Array (&from)[3], const V2<T>&) const {
+    return {load<T>(from[0] + lane), load<T>(from[1] + lane)};
   }
+  V3<T> turn(const Array (&from)[3], const V3<T>& kind) const { return vector(from, kind); }
+  T turn(const Array (&from)[3], const T&) const { return load<T>(from[2] + lane); }
+  void put(const V3<T>& v, Array (&to)[3]) const {
+    store(to[0] + lane, v.x), store(to[1] + lane, v.y), store(to[2] + lane, v.z);
+  }
+  void put(const V2<T>& v, Array (&to)[3]) const { store(to[0] + lane, v.x), store(to[1] + lane, v.y); }
+  void put(const T& turn, Array (&to)[3]) const { store(to[2] + lane, turn); }
 };
 
 /// Calls memory for what the sweep will come to: blocks, and the grains of other chunks that one of them names.
-inline void call_for(const ContactBlock* next, const ContactBlock* end, const Bodies& bodies, const double* loads) {
+inline void call_for(const ContactBlock* next, const ContactBlock* end, const double* grains, const double* loads) {
   constexpr int ahead = 6, soon = 3, line = 64;
   if (end - next <= ahead) return;
   const char* block = reinterpret_cast<const char*>(next + ahead);
   for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
   if (!next[soon].far) return;
   for (int lane = 0; lane < ContactBlock::size; ++lane) {
-    const std::uint32_t second = next[soon].second[lane];
-    for (const auto* rows : {&bodies.position, &bodies.velocity, &bodies.spin})
-      __builtin_prefetch(reinterpret_cast<const double*>(rows->data()) + second);
-    __builtin_prefetch(loads + 2 * static_cast<std::size_t>(next[soon].load_second[lane]));
+    const double* second = grains + next[soon].second[lane];
+    __builtin_prefetch(second);
+    __builtin_prefetch(second + line / sizeof(double));
+    __builtin_prefetch(loads + next[soon].load_second[lane]);
   }
 }
 

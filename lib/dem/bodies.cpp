@@ -1,4 +1,4 @@
-// Grains as flat arrays of rows.
+// Grains as rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/bodies.h"
 
@@ -12,30 +12,27 @@ namespace soilweave::dem {
 Bodies::Bodies(const io::GrainsRecord& record)
     : dimension(record.dimension),
       gyration(dimension == 3 ? 0.4 : 0.5),  // solid sphere; disk about its axis
-      force(record.size(), Lane4{}),
-      torque(record.size(), Lane4{}),
+      loads(record.size()),
       material(record.material_id.begin(), record.material_id.end()) {
   for (std::size_t i = 0; i < record.size(); ++i) {
-    position.push_back(row(record.position[i], record.radius[i]));
-    velocity.push_back(row(record.velocity[i], record.mass[i]));
-    spin.push_back(row(record.angular_velocity[i], record.radius[i]));
     const Vec4& q = record.orientation[i];
-    orientation.push_back(Lane4{q[0], q[1], q[2], q[3]});
+    grains.push_back({row(record.position[i], record.radius[i]), row(record.velocity[i], record.mass[i]),
+                      row(record.angular_velocity[i], record.radius[i]), Lane4{q[0], q[1], q[2], q[3]}});
   }
 }
 
 void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
   fabric = std::move(fabric_of);
   for (std::size_t i = 0; i < size(); ++i)
-    if (is_node(i)) spin[i] = row(Vec3::Zero(), radius(i));
+    if (is_node(i)) grains[i].spin = row(Vec3::Zero(), radius(i));
 }
 
 void Bodies::scale_radii(double factor, const Vec3& stretch) {
   for (std::size_t i = 0; i < size(); ++i) {
     if (is_node(i)) continue;
-    position[i] *= row(stretch, factor);
-    velocity[i][3] *= dimension == 3 ? factor * factor * factor : factor * factor;
-    spin[i][3] = radius(i);
+    grains[i].position *= row(stretch, factor);
+    grains[i].velocity[3] *= dimension == 3 ? factor * factor * factor : factor * factor;
+    grains[i].spin[3] = radius(i);
   }
 }
 
@@ -75,10 +72,11 @@ double Bodies::total_mass() const {
 
 void Bodies::store(io::GrainsRecord& record) const {
   for (std::size_t i = 0; i < size(); ++i) {
-    record.position[i] = vector_of(position[i]);
-    record.velocity[i] = vector_of(velocity[i]);
-    record.angular_velocity[i] = vector_of(spin[i]);
-    for (int a = 0; a < 4; ++a) record.orientation[i][a] = orientation[i][a];
+    const Grain& grain = grains[i];
+    record.position[i] = vector_of(grain.position);
+    record.velocity[i] = vector_of(grain.velocity);
+    record.angular_velocity[i] = vector_of(grain.spin);
+    for (int a = 0; a < 4; ++a) record.orientation[i][a] = grain.orientation[a];
     record.radius[i] = radius(i);
     record.mass[i] = mass(i);
   }

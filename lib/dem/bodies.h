@@ -1,4 +1,4 @@
-// Grains as flat arrays of rows: a vector and the scalar used with it side by side, one aligned load each.
+// Grains as rows: a vector and the scalar used with it side by side, one aligned load each.
 // Velocities are fluctuations about the cell's affine motion, half a step behind the positions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -7,30 +7,42 @@
 #include <limits>
 #include <vector>
 
+#include "core/large_pages.h"
 #include "core/v3.h"
 #include "io/records.h"
 
 namespace soilweave::dem {
+
+/// Two cache lines.
+struct alignas(64) Grain {
+  Lane4 position;     // x, y, z, m; radius, m
+  Lane4 velocity;     // m/s; mass, kg
+  Lane4 spin;         // rad/s; radius, m, once more
+  Lane4 orientation;  // quaternion, in the order w x y z
+};
+
+/// What acts on a grain. One cache line.
+struct alignas(64) Load {
+  Lane4 force{}, torque{};  // N, N m; last place 0
+};
 
 /// Of a sphere, m3; of a disk, m2.
 double grain_volume(int dimension, double radius);
 
 struct Bodies {
   int dimension = 3;
-  double gyration;                 // moment of inertia over mass and squared radius
-  std::vector<Lane4> position;     // x, y, z, m; radius, m
-  std::vector<Lane4> velocity;     // m/s; mass, kg
-  std::vector<Lane4> spin;         // rad/s; radius, m, once more
-  std::vector<Lane4> force;        // N, resultant of the contacts, gravity apart; 0
-  std::vector<Lane4> torque;       // N m; 0
-  std::vector<Lane4> orientation;  // quaternion, in the order w x y z
+  double gyration;  // moment of inertia over mass and squared radius
+  LargeVector<Grain> grains;
+  // First one of every grain: after Motion::gather the resultant of what acts on it, gravity apart, which
+  // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::load_start).
+  LargeVector<Load> loads;
   std::vector<std::int32_t> material;
   std::vector<std::int32_t> fabric;  // of a node of a geotextile, -1 of soil; empty where all are soil
 
   explicit Bodies(const io::GrainsRecord& record);
-  std::size_t size() const { return position.size(); }
-  double radius(std::size_t i) const { return position[i][3]; }
-  double mass(std::size_t i) const { return velocity[i][3]; }
+  std::size_t size() const { return grains.size(); }
+  double radius(std::size_t i) const { return grains[i].position[3]; }
+  double mass(std::size_t i) const { return grains[i].velocity[3]; }
   /// kg m2; nodes of geotextiles do not rotate.
   double inertia(std::size_t i) const {
     return is_node(i) ? std::numeric_limits<double>::infinity() : gyration * mass(i) * radius(i) * radius(i);

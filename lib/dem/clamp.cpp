@@ -11,8 +11,8 @@ double Clamps::take(const Vec3& gravity, double dt, Bodies& bodies) {
     for (const std::int32_t g : clamp.grains) {
       const auto i = static_cast<std::size_t>(g);
       const Lane4 weight = bodies.mass(i) * row(gravity, 0);
-      force += vector_of(bodies.force[i] + weight);
-      bodies.force[i] = -weight;
+      force += vector_of(bodies.loads[i].force + weight);
+      bodies.loads[i].force = -weight;
     }
     work -= 0.5 * dt * (clamp.force + force).dot(clamp.velocity);
     clamp.force = force;
@@ -25,9 +25,9 @@ double Clamps::set_velocity(std::size_t k, const Vec3& velocity, Bodies& bodies)
   double given = 0;
   for (const std::int32_t g : clamp.grains) {
     const auto i = static_cast<std::size_t>(g);
-    const Vec3 before = vector_of(bodies.velocity[i]);
+    const Vec3 before = vector_of(bodies.grains[i].velocity);
     given += 0.5 * bodies.mass(i) * (velocity.squaredNorm() - before.squaredNorm());
-    bodies.velocity[i] = row(velocity, bodies.mass(i));
+    bodies.grains[i].velocity = row(velocity, bodies.mass(i));
   }
   clamp.velocity = velocity;
   return given;

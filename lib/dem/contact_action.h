@@ -4,23 +4,25 @@
 
 #include <utility>
 
-#include "dem/pair_geometry.h"
+#include "dem/laws/contact.h"
 
 namespace soilweave::dem {
 
 /// The force and the torques of a contact.
-template <class T>
+template <class T, class Space = Spatial>
 struct Action {
-  V3<T> force;                        // N, on the second body
-  V3<T> torque_first, torque_second;  // N m, that on the first the other way round
+  Vector<T, Space> force;                      // N, on the second body
+  Turn<T, Space> torque_first, torque_second;  // N m, that on the first the other way round
 };
 
-template <class T>
-Action<T> action(const PairGeometry<T>& g, const Memory<T>& memory, const T& normal_force) {
-  const V3<T>& n = g.kinematics.normal;
-  const V3<T> moment = fused(memory.twisting, n, memory.rolling);
-  const V3<T> turn = cross(n, memory.shear);
-  return {fused(normal_force, n, memory.shear), fused(g.arm_1, turn, moment), fused_less(g.arm_2, turn, moment)};
+/// arm_1, arm_2: from the centres to the contact point, m.
+template <class T, class Space>
+Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2, const Memory<T, Space>& memory,
+                        const T& normal_force) {
+  Turn<T, Space> moment = memory.rolling;
+  if constexpr (Space::twists) moment = fused(memory.twisting, n, moment);
+  const Turn<T, Space> turn = cross(n, memory.shear);
+  return {fused(normal_force, n, memory.shear), fused(arm_1, turn, moment), fused_less(arm_2, turn, moment)};
 }
 
 /// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).

@@ -5,10 +5,13 @@
 // bit is independent of the width of the register, of the pairs listed without touching, and of the number of threads.
 //
 // A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
-// of registers through one stage after the other (approach, act): within a stage the processor works on several of
-// them at once, and a batch stays in its first cache. What a contact does to its grains is added at once to their
-// loads, in the order of the pairs; only for grains of other chunks, which another thread may be at, does it wait in a
-// place of its own (contacts.h).
+// of registers through one stage after the other: how the pairs lie and move (approach), then what the law answers and
+// what that does to the grains (act). Within a stage the processor works on several registers at once, and a batch
+// stays in its first cache. What a contact does to its grains is added at once to their loads, in the order of the
+// pairs; only for grains of other chunks, which another thread may be at, does it wait in a place of its own
+// (contacts.h).
+//
+// No old normal is kept: where a pair has turned from follows from its velocity (transport.h).
 //
 // The stress needs no product of force and branch for every contact: the sum of f (x) l is that of F (x) x over the
 // grains, F their resultants (motion.h), and of f times cell offset over the pairs that reach across the cell's faces.
@@ -19,6 +22,7 @@
 #include <bit>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "dem/block_lanes.h"
 #include "dem/contact_action.h"
@@ -38,29 +42,27 @@ using Lanes = Lane4;
 
 // What a step sums over the contacts of a chunk.
 struct StepSums {
-  Lane4 energies{}, losses{};
-  Lanes relative_overlap{};  // the largest, a lane each
+  Lane4 work{};     // -2 times that on the springs; frictional, rolling plastic, viscous
+  Lanes overlap{};  // the largest, a lane each
   std::int64_t contacts = 0;
 
-  template <class T>
-  void add(const PairGeometry<T>& g, const V3<T>& shear_before, const V3<T>& shear, const Books<T>& b) {
-    const T stored = b.elastic_shear + b.elastic_rolling + b.elastic_twisting;
-    const T before = b.shear_before + b.rolling_before + b.twisting_before;
-    const T kinematic = 0.5 * dot(shear_before + shear, g.excess_slip);
-    add_to(energies, b.elastic_normal, stored, before, kinematic);
-    // Where nothing is lost to add it changes no bit.
-    if (any(Mask<T>((b.frictional + b.rolling_plastic != all<T>(0)) | (b.viscous != all<T>(0)))))
-      add_to(losses, b.frictional, b.rolling_plastic, b.viscous, all<T>(0));
-    const T relative = g.kinematics.overlap / minimum(g.kinematics.r1, g.kinematics.r2);
-    relative_overlap = maximum(relative_overlap, relative + Lanes{});
+  template <class T, class Space>
+  void add(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after, bool moments,
+           const Books<T>& b) {
+    const Kinematics<T, Space>& k = g.kinematics;
+    T twice = dot(before.shear + after.shear, g.surface_slip);
+    if (moments) {
+      twice += product(Turn<T, Space>(before.rolling + after.rolling), k.roll);
+      if constexpr (Space::twists) twice = fused(T(before.twisting + after.twisting), k.twist, twice);
+    }
+    add_to(work, twice, b.frictional, b.rolling_plastic, b.viscous);
+    overlap = maximum(overlap, k.overlap + Lanes{});
   }
 
   void put_into(SweepSums& s) const {
-    s.elastic_normal += energies[0], s.elastic_tangential += energies[1], s.tangential_before += energies[2];
-    s.kinematic += energies[3];
-    s.frictional += losses[0], s.rolling_plastic += losses[1], s.viscous += losses[2];
-    for (int lane = 0; lane < width<Lanes>; ++lane)
-      s.largest_relative_overlap = std::max(s.largest_relative_overlap, relative_overlap[lane]);
+    s.tangential_work -= 0.5 * work[0];
+    s.frictional += work[1], s.rolling_plastic += work[2], s.viscous += work[3];
+    for (int lane = 0; lane < width<Lanes>; ++lane) s.largest_overlap = std::max(s.largest_overlap, overlap[lane]);
     s.contacts += contacts;
   }
 };
@@ -78,16 +80,21 @@ struct Surroundings {
   double dt;
   double* loads;
   double* across;  // of this chunk: forces summed by image
+
+  const double* grains() const { return reinterpret_cast<const double*>(bodies.grains.data()); }
 };
 
 // Pairs of one register on their way through the stages.
+template <class Space>
 struct Group {
   BlockLanes<Lanes> lanes;
   unsigned touching;
-  Approach<Lanes> approach;
+  PairMotion<Lanes, Space> motion;
+  PairGeometry<Lanes, Space> geometry;
 };
 constexpr std::size_t batch_size = 8;  // what the first cache holds
-using Batch = std::span<Group>;
+template <class Space>
+using Batch = std::span<Group<Space>>;
 
 template <class Law>
 class LawSweep final : public ContactSweep {
@@ -100,32 +107,32 @@ class LawSweep final : public ContactSweep {
     set_shifts(cell, contacts);
     across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
-    sweep(scene, affine, dt, contacts, step_sums_, [this](Batch batch, const Surroundings& s, StepSums& sums) {
-      s.dt > 0 ? act<true>(batch, s, sums) : act<false>(batch, s, sums);
-    });
+    if (!use_moments_ && dt > 0) let_moments_go(contacts);
+    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, contacts)
+                                : step<Spatial>(scene, affine, dt, contacts);
     SweepSums total;
     for (const StepSums& s : step_sums_) s.put_into(total);
     add_across(total.force_branch);
     StepSums with_planes;
-    for (PlanePair& pair : contacts.planes) act(scene, dt, pair, contacts, with_planes, total);
+    for (PlanePair& pair : contacts.planes) act(scene, dt, pair, with_planes, total);
     with_planes.put_into(total);
     return total;
   }
 
   Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
-    sweep(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
-          [this](Batch batch, const Surroundings& s, Lane4& sum) { stiffen(batch, s, sum); });
+    sweep<Spatial, false>(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+                          [this](Batch<Spatial> batch, const Surroundings& s, Lane4& sum) { stiffen(batch, s, sum); });
     Lane4 total{};
     for (const Lane4& sum : row_sums_) total += sum;
-    for (const PlanePair& pair : contacts.planes) stiffen(scene, pair, contacts.loads[pair.load], total);
+    for (const PlanePair& pair : contacts.planes) stiffen(scene, pair, scene.bodies.loads[pair.load], total);
     return vector_of(total);
   }
 
   StoredEnergies stored(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
-    sweep(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
-          [this](Batch batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
+    sweep<Spatial, false>(scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+                          [this](Batch<Spatial> batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
     Lane4 total{};
     for (const Lane4& sum : row_sums_) total += sum;
     for (const PlanePair& pair : contacts.planes) {
@@ -133,9 +140,9 @@ class LawSweep final : public ContactSweep {
       Memory<double> memory = pair.history.memory;
       Books<double> b;
       Law::respond(couple(scene, pair), geometry(scene, 0, pair).kinematics, 0.0, memory, b);
-      total = total + Lane4{b.elastic_shear, b.elastic_rolling, b.elastic_twisting, 0};
+      total = total + Lane4{b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting};
     }
-    return {total[0], total[1], total[2]};
+    return {total[0], total[1], total[2], total[3]};
   }
 
   double stiffness(double radius, double overlap, std::int32_t materials) const override {
@@ -160,8 +167,28 @@ class LawSweep final : public ContactSweep {
     for (const Vec3i& image : contacts.images) shifts_.push_back(row(cell.matrix() * image.cast<double>(), 0));
   }
 
+  // Moments of a state that was made with a law that has them: this one would turn the grains by them for ever.
+  void let_moments_go(Contacts& contacts) {
+    if (std::exchange(moments_gone_, true)) return;
+    for (auto& chunk : contacts.chunks)
+      for (ContactBlock& block : chunk)
+        for (int k = 0; k < ContactBlock::size; k += width<Lanes>) BlockLanes<Lanes>{&block, k}.forget_moments();
+  }
+
+  template <class Space>
+  void step(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts) {
+    const auto through = [this](Batch<Space> batch, const Surroundings& s, StepSums& sums) {
+      move<Space>(batch, s.dt);
+      if (use_moments_)
+        answer<Space, true>(batch, s, sums), act<Space, true>(batch, s);
+      else
+        answer<Space, false>(batch, s, sums), act<Space, false>(batch, s);
+    };
+    sweep<Space, true>(scene, affine, dt, contacts, step_sums_, through);
+  }
+
   // Chunk by chunk, batch by batch, the pairs that touch, or did so in the last step, through `stage`.
-  template <class Sums, class Stage>
+  template <class Space, bool moving, class Sums, class Stage>
   void sweep(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, std::vector<Sums>& sums,
              const Stage& stage) {
     const std::size_t chunks = chunks_of(scene.bodies.size());
@@ -172,86 +199,126 @@ class LawSweep final : public ContactSweep {
                            shifts_,
                            affine,
                            dt,
-                           reinterpret_cast<double*>(contacts.loads.data()),
+                           reinterpret_cast<double*>(scene.bodies.loads.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
-      std::array<Group, batch_size> groups;
+      std::array<Group<Space>, batch_size> groups;
       ContactBlock* next = contacts.chunks[chunk].data();
       ContactBlock* const end = next + contacts.chunks[chunk].size();
       while (next != end) {
         std::size_t n = 0;
-        next = approach(next, end, s, groups, n);
-        if (n) stage(Batch(groups.data(), n), s, sums[chunk]);
+        next = approach<Space, moving>(next, end, s, groups, n);
+        if (n) stage(Batch<Space>(groups.data(), n), s, sums[chunk]);
       }
     }
   }
 
   // Fills the batch from `next` on; returns the first block not looked at. n: how many were filled.
-  [[gnu::noinline, gnu::flatten]] static ContactBlock* approach(ContactBlock* next, ContactBlock* end,
-                                                                const Surroundings& s,
-                                                                std::array<Group, batch_size>& groups, std::size_t& n) {
+  template <class Space, bool moving>
+  [[gnu::noinline, gnu::flatten]] ContactBlock* approach(ContactBlock* next, ContactBlock* end, const Surroundings& s,
+                                                         std::array<Group<Space>, batch_size>& groups,
+                                                         std::size_t& n) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
+    const double* grains = s.grains();
     for (; next != end && n + per_block <= batch_size; ++next) {
-      call_for(next, end, s.bodies, s.loads);
+      call_for(next, end, grains, s.loads);
       for (int k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes{next, k};
-        Group& group = groups[n];
-        group.lanes = lanes;
-        Approach<Lanes>& a = group.approach;
-        lanes.spins_and_radii(s.bodies, a.motion);
-        const V3<Lanes> branch = lanes.branch(s.bodies, s.shifts), velocity = lanes.velocity(s.bodies);
-        a.motion.velocity = s.affine.deforming ? velocity + s.affine(branch) : velocity;
-        dem::approach(branch, a);
-        group.touching = bits(group.approach.touching);
-        n += (group.touching | lanes.touching()) != 0;
+        Group<Space>& group = groups[n];
+        PairGeometry<Lanes, Space>& g = group.geometry;
+        PairMotion<Lanes, Space>& motion = group.motion;
+        const auto ends = lanes.ends(grains);
+        const Vector<Lanes, Space> branch = lanes.template branch<Space>(ends, s.shifts);
+        lanes.spins_and_radii(ends, motion);
+        motion.inverse_distance = set_place(branch, motion.lever_1, motion.lever_2, g);
+        const unsigned touching = bits(g.touching);
+        group.lanes = lanes, group.touching = touching;
+        if (moving) {
+          motion.velocity = lanes.template velocity<Space>(ends);
+          if (s.affine.deforming) motion.velocity = motion.velocity + s.affine(branch);
+        }
+        if (use_masses_) lanes.masses(ends, g.kinematics);
+        n += (touching | lanes.touching()) != 0;
       }
     }
     return next;
   }
 
-  template <bool moving>
-  [[gnu::noinline, gnu::flatten]] void act(Batch batch, const Surroundings& s, StepSums& sums) const {
-    for (const Group& group : batch) {
+  template <class Space>
+  [[gnu::noinline, gnu::flatten]] static void move(Batch<Space> batch, double dt) {
+    for (Group<Space>& group : batch) set_motion(group.motion, dt, group.geometry);
+  }
+
+  template <class Space, bool moments>
+  [[gnu::noinline, gnu::flatten]] void answer(Batch<Space> batch, const Surroundings& s, StepSums& sums) const {
+    for (const Group<Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
-      const Approach<Lanes>& a = group.approach;
-      PairGeometry<Lanes> g = increments(a, s.dt);
+      const PairGeometry<Lanes, Space>& g = group.geometry;
       // What has parted has no memory; then its overlap and increments, zero, give no force.
-      Memory<Lanes> before = keep(a.touching, lanes.memory());
-      if (moving) {
-        // Memory that was zero stays zero, also where the old normal is of no meaning.
-        const Transport<Lanes> transport(lanes.normal(), a.normal, g.half_spin);
-        before.shear = transport(before.shear);
-        if (use_moments_) before.rolling = transport(before.rolling);
+      const auto turn = rotation(g.turn);
+      Memory<Lanes, Space> before{};
+      before.shear = turn(keep(g.touching, lanes.template shear<Space>()));
+      if (moments) {
+        before.rolling = turn(keep(g.touching, lanes.template rolling<Space>()));
+        if (Space::twists) before.twisting = keep(g.touching, lanes.twisting());
       }
-      if (use_masses_) lanes.masses(s.bodies, g.kinematics);
-      Memory<Lanes> memory = before;
+      Memory<Lanes, Space> memory = before;
       Books<Lanes> books;
       const auto response = couples_.respond(s.bodies, lanes, g.kinematics, all<Lanes>(s.dt), memory, books);
-      if (!moving) memory = before;  // the first sweep of a restored state changes no history
-      lanes.remember(a.normal, memory, response.normal_force);
+      if (s.dt == 0) memory = before;  // the first sweep of a restored state changes no history
+      lanes.remember_shear(memory.shear);
+      if (moments) lanes.remember_moments(memory);
+      lanes.remember_normal_force(response.normal_force);
       lanes.set_masks(group.touching, group.touching & bits(response.sliding));
-      add(action(g, memory, response.normal_force), lanes, s);
-      sums.add(g, before.shear, memory.shear, books);
+      sums.add(g, before, memory, moments, books);
       sums.contacts += std::popcount(group.touching);
+    }
+  }
+  static Rotation<Lanes> rotation(const V3<Lanes>& gibbs) { return Rotation<Lanes>::by_small(gibbs); }
+  static PlanarRotation<Lanes> rotation(const Lanes& gibbs) { return PlanarRotation<Lanes>::by_small(gibbs); }
+
+  template <class Space, bool moments>
+  [[gnu::noinline, gnu::flatten]] static void act(Batch<Space> batch, const Surroundings& s) {
+    for (const Group<Space>& group : batch) {
+      const BlockLanes<Lanes>& lanes = group.lanes;
+      const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
+      Memory<Lanes, Space> memory{};
+      memory.shear = lanes.template shear<Space>();
+      if (moments) {
+        memory.rolling = lanes.template rolling<Space>();
+        if (Space::twists) memory.twisting = lanes.twisting();
+      }
+      const Lanes depth = 0.5 * k.overlap;
+      add(action(k.normal, Lanes(k.r1 - depth), Lanes(k.r2 - depth), memory, lanes.normal_force()), lanes, s);
     }
   }
 
   // To the loads of the grains, pair by pair.
-  static void add(const Action<Lanes>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
-    const auto& f = act.force;
-    const auto &t1 = act.torque_first, &t2 = act.torque_second;
-    const Lanes zero{};
+  template <class Space>
+  static void add(const Action<Lanes, Space>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
     std::array<Lane4, width<Lanes>> force, torque;
-    to_rows(f.x, f.y, f.z, zero, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
-    to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
-    to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
+    to_rows_of(act.force, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
+    to_rows_of(act.torque_first, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
+    to_rows_of(act.torque_second, [&](int lane, const Lane4& row) {
       const auto k = static_cast<std::size_t>(lane);
-      double *one = s.loads + 2 * lanes.first(lane), *two = s.loads + 2 * lanes.load_second(lane);
+      double *one = s.loads + lanes.load_first(lane), *two = s.loads + lanes.load_second(lane);
       take(one, force[k]), take(one + width<Lane4>, torque[k]);
       add(two, force[k]), add(two + width<Lane4>, row);
     });
     if (lanes.block->folded)
       for (int lane = 0; lane < width<Lanes>; ++lane)
-        add(s.across + lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+        add(s.across + width<Lane4> * lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+  }
+  template <class Put>
+  static void to_rows_of(const V3<Lanes>& v, const Put& put) {
+    to_rows(v.x, v.y, v.z, Lanes{}, put);
+  }
+  template <class Put>
+  static void to_rows_of(const V2<Lanes>& v, const Put& put) {
+    to_rows(v.x, v.y, Lanes{}, Lanes{}, put);
+  }
+  template <class Put>
+  static void to_rows_of(const Lanes& turn, const Put& put) {
+    to_rows(Lanes{}, Lanes{}, turn, Lanes{}, put);
   }
   static void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
   static void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
@@ -266,52 +333,56 @@ class LawSweep final : public ContactSweep {
     }
   }
 
-  [[gnu::noinline, gnu::flatten]] void stiffen(Batch batch, const Surroundings& s, Lane4& sum) const {
-    for (const Group& group : batch) {
-      const Approach<Lanes>& a = group.approach;
-      const PairGeometry<Lanes> g = increments(a, 0);
-      const auto r = response(group, s, g.kinematics, Memory<Lanes>{});
-      const Lanes length = g.kinematics.r1 + g.kinematics.r2 - a.overlap;
-      const V3<Lanes> affine = keep(a.touching, affine_stiffness(a.normal, length, r.first));
+  [[gnu::noinline, gnu::flatten]] void stiffen(Batch<Spatial> batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group<Spatial>& group : batch) {
+      const PairGeometry<Lanes>& g = group.geometry;
+      const Kinematics<Lanes>& k = g.kinematics;
+      const auto r = response(group, s, Memory<Lanes>{}).first;
+      const V3<Lanes> affine = keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r));
       add_to(sum, affine.x, affine.y, affine.z, Lanes{});
       const auto put = [&](const Lanes& radius, const auto& load_of) {
-        const auto [translation, rotation] = axis_stiffness(a.normal, r.first, radius);
-        const V3<Lanes> t = keep(a.touching, translation), w = keep(a.touching, rotation);
-        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(s.loads + 2 * load_of(lane), row); });
+        const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
+        const V3<Lanes> t = keep(g.touching, translation), w = keep(g.touching, rotation);
+        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(s.loads + load_of(lane), row); });
         to_rows(w.x, w.y, w.z, Lanes{},
-                [&](int lane, const Lane4& row) { add(s.loads + 2 * load_of(lane) + width<Lane4>, row); });
+                [&](int lane, const Lane4& row) { add(s.loads + load_of(lane) + width<Lane4>, row); });
       };
       const BlockLanes<Lanes>& lanes = group.lanes;
-      put(g.kinematics.r1, [&](int lane) { return lanes.first(lane); });
-      put(g.kinematics.r2, [&](int lane) { return lanes.load_second(lane); });
+      put(k.r1, [&](int lane) { return lanes.load_first(lane); });
+      put(k.r2, [&](int lane) { return lanes.load_second(lane); });
     }
   }
 
-  [[gnu::noinline, gnu::flatten]] void store_up(Batch batch, const Surroundings& s, Lane4& sum) const {
-    for (const Group& group : batch) {
-      const Approach<Lanes>& a = group.approach;
-      const auto [r, b] = response(group, s, increments(a, 0).kinematics, keep(a.touching, group.lanes.memory()));
-      add_to(sum, b.elastic_shear, b.elastic_rolling, b.elastic_twisting, Lanes{});
+  [[gnu::noinline, gnu::flatten]] void store_up(Batch<Spatial> batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group<Spatial>& group : batch) {
+      const BlockLanes<Lanes>& lanes = group.lanes;
+      const Mask<Lanes>& touching = group.geometry.touching;
+      const Memory<Lanes> memory{keep(touching, lanes.shear<Spatial>()), keep(touching, lanes.rolling<Spatial>()),
+                                 keep(touching, lanes.twisting())};
+      const Books<Lanes> b = response(group, s, memory).second;
+      add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     }
   }
 
-  std::pair<Response<Lanes>, Books<Lanes>> response(const Group& group, const Surroundings& s, Kinematics<Lanes> k,
+  // To pairs at rest.
+  std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Spatial>& group, const Surroundings& s,
                                                     Memory<Lanes> memory) const {
-    if (use_masses_) group.lanes.masses(s.bodies, k);
+    Kinematics<Lanes> k = group.geometry.kinematics;
+    k.approach_speed = k.twist = Lanes{};
+    k.slip = k.roll = V3<Lanes>{};
     Books<Lanes> books;
     const auto r = couples_.respond(s.bodies, group.lanes, k, Lanes{}, memory, books);
     return {r, books};
   }
 
   static PairGeometry<double> geometry(const Scene& scene, double dt, const PlanePair& pair) {
-    const auto i = static_cast<std::size_t>(pair.grain);
-    const Bodies& bodies = scene.bodies;
+    const Grain& grain = scene.bodies.grains[static_cast<std::size_t>(pair.grain)];
     const Plane& p = scene.planes.all[static_cast<std::size_t>(pair.plane)];
     const auto v3 = [](const Lane4& row) { return V3<double>{row[0], row[1], row[2]}; };
     const V3<double> inward = from_eigen(p.normal);
-    const double height = dot(v3(bodies.position[i]) - from_eigen(p.point), inward);
-    return plane_geometry(from_eigen(p.velocity) - v3(bodies.velocity[i]), v3(bodies.spin[i]), bodies.radius(i),
-                          bodies.mass(i), height, inward, dt);
+    const double height = dot(v3(grain.position) - from_eigen(p.point), inward);
+    return plane_geometry(from_eigen(p.velocity) - v3(grain.velocity), v3(grain.spin), grain.position[3],
+                          grain.velocity[3], height, inward, pair.normal, dt);
   }
 
   const typename Law::Couple& couple(const Scene& scene, const PlanePair& pair) const {
@@ -319,42 +390,45 @@ class LawSweep final : public ContactSweep {
                        scene.planes.all[static_cast<std::size_t>(pair.plane)].material);
   }
 
-  void act(const Scene& scene, double dt, PlanePair& pair, Contacts& contacts, StepSums& sums, SweepSums& total) const {
+  void act(const Scene& scene, double dt, PlanePair& pair, StepSums& sums, SweepSums& total) const {
     const PairGeometry<double> g = geometry(scene, dt, pair);
+    const Kinematics<double>& k = g.kinematics;
     History& history = pair.history;
-    if (g.kinematics.overlap < 0) {
+    if (!g.touching) {
       history = {};
       return;
     }
-    const V3<double> n = g.kinematics.normal,
-                     force_before = history.normal_force * history.normal + history.memory.shear;
+    const V3<double> n = k.normal, force_before = history.normal_force * pair.normal + history.memory.shear;
     Memory<double>& memory = history.memory;
-    if (dt > 0) {
-      const Transport<double> transport(history.normal, n, g.half_spin);
-      memory.shear = transport(memory.shear), memory.rolling = transport(memory.rolling);
+    if (dt > 0 && history.touching) {
+      const Rotation<double> turn(g.turn);
+      memory.shear = turn(memory.shear), memory.rolling = turn(memory.rolling);
     }
     const Memory<double> before = memory;
     Books<double> books;
-    const auto response = Law::respond(couple(scene, pair), g.kinematics, dt, memory, books);
+    const auto response = Law::respond(couple(scene, pair), k, dt, memory, books);
     if (dt == 0) memory = before;
-    const Action<double> act = action(g, memory, response.normal_force);
-    history.normal = n;
+    const Action<double> act = action(n, k.r1, 0.0, memory, response.normal_force);
+    pair.normal = n;
     history.normal_force = response.normal_force;
     history.touching = true, history.sliding = response.sliding;
-    put(-act.force, contacts.loads[pair.load].force), put(-act.torque_first, contacts.loads[pair.load].torque);
-    sums.add(g, before.shear, memory.shear, books);
+    Load& load = scene.bodies.loads[pair.load];
+    put(-act.force, load.force), put(-act.torque_first, load.torque);
+    sums.add(g, before, memory, use_moments_, books);
     ++sums.contacts;
     // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
-    const double height = g.kinematics.r1 - g.kinematics.overlap;
-    const Vec3 foot = vector_of(scene.bodies.position[static_cast<std::size_t>(pair.grain)]) + to_eigen(height * n);
+    const double height = k.r1 - k.overlap;
+    const Vec3 foot =
+        vector_of(scene.bodies.grains[static_cast<std::size_t>(pair.grain)].position) + to_eigen(height * n);
     total.force_branch += to_eigen(act.force) * foot.transpose();
     const Vec3& velocity = scene.planes.all[static_cast<std::size_t>(pair.plane)].velocity;
     total.plane_work -= 0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
   }
 
   void stiffen(const Scene& scene, const PlanePair& pair, Load& load, Lane4& total) const {
-    if (!pair.history.touching) return;
-    const Kinematics<double> k = geometry(scene, 0, pair).kinematics;
+    const PairGeometry<double> g = geometry(scene, 0, pair);
+    if (!g.touching) return;
+    const Kinematics<double>& k = g.kinematics;
     Memory<double> memory = pair.history.memory;
     Books<double> books;
     const auto r = Law::respond(couple(scene, pair), k, 0.0, memory, books);
@@ -365,7 +439,7 @@ class LawSweep final : public ContactSweep {
   }
 
   Couples<Law> couples_;
-  bool use_masses_, use_moments_;
+  bool use_masses_, use_moments_, moments_gone_ = false;
   std::vector<Lane4> shifts_, across_;
   std::vector<StepSums> step_sums_;
   std::vector<Lane4> row_sums_;

@@ -13,28 +13,25 @@
 
 namespace soilweave::dem {
 
-/// Sums over the contacts that a step needs. Energies J; the work terms are of the step that led to the present
-/// positions.
+/// Sums over the contacts that a step needs. Work, J, is of the step that led to the present positions.
 struct SweepSums {
   Mat3 force_branch = Mat3::Zero();  // sum of f (x) l, N m; over the volume: the stress, compression positive
-  double elastic_normal = 0;
-  double elastic_tangential = 0;  // shear, rolling and twisting
-  double tangential_before = 0;   // of the old memory at the present stiffness
+  double tangential_work = 0;        // done on the shear, rolling and twisting springs
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double kinematic = 0;                 // shear work on the grains' true slip minus that on the law's slip
-  double plane_work = 0;                // done on the grains by moving planes
-  double largest_relative_overlap = 0;  // overlap over the smaller radius
+  double plane_work = 0;       // done on the grains by moving planes
+  double largest_overlap = 0;  // m
   std::int64_t contacts = 0;
 };
 
 /// What is stored in the contacts, J, looked at now and then.
 struct StoredEnergies {
-  double shear = 0, rolling = 0, twisting = 0;
+  double normal = 0, shear = 0, rolling = 0, twisting = 0;
+  double tangential() const { return shear + rolling + twisting; }
 };
 
-/// What is read of a simulation in a sweep.
+/// What a sweep sees of a simulation; of the bodies it writes the loads.
 struct Scene {
-  const Bodies& bodies;
+  Bodies& bodies;
   const Cell& cell;
   const Planes& planes;
   int threads;
@@ -44,8 +41,8 @@ class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
   /// Updates every pair's contact over a step dt that led to the present positions and adds what it does to its grains
-  /// to the loads; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation). What force_branch
-  /// lacks is the sum of F (x) x over the grains: Motion::gather has it.
+  /// to the loads, zero before; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation). What
+  /// force_branch lacks is the sum of F (x) x over the grains: Motion::gather has it.
   virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts) = 0;
   /// Adds the stiffness that each contact gives its grains to the loads instead: about the axes x, y, z against
   /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else. Returns the affine

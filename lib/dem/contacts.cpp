@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contacts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
+
+#include "core/error.h"
 
 namespace soilweave::dem {
 namespace {
@@ -25,23 +30,23 @@ std::vector<Vec3i> images_of(const std::vector<Pair>& pairs) {
   return found;
 }
 
-std::uint32_t row_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::row_size; }
+std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::grain_size; }
+std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::load_size; }
 
-std::size_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
+std::uint16_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
   if (image.isZero()) return 0;
-  return static_cast<std::size_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image, earlier) -
-                                  images.begin());
+  return static_cast<std::uint16_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image, earlier) -
+                                    images.begin());
 }
 
 Pair pair_of(const ContactBlock& b, int k, const std::vector<Vec3i>& images) {
-  const auto image = static_cast<std::size_t>(ContactBlock::index(b.image[k]));
-  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[image]};
+  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
 }
 
 // A chunk's pairs in order.
 class Cursor {
  public:
-  Cursor(std::vector<ContactBlock>& chunk, const std::vector<Vec3i>& images)
+  Cursor(LargeVector<ContactBlock>& chunk, const std::vector<Vec3i>& images)
       : block_(chunk.data()), end_(block_ + chunk.size()), images_(images) {
     settle();
   }
@@ -65,17 +70,21 @@ class Cursor {
   Pair pair_;
 };
 
-void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
-  if (!((from.touching >> k) & 1)) return;  // it holds zeros
-  const double* source = from.normal[0] + k;
-  double* target = to.normal[0] + l;
-  for (int array = 0; array < ContactBlock::arrays; ++array)
-    target[array * ContactBlock::size] = source[array * ContactBlock::size];
-  to.touching |= 1u << l;
-  to.sliding |= ((from.sliding >> k) & 1u) << l;
+std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
+  return static_cast<std::uint8_t>((bits & ~(1u << k)) | (static_cast<unsigned>(on) << k));
 }
 
-void inherit(std::vector<ContactBlock>& old, const std::vector<Vec3i>& old_images, std::vector<ContactBlock>& chunk,
+void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
+  if (!((from.touching >> k) & 1)) return;  // it holds zeros
+  const double* source = from.shear[0] + k;
+  double* target = to.shear[0] + l;
+  for (int array = 0; array < ContactBlock::arrays; ++array)
+    target[array * ContactBlock::size] = source[array * ContactBlock::size];
+  to.touching = with_bit(to.touching, l, true);
+  to.sliding = with_bit(to.sliding, l, (from.sliding >> k) & 1);
+}
+
+void inherit(LargeVector<ContactBlock>& old, const std::vector<Vec3i>& old_images, LargeVector<ContactBlock>& chunk,
              const std::vector<Vec3i>& images) {
   Cursor from(old, old_images);
   for (Cursor to(chunk, images); !to.done() && !from.done(); to.next()) {
@@ -89,17 +98,17 @@ void inherit(const std::vector<PlanePair>& old, std::vector<PlanePair>& planes) 
   const auto place = [](const PlanePair& p) { return std::tuple(p.grain, p.plane); };
   for (PlanePair& p : planes) {
     while (known != old.end() && place(*known) < place(p)) ++known;
-    if (known != old.end() && place(*known) == place(p)) p.history = known->history;
+    if (known != old.end() && place(*known) == place(p)) p.normal = known->normal, p.history = known->history;
   }
 }
 
 // A block whose lanes name a grain and itself, far away.
 ContactBlock empty_block(std::size_t grain, std::size_t far) {
   ContactBlock block{};
-  std::fill_n(block.first, ContactBlock::size, row_distance(grain));
-  std::fill_n(block.second, ContactBlock::size, row_distance(grain));
-  std::fill_n(block.load_second, ContactBlock::size, row_distance(grain));
-  std::fill_n(block.image, ContactBlock::size, row_distance(far));
+  std::fill_n(block.first, ContactBlock::size, grain_distance(grain));
+  std::fill_n(block.second, ContactBlock::size, grain_distance(grain));
+  std::fill_n(block.load_second, ContactBlock::size, load_distance(grain));
+  std::fill_n(block.image, ContactBlock::size, static_cast<std::uint16_t>(far));
   return block;
 }
 
@@ -111,7 +120,8 @@ bool before(const Pair& a, const Pair& b) {
   return earlier(a.image, b.image);
 }
 
-void Contacts::assign_loads(std::size_t grains, const std::vector<Pair>& pairs) {
+void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
+  const std::size_t grains = bodies.size();
   load_start.assign(grains + 1, 0);
   for (const Pair& p : pairs)
     if (chunk_of(p.first) != chunk_of(p.second)) ++load_start[static_cast<std::size_t>(p.second) + 1];
@@ -119,20 +129,22 @@ void Contacts::assign_loads(std::size_t grains, const std::vector<Pair>& pairs) 
   load_start[0] = static_cast<std::uint32_t>(grains);
   for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
   next_.assign(load_start.begin(), load_start.end() - 1);
-  loads.assign(load_start.back(), Load{});
+  bodies.loads.assign(load_start.back(), Load{});
 }
 
-void Contacts::list(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes) {
+void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
   const std::vector<Vec3i> old_images = std::exchange(images, images_of(pairs));
+  if (images.size() > std::numeric_limits<std::uint16_t>::max())
+    throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   inherit(planes, with_planes);
   planes = std::move(with_planes);
-  assign_loads(grains, pairs);
-  chunks.resize(chunks_of(grains));
+  assign_loads(pairs, bodies);
+  chunks.resize(chunks_of(bodies.size()));
   auto at = pairs.begin();
   for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
     const std::size_t begin = chunk * grains_per_chunk;
     const auto end = static_cast<std::int32_t>(begin + grains_per_chunk);
-    std::vector<ContactBlock>& blocks = chunks[chunk];
+    LargeVector<ContactBlock>& blocks = chunks[chunk];
     before_.swap(blocks);
     blocks.clear();
     while (at != pairs.end() && at->first < end) {
@@ -140,11 +152,11 @@ void Contacts::list(std::size_t grains, const std::vector<Pair>& pairs, std::vec
       for (; block.count < ContactBlock::size && at != pairs.end() && at->first < end; ++at, ++block.count) {
         const int k = block.count;
         const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
-        block.first[k] = row_distance(first), block.second[k] = row_distance(second);
-        block.image[k] = row_distance(place(at->image, images));
+        block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
+        block.image[k] = place(at->image, images);
         block.folded = block.folded || block.image[k] != 0;
         block.far = block.far || at->second >= end;
-        block.load_second[k] = row_distance(at->second < end ? second : next_[second]++);
+        block.load_second[k] = load_distance(at->second < end ? second : next_[second]++);
       }
       block.folded = block.folded || block.count < ContactBlock::size;
     }
@@ -157,7 +169,6 @@ Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(blo
 
 History Contacts::history(const ContactBlock& b, int k) {
   History h;
-  h.normal = {b.normal[0][k], b.normal[1][k], b.normal[2][k]};
   h.memory.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
   h.memory.rolling = {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]};
   h.memory.twisting = b.twisting[k];
@@ -168,13 +179,12 @@ History Contacts::history(const ContactBlock& b, int k) {
 }
 
 void Contacts::set_history(ContactBlock& b, int k, const History& h) {
-  b.normal[0][k] = h.normal.x, b.normal[1][k] = h.normal.y, b.normal[2][k] = h.normal.z;
   b.shear[0][k] = h.memory.shear.x, b.shear[1][k] = h.memory.shear.y, b.shear[2][k] = h.memory.shear.z;
   b.rolling[0][k] = h.memory.rolling.x, b.rolling[1][k] = h.memory.rolling.y, b.rolling[2][k] = h.memory.rolling.z;
   b.twisting[k] = h.memory.twisting;
   b.normal_force[k] = h.normal_force;
-  b.touching = (b.touching & ~(1u << k)) | (static_cast<std::uint32_t>(h.touching) << k);
-  b.sliding = (b.sliding & ~(1u << k)) | (static_cast<std::uint32_t>(h.sliding) << k);
+  b.touching = with_bit(b.touching, k, h.touching);
+  b.sliding = with_bit(b.sliding, k, h.sliding);
 }
 
 double force_sum(const Contacts& contacts) {

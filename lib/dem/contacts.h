@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/v3.h"
+#include "dem/bodies.h"
 #include "dem/laws/contact.h"
 
 namespace soilweave::dem {
@@ -23,27 +24,22 @@ inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
 struct alignas(64) ContactBlock {
-  static constexpr int size = 8, arrays = 11;  // pairs; arrays of numbers, which lie one after the other
-  double normal[3][size];                      // of the last sweep: part of the history
-  double shear[3][size];                       // N
-  double rolling[3][size];                     // N m
-  double twisting[size];                       // N m
-  double normal_force[size];                   // N
-  // Distances from the first row of an array of rows, in numbers: of the grains, first < second, of the cell offset of
-  // the second one among Contacts::images, and half the distance of the load that takes what acts on the second grain.
-  std::uint32_t first[size], second[size], image[size], load_second[size];
-  std::uint32_t touching = 0, sliding = 0;  // bit k is pair k
-  std::int32_t count = 0;
+  static constexpr int size = 8, arrays = 8;  // pairs; arrays of numbers, which lie one after the other
+  double shear[3][size];                      // N
+  double rolling[3][size];                    // N m
+  double twisting[size];                      // N m
+  double normal_force[size];                  // N
+  // Distances from the first grain, in numbers, first < second; in loads, that of the load that takes what acts on the
+  // second grain.
+  std::uint32_t first[size], second[size], load_second[size];
+  std::uint16_t image[size];               // cell offset of the second grain, among Contacts::images
+  std::uint8_t touching = 0, sliding = 0;  // bit k is pair k
+  std::uint8_t count = 0;
   bool folded = false;  // some pair reaches across the cell's faces
   bool far = false;     // some second grain is of another chunk
 
-  static constexpr std::uint32_t row_size = width<Lane4>;
-  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / row_size); }
-};
-
-/// What acts on a grain. One cache line.
-struct alignas(64) Load {
-  Lane4 force{}, torque{};  // N, N m; last place 0
+  static constexpr std::uint32_t grain_size = sizeof(Grain) / sizeof(double), load_size = sizeof(Load) / sizeof(double);
+  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / grain_size); }
 };
 
 /// A pair as the neighbour search lists it.
@@ -52,9 +48,8 @@ struct Pair {
   Vec3i image;
 };
 
-/// The history of one pair.
+/// What is kept of one pair from step to step.
 struct History {
-  V3<double> normal{0, 0, 0};
   Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
   double normal_force = 0;  // N
   bool touching = false, sliding = false;
@@ -64,32 +59,32 @@ struct History {
 struct PlanePair {
   std::int32_t grain, plane;
   std::uint32_t load;
+  V3<double> normal{0, 0, 0};  // of the last sweep
   History history;
 };
 
 struct Contacts {
-  std::vector<std::vector<ContactBlock>> chunks;
+  std::vector<LargeVector<ContactBlock>> chunks;
   std::vector<PlanePair> planes;  // sorted by (grain, plane)
   // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
   std::vector<Vec3i> images;
-  // First a load for every grain, to which the pairs of its own chunk add in their order. Then loads of one pair each,
-  // of other chunks' pairs and of planes: of grain b from load_start[b] to load_start[b+1], in the order of its pairs,
-  // planes last.
-  std::vector<Load> loads;
+  // Where loads of one pair each lie in Bodies::loads, of other chunks' pairs and of planes: of grain b from
+  // load_start[b] to load_start[b+1], in the order of its pairs, planes last. Pairs of a grain's own chunk add to its
+  // own load.
   std::vector<std::uint32_t> load_start;
 
   /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane). A pair that
-  /// was listed before keeps its history.
-  void list(std::size_t grains, const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes);
+  /// was listed before keeps its history. Loads are made to fit, and zero. Throws DataError beyond 65,000 cell offsets.
+  void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
 
   Pair pair(const ContactBlock& block, int lane) const;
   static History history(const ContactBlock& block, int lane);
   static void set_history(ContactBlock& block, int lane, const History& history);
 
  private:
-  void assign_loads(std::size_t grains, const std::vector<Pair>& pairs);
+  void assign_loads(const std::vector<Pair>& pairs, Bodies& bodies);
 
-  std::vector<ContactBlock> before_;  // of one chunk, while it is listed anew
+  LargeVector<ContactBlock> before_;  // of one chunk, while it is listed anew
   std::vector<std::uint32_t> next_;   // load that is free for another pair of each grain
 };
 

@@ -8,10 +8,10 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
                                    const Planes& planes) {
   io::ContactsRecord r;
   const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
-                        const Vec3& branch, double overlap) {
+                        const Vec3& normal, const Vec3& branch, double overlap) {
     r.bodies.push_back({first, second});
     r.image.push_back(image);
-    r.normal.push_back(to_eigen(h.normal));
+    r.normal.push_back(normal);
     r.branch_vector.push_back(branch);
     r.overlap.push_back(overlap);
     r.normal_force.push_back(h.normal_force);
@@ -26,9 +26,9 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
       if (!with_plane->history.touching) continue;
       const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
       const auto i = static_cast<std::size_t>(with_plane->grain);
-      const double height = (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
-      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), -height * plane.normal,
-          bodies.radius(i) - height);
+      const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
+      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), to_eigen(with_plane->normal),
+          -height * plane.normal, bodies.radius(i) - height);
     }
   };
   for (const auto& chunk : contacts.chunks)
@@ -38,10 +38,11 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
         const auto [first, second, image] = contacts.pair(block, k);
         add_planes_up_to(first);
         const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-        const Vec3 branch =
-            vector_of(bodies.position[j]) - vector_of(bodies.position[i]) + cell.matrix() * image.cast<double>();
-        add(Contacts::history(block, k), first, second, image, branch,
-            bodies.radius(i) + bodies.radius(j) - branch.norm());
+        const Vec3 branch = vector_of(bodies.grains[j].position) - vector_of(bodies.grains[i].position) +
+                            cell.matrix() * image.cast<double>();
+        const double distance = branch.norm();
+        add(Contacts::history(block, k), first, second, image, branch / distance, branch,
+            bodies.radius(i) + bodies.radius(j) - distance);
       }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;

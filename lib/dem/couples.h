@@ -36,41 +36,41 @@ class Couples {
   }
 
   /// The law's answer in lanes whose couples may differ: each couple answers for all, its own lanes are taken.
-  template <class T>
-  Response<T> respond(const Bodies& bodies, const BlockLanes<T>& lanes, const Kinematics<T>& kinematics, const T& dt,
-                      Memory<T>& memory, Books<T>& books) const {
+  template <class T, class Space>
+  Response<T> respond(const Bodies& bodies, const BlockLanes<T>& lanes, const Kinematics<T, Space>& kinematics,
+                      const T& dt, Memory<T, Space>& memory, Books<T>& books) const {
     if (all_.size() == 1) return Law::respond(all_[0], kinematics, dt, memory, books);
     // By copies: what is looked at through references would have to lie in memory above, too.
-    Answer<T> answer{{}, memory, {}};
-    answer_differing(bodies, lanes, Kinematics<T>(kinematics), T(dt), answer);
+    Answer<T, Space> answer{{}, memory, {}};
+    answer_differing(bodies, lanes, Kinematics<T, Space>(kinematics), T(dt), answer);
     memory = answer.memory, books = answer.books;
     return answer.response;
   }
 
  private:
-  template <class T>
+  template <class T, class Space>
   struct Answer {
     Response<T> response;
-    Memory<T> memory;
+    Memory<T, Space> memory;
     Books<T> books;
   };
 
-  template <class T>
-  [[gnu::noinline]] void answer_differing(const Bodies& bodies, const BlockLanes<T>& lanes, const Kinematics<T>& k,
-                                          const T& dt, Answer<T>& answer) const {
+  template <class T, class Space>
+  [[gnu::noinline]] void answer_differing(const Bodies& bodies, const BlockLanes<T>& lanes,
+                                          const Kinematics<T, Space>& k, const T& dt, Answer<T, Space>& answer) const {
     Mask<T> couple{};
     for (int lane = 0; lane < width<T>; ++lane)
-      couple[lane] = static_cast<std::int64_t>(place(bodies.material[lanes.first(lane) / ContactBlock::row_size],
-                                                     bodies.material[lanes.second(lane) / ContactBlock::row_size]));
-    const Memory<T> before = answer.memory;
+      couple[lane] = static_cast<std::int64_t>(place(bodies.material[lanes.first(lane) / ContactBlock::grain_size],
+                                                     bodies.material[lanes.second(lane) / ContactBlock::grain_size]));
+    const Memory<T, Space> before = answer.memory;
     Mask<T> answered{};
     for (int lane = 0; lane < width<T>; ++lane) {
       if (answered[lane]) continue;
-      Answer<T> one{{}, before, {}};
+      Answer<T, Space> one{{}, before, {}};
       one.response = Law::respond(all_[static_cast<std::size_t>(couple[lane])], k, dt, one.memory, one.books);
       const Mask<T> mine = couple == couple[lane];
       answer.response = select<T>(mine, one.response, answer.response);
-      answer.memory = select<T>(mine, one.memory, answer.memory);
+      answer.memory = select(mine, one.memory, answer.memory);
       answer.books = select<T>(mine, one.books, answer.books);
       answered |= mine;
     }

@@ -19,11 +19,11 @@ constexpr double quiet = 0.1;
 bool finite(const Lane4& r) { return std::isfinite(r[0]) && std::isfinite(r[1]) && std::isfinite(r[2]); }
 
 const char* wrong_part(const Bodies& bodies, std::size_t i) {
-  if (!finite(bodies.position[i])) return "position";
-  if (!finite(bodies.velocity[i])) return "velocity";
-  if (!finite(bodies.spin[i])) return "spin";
-  if (!finite(bodies.force[i])) return "force";
-  return finite(bodies.torque[i]) ? nullptr : "torque";
+  if (!finite(bodies.grains[i].position)) return "position";
+  if (!finite(bodies.grains[i].velocity)) return "velocity";
+  if (!finite(bodies.grains[i].spin)) return "spin";
+  if (!finite(bodies.loads[i].force)) return "force";
+  return finite(bodies.loads[i].torque) ? nullptr : "torque";
 }
 
 }  // namespace
@@ -34,9 +34,9 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
       largest_(2 * bodies.largest_radius()),
       dimension_(bodies.dimension) {
   if (planes.all.empty() || bodies.size() == 0) return;
-  low_ = high_ = vector_of(bodies.position[0]);
+  low_ = high_ = vector_of(bodies.grains[0].position);
   const auto hold = [this](const Vec3& x) { low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x); };
-  for (std::size_t i = 0; i < bodies.size(); ++i) hold(vector_of(bodies.position[i]));
+  for (std::size_t i = 0; i < bodies.size(); ++i) hold(vector_of(bodies.grains[i].position));
   const Vec3 centre = 0.5 * (low_ + high_);
   for (const Plane& plane : planes.all) hold(centre - (centre - plane.point).dot(plane.normal) * plane.normal);
   const Vec3 room = Vec3::Constant(limits_.escape * ((high_ - low_).norm() + largest_));
@@ -96,7 +96,7 @@ void Guard::escape(std::int64_t step, const Bodies& bodies) const {
   if (!open_[0] && !open_[1] && !open_[2]) return;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (int a = 0; a < dimension_; ++a) {
-      const double x = bodies.position[i][a];
+      const double x = bodies.grains[i].position[a];
       if (!open_[static_cast<std::size_t>(a)] || (x >= low_[a] && x <= high_[a])) continue;
       throw PhysicsError(fmt::format(
           "step {}: grain {} has gone to {} = {:.4g} m, beyond {:.4g} m: it escaped through an open side or "

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "core/archive.h"
 #include "core/error.h"
 #include "core/v3.h"
@@ -11,17 +13,15 @@
 
 namespace soilweave::dem {
 
-static_assert(sizeof(SweepSums) == 19 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
-                  sizeof(Energies) == 16 * sizeof(double),
+static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
+                  sizeof(Energies) == 17 * sizeof(double),
               "a number was added that is not in the lists below");
 
 inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
-  a.item("sum_elastic_normal", s.elastic_normal), a.item("sum_elastic_tangential", s.elastic_tangential);
-  a.item("sum_tangential_before", s.tangential_before), a.item("sum_frictional", s.frictional);
+  a.item("sum_tangential_work", s.tangential_work), a.item("sum_frictional", s.frictional);
   a.item("sum_rolling_plastic", s.rolling_plastic), a.item("sum_viscous", s.viscous);
-  a.item("sum_kinematic", s.kinematic), a.item("sum_plane_work", s.plane_work);
-  a.item("sum_largest_overlap", s.largest_relative_overlap);
+  a.item("sum_plane_work", s.plane_work), a.item("sum_largest_overlap", s.largest_overlap);
 }
 
 inline void archive(Archive& a, Measures& m) {
@@ -36,19 +36,26 @@ inline void archive(Archive& a, Energies& e) {
   a.item("energy_rolling_plastic", e.rolling_plastic), a.item("energy_viscous", e.viscous);
   a.item("energy_damping", e.damping), a.item("energy_boundary_work", e.boundary_work);
   a.item("energy_gravity_work", e.gravity_work), a.item("energy_law", e.law);
+  a.item("energy_tangential_work", e.tangential_work);
   a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
-/// The vectors of rows; their last places are left as they are.
-inline void archive_rows(Archive& a, const std::string& name, std::vector<Lane4>& rows) {
-  std::vector<double> flat;
-  if (!a.giving_back())
-    for (const Lane4& r : rows) flat.insert(flat.end(), {r[0], r[1], r[2]});
-  a.item(name, flat);
-  if (!a.giving_back()) return;
-  if (flat.size() != 3 * rows.size()) throw DataError(name + ": is of another number of grains; begin anew");
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    rows[i] = Lane4{flat[3 * i], flat[3 * i + 1], flat[3 * i + 2], rows[i][3]};
+/// Forces and torques of the grains.
+inline void archive(Archive& a, Bodies& bodies) {
+  for (const auto& [name, part] : {std::pair("force", &Load::force), std::pair("torque", &Load::torque)}) {
+    std::vector<double> flat;
+    if (!a.giving_back())
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Lane4& r = bodies.loads[i].*part;
+        flat.insert(flat.end(), {r[0], r[1], r[2]});
+      }
+    a.item(name, flat);
+    if (!a.giving_back()) continue;
+    if (flat.size() != 3 * bodies.size())
+      throw DataError(std::string(name) + ": is of another number of grains; begin anew");
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      bodies.loads[i].*part = Lane4{flat[3 * i], flat[3 * i + 1], flat[3 * i + 2], 0};
+  }
 }
 
 }  // namespace soilweave::dem

@@ -9,12 +9,6 @@
 #include <numbers>
 
 namespace soilweave::dem {
-// The rows of four grains.
-struct FourGrains {
-  Lane4 *position, *velocity, *spin, *orientation;
-  const Lane4 *force, *torque;
-};
-
 // What four grains are moved by.
 struct Push {
   Lane4 damping, dt, gyration;
@@ -26,17 +20,16 @@ struct Push {
 namespace {
 
 Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
-  return bodies.force[i] + bodies.mass(i) * gravity;
+  return bodies.loads[i].force + bodies.mass(i) * gravity;
 }
 
-// Everything on a grain; what was in the loads is left zero.
-Load take(Contacts& contacts, std::size_t i) {
-  Load total = contacts.loads[i];
-  contacts.loads[i] = {};
+// Adds the loads of single pairs to that of their grain and leaves them zero.
+Load& collect(const Contacts& contacts, std::size_t i, Bodies& bodies) {
+  Load& total = bodies.loads[i];
   for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) {
-    total.force += contacts.loads[s].force;
-    total.torque += contacts.loads[s].torque;
-    contacts.loads[s] = {};
+    Load& one = bodies.loads[s];
+    total.force += one.force, total.torque += one.torque;
+    one = {};
   }
   return total;
 }
@@ -46,12 +39,9 @@ double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
 V3<Lane4> vector_part(const Columns<Lane4>& c) { return {c.a, c.b, c.c}; }
 
-Columns<Lane4> columns_of(const Lane4* rows) {
-  return columns<Lane4>([rows](int i) { return rows[i]; });
-}
-
-void put(const V3<Lane4>& v, const Lane4& scalar, Lane4* rows) {
-  to_rows(v.x, v.y, v.z, scalar, [rows](int i, const Lane4& row) { rows[i] = row; });
+template <class Row>
+void put(const V3<Lane4>& v, const Lane4& scalar, const Row& row) {
+  to_rows(v.x, v.y, v.z, scalar, [&row](int i, const Lane4& value) { row(i) = value; });
 }
 
 // Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.
@@ -69,8 +59,8 @@ V3<Lane4> kick(const V3<Lane4>& f, const Lane4& ratio, const Lane4& damping, con
 }
 
 // q <- q (1, dt w/2), of unit length again by one Newton step: the length is off by the square of half the angle.
-void turn(const V3<Lane4>& spin, const Lane4& dt, Lane4* rows) {
-  const Columns<Lane4> q = columns_of(rows);
+void turn(const V3<Lane4>& spin, const Lane4& dt, Grain* grains) {
+  const Columns<Lane4> q = columns<Lane4>([grains](int i) { return grains[i].orientation; });
   const V3<Lane4> half = Lane4(0.5 * dt) * spin;
   const Lane4 a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
   const Lane4 b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
@@ -78,7 +68,8 @@ void turn(const V3<Lane4>& spin, const Lane4& dt, Lane4* rows) {
   const Lane4 d = fused(half.z, q.a, fused_less(half.y, q.b, fused(half.x, q.c, q.d)));
   const Lane4 square = fused(d, d, fused(c, c, fused(b, b, Lane4(a * a))));
   const Lane4 scale = fused_less(all<Lane4>(0.5), square, all<Lane4>(1.5));
-  to_rows(scale * a, scale * b, scale * c, scale * d, [rows](int i, const Lane4& row) { rows[i] = row; });
+  to_rows(scale * a, scale * b, scale * c, scale * d,
+          [grains](int i, const Lane4& row) { grains[i].orientation = row; });
 }
 
 V3<Lane4> affine(const Mat3& g, const V3<Lane4>& x, const V3<Lane4>& v) {
@@ -102,13 +93,12 @@ void Motion::chunked(std::size_t grains, const Body& body) {
   }
 }
 
-Mat3 Motion::gather(Contacts& contacts, Bodies& bodies) {
+Mat3 Motion::gather(const Contacts& contacts, Bodies& bodies) {
   chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Load load = take(contacts, i);
-      const Lane4& x = bodies.position[i];
-      bodies.force[i] = load.force;
-      bodies.torque[i] = bodies.is_node(i) ? Lane4{} : load.torque;  // nodes do not rotate
+      Load& load = collect(contacts, i, bodies);
+      if (bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
+      const Lane4& x = bodies.grains[i].position;
       for (int a = 0; a < 3; ++a) partial.virial[a] = fused(all<Lane4>(x[a]), load.force, partial.virial[a]);
     }
   });
@@ -128,26 +118,30 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   return sum;
 }
 
-// One step of four grains.
-[[gnu::flatten]] void Motion::advance(const Push& push, const FourGrains& of, Partial& partial) {
-  const Columns<Lane4> v_m = columns_of(of.velocity), w_r = columns_of(of.spin), x_r = columns_of(of.position);
+// One step of four grains; their loads are used up.
+[[gnu::flatten]] void Motion::advance(const Push& push, Grain* grains, Load* loads, Partial& partial) {
+  const Columns<Lane4> v_m = columns<Lane4>([grains](int i) { return grains[i].velocity; });
+  const Columns<Lane4> w_r = columns<Lane4>([grains](int i) { return grains[i].spin; });
+  const Columns<Lane4> x_r = columns<Lane4>([grains](int i) { return grains[i].position; });
+  V3<Lane4> force = vector_part(columns<Lane4>([loads](int i) { return loads[i].force; }));
+  const V3<Lane4> torque = vector_part(columns<Lane4>([loads](int i) { return loads[i].torque; }));
+  for (int i = 0; i < width<Lane4>; ++i) loads[i] = {};
   const Lane4 ratio = push.dt / v_m.d;
-  V3<Lane4> force = vector_part(columns_of(of.force));
   const V3<Lane4> before = vector_part(v_m), pull = v_m.d * push.gravity;
   if (push.heavy) force = force + pull;
   const V3<Lane4> v = kick(force, ratio, push.damping, before, partial.damping);
   if (push.heavy) partial.gravity_work += dot(pull, before + v);
   partial.largest = maximum(partial.largest, norm2(v));
-  put(v, v_m.d, of.velocity);
+  put(v, v_m.d, [grains](int i) -> Lane4& { return grains[i].velocity; });
 
   const Lane4 spin_ratio = ratio / (push.gyration * w_r.d * w_r.d);
-  const V3<Lane4> torque = vector_part(columns_of(of.torque));
   const V3<Lane4> w = kick(torque, spin_ratio, push.damping, vector_part(w_r), partial.damping);
-  put(w, w_r.d, of.spin);
-  turn(w, push.dt, of.orientation);
+  put(w, w_r.d, [grains](int i) -> Lane4& { return grains[i].spin; });
+  turn(w, push.dt, grains);
 
   const V3<Lane4> x = vector_part(x_r);
-  put(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), x_r.d, of.position);
+  put(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), x_r.d,
+      [grains](int i) -> Lane4& { return grains[i].position; });
 }
 
 MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies) {
@@ -161,22 +155,18 @@ MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping
   Bodies& b = bodies;
   chunked(b.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     std::size_t i = begin;
-    for (; i + 4 <= end; i += 4)
-      advance(push, {&b.position[i], &b.velocity[i], &b.spin[i], &b.orientation[i], &b.force[i], &b.torque[i]},
-              partial);
+    for (; i + 4 <= end; i += 4) advance(push, &b.grains[i], &b.loads[i], partial);
     if (i == end) return;
     // The last few, beside grains at rest that do not fall.
     Push last = push;
     for (std::size_t k = end; k < i + 4; ++k) last.gravity.x[k - i] = last.gravity.y[k - i] = last.gravity.z[k - i] = 0;
     const Lane4 rest{0, 0, 0, 1};
-    std::array<Lane4, 4> x, v, w, q, f{}, t{};
-    for (auto* rows : {&x, &v, &w, &q}) rows->fill(rest);
-    for (std::size_t k = i; k < end; ++k)
-      x[k - i] = b.position[k], v[k - i] = b.velocity[k], w[k - i] = b.spin[k], q[k - i] = b.orientation[k],
-            f[k - i] = b.force[k], t[k - i] = b.torque[k];
-    advance(last, {x.data(), v.data(), w.data(), q.data(), f.data(), t.data()}, partial);
-    for (std::size_t k = i; k < end; ++k)
-      b.position[k] = x[k - i], b.velocity[k] = v[k - i], b.spin[k] = w[k - i], b.orientation[k] = q[k - i];
+    std::array<Grain, 4> grains;
+    grains.fill({rest, rest, rest, rest});
+    std::array<Load, 4> loads;
+    for (std::size_t k = i; k < end; ++k) grains[k - i] = b.grains[k], loads[k - i] = b.loads[k], b.loads[k] = {};
+    advance(last, grains.data(), loads.data(), partial);
+    for (std::size_t k = i; k < end; ++k) b.grains[k] = grains[k - i];
   });
   Lane4 damped{}, work{}, fastest{};
   for (const Partial& p : partial_) {
@@ -189,11 +179,12 @@ MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping
           std::sqrt(std::max({fastest[0], fastest[1], fastest[2], fastest[3]}))};
 }
 
-double Motion::stable_time_step(const Bodies& bodies, Contacts& contacts) {
+double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
   chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto [translation, rotation] = take(contacts, i);
-      const Lane4 stiffness = maximum(Lane4(translation / bodies.mass(i)), Lane4(rotation / bodies.inertia(i)));
+      Load& load = collect(contacts, i, bodies);
+      const Lane4 stiffness = maximum(Lane4(load.force / bodies.mass(i)), Lane4(load.torque / bodies.inertia(i)));
+      load = {};
       partial.largest = maximum(partial.largest, stiffness);
     }
   });
@@ -208,8 +199,8 @@ double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
   double sum = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double m = bodies.mass(i), inertia = bodies.inertia(i);
-    const Lane4 v = bodies.velocity[i] + (0.5 * dt / m) * resultant(bodies, i, g);
-    const Lane4 w = bodies.spin[i] + (0.5 * dt / inertia) * bodies.torque[i];
+    const Lane4 v = bodies.grains[i].velocity + (0.5 * dt / m) * resultant(bodies, i, g);
+    const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.loads[i].torque;
     sum += 0.5 * m * length2(v);
     if (std::isfinite(inertia)) sum += 0.5 * inertia * length2(w);
   }

@@ -20,22 +20,22 @@ class Motion {
  public:
   Motion(std::size_t grains, int threads);
 
-  /// Takes forces and torques from the loads to the grains, in a fixed order, and leaves the loads zero. Returns the
-  /// sum of force (x) position, N m.
-  Mat3 gather(Contacts& contacts, Bodies& bodies);
+  /// Adds the loads of single pairs to those of their grains, in a fixed order. Returns the sum of force (x) position,
+  /// N m.
+  Mat3 gather(const Contacts& contacts, Bodies& bodies);
 
   /// Sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
 
   /// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
   /// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine
-  /// motion.
+  /// motion. Uses the loads of the grains up: they are left zero.
   MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies);
 
   /// Stability limit from the stiffnesses in the loads (ContactSweep::stiffen), which are left zero, s: sqrt(2) times
   /// the least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws
   /// §8). Infinite without contacts.
-  double stable_time_step(const Bodies& bodies, Contacts& contacts);
+  double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
   struct Partial {
@@ -44,7 +44,7 @@ class Motion {
     Lane4 largest{};
     double sum = 0;
   };
-  static void advance(const struct Push& push, const struct FourGrains& grains, Partial& partial);
+  static void advance(const struct Push& push, Grain* grains, Load* loads, Partial& partial);
   template <class Body>
   void chunked(std::size_t grains, const Body& body);
 

@@ -40,7 +40,7 @@ class Grid {
   void near(std::size_t i, double skin, std::vector<Pair>& found) const {
     const auto begin = static_cast<std::ptrdiff_t>(found.size());
     const Vec3i home = coordinates(bin_of_[i]);
-    const Vec3 xi = vector_of(bodies_.position[i]);
+    const Vec3 xi = vector_of(bodies_.grains[i].position);
     const int reach_z = bodies_.dimension == 3 ? 1 : 0;
     for (int dz = -reach_z; dz <= reach_z; ++dz)
       for (int dy = -1; dy <= 1; ++dy)
@@ -52,8 +52,8 @@ class Grid {
             const std::int32_t j = members_[static_cast<std::size_t>(m)];
             if (static_cast<std::size_t>(j) <= i || bodies_.in_one_fabric(i, static_cast<std::size_t>(j))) continue;
             const Vec3i image = turn + wrap_[i] - wrap_[static_cast<std::size_t>(j)];
-            const Vec3 d =
-                vector_of(bodies_.position[static_cast<std::size_t>(j)]) + cell_.matrix() * image.cast<double>() - xi;
+            const Vec3 d = vector_of(bodies_.grains[static_cast<std::size_t>(j)].position) +
+                           cell_.matrix() * image.cast<double>() - xi;
             const double reach = bodies_.radius(i) + bodies_.radius(static_cast<std::size_t>(j)) + skin;
             if (d.squaredNorm() < reach * reach) found.push_back({static_cast<std::int32_t>(i), j, image});
           }
@@ -72,7 +72,7 @@ class Grid {
       if (!cell_.periodic(a)) {
         double low = 0, high = 0;
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
-          const double s = inverse_.row(a).dot(vector_of(bodies_.position[i]));
+          const double s = inverse_.row(a).dot(vector_of(bodies_.grains[i].position));
           low = i == 0 ? s : std::min(low, s), high = i == 0 ? s : std::max(high, s);
         }
         low_[a] = low, span_[a] = std::max(high - low, 1e-300) * (1 + 1e-12);
@@ -85,7 +85,7 @@ class Grid {
     Vec3i bin;
     wrap_[i].setZero();
     for (int a = 0; a < 3; ++a) {
-      double s = (inverse_.row(a).dot(vector_of(bodies_.position[i])) - low_[a]) / span_[a];
+      double s = (inverse_.row(a).dot(vector_of(bodies_.grains[i].position)) - low_[a]) / span_[a];
       if (cell_.periodic(a)) {
         wrap_[i][a] = static_cast<int>(std::floor(s));
         s -= std::floor(s);
@@ -128,7 +128,8 @@ Neighbours::Neighbours(double largest_radius)
       skin_(relative_skin * largest_radius) {}
 
 void Neighbours::Since::begin(const Bodies& bodies) {
-  position = bodies.position;
+  position.clear();
+  for (const Grain& g : bodies.grains) position.push_back(g.position);
   deformation.setIdentity();
   planes = closed = 0;
 }
@@ -145,7 +146,7 @@ void Neighbours::Since::look(const Bodies& bodies, double longest) {
   const Lane4 a = row(f.col(0), 0), b = row(f.col(1), 0), c = row(f.col(2), 0);
   double largest = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Lane4 &x = bodies.position[i], &from = position[i];
+    const Lane4 &x = bodies.grains[i].position, &from = position[i];
     const Lane4 moved =
         fused_less(all<Lane4>(from[2]), c, fused_less(all<Lane4>(from[1]), b, fused_less(all<Lane4>(from[0]), a, x)));
     const Lane4 square = moved * moved;
@@ -171,15 +172,15 @@ void Neighbours::search(const Bodies& bodies, const Cell& cell) {
   searched_.begin(bodies);
 }
 
-void Neighbours::rebuild(const Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
+void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
   planes_ = !planes.all.empty();
   if (searched_.closed + skin_ > outer_skin_ && !planes_ && !searched_.position.empty())
     searched_.look(bodies, longest());
   if (searched_.position.empty() || searched_.closed + skin_ > outer_skin_) search(bodies, cell);
   listed_.clear();
   for (const Pair& p : outer_) {
-    const Lane4& a = bodies.position[static_cast<std::size_t>(p.first)];
-    const Lane4& b = bodies.position[static_cast<std::size_t>(p.second)];
+    const Lane4& a = bodies.grains[static_cast<std::size_t>(p.first)].position;
+    const Lane4& b = bodies.grains[static_cast<std::size_t>(p.second)].position;
     Lane4 d = b - a;
     if (!p.image.isZero()) d += row(cell.matrix() * p.image.cast<double>(), 0);
     const double reach = a[3] + b[3] + skin_;
@@ -191,10 +192,10 @@ void Neighbours::rebuild(const Bodies& bodies, const Cell& cell, const Planes& p
       for (std::size_t p = 0; p < planes.all.size(); ++p) {
         const Plane& plane = planes.all[p];
         if (!plane.touches(bodies.is_node(i))) continue;
-        if ((vector_of(bodies.position[i]) - plane.point).dot(plane.normal) - bodies.radius(i) < skin_)
-          with_planes.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p), 0, {}});
+        if ((vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal) - bodies.radius(i) < skin_)
+          with_planes.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p), 0, {0, 0, 0}, {}});
       }
-  contacts.list(bodies.size(), listed_, std::move(with_planes));
+  contacts.list(listed_, std::move(with_planes), bodies);
   filtered_.begin(bodies);
 }
 

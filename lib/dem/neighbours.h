@@ -22,7 +22,8 @@ class Neighbours {
   /// the list is no longer safe. Speeds in m/s, of the fluctuation and of planes.
   bool outdated(const Bodies& bodies, double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt);
   /// Lists all pairs of grains, and of grains and planes, closer than the skin; what `contacts` knew of them is kept.
-  void rebuild(const Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
+  /// Loads of the bodies are left zero.
+  void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:
   // A state that pairs were looked for in, and what has moved since.

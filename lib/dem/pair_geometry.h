@@ -5,25 +5,18 @@
 #include <limits>
 
 #include "dem/contact_kinematics.h"
+#include "dem/transport.h"
 
 namespace soilweave::dem {
 
-/// What two bodies are to each other. Where they do not touch the overlap is zero.
-template <class T>
-struct Approach {
-  Mask<T> touching;
-  V3<T> normal;       // unit, from body 1 to body 2
-  T overlap, R_star;  // m
-  PairMotion<T> motion;
-};
-
-/// What a contact law and the sums over contacts are given.
-template <class T>
+/// What a contact law and the sums over contacts are given. Where two bodies do not touch, the overlap and all
+/// increments are zero.
+template <class T, class Space = Spatial>
 struct PairGeometry {
-  Kinematics<T> kinematics;
-  T arm_1, arm_2;     // m, from the centres to the contact point
-  T half_spin;        // rad, the grains' mean spin about the normal over the step
-  V3<T> excess_slip;  // m, contact_kinematics.h
+  Kinematics<T, Space> kinematics;
+  Vector<T, Space> surface_slip;  // m, contact_kinematics.h
+  Turn<T, Space> turn;            // Gibbs vector that carries the memory (transport.h)
+  Mask<T> touching;
 };
 
 /// The velocity that the deforming cell adds to a pair: affine closing over the step, at the branch before the cell
@@ -44,43 +37,49 @@ struct AffineMotion {
     };
     return {component(0), component(1), component(2)};
   }
+  template <class T>
+  V2<T> operator()(const V2<T>& d) const {
+    const Mat3& g = gradient;
+    if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y};
+    const auto component = [&](int i) { return fused(all<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)); };
+    return {component(0), component(1)};
+  }
 };
 
-/// Fills in what follows from the branch vector and the radii, the levers of the motion.
-template <class T>
-void approach(const V3<T>& branch, Approach<T>& a) {
-  const T &r1 = a.motion.lever_1, &r2 = a.motion.lever_2;
+/// Where two grains are to each other, from the branch vector and their radii: normal, overlap, R*. Returns 1/distance.
+template <class T, class Space>
+T set_place(const Vector<T, Space>& branch, const T& r1, const T& r2, PairGeometry<T, Space>& g) {
+  Kinematics<T, Space>& k = g.kinematics;
   const T reach = r1 + r2, distance_squared = norm2(branch);
-  a.touching = distance_squared <= reach * reach;
+  g.touching = distance_squared <= reach * reach;
   const T distance = square_root(distance_squared), inverse = 1.0 / (distance * reach);
-  a.motion.inverse_distance = reach * inverse;
-  a.normal = a.motion.inverse_distance * branch;
-  a.overlap = keep(a.touching, reach - distance);
-  a.R_star = r1 * r2 * (distance * inverse);
+  const T inverse_distance = reach * inverse;
+  k.normal = inverse_distance * branch;
+  k.overlap = keep(g.touching, reach - distance);
+  k.R_star = r1 * r2 * (distance * inverse);
+  k.r1 = r1, k.r2 = r2;
+  return inverse_distance;
 }
 
-/// What follows for the step between two grains; increments are zero where they do not touch. Masses are the caller's.
-template <class T>
-PairGeometry<T> increments(const Approach<T>& a, double dt) {
-  const PairMotion<T>& motion = a.motion;
-  const T time = keep(a.touching, all<T>(dt));
-  PairGeometry<T> g;
-  Kinematics<T>& k = g.kinematics;
-  k.normal = a.normal, k.overlap = a.overlap, k.R_star = a.R_star;
-  k.r1 = motion.lever_1, k.r2 = motion.lever_2;
+/// How they move, over a step dt that led there. Masses are the caller's.
+template <class T, class Space>
+void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
+  Kinematics<T, Space>& k = g.kinematics;
+  const T time = keep(g.touching, all<T>(dt));
   set_increments(motion, time, k);
-  k.approach_speed = keep(a.touching, k.approach_speed);
-  const T depth = 0.5 * k.overlap;
-  g.arm_1 = k.r1 - depth, g.arm_2 = k.r2 - depth;
-  g.half_spin = 0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2);
-  g.excess_slip = excess_slip(motion, k, time);
-  return g;
+  g.surface_slip = surface_slip(motion, k, time);
+  g.turn = between(motion.velocity, T(-k.approach_speed), motion.inverse_distance, k.normal, time);
+  if constexpr (Space::twists)
+    g.turn = then_spin(g.turn, k.normal, T(0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2)));
+  k.approach_speed = keep(g.touching, k.approach_speed);
 }
 
-/// A grain and a plane, its inward normal; velocity is the plane's relative to the grain's. Levers are the full radius,
-/// for slip and torque alike: work-conjugate, and the rigid-body limit of the benchmarks.
+/// A grain and a plane, its inward normal, which the contact's was before; velocity is the plane's relative to the
+/// grain's. Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the
+/// benchmarks.
 inline PairGeometry<double> plane_geometry(const V3<double>& velocity, const V3<double>& spin, double radius,
-                                           double mass, double height, const V3<double>& inward, double dt) {
+                                           double mass, double height, const V3<double>& inward,
+                                           const V3<double>& old_normal, double dt) {
   const PairMotion<double> motion{velocity, spin, {0, 0, 0}, radius, 0, 1 / radius};
   PairGeometry<double> g;
   Kinematics<double>& k = g.kinematics;
@@ -89,9 +88,9 @@ inline PairGeometry<double> plane_geometry(const V3<double>& velocity, const V3<
   k.overlap = radius - height;
   k.r1 = k.r2 = k.R_star = radius;
   k.m1 = mass, k.m2 = std::numeric_limits<double>::infinity();
-  g.arm_1 = radius, g.arm_2 = 0;
-  g.half_spin = 0.5 * dt * dot(k.normal, spin);
-  g.excess_slip = {0, 0, 0};
+  g.surface_slip = k.slip;
+  g.turn = then_spin(between(old_normal, k.normal), k.normal, 0.5 * dt * dot(k.normal, spin));
+  g.touching = k.overlap >= 0;
   return g;
 }
 

@@ -11,9 +11,9 @@ std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodie
     if (!h.touching) continue;
     const auto i = static_cast<std::size_t>(pair.grain), p = static_cast<std::size_t>(pair.plane);
     const Plane& plane = planes.all[p];
-    const double overlap = bodies.radius(i) - (vector_of(bodies.position[i]) - plane.point).dot(plane.normal);
+    const double overlap = bodies.radius(i) - (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
     PlateLoad& load = loads[p];
-    load.force += to_eigen(h.normal_force * h.normal + h.memory.shear);
+    load.force += to_eigen(h.normal_force * pair.normal + h.memory.shear);
     // The tangent of Hertz's law; a linear contact has two thirds of it.
     if (overlap > 0) load.stiffness += 1.5 * h.normal_force / overlap;
     ++load.contacts;

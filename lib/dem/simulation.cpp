@@ -60,18 +60,26 @@ struct Simulation::Impl {
     }
   }
 
-  Scene scene() const { return {bodies, cell, planes, numerics.threads}; }
+  Scene scene() { return {bodies, cell, planes, numerics.threads}; }
 
   void begin() {
-    sums = sweep->run(scene(), 0.0, contacts);
-    gather();
+    meet();
     for (std::size_t k = 0; k < clamps.all.size(); ++k) clamps.set_velocity(k, Vec3::Zero(), bodies);
     clamps.take(numerics.gravity, 0, bodies);
     measure();
-    if (sums.largest_relative_overlap > numerics.limits.overlap)
+    if (largest_overlap() > numerics.limits.overlap)
       throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
+    const Energies now = stored();
+    energies.tangential_work = now.elastic_shear + now.elastic_rolling + now.elastic_twisting;
+    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + now.elastic();
+  }
+
+  // Forces at the present positions, as they are met; the step that they bear.
+  void meet() {
     estimate_step();
-    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + elastic();
+    sums = sweep->run(scene(), 0.0, contacts);
+    estimated_at = sums.largest_overlap;
+    gather();
   }
 
   // Forces of contacts and yarns on every grain.
@@ -89,14 +97,13 @@ struct Simulation::Impl {
     std::vector<PlanePair> with_planes;
     std::vector<History> histories;
     for (const std::size_t k : order) {
-      const History history{from_eigen(r.normal[k]),
-                            {from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
+      const History history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
                             r.normal_force[k],
                             true,
                             r.sliding[k] != 0};
       const Pair p = pair(k);
       if (p.second < 0) {
-        with_planes.push_back({p.first, -1 - p.second, 0, history});
+        with_planes.push_back({p.first, -1 - p.second, 0, from_eigen(r.normal[k]), history});
       } else {
         pairs.push_back(p);
         histories.push_back(history);
@@ -105,7 +112,7 @@ struct Simulation::Impl {
     std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
       return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
     });
-    contacts.list(bodies.size(), pairs, std::move(with_planes));
+    contacts.list(pairs, std::move(with_planes), bodies);
     std::size_t k = 0;
     for (auto& chunk : contacts.chunks)
       for (ContactBlock& block : chunk)
@@ -114,11 +121,10 @@ struct Simulation::Impl {
   }
 
   void archive(Archive& a) {
-    archive_rows(a, "force", bodies.force);
-    archive_rows(a, "torque", bodies.torque);
+    dem::archive(a, bodies);
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
-    a.item("overlap_at_estimate", estimated_at);
+    a.item("overlap_at_estimate", estimated_at), a.item("overlap_at_look", looked_at);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
@@ -140,6 +146,7 @@ struct Simulation::Impl {
     if (neighbours.outdated(bodies, moved.fastest, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
+    if ((steps + 1) % stiffness_interval == 0) estimate_step();
     sums = sweep->run(scene(), dt, contacts);
     clock.lap(Phase::contacts);
     ++steps;
@@ -152,16 +159,15 @@ struct Simulation::Impl {
     account(moved, dt, before, gradient, clamped);
     measure();
     watch();
-    if (steps % stiffness_interval == 0 || outgrown()) estimate_step();
+    if (outgrown()) beside_loads([this] { estimate_step(); });
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
 
   void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
-    const double law = before.elastic_tangential - sums.tangential_before + sums.kinematic;
     const double boundary =
         sums.plane_work + clamped - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
-    energies.law += law;
+    energies.tangential_work += sums.tangential_work;
     energies.frictional += sums.frictional;
     energies.rolling_plastic += sums.rolling_plastic;
     energies.viscous += sums.viscous;
@@ -169,12 +175,10 @@ struct Simulation::Impl {
     energies.gravity_work += moved.gravity_work;
     energies.boundary_work += boundary;
     energies.yarn_dissipation += yarns.sums().dissipated;
-    for (const double part : {law, boundary, sums.frictional, sums.rolling_plastic, sums.viscous, moved.damping,
-                              moved.gravity_work, yarns.sums().dissipated})
+    for (const double part : {sums.tangential_work, boundary, sums.frictional, sums.rolling_plastic, sums.viscous,
+                              moved.damping, moved.gravity_work, yarns.sums().dissipated})
       energies.turned_over += std::abs(part);
   }
-
-  double elastic() const { return sums.elastic_normal + sums.elastic_tangential + yarns.sums().elastic; }
 
   void measure() {
     measures.stress = symmetric(sums.force_branch) / cell.volume();
@@ -190,32 +194,60 @@ struct Simulation::Impl {
   }
 
   void watch() {
-    guard.finite(steps, bodies, sums.force_branch.sum() + elastic(), energies.damping);
-    if (sums.largest_relative_overlap > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
+    guard.finite(steps, bodies, sums.force_branch.sum() + sums.tangential_work, energies.damping);
+    if (sums.largest_overlap > alarm()) look_at_overlap();
     if (steps % stiffness_interval == 0) guard.room(steps, cell);
     if (steps % guard_interval != 0) return;
     guard.balance(steps, energies_now());
     guard.escape(steps, bodies);
   }
 
-  Energies energies_now() {
+  // No overlap may be deeper than this share of the smallest radius, m; once one was, since its grains are larger, the
+  // next look comes when it has grown.
+  double alarm() const { return std::max(numerics.limits.overlap * smallest_radius, 1.1 * looked_at); }
+  void look_at_overlap() {
+    looked_at = sums.largest_overlap;
+    if (largest_overlap() > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
+  }
+
+  // Over the smaller radius.
+  double largest_overlap() const {
+    const io::ContactsRecord all = contacts_record();
+    double largest = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) largest = std::max(largest, relative_overlap(all, k));
+    return largest;
+  }
+  double relative_overlap(const io::ContactsRecord& all, std::size_t k) const {
+    const auto [first, second] = all.bodies[k];
+    const double r = bodies.radius(static_cast<std::size_t>(first));
+    return all.overlap[k] / (second < 0 ? r : std::min(r, bodies.radius(static_cast<std::size_t>(second))));
+  }
+
+  Energies stored() {
+    const StoredEnergies in_contacts = sweep->stored(scene(), contacts);
     Energies e = energies;
-    const StoredEnergies stored = sweep->stored(scene(), contacts);
-    e.elastic_normal = sums.elastic_normal, e.elastic_shear = stored.shear;
-    e.elastic_rolling = stored.rolling, e.elastic_twisting = stored.twisting;
+    e.elastic_normal = in_contacts.normal, e.elastic_shear = in_contacts.shear;
+    e.elastic_rolling = in_contacts.rolling, e.elastic_twisting = in_contacts.twisting;
     e.elastic_yarns = yarns.sums().elastic;
+    e.law = e.tangential_work - e.frictional - e.rolling_plastic - in_contacts.tangential();
+    return e;
+  }
+
+  Energies energies_now() {
+    Energies e = stored();
     e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
   }
 
   std::string deepest() {
     const io::ContactsRecord all = contacts_record();
-    const auto worst =
-        static_cast<std::size_t>(std::max_element(all.overlap.begin(), all.overlap.end()) - all.overlap.begin());
+    std::size_t worst = 0;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (relative_overlap(all, k) > relative_overlap(all, worst)) worst = k;
     const auto [first, second] = all.bodies[worst];
     const std::string other = second < 0 ? fmt::format("plane {}", plane_number(second)) : fmt::format("{}", second);
     return fmt::format("grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius", first, other, all.overlap[worst],
-                       100 * sums.largest_relative_overlap);
+                       100 * relative_overlap(all, worst));
   }
 
   struct Stiffness {
@@ -223,6 +255,16 @@ struct Simulation::Impl {
     double limit;  // s, of stability
   };
 
+  // Does what needs loads that are zero while there are some.
+  template <class What>
+  void beside_loads(const What& what) {
+    const LargeVector<Load> loads = bodies.loads;
+    std::fill(bodies.loads.begin(), bodies.loads.end(), Load{});
+    what();
+    bodies.loads = loads;
+  }
+
+  // Needs loads that are zero, and leaves them so.
   Stiffness look_at_stiffness() {
     const double r = smallest_radius;
     const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
@@ -230,15 +272,15 @@ struct Simulation::Impl {
         std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
     const Vec3 sum = sweep->stiffen(scene(), contacts);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
-    return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(bodies, contacts)})};
+    return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(contacts, bodies)})};
   }
 
   bool outgrown() const {
-    return sums.largest_relative_overlap > overlap_growth * std::max(estimated_at, reference_overlap);
+    return sums.largest_overlap > overlap_growth * std::max(estimated_at, reference_overlap * smallest_radius);
   }
 
   void estimate_step() {
-    estimated_at = sums.largest_relative_overlap;
+    estimated_at = sums.largest_overlap;
     const Stiffness found = look_at_stiffness();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
     time_step = stable;
@@ -276,7 +318,8 @@ struct Simulation::Impl {
   Energies energies;
   double smallest_radius;  // m
   double stable = 0, time_step = 0, time = 0;
-  double estimated_at = 0;  // largest overlap over radius when the step was last estimated
+  double estimated_at = 0;  // largest overlap when the step was last estimated, m
+  double looked_at = 0;     // largest overlap when it was last compared with the grains' own radii, m
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
@@ -298,8 +341,12 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
-double Simulation::largest_overlap() const { return impl_->sums.largest_relative_overlap; }
-double Simulation::stability_limit() { return impl_->look_at_stiffness().limit; }
+double Simulation::largest_overlap() const { return impl_->largest_overlap(); }
+double Simulation::stability_limit() {
+  double limit = 0;
+  impl_->beside_loads([&] { limit = impl_->look_at_stiffness().limit; });
+  return limit;
+}
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
@@ -336,24 +383,25 @@ double Simulation::kinetic_energy() const {
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 
 void Simulation::scale_radii(double factor, const Vec3& stretch) {
-  impl_->bodies.scale_radii(factor, stretch);
   Impl& s = *impl_;
+  const Energies before = s.stored();
+  s.bodies.scale_radii(factor, stretch);
   s.smallest_radius = s.bodies.smallest_radius();
-  const double before = s.elastic();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
-  s.sums = s.sweep->run(s.scene(), 0.0, s.contacts);
-  s.gather();
+  s.meet();
   s.clamps.take(s.numerics.gravity, 0, s.bodies);
   s.measure();
-  s.energies.boundary_work += s.elastic() - before;
-  s.estimate_step();
+  const Energies after = s.stored();
+  s.energies.boundary_work += after.elastic() - before.elastic();
+  // What the law has taken stays as it is.
+  s.energies.tangential_work += before.law - after.law;
 }
 
 void Simulation::stop_motion() {
   const double moving = kinetic_energy();
-  for (auto* rows : {&impl_->bodies.velocity, &impl_->bodies.spin})
-    for (Lane4& r : *rows) r = Lane4{0, 0, 0, r[3]};
+  const auto stopped = [](const Lane4& r) { return row(Vec3::Zero(), r[3]); };
+  for (Grain& g : impl_->bodies.grains) g.velocity = stopped(g.velocity), g.spin = stopped(g.spin);
   impl_->energies.damping += moving - kinetic_energy();
 }
 

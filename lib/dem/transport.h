@@ -2,46 +2,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/v2.h"
 #include "core/v3.h"
 
 namespace soilweave::dem {
 
-/// Carries vectors of the contact plane, normal to the old normal, to the new one by the smallest rotation that maps
-/// one normal on the other, then turns them about the new normal by spin_angle (rad, the grains' mean spin over the
-/// step). Length is kept to round-off; the tangent of half the spin is exact to the seventh power of the angle. Valid
-/// while the normal turns by less than half a turn in a step.
+/// A rotation by its Gibbs vector g, the axis times the tangent of half the angle (Rodrigues 1840):
+/// v + 2/(1 + g^2) g x (v + g x v). Lengths are kept to round-off.
 template <class T>
-class Transport {
+class Rotation {
  public:
-  Transport(const V3<T>& old_normal, const V3<T>& normal, const T& spin_angle)
-      : normal_(normal), sum_(old_normal + normal) {
-    const T s2 = spin_angle * spin_angle, one = all<T>(1);
-    const T series = fused(s2, fused(s2, all<T>(1.0 / 120.0), all<T>(1.0 / 12.0)), one);
-    const T t = 0.5 * spin_angle * series;  // tangent of half the spin
-    // One division for both scales.
-    const T length = fused(t, t, one), rodrigues = one + dot(old_normal, normal);
-    const T inverse = one / (length * rodrigues);
-    against_ = length * inverse;
-    const T scale = rodrigues * inverse;
-    cosine_ = fused_less(t, t, one) * scale;
-    sine_ = (t + t) * scale;
+  explicit Rotation(const V3<T>& gibbs) : Rotation(gibbs, T(2.0 / (1.0 + norm2(gibbs)))) {}
+  /// The same by a series instead of a division, which leaves an error of the eighth power of half the angle.
+  static Rotation by_small(const V3<T>& gibbs) {
+    const T g2 = norm2(gibbs), two = all<T>(2);
+    return Rotation(gibbs, fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two));
   }
 
-  V3<T> operator()(const V3<T>& f) const {
-    // Rodrigues' rotation from n0 to n1 of a vector normal to n0: f - (f.n1)/(1 + n0.n1) (n0 + n1).
-    const V3<T> g = fused_less(T(against_ * dot(f, normal_)), sum_, f);
-    return fused(cosine_, g, sine_ * cross(normal_, g));
-  }
+  V3<T> operator()(const V3<T>& v) const { return add_cross(scaled_, add_cross(gibbs_, v, v), v); }
 
  private:
-  V3<T> normal_, sum_;
-  T against_, cosine_, sine_;
+  Rotation(const V3<T>& gibbs, const T& scale) : gibbs_(gibbs), scaled_(scale * gibbs) {}
+
+  // a x b + c.
+  static V3<T> add_cross(const V3<T>& a, const V3<T>& b, const V3<T>& c) {
+    return {fused_less(a.z, b.y, fused(a.y, b.z, c.x)), fused_less(a.x, b.z, fused(a.z, b.x, c.y)),
+            fused_less(a.y, b.x, fused(a.x, b.y, c.z))};
+  }
+
+  V3<T> gibbs_, scaled_;
 };
 
-/// One vector carried so.
+/// A rotation in the plane, by the tangent of half its angle.
+template <class T>
+class PlanarRotation {
+ public:
+  /// As Rotation::by_small.
+  static PlanarRotation by_small(const T& gibbs) {
+    const T g2 = gibbs * gibbs, two = all<T>(2);
+    return {gibbs, fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two) * gibbs};
+  }
+
+  V2<T> operator()(const V2<T>& v) const {
+    const V2<T> half{fused_less(gibbs_, v.y, v.x), fused(gibbs_, v.x, v.y)};
+    return {fused_less(scaled_, half.y, v.x), fused(scaled_, half.x, v.y)};
+  }
+  /// Turns about the axis of the plane stay as they are.
+  const T& operator()(const T& turn) const { return turn; }
+
+ private:
+  PlanarRotation(const T& gibbs, const T& scaled) : gibbs_(gibbs), scaled_(scaled) {}
+
+  T gibbs_, scaled_;
+};
+
+/// Gibbs vector of the smallest rotation from one unit vector to another, less than half a turn away.
+template <class T>
+V3<T> between(const V3<T>& old_normal, const V3<T>& normal) {
+  return T(1.0 / (1.0 + dot(old_normal, normal))) * cross(old_normal, normal);
+}
+
+/// The same for the normal of a pair that came where it is with a relative velocity (m/s) in a time dt; its part along
+/// the normal is `parting` (m/s). To the third power of what it moved over its distance.
+template <class T, class V>
+auto between(const V& velocity, const T& parting, const T& inverse_distance, const V& normal, const T& dt) {
+  const T step = dt * inverse_distance, parted = step * parting, one = all<T>(1);
+  return T(0.5 * step * fused(parted, one + parted, one)) * cross(normal, velocity);
+}
+
+/// Gibbs vector of a rotation whose axis lies in the contact plane, followed by one by an angle (rad, the grains' mean
+/// spin over the step) about the normal. The tangent of half of it is exact to the seventh power.
+template <class T>
+V3<T> then_spin(const V3<T>& gibbs, const V3<T>& normal, const T& angle) {
+  const T s2 = angle * angle;
+  const T t = 0.5 * angle * fused(s2, fused(s2, all<T>(1.0 / 120.0), all<T>(1.0 / 12.0)), all<T>(1));
+  return gibbs + t * (normal + cross(normal, gibbs));
+}
+
+/// One vector carried from the old contact plane to the new one.
 template <class T>
 V3<T> transport(const V3<T>& f, const V3<T>& old_normal, const V3<T>& normal, const T& spin_angle) {
-  return Transport<T>(old_normal, normal, spin_angle)(f);
+  return Rotation<T>(then_spin(between(old_normal, normal), normal, spin_angle))(f);
 }
 
 }  // namespace soilweave::dem

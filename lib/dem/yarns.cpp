@@ -69,8 +69,8 @@ double Yarns::elastic(const Yarn& yarn) const {
 
 YarnSums Yarns::stretch(double time, const Bodies& bodies, Yarn& yarn) const {
   if (yarn.memory.broken) return {.broken = 1};
-  const Lane4& a = bodies.position[static_cast<std::size_t>(yarn.first)];
-  const Lane4& b = bodies.position[static_cast<std::size_t>(yarn.second)];
+  const Lane4& a = bodies.grains[static_cast<std::size_t>(yarn.first)].position;
+  const Lane4& b = bodies.grains[static_cast<std::size_t>(yarn.second)].position;
   const Vec3 reach = vector_of(b) - vector_of(a);
   const double length = reach.norm(), before = yarn.tension, stored = elastic(yarn);
   const double stretched = yarn.length > 0 ? length - yarn.length : 0;
@@ -114,8 +114,8 @@ void Yarns::run(double time, int threads, Bodies& bodies) {
       force += (ends_[e] % 2 == 0 ? yarn.tension : -yarn.tension) * yarn.direction;
     }
     const auto i = static_cast<std::size_t>(node_[n]);
-    bodies.force[i] += force;
-    bodies.torque[i] = Lane4{};
+    bodies.loads[i].force += force;
+    bodies.loads[i].torque = Lane4{};
   }
 }
 
@@ -125,9 +125,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   double largest = 0;
   for (std::size_t n = 0; n < node_.size(); ++n) {
     const auto i = static_cast<std::size_t>(node_[n]);
-    Lane4 along = contacts.loads[i].force;
-    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s)
-      along += contacts.loads[s].force;
+    Lane4 along = bodies.loads[i].force;
+    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) along += bodies.loads[s].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const Yarn& yarn = yarns_[ends_[e] / 2];
       if (yarn.memory.broken) continue;

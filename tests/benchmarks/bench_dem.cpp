@@ -47,7 +47,7 @@ struct Loops {
     sums = sweep->run(scene(), 0, contacts);
     motion.gather(contacts, bodies);
   }
-  Scene scene() const { return {bodies, cell, planes, 1}; }
+  Scene scene() { return {bodies, cell, planes, 1}; }
 
   Bodies bodies;
   Cell cell;

@@ -1,7 +1,8 @@
-// The sweep of eight contacts at a time gives the bits of the sweep of four.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep of eight contacts at a time gives the bits of the sweep of four, and that in the plane those of that in
+// space. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -20,22 +21,31 @@ using Make = std::unique_ptr<ContactSweep> (*)(const Model&);
 struct Stepper {
   Stepper(const io::Snapshot& state, const Model& model, Make make)
       : bodies(state.grains),
-        cell(state.cell, 3),
+        cell(state.cell, state.grains.dimension),
         neighbours(bodies.largest_radius()),
         motion(bodies.size(), 1),
         sweep(make(model)) {
-    cell.set_velocity_gradient(Vec3(-0.2, 0.1, -0.3).asDiagonal());
+    cell.set_velocity_gradient(bodies.dimension == 3 ? Mat3(Vec3(-0.2, 0.1, -0.3).asDiagonal()) : shearing());
     neighbours.rebuild(bodies, cell, planes, contacts);
     sums = sweep->run(scene(), 0, contacts);
     motion.gather(contacts, bodies);
   }
-  Scene scene() const { return {bodies, cell, planes, 1}; }
+  static Mat3 shearing() {
+    Mat3 gradient = Vec3(-0.2, 0.1, 0).asDiagonal();
+    gradient(0, 1) = 0.1;
+    return gradient;
+  }
+  Scene scene() { return {bodies, cell, planes, 1}; }
   void step(double dt) {
-    const MotionSums moved = motion.advance(cell, Vec3(0, 0, -9.81), 0.2, dt, bodies);
+    const Vec3 gravity = bodies.dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0);
+    const MotionSums moved = motion.advance(cell, gravity, 0.2, dt, bodies);
     cell.advance(dt);
     if (neighbours.outdated(bodies, moved.fastest, 0, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
+    const int dimension = bodies.dimension;
+    if (in_space) bodies.dimension = 3;
     sums = sweep->run(scene(), dt, contacts);
+    bodies.dimension = dimension;
     sums.force_branch += motion.gather(contacts, bodies);
   }
 
@@ -47,10 +57,12 @@ struct Stepper {
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
   SweepSums sums;
+  bool in_space = false;  // sweep disks as if they were grains
 };
 
-bool same_bits(const std::vector<Lane4>& a, const std::vector<Lane4>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Lane4)) == 0;
+template <class Rows>
+bool same_bits(const Rows& a, const Rows& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 void expect_same_bits(const Model& model, const io::Snapshot& state) {
@@ -58,12 +70,13 @@ void expect_same_bits(const Model& model, const io::Snapshot& state) {
   double slid = 0;
   for (int k = 0; k < 150; ++k) four.step(2e-5), eight.step(2e-5), slid += four.sums.frictional;
   EXPECT_GT(slid, 0);
-  for (const auto rows : {&Bodies::position, &Bodies::velocity, &Bodies::spin, &Bodies::force, &Bodies::torque})
-    EXPECT_TRUE(same_bits(four.bodies.*rows, eight.bodies.*rows));
+  EXPECT_TRUE(same_bits(four.bodies.grains, eight.bodies.grains));
+  EXPECT_TRUE(same_bits(four.bodies.loads, eight.bodies.loads));
   EXPECT_EQ(std::memcmp(&four.sums, &eight.sums, sizeof four.sums), 0);
+  for (Stepper* s : {&four, &eight}) std::fill(s->bodies.loads.begin(), s->bodies.loads.end(), Load{});
   EXPECT_EQ(four.sweep->stiffen(four.scene(), four.contacts), eight.sweep->stiffen(eight.scene(), eight.contacts));
-  EXPECT_EQ(four.motion.stable_time_step(four.bodies, four.contacts),
-            eight.motion.stable_time_step(eight.bodies, eight.contacts));
+  EXPECT_EQ(four.motion.stable_time_step(four.contacts, four.bodies),
+            eight.motion.stable_time_step(eight.contacts, eight.bodies));
   const StoredEnergies a = four.sweep->stored(four.scene(), four.contacts);
   const StoredEnergies b = eight.sweep->stored(eight.scene(), eight.contacts);
   EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
@@ -81,6 +94,29 @@ TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
   auto smooth = rough, lossy = rough;
   smooth.friction_angle = 0.1, lossy.restitution = 0.5;
   expect_same_bits({std::vector<HertzMindlin::Material>{rough, smooth, lossy}}, state);
+}
+
+TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
+  auto lossy = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
+  lossy.restitution = 0.5;
+  for (const Model& model :
+       {testing::sand(), testing::linear_sand(), Model{std::vector<HertzMindlin::Material>{lossy}}}) {
+    const io::Snapshot state = testing::packed(model, 1e5, 300, 2);
+    Stepper plane(state, model, make_contact_sweep_of_four), space(state, model, make_contact_sweep_of_four);
+    space.in_space = true;
+    double slid = 0;
+    for (int k = 0; k < 400; ++k) plane.step(1e-5), space.step(1e-5), slid += plane.sums.frictional;
+    EXPECT_GT(slid, 0);
+    for (std::size_t i = 0; i < plane.bodies.size(); ++i) {
+      EXPECT_EQ(vector_of(plane.bodies.grains[i].position), vector_of(space.bodies.grains[i].position)) << i;
+      EXPECT_EQ(vector_of(plane.bodies.grains[i].spin), vector_of(space.bodies.grains[i].spin)) << i;
+      EXPECT_EQ(vector_of(plane.bodies.loads[i].force), vector_of(space.bodies.loads[i].force)) << i;
+      EXPECT_EQ(vector_of(plane.bodies.loads[i].torque), vector_of(space.bodies.loads[i].torque)) << i;
+    }
+    EXPECT_EQ(plane.sums.force_branch, space.sums.force_branch);
+    EXPECT_EQ(plane.sums.tangential_work, space.sums.tangential_work);
+    EXPECT_EQ(plane.sums.frictional, space.sums.frictional);
+  }
 }
 
 }  // namespace

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/v3.h"
+#include "dem/space.h"
 
 namespace soilweave::dem {
 
 /// History of one contact, already carried to the present normal.
-template <class T>
+template <class T, class Space = Spatial>
 struct Memory {
-  V3<T> shear;    // N
-  V3<T> rolling;  // N m, normal to the contact normal
-  T twisting;     // N m, about the contact normal
+  Vector<T, Space> shear;  // N
+  Turn<T, Space> rolling;  // N m, normal to the contact normal
+  T twisting;              // N m, about the contact normal
 };
 
 /// Forces are in Memory after the call; the rest is here.
@@ -34,15 +34,10 @@ struct Books {
 using soilweave::keep;
 using soilweave::select;
 
-template <class T>
-Memory<T> select(const Mask<T>& mask, const Memory<T>& yes, const Memory<T>& no) {
+template <class T, class Space>
+Memory<T, Space> select(const Mask<T>& mask, const Memory<T, Space>& yes, const Memory<T, Space>& no) {
   return {select<T>(mask, yes.shear, no.shear), select<T>(mask, yes.rolling, no.rolling),
           select<T>(mask, yes.twisting, no.twisting)};
-}
-
-template <class T>
-Memory<T> keep(const Mask<T>& mask, const Memory<T>& memory) {
-  return {keep(mask, memory.shear), keep(mask, memory.rolling), keep(mask, memory.twisting)};
 }
 
 template <class T>
@@ -87,6 +82,10 @@ T squared(const V3<T>& a) {
   return norm2(a);
 }
 template <class T>
+T squared(const V2<T>& a) {
+  return norm2(a);
+}
+template <class T>
 T product(const T& a, const T& b) {
   return a * b;
 }
@@ -94,28 +93,28 @@ template <class T>
 T product(const V3<T>& a, const V3<T>& b) {
   return dot(a, b);
 }
+template <class T>
+T product(const V2<T>& a, const V2<T>& b) {
+  return dot(a, b);
+}
 
-/// limit: the largest magnitude, not negative. compliance: 1/stiffness, 0 where there is no stiffness.
+/// limit: the largest magnitude, not negative; 0 where there is no stiffness.
 template <class T, class Quantity>
-SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const T& compliance,
-                                            const Quantity& increment, const T& limit) {
+SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
+                                            const T& limit) {
   SpringStep<T, Quantity> s;
   const Quantity trial = fused_less(stiffness, increment, old);
-  const T one = all<T>(1), half = 0.5 * compliance;
-  T force2 = squared(trial);
-  s.limited = force2 > limit * limit;
-  s.force = trial;
-  s.dissipated = all<T>(0);
-  // Where nothing is limited the scale is exactly 1: to skip it changes no bit.
-  if (any(s.limited)) {
-    const T scale = select<T>(s.limited, limit / square_root(maximum(force2, all<T>(1e-300))), one);
-    s.force = scale * trial;
-    // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
-    s.dissipated = keep(s.limited, T(half * (one - scale) * product(Quantity(old + s.force), trial)));
-    force2 = squared(s.force);
-  }
+  const T force2 = squared(trial), force = square_root(force2);
+  s.limited = force > limit;
+  // One division for both. No branch: a guess that fails costs more than a root and a division, which others work
+  // beside.
+  const T inverse = 1.0 / maximum(T(force * stiffness), all<T>(1e-300)), compliance = force * inverse;
+  const T scale = select<T>(s.limited, limit * (stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
+  s.force = scale * trial;
+  // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
+  s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
   s.before = half * squared(old);
-  s.stored = half * force2;
+  s.stored = half * squared(s.force);
   return s;
 }
 

@@ -47,15 +47,15 @@ struct Damping {
 
   /// Elastic force (N) and a dashpot 2 ratio sqrt(m* stiffness) at the approach speed, cut at zero unless attraction is
   /// allowed.
-  template <class T>
-  T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T>& k) const {
+  template <class T, class Space>
+  T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T, Space>& k) const {
     if (ratio == 0) return elastic;
     const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star() * stiffness) * k.approach_speed;
     return attraction ? sum : maximum(sum, all<T>(0));
   }
   /// What it takes in a time dt, J.
-  template <class T>
-  T work(const T& force, const T& elastic, const Kinematics<T>& k, const T& dt) const {
+  template <class T, class Space>
+  T work(const T& force, const T& elastic, const Kinematics<T, Space>& k, const T& dt) const {
     return ratio == 0 ? all<T>(0) : T((force - elastic) * k.approach_speed * dt);
   }
 };

@@ -69,8 +69,9 @@ struct HertzMindlin {
 
   /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R*
   /// delta)).
-  template <class T>
-  static Response<T> respond(const Couple& c, const Kinematics<T>& k, const T& dt, Memory<T>& memory, Books<T>& books) {
+  template <class T, class Space>
+  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
+                             Books<T>& books) {
     const T a = square_root(k.R_star * k.overlap);  // contact radius, m
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;

@@ -64,8 +64,9 @@ struct Linear {
   static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
 
   /// Springs of the two grains in series, dem-laws §3: kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn = kn delta.
-  template <class T>
-  static Response<T> respond(const Couple& c, const Kinematics<T>& k, const T& dt, Memory<T>& memory, Books<T>& books) {
+  template <class T, class Space>
+  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
+                             Books<T>& books) {
     const T tiny = all<T>(1e-300);
     const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
     Response<T> r;
@@ -75,8 +76,8 @@ struct Linear {
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
     books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
-    // Without stiffness there is no shear force, also where the state was made with one.
-    if (c.S1 == 0 || c.S2 == 0) memory.shear = V3<T>{};
+    // Without stiffness there is no shear force, and no moment scaled by it, also where the state was made with one.
+    if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(memory);
     tangential_step(c.tangential, k, memory, r, books);
     return r;
   }

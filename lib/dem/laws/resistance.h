@@ -49,8 +49,8 @@ inline PairResistance mix(const Resistance& a, const Resistance& b) {
 }
 
 /// N m/rad. shear_stiffness: the law's tangent ks, N/m.
-template <class T>
-T resistance_stiffness(const PairResistance& r, const Kinematics<T>& k, const T& shear_stiffness) {
+template <class T, class Space>
+T resistance_stiffness(const PairResistance& r, const Kinematics<T, Space>& k, const T& shear_stiffness) {
   if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness);
   return r.stiffness * shear_stiffness * k.r1 * k.r2;
 }
@@ -63,8 +63,8 @@ T resistance_compliance(const PairResistance& r, const T& stiffness) {
 }
 
 /// Largest moment of a limited resistance, N m. normal_force: N, not negative.
-template <class T>
-T resistance_limit(const PairResistance& r, const Kinematics<T>& k, const T& normal_force) {
+template <class T, class Space>
+T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const T& normal_force) {
   const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
                                                       : minimum(T(r.limit_1 * k.r1), T(r.limit_2 * k.r2));
   return arm * normal_force;
@@ -72,17 +72,16 @@ T resistance_limit(const PairResistance& r, const Kinematics<T>& k, const T& nor
 
 /// Rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness there is no moment, also where
 /// the state was made with one: it would turn the grains for ever, at no cost to any store of energy.
-template <class T, class Quantity>
-SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T>& k, const Quantity& old,
+template <class T, class Quantity, class Space>
+SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T, Space>& k, const Quantity& old,
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {
   if (!(r.stiffness > 0)) {
     SpringStep<T, Quantity> none{};
     none.limited = all<T>(0) > all<T>(0);
     return none;
   }
-  const T compliance = resistance_compliance(r, stiffness);
-  if (!r.limited) return spring_step<T, Quantity>(old, stiffness, compliance, increment);
-  return limited_spring_step<T, Quantity>(old, stiffness, compliance, increment, resistance_limit(r, k, normal_force));
+  if (!r.limited) return spring_step<T, Quantity>(old, stiffness, resistance_compliance(r, stiffness), increment);
+  return limited_spring_step<T, Quantity>(old, stiffness, increment, resistance_limit(r, k, normal_force));
 }
 
 }  // namespace soilweave::dem

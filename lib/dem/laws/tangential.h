@@ -16,6 +16,14 @@ struct Tangential {
   PairResistance rolling, twisting;
 
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
+
+  /// Of what shear stiffness bears, where there is none.
+  template <class T, class Space>
+  void let_go(Memory<T, Space>& memory) const {
+    memory.shear = Vector<T, Space>{};
+    if (rolling.scale == Resistance::Scale::contact) memory.rolling = Turn<T, Space>{};
+    if (twisting.scale == Resistance::Scale::contact) memory.twisting = T{};
+  }
 };
 
 template <class Material>
@@ -26,15 +34,18 @@ Tangential mix_tangential(const Material& a, const Material& b) {
 
 /// Completes a response whose normal force and shear stiffness are known: memory becomes the present shear force and
 /// moments, books the energies of the three springs. Fs <- Fs - ks slip, |Fs| <= mu Fn (dem-laws §2, §3).
-template <class T>
-void tangential_step(const Tangential& c, const Kinematics<T>& k, Memory<T>& memory, Response<T>& r, Books<T>& books) {
+template <class T, class Space>
+void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<T, Space>& memory, Response<T>& r,
+                     Books<T>& books) {
   const T pressing = maximum(r.normal_force, all<T>(0));
   r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
   r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
-  const auto shear = limited_spring_step<T, V3<T>>(memory.shear, r.shear_stiffness, compliance_of(r.shear_stiffness),
-                                                   k.slip, c.mu * pressing);
-  const auto roll = resistance_step<T, V3<T>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
-  const auto twist = resistance_step<T, T>(c.twisting, k, memory.twisting, r.twisting_stiffness, k.twist, pressing);
+  const auto shear = limited_spring_step<T, Vector<T, Space>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
+  const auto roll =
+      resistance_step<T, Turn<T, Space>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
+  SpringStep<T, T> twist{};
+  if constexpr (Space::twists)
+    twist = resistance_step<T, T>(c.twisting, k, memory.twisting, r.twisting_stiffness, k.twist, pressing);
   memory = {shear.force, roll.force, twist.force};
   r.sliding = shear.limited;
   books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;

@@ -1,0 +1,30 @@
+// Memory for what every step passes over: pages of 2 MiB, where the kernel gives them, so that looking up where a page
+// lies costs little.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory_resource>
+#include <vector>
+
+namespace soilweave {
+
+/// One for the process; threads may share it.
+std::pmr::memory_resource& large_pages();
+
+template <class T>
+struct LargePages {
+  using value_type = T;
+
+  LargePages() = default;
+  template <class U>
+  LargePages(const LargePages<U>&) {}
+
+  T* allocate(std::size_t n) { return static_cast<T*>(large_pages().allocate(n * sizeof(T), alignof(T))); }
+  void deallocate(T* at, std::size_t n) { large_pages().deallocate(at, n * sizeof(T), alignof(T)); }
+  friend bool operator==(const LargePages&, const LargePages&) { return true; }
+};
+
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
+
+}  // namespace soilweave

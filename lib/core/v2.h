@@ -1,0 +1,67 @@
+// Vectors of two, of one contact or of several at once: what v3.h says of three. A turn in the plane is a number, about
+// the axis that leaves it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lanes.h"
+
+namespace soilweave {
+
+template <class T>
+struct V2 {
+  T x, y;
+
+  V2() = default;
+  V2(const T& first, const T& second) : x(first), y(second) {}
+  V2(const V2& v) : x(v.x), y(v.y) {}
+  V2& operator=(const V2& v) {
+    x = v.x, y = v.y;
+    return *this;
+  }
+};
+
+template <class T>
+V2<T> operator+(const V2<T>& a, const V2<T>& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class T>
+V2<T> operator*(const T& s, const V2<T>& a) {
+  return {s * a.x, s * a.y};
+}
+template <class T>
+V2<T> select(const Mask<T>& mask, const V2<T>& yes, const V2<T>& no) {
+  return {select<T>(mask, yes.x, no.x), select<T>(mask, yes.y, no.y)};
+}
+template <class T>
+T dot(const V2<T>& a, const V2<T>& b) {
+  return fused(a.y, b.y, T(a.x * b.x));
+}
+template <class T>
+T cross(const V2<T>& a, const V2<T>& b) {
+  return fused(a.x, b.y, T(-(a.y * b.x)));
+}
+/// A vector times a turn.
+template <class T>
+V2<T> cross(const V2<T>& a, const T& turn) {
+  return {a.y * turn, -(a.x * turn)};
+}
+/// s a + b.
+template <class T>
+V2<T> fused(const T& s, const V2<T>& a, const V2<T>& b) {
+  return {fused(s, a.x, b.x), fused(s, a.y, b.y)};
+}
+/// b - s a.
+template <class T>
+V2<T> fused_less(const T& s, const V2<T>& a, const V2<T>& b) {
+  return {fused_less(s, a.x, b.x), fused_less(s, a.y, b.y)};
+}
+template <class T>
+V2<T> keep(const Mask<T>& mask, const V2<T>& v) {
+  return {keep(mask, v.x), keep(mask, v.y)};
+}
+template <class T>
+T norm2(const V2<T>& a) {
+  return dot(a, a);
+}
+
+}  // namespace soilweave
