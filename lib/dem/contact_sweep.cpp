@@ -112,7 +112,7 @@ class LawSweep final : public ContactSweep {
                                 : step<Spatial>(scene, affine, dt, contacts);
     SweepSums total;
     for (const StepSums& s : step_sums_) s.put_into(total);
-    add_across(total.force_branch);
+    add_across(scene.bodies.dimension == 2, total.force_branch);
     StepSums with_planes;
     for (PlanePair& pair : contacts.planes) act(scene, dt, pair, with_planes, total);
     with_planes.put_into(total);
@@ -293,42 +293,49 @@ class LawSweep final : public ContactSweep {
   }
 
   // To the loads of the grains, pair by pair.
-  template <class Space>
-  static void add(const Action<Lanes, Space>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  static void add(const Action<Lanes>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
     std::array<Lane4, width<Lanes>> force, torque;
-    to_rows_of(act.force, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
-    to_rows_of(act.torque_first, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
-    to_rows_of(act.torque_second, [&](int lane, const Lane4& row) {
+    const auto& f = act.force;
+    const auto &t1 = act.torque_first, &t2 = act.torque_second;
+    const Lanes zero{};
+    to_rows(f.x, f.y, f.z, zero, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
+    to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
+    to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
       const auto k = static_cast<std::size_t>(lane);
       double *one = s.loads + lanes.load_first(lane), *two = s.loads + lanes.load_second(lane);
       take(one, force[k]), take(one + width<Lane4>, torque[k]);
       add(two, force[k]), add(two + width<Lane4>, row);
     });
-    if (lanes.block->folded)
-      for (int lane = 0; lane < width<Lanes>; ++lane)
-        add(s.across + width<Lane4> * lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+    add_across(force, lanes, s);
   }
-  template <class Put>
-  static void to_rows_of(const V3<Lanes>& v, const Put& put) {
-    to_rows(v.x, v.y, v.z, Lanes{}, put);
+  // In the plane the torque comes as the third part of the force (Motion::gather).
+  static void add(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+    const auto& f = act.force;
+    std::array<Lane4, width<Lanes>> first;
+    to_rows(f.x, f.y, act.torque_first, Lanes{},
+            [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
+    to_rows(f.x, f.y, act.torque_second, Lanes{}, [&](int lane, const Lane4& row) {
+      take(s.loads + lanes.load_first(lane), first[static_cast<std::size_t>(lane)]);
+      add(s.loads + lanes.load_second(lane), row);
+    });
+    add_across(first, lanes, s);
   }
-  template <class Put>
-  static void to_rows_of(const V2<Lanes>& v, const Put& put) {
-    to_rows(v.x, v.y, Lanes{}, Lanes{}, put);
-  }
-  template <class Put>
-  static void to_rows_of(const Lanes& turn, const Put& put) {
-    to_rows(Lanes{}, Lanes{}, turn, Lanes{}, put);
+  static void add_across(const std::array<Lane4, width<Lanes>>& force, const BlockLanes<Lanes>& lanes,
+                         const Surroundings& s) {
+    if (!lanes.block->folded) return;
+    for (int lane = 0; lane < width<Lanes>; ++lane)
+      add(s.across + width<Lane4> * lanes.image(lane), force[static_cast<std::size_t>(lane)]);
   }
   static void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
   static void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
 
   // The part of f (x) l that comes from pairs across the cell's faces.
-  void add_across(Mat3& force_branch) const {
+  void add_across(bool planar, Mat3& force_branch) const {
     const std::size_t images = shifts_.size();
     for (std::size_t image = 1; image + 1 < images; ++image) {
       Lane4 force{};
       for (std::size_t at = image; at < across_.size(); at += images) force += across_[at];
+      if (planar) force[2] = 0;
       force_branch += vector_of(force) * vector_of(shifts_[image]).transpose();
     }
   }
@@ -414,6 +421,7 @@ class LawSweep final : public ContactSweep {
     history.touching = true, history.sliding = response.sliding;
     Load& load = scene.bodies.loads[pair.load];
     put(-act.force, load.force), put(-act.torque_first, load.torque);
+    if (scene.bodies.dimension == 2) load.force[2] = load.torque[2], load.torque = Lane4{};
     sums.add(g, before, memory, use_moments_, books);
     ++sums.contacts;
     // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.

@@ -53,19 +53,34 @@ Lane4 kick(const Lane4& force, const Lane4& ratio, const Lane4& damping, const L
   lost = fused(Lane4(side * force), velocity + after, lost);
   return after;
 }
+// Disks are not pushed out of their plane, nor turned out of it.
+template <bool planar>
 V3<Lane4> kick(const V3<Lane4>& f, const Lane4& ratio, const Lane4& damping, const V3<Lane4>& v, Lane4& lost) {
-  return {kick(f.x, ratio, damping, v.x, lost), kick(f.y, ratio, damping, v.y, lost),
-          kick(f.z, ratio, damping, v.z, lost)};
+  const Lane4 x = kick(f.x, ratio, damping, v.x, lost), y = kick(f.y, ratio, damping, v.y, lost);
+  return {x, y, planar ? v.z : kick(f.z, ratio, damping, v.z, lost)};
+}
+template <bool planar>
+V3<Lane4> spin_up(const V3<Lane4>& torque, const Lane4& ratio, const Lane4& damping, const V3<Lane4>& w, Lane4& lost) {
+  if constexpr (planar) return {w.x, w.y, kick(torque.z, ratio, damping, w.z, lost)};
+  return kick<false>(torque, ratio, damping, w, lost);
 }
 
-// q <- q (1, dt w/2), of unit length again by one Newton step: the length is off by the square of half the angle.
+// q <- (1, dt w/2) q, of unit length again by one Newton step: the length is off by the square of half the angle.
+template <bool planar>
 void turn(const V3<Lane4>& spin, const Lane4& dt, Grain* grains) {
   const Columns<Lane4> q = columns<Lane4>([grains](int i) { return grains[i].orientation; });
   const V3<Lane4> half = Lane4(0.5 * dt) * spin;
-  const Lane4 a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
-  const Lane4 b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
-  const Lane4 c = fused(half.z, q.b, fused(half.y, q.a, fused_less(half.x, q.d, q.c)));
-  const Lane4 d = fused(half.z, q.a, fused_less(half.y, q.b, fused(half.x, q.c, q.d)));
+  Lane4 a = q.a, b = q.b, c = q.c, d = q.d;
+  if constexpr (!planar) {
+    a = fused_less(half.y, q.c, fused_less(half.x, q.b, a));
+    b = fused(half.y, q.d, fused(half.x, q.a, b));
+    c = fused(half.y, q.a, fused_less(half.x, q.d, c));
+    d = fused_less(half.y, q.b, fused(half.x, q.c, d));
+  }
+  a = fused_less(half.z, q.d, a);
+  b = fused_less(half.z, q.c, b);
+  c = fused(half.z, q.b, c);
+  d = fused(half.z, q.a, d);
   const Lane4 square = fused(d, d, fused(c, c, fused(b, b, Lane4(a * a))));
   const Lane4 scale = fused_less(all<Lane4>(0.5), square, all<Lane4>(1.5));
   to_rows(scale * a, scale * b, scale * c, scale * d,
@@ -94,10 +109,13 @@ void Motion::chunked(std::size_t grains, const Body& body) {
 }
 
 Mat3 Motion::gather(const Contacts& contacts, Bodies& bodies) {
+  const bool planar = bodies.dimension == 2;
+  const Mask<Lane4> in_plane{-1, -1, 0, 0};
   chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     for (std::size_t i = begin; i < end; ++i) {
       Load& load = collect(contacts, i, bodies);
-      if (bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
+      if (planar) load = {keep(in_plane, load.force), keep(~in_plane, load.force)};  // as the sweep left them
+      if (bodies.is_node(i)) load.torque = Lane4{};                                  // nodes do not rotate
       const Lane4& x = bodies.grains[i].position;
       for (int a = 0; a < 3; ++a) partial.virial[a] = fused(all<Lane4>(x[a]), load.force, partial.virial[a]);
     }
@@ -119,6 +137,7 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
 }
 
 // One step of four grains; their loads are used up.
+template <bool planar>
 [[gnu::flatten]] void Motion::advance(const Push& push, Grain* grains, Load* loads, Partial& partial) {
   const Columns<Lane4> v_m = columns<Lane4>([grains](int i) { return grains[i].velocity; });
   const Columns<Lane4> w_r = columns<Lane4>([grains](int i) { return grains[i].spin; });
@@ -129,15 +148,15 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   const Lane4 ratio = push.dt / v_m.d;
   const V3<Lane4> before = vector_part(v_m), pull = v_m.d * push.gravity;
   if (push.heavy) force = force + pull;
-  const V3<Lane4> v = kick(force, ratio, push.damping, before, partial.damping);
+  const V3<Lane4> v = kick<planar>(force, ratio, push.damping, before, partial.damping);
   if (push.heavy) partial.gravity_work += dot(pull, before + v);
   partial.largest = maximum(partial.largest, norm2(v));
   put(v, v_m.d, [grains](int i) -> Lane4& { return grains[i].velocity; });
 
   const Lane4 spin_ratio = ratio / (push.gyration * w_r.d * w_r.d);
-  const V3<Lane4> w = kick(torque, spin_ratio, push.damping, vector_part(w_r), partial.damping);
+  const V3<Lane4> w = spin_up<planar>(torque, spin_ratio, push.damping, vector_part(w_r), partial.damping);
   put(w, w_r.d, [grains](int i) -> Lane4& { return grains[i].spin; });
-  turn(w, push.dt, grains);
+  turn<planar>(w, push.dt, grains);
 
   const V3<Lane4> x = vector_part(x_r);
   put(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), x_r.d,
@@ -153,9 +172,10 @@ MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping
                   !gravity.isZero(0.0),
                   !cell.velocity_gradient().isZero(0.0)};
   Bodies& b = bodies;
+  const auto four = bodies.dimension == 2 ? &Motion::advance<true> : &Motion::advance<false>;
   chunked(b.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
     std::size_t i = begin;
-    for (; i + 4 <= end; i += 4) advance(push, &b.grains[i], &b.loads[i], partial);
+    for (; i + 4 <= end; i += 4) four(push, &b.grains[i], &b.loads[i], partial);
     if (i == end) return;
     // The last few, beside grains at rest that do not fall.
     Push last = push;
@@ -165,7 +185,7 @@ MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping
     grains.fill({rest, rest, rest, rest});
     std::array<Load, 4> loads;
     for (std::size_t k = i; k < end; ++k) grains[k - i] = b.grains[k], loads[k - i] = b.loads[k], b.loads[k] = {};
-    advance(last, grains.data(), loads.data(), partial);
+    four(last, grains.data(), loads.data(), partial);
     for (std::size_t k = i; k < end; ++k) b.grains[k] = grains[k - i];
   });
   Lane4 damped{}, work{}, fastest{};

@@ -44,6 +44,7 @@ class Motion {
     Lane4 largest{};
     double sum = 0;
   };
+  template <bool planar>
   static void advance(const struct Push& push, Grain* grains, Load* loads, Partial& partial);
   template <class Body>
   void chunked(std::size_t grains, const Body& body);

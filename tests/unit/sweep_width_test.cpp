@@ -37,16 +37,18 @@ struct Stepper {
   }
   Scene scene() { return {bodies, cell, planes, 1}; }
   void step(double dt) {
-    const Vec3 gravity = bodies.dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0);
+    const int dimension = bodies.dimension;
+    const Vec3 gravity = dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0);
+    if (in_space) bodies.dimension = 3;
     const MotionSums moved = motion.advance(cell, gravity, 0.2, dt, bodies);
+    bodies.dimension = dimension;
     cell.advance(dt);
     if (neighbours.outdated(bodies, moved.fastest, 0, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
-    const int dimension = bodies.dimension;
     if (in_space) bodies.dimension = 3;
     sums = sweep->run(scene(), dt, contacts);
-    bodies.dimension = dimension;
     sums.force_branch += motion.gather(contacts, bodies);
+    bodies.dimension = dimension;
   }
 
   Bodies bodies;
@@ -57,7 +59,7 @@ struct Stepper {
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
   SweepSums sums;
-  bool in_space = false;  // sweep disks as if they were grains
+  bool in_space = false;  // move disks as if they were grains
 };
 
 template <class Rows>
