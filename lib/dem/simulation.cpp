@@ -15,6 +15,7 @@
 #include "dem/ledger.h"
 #include "dem/motion.h"
 #include "dem/neighbours.h"
+#include "dem/overlap.h"
 
 namespace soilweave::dem {
 namespace {
@@ -67,8 +68,8 @@ struct Simulation::Impl {
     for (std::size_t k = 0; k < clamps.all.size(); ++k) clamps.set_velocity(k, Vec3::Zero(), bodies);
     clamps.take(numerics.gravity, 0, bodies);
     measure();
-    if (largest_overlap() > numerics.limits.overlap)
-      throw DataError(deepest() + ": too deep for a contact of stiff grains: check positions, radii and cell");
+    if (const DeepestContact c = deepest(); c.relative > numerics.limits.overlap)
+      throw DataError(description(c) + ": too deep for a contact of stiff grains: check positions, radii and cell");
     const Energies now = stored();
     energies.tangential_work = now.elastic_shear + now.elastic_rolling + now.elastic_twisting;
     energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + now.elastic();
@@ -207,21 +208,11 @@ struct Simulation::Impl {
   double alarm() const { return std::max(numerics.limits.overlap * smallest_radius, 1.1 * looked_at); }
   void look_at_overlap() {
     looked_at = sums.largest_overlap;
-    if (largest_overlap() > numerics.limits.overlap) guard.too_deep(steps, deepest(), unbalanced_force());
+    if (const DeepestContact c = deepest(); c.relative > numerics.limits.overlap)
+      guard.too_deep(steps, description(c), unbalanced_force());
   }
 
-  // Over the smaller radius.
-  double largest_overlap() const {
-    const io::ContactsRecord all = contacts_record();
-    double largest = 0;
-    for (std::size_t k = 0; k < all.size(); ++k) largest = std::max(largest, relative_overlap(all, k));
-    return largest;
-  }
-  double relative_overlap(const io::ContactsRecord& all, std::size_t k) const {
-    const auto [first, second] = all.bodies[k];
-    const double r = bodies.radius(static_cast<std::size_t>(first));
-    return all.overlap[k] / (second < 0 ? r : std::min(r, bodies.radius(static_cast<std::size_t>(second))));
-  }
+  DeepestContact deepest() const { return deepest_of(contacts_record(), bodies); }
 
   Energies stored() {
     const StoredEnergies in_contacts = sweep->stored(scene(), contacts);
@@ -237,17 +228,6 @@ struct Simulation::Impl {
     Energies e = stored();
     e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
     return e;
-  }
-
-  std::string deepest() {
-    const io::ContactsRecord all = contacts_record();
-    std::size_t worst = 0;
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (relative_overlap(all, k) > relative_overlap(all, worst)) worst = k;
-    const auto [first, second] = all.bodies[worst];
-    const std::string other = second < 0 ? fmt::format("plane {}", plane_number(second)) : fmt::format("{}", second);
-    return fmt::format("grains {} and {} overlap by {:.3g} m, {:.0f} % of the radius", first, other, all.overlap[worst],
-                       100 * relative_overlap(all, worst));
   }
 
   struct Stiffness {
@@ -341,7 +321,7 @@ const Measures& Simulation::measures() const { return impl_->measures; }
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
-double Simulation::largest_overlap() const { return impl_->largest_overlap(); }
+double Simulation::largest_overlap() const { return impl_->deepest().relative; }
 double Simulation::stability_limit() {
   double limit = 0;
   impl_->beside_loads([&] { limit = impl_->look_at_stiffness().limit; });

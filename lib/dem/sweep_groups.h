@@ -1,0 +1,111 @@
+// What the stages of a sweep hand to one another, and how what a contact does reaches its grains.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "dem/block_lanes.h"
+#include "dem/contact_action.h"
+#include "dem/contact_sweep.h"
+#include "dem/row_sums.h"
+
+namespace soilweave::dem {
+
+/// What a step sums over the contacts of a chunk.
+template <class Lanes>
+struct StepSums {
+  Lane4 work{};     // -2 times that on the springs; frictional, rolling plastic, viscous
+  Lanes overlap{};  // the largest, a lane each
+  std::int64_t contacts = 0;
+
+  template <class T, class Space>
+  void add(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after, bool moments,
+           const Books<T>& b) {
+    const Kinematics<T, Space>& k = g.kinematics;
+    T twice = dot(before.shear + after.shear, g.surface_slip);
+    if (moments) {
+      twice += product(Turn<T, Space>(before.rolling + after.rolling), k.roll);
+      if constexpr (Space::twists) twice = fused(T(before.twisting + after.twisting), k.twist, twice);
+    }
+    add_to(work, twice, b.frictional, b.rolling_plastic, b.viscous);
+    overlap = maximum(overlap, k.overlap + Lanes{});
+  }
+
+  void put_into(SweepSums& s) const {
+    s.tangential_work -= 0.5 * work[0];
+    s.frictional += work[1], s.rolling_plastic += work[2], s.viscous += work[3];
+    for (int lane = 0; lane < width<Lanes>; ++lane) s.largest_overlap = std::max(s.largest_overlap, overlap[lane]);
+    s.contacts += contacts;
+  }
+};
+
+/// What a sweep works with beside the pairs.
+struct Surroundings {
+  const Bodies& bodies;
+  const std::vector<Lane4>& shifts;  // of Contacts::images, m
+  AffineMotion affine;
+  double dt;
+  double* loads;
+  double* across;  // of this chunk: forces summed by image
+
+  const double* grains() const { return reinterpret_cast<const double*>(bodies.grains.data()); }
+};
+
+/// Pairs of one register on their way through the stages.
+template <class Lanes, class Space>
+struct Group {
+  BlockLanes<Lanes> lanes;
+  unsigned touching;
+  PairMotion<Lanes, Space> motion;
+  PairGeometry<Lanes, Space> geometry;
+};
+inline constexpr std::size_t batch_size = 8;  // what the first cache holds
+template <class Lanes, class Space>
+using Batch = std::span<Group<Lanes, Space>>;
+
+inline void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
+inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
+
+/// Adds the forces of pairs that reach across the cell's faces to the sums by image.
+template <class Lanes>
+void add_across(const std::array<Lane4, width<Lanes>>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  if (!lanes.block->folded) return;
+  for (int lane = 0; lane < width<Lanes>; ++lane)
+    add(s.across + width<Lane4> * lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+}
+
+/// To the loads of the grains, pair by pair.
+template <class Lanes>
+void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  std::array<Lane4, width<Lanes>> force, torque;
+  const auto& f = act.force;
+  const auto &t1 = act.torque_first, &t2 = act.torque_second;
+  const Lanes zero{};
+  to_rows(f.x, f.y, f.z, zero, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
+  to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
+  to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
+    const auto k = static_cast<std::size_t>(lane);
+    double *one = s.loads + lanes.load_first(lane), *two = s.loads + lanes.load_second(lane);
+    take(one, force[k]), take(one + width<Lane4>, torque[k]);
+    add(two, force[k]), add(two + width<Lane4>, row);
+  });
+  add_across(force, lanes, s);
+}
+/// In the plane the torque comes as the third part of the force (Motion::gather).
+template <class Lanes>
+void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  const auto& f = act.force;
+  std::array<Lane4, width<Lanes>> first;
+  to_rows(f.x, f.y, act.torque_first, Lanes{},
+          [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
+  to_rows(f.x, f.y, act.torque_second, Lanes{}, [&](int lane, const Lane4& row) {
+    take(s.loads + lanes.load_first(lane), first[static_cast<std::size_t>(lane)]);
+    add(s.loads + lanes.load_second(lane), row);
+  });
+  add_across(first, lanes, s);
+}
+
+}  // namespace soilweave::dem
