@@ -1,7 +1,7 @@
 #!/bin/bash
 # Chapter 2 as a section of the report, on standard output.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: OUT=out/ch2 CASES='hm_1000_0.2 ...' SAMPLES='32 24' LAST=2 ERROR=0.1 PROFILE=quick page.sh > page.html
+# usage: OUT=out/ch2 CASES='hm_1000_0.2 ...' SAMPLES='32 24' LAST=2 ERROR=0.1,0.01,0.1 PROFILE=quick page.sh > page.html
 set -euo pipefail
 
 # Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
@@ -19,7 +19,8 @@ cat <<PAGE
 <h2>Contact parameters of Toyoura sand, identified with the particle filter</h2>
 <p>Parameter sets are drawn from a prior (<code>pf-weight draw</code>), each is run through the drained triaxial test, one row one job
 under GNU parallel, and the laboratory's curve weighs them step by step (<code>pf-weight assimilate</code>, thesis Eqs. 2.3–2.8) with the
-thesis's variance of the observation error, ${ERROR}, on radial strain (%), stress ratio and volumetric strain (%). Rounds of ${SAMPLES// / and }
+variances ${ERROR//,/, } of the observation error on radial strain (%), stress ratio and volumetric strain (%): the thesis's 0.1 for all
+lets the strains decide alone, and sets are chosen that miss the stress ratio. Rounds of ${SAMPLES// / and }
 sets; each round after the first is drawn around the posterior before it, with the importance that corrects for it
 (<code>pf-weight resample</code>): the thesis has one round. Profile: ${PROFILE}.</p>
 PAGE

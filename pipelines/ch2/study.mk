@@ -23,8 +23,12 @@ C2_ROUNDS := $(shell seq $(words $(C2_SAMPLES)))
 C2_LAST := $(lastword $(C2_ROUNDS))
 C2_SCENARIO_hm := $(C2)/hertz-mindlin.toml
 C2_SCENARIO_cl := $(C2)/linear.toml
-# The thesis's variance of the observation error, on strains in per cent and the stress ratio as they are.
-C2_ERROR := 0.1
+# Variances of the observation error: of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
+# has 0.1 for all; 0.3 of a stress ratio is 8 % of it, so that the strains then decide alone.
+C2_ERROR ?= 0.1,0.01,0.1
+# Of the greatest stress ratio, where there is no curve: the thesis's.
+C2_ERROR_peak := 0.1
+c2_error = $(if $(call has_curve,$(1)),--covariance component --error $(C2_ERROR),--error $(C2_ERROR_peak))
 # Strains (%) at which densities are drawn, as far as the runs go.
 C2_STATIONS := 0.5 1 3 6 8.5
 
@@ -74,10 +78,10 @@ $(C2O)/$(1)/ran$(2): $(C2)/ensemble.sh $(C2)/run.sh $(C2O)/$(1)/round$(2).tsv $(
 	  $(C2_SCENARIO_$(call law,$(1))) $(call pressure,$(1)) $(if $(call has_curve,$(1)),$(C2_STRAIN),10)
 	@touch $$@
 $(C2O)/$(1)/posterior$(2).h5: $(C2O)/$(1)/ran$(2) $(call observed,$(1)) $(BIN)/pf-weight
-	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) --error $(C2_ERROR) --force -o $$@ \
+	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) $(call c2_error,$(1)) --force -o $$@ \
 	  > $(C2O)/$(1)/posterior$(2).txt
 $(foreach t,steps density,$(C2O)/$(1)/$(t)$(2).tsv): $(C2O)/$(1)/%$(2).tsv: $(C2O)/$(1)/posterior$(2).h5
-	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) --error $(C2_ERROR) --quiet \
+	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) $(call c2_error,$(1)) --quiet \
 	  --tsv --table $$* $$(call whole,$$@)
 endef
 $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(eval $(call c2_round,$(c),$(r),$(word $(r),$(C2_SAMPLES)),$(filter-out 0,$(shell expr $(r) - 1))))))
@@ -117,6 +121,6 @@ $(C2O)/figures: $(C2)/figures.gp $(C2_TABLES) $(C2_CHECKS)
 	@touch $@
 
 $(C2O)/page.html: $(C2)/page.sh pipelines/table.awk $(C2O)/comparison.tsv $(C2O)/checklist.tsv $(C2O)/figures
-	@OUT=$(C2O) CASES='$(C2_CASES)' SAMPLES='$(C2_SAMPLES)' LAST=$(C2_LAST) ERROR=$(C2_ERROR) PROFILE=$(PROFILE) $(C2)/page.sh $(call whole,$@)
+	@OUT=$(C2O) CASES='$(C2_CASES)' SAMPLES='$(C2_SAMPLES)' LAST=$(C2_LAST) ERROR='$(C2_ERROR)' PROFILE=$(PROFILE) $(C2)/page.sh $(call whole,$@)
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch2: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C2O)/comparison.tsv $(C2O)/checklist.tsv
