@@ -48,6 +48,6 @@ esac
   awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
     $at["stage"] == 1 && $at["stress_ratio"] > peak { peak = $at["stress_ratio"] }
     END { printf "point [1]\tstress_ratio_peak [1]\n1\t%s\n", peak }' "$row/series.tsv" > "$row/peak.tsv" &&
-  "$BIN/homogenize" "$row/run.h5" -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
+  "$BIN/homogenize" "$row/run.h5" --force -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
 [ -n "${KEEP_RUN:-}" ] || rm -f "$row/run.h5" "$row/series.tsv"
 exec "$here/progress.sh" "$folder"

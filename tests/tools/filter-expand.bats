@@ -105,9 +105,10 @@ setup() {
 }
 
 @test "a bag is full when its grains press at rest, and as dense as asked for" {
+  # A round of growth takes 0.004 of the void ratio: what is asked for is met to two of them.
+  filter-expand --quiet packing.h5 bag.toml --set growth.void_ratio=0.42 --set growth.factor=1.001 --set growth.measure_every=1 \
+    -o denser.h5 --history denser.tsv
   for row in growth.tsv denser.tsv; do
-    [[ $row == growth.tsv ]] ||
-      filter-expand --quiet packing.h5 bag.toml --set growth.void_ratio=0.42 -o denser.h5 --history denser.tsv
     awk -v z="$(value $row coordination_number last)" -v u="$(value $row mean_overlap last)" 'BEGIN { exit !(z >= 2.5 && u >= 1e-4) }' ||
       show "$(tail -n 3 $row)"
   done
