@@ -19,13 +19,9 @@ struct BlockLanes {
   static constexpr unsigned full = (1u << width<T>)-1;
   unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
   void set_masks(unsigned touching, unsigned sliding) const {
-    if constexpr (width<T> == ContactBlock::size) {
-      block->touching = static_cast<std::uint8_t>(touching), block->sliding = static_cast<std::uint8_t>(sliding);
-    } else {
-      const unsigned others = ~(full << lane);
-      block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
-      block->sliding = static_cast<std::uint8_t>((block->sliding & others) | (sliding << lane));
-    }
+    const unsigned others = ~(full << lane);
+    block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
+    block->sliding = static_cast<std::uint8_t>((block->sliding & others) | (sliding << lane));
   }
   std::size_t first(int k) const { return block->first[lane + k]; }
   std::size_t second(int k) const { return block->second[lane + k]; }

@@ -15,13 +15,4 @@ void add_to(Lane4& row, const T& a, const T& b, const T& c, const T& d) {
     row = row + Lane4{a, b, c, d};
 }
 
-/// Adds one quantity of every contact to a number, contact after contact.
-template <class T>
-void add_to(double& sum, const T& x) {
-  if constexpr (is_lane<T>)
-    for (int lane = 0; lane < width<T>; ++lane) sum += x[lane];
-  else
-    sum += x;
-}
-
 }  // namespace soilweave::dem

@@ -38,7 +38,7 @@ struct Energies {
   double law = 0;                                  // taken out (+) or created (-) by the incremental contact law itself
   double tangential_work = 0;                      // on the tangential springs, and what they held at the start
   double initial = 0;                              // kinetic and elastic at the start
-  double turned_over = 0;                          // work, dissipation and creation of every step, without their signs
+  double turned_over = 0;                          // work and dissipation of every step, without their signs
   double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
   double error() const {
     return initial + boundary_work + gravity_work -

@@ -7,17 +7,21 @@
 
 namespace soilweave::dem {
 
+/// 2/(1 + g2) by a series instead of a division; the error is of the fourth power of g2.
+template <class T>
+T small_scale(const T& g2) {
+  const T two = all<T>(2);
+  return fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two);
+}
+
 /// A rotation by its Gibbs vector g, the axis times the tangent of half the angle (Rodrigues 1840):
 /// v + 2/(1 + g^2) g x (v + g x v). Lengths are kept to round-off.
 template <class T>
 class Rotation {
  public:
   explicit Rotation(const V3<T>& gibbs) : Rotation(gibbs, T(2.0 / (1.0 + norm2(gibbs)))) {}
-  /// The same by a series instead of a division, which leaves an error of the eighth power of half the angle.
-  static Rotation by_small(const V3<T>& gibbs) {
-    const T g2 = norm2(gibbs), two = all<T>(2);
-    return Rotation(gibbs, fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two));
-  }
+  /// The same by a series, which leaves an error of the eighth power of half the angle.
+  static Rotation by_small(const V3<T>& gibbs) { return Rotation(gibbs, small_scale(norm2(gibbs))); }
 
   V3<T> operator()(const V3<T>& v) const { return add_cross(scaled_, add_cross(gibbs_, v, v), v); }
 
@@ -38,10 +42,7 @@ template <class T>
 class PlanarRotation {
  public:
   /// As Rotation::by_small.
-  static PlanarRotation by_small(const T& gibbs) {
-    const T g2 = gibbs * gibbs, two = all<T>(2);
-    return {gibbs, fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two) * gibbs};
-  }
+  static PlanarRotation by_small(const T& gibbs) { return {gibbs, small_scale(T(gibbs * gibbs)) * gibbs}; }
 
   V2<T> operator()(const V2<T>& v) const {
     const V2<T> half{fused_less(gibbs_, v.y, v.x), fused(gibbs_, v.x, v.y)};

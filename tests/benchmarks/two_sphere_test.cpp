@@ -221,6 +221,34 @@ TEST(Transport, SpinsAboutTheNormalWithoutChangingLength) {
   }
 }
 
+// What the sweep uses: the turn of the normal from the velocity of the pair, the rotation by a series.
+TEST(Transport, FromTheVelocityOfThePairIsOfThirdOrderInWhatItMoved) {
+  const V3<double> normal{0.48, 0.64, 0.6}, velocity{0.3, -0.7, 0.5};
+  const double distance = 6e-3, spin = 0.4;
+  for (const double dt : {1e-5, 1e-4, 1e-3}) {
+    const V3<double> before = distance * normal - dt * velocity;
+    const V3<double> exact = between((1 / norm(before)) * before, normal);
+    const V3<double> ours = between(velocity, dot(velocity, normal), 1 / distance, normal, dt);
+    const double moved = dt * norm(velocity) / distance;
+    EXPECT_LT(norm(ours - exact), moved * moved * moved + 1e-15) << dt;
+    EXPECT_GT(norm(ours), 0.2 * moved);
+
+    // Gibbs vectors of up to a tenth: the eighth power of half the angle is left over.
+    const V3<double> f{0.8, -0.6, 0}, gibbs = then_spin(ours, normal, dt * spin / 1e-3);
+    const double left = std::pow(norm2(gibbs), 4);
+    EXPECT_LT(norm(Rotation<double>::by_small(gibbs)(f) - Rotation<double>(gibbs)(f)), 4 * left + 1e-15) << dt;
+  }
+}
+
+TEST(Transport, InThePlaneIsThatInSpace) {
+  for (const double gibbs : {1e-6, -1e-3, 0.05}) {
+    const V2<double> carried = PlanarRotation<double>::by_small(gibbs)(V2<double>{0.3, -0.8});
+    const V3<double> space = Rotation<double>::by_small({0, 0, gibbs})(V3<double>{0.3, -0.8, 0});
+    EXPECT_EQ(carried.x, space.x);
+    EXPECT_EQ(carried.y, space.y);
+  }
+}
+
 TEST(Transport, KeepsLengthOverAHundredThousandSteps) {
   V3<double> n{0, 0, 1}, f{0.6, -0.8, 0};
   const V3<double> axis{0.4, 0.5, 0.77};

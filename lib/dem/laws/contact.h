@@ -27,7 +27,6 @@ struct Response {
 template <class T>
 struct Books {
   T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
-  T shear_before, rolling_before, twisting_before;
   T frictional, rolling_plastic, viscous;
 };
 
@@ -56,9 +55,6 @@ Books<T> select(const Mask<T>& mask, const Books<T>& yes, const Books<T>& no) {
           select<T>(mask, yes.elastic_shear, no.elastic_shear),
           select<T>(mask, yes.elastic_rolling, no.elastic_rolling),
           select<T>(mask, yes.elastic_twisting, no.elastic_twisting),
-          select<T>(mask, yes.shear_before, no.shear_before),
-          select<T>(mask, yes.rolling_before, no.rolling_before),
-          select<T>(mask, yes.twisting_before, no.twisting_before),
           select<T>(mask, yes.frictional, no.frictional),
           select<T>(mask, yes.rolling_plastic, no.rolling_plastic),
           select<T>(mask, yes.viscous, no.viscous)};
@@ -69,7 +65,7 @@ Books<T> select(const Mask<T>& mask, const Books<T>& yes, const Books<T>& no) {
 template <class T, class Quantity>
 struct SpringStep {
   Quantity force;
-  T stored, before, dissipated;
+  T stored, dissipated;
   Mask<T> limited;
 };
 
@@ -113,7 +109,6 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
   s.force = scale * trial;
   // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
   s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
-  s.before = half * squared(old);
   s.stored = half * squared(s.force);
   return s;
 }
@@ -126,7 +121,6 @@ SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, con
   s.force = fused_less(stiffness, increment, old);
   s.limited = all<T>(0) > all<T>(0);
   s.dissipated = all<T>(0);
-  s.before = 0.5 * compliance * squared(old);
   s.stored = 0.5 * compliance * squared(s.force);
   return s;
 }

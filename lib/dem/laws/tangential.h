@@ -49,7 +49,6 @@ void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<
   memory = {shear.force, roll.force, twist.force};
   r.sliding = shear.limited;
   books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;
-  books.shear_before = shear.before, books.rolling_before = roll.before, books.twisting_before = twist.before;
   books.frictional = shear.dissipated;
   books.rolling_plastic = roll.dissipated + twist.dissipated;
 }
