@@ -114,7 +114,7 @@ class LawSweep final : public ContactSweep {
     if (std::exchange(moments_gone_, true)) return;
     for (auto& chunk : contacts.chunks)
       for (ContactBlock& block : chunk)
-        for (int k = 0; k < ContactBlock::size; k += width<Lanes>) BlockLanes<Lanes>{&block, k}.forget_moments();
+        for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) BlockLanes<Lanes>(block, k).forget_moments();
   }
 
   template <class Space>
@@ -147,42 +147,53 @@ class LawSweep final : public ContactSweep {
       ContactBlock* next = contacts.chunks[chunk].data();
       ContactBlock* const end = next + contacts.chunks[chunk].size();
       while (next != end) {
-        std::size_t n = 0;
-        next = approach<Space, moving>(next, end, s, groups, n);
+        const std::size_t n = approach<Space, moving>(next, end, s, groups);
         if (n) stage(Batch<Lanes, Space>(groups.data(), n), s, sums[chunk]);
       }
     }
   }
 
-  // Fills the batch from `next` on; returns the first block not looked at. n: how many were filled.
+  // Fills the batch from `next` on, which becomes the first block not looked at; returns how many were filled. All is
+  // worked out in values and stored at the end: after every store the compiler reads anew what it holds by reference.
   template <class Space, bool moving>
-  [[gnu::noinline, gnu::flatten]] ContactBlock* approach(ContactBlock* next, ContactBlock* end, const Surroundings& s,
-                                                         std::array<Group<Lanes, Space>, batch_size>& groups,
-                                                         std::size_t& n) const {
+  [[gnu::noinline, gnu::flatten]] std::size_t approach(ContactBlock*& next, ContactBlock* end, const Surroundings& s,
+                                                       std::array<Group<Lanes, Space>, batch_size>& groups) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
-    const double* grains = s.grains();
-    for (; next != end && n + per_block <= batch_size; ++next) {
-      call_for(next, end, grains, s.loads);
-      for (int k = 0; k < ContactBlock::size; k += width<Lanes>) {
-        const BlockLanes<Lanes> lanes{next, k};
-        Group<Lanes, Space>& group = groups[n];
-        PairGeometry<Lanes, Space>& g = group.geometry;
-        PairMotion<Lanes, Space>& motion = group.motion;
+    const double* const grains = s.grains();
+    const double* const loads = s.loads;
+    const Lane4* const shifts = s.shifts.data();
+    const bool deforming = moving && s.affine.deforming, use_masses = use_masses_;
+    Group<Lanes, Space>* group = groups.data();
+    ContactBlock* block = next;
+    for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
+      call_for(block, end, grains, loads);
+      for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
+        const BlockLanes<Lanes> lanes(*block, k);
         const auto ends = lanes.ends(grains);
-        const Vector<Lanes, Space> branch = lanes.template branch<Space>(ends, s.shifts);
-        lanes.spins_and_radii(ends, motion);
-        motion.inverse_distance = set_place(branch, motion.lever_1, motion.lever_2, g);
-        const unsigned touching = bits(g.touching);
-        group.lanes = lanes, group.touching = touching;
+        const Vector<Lanes, Space> branch = lanes.template branch<Space>(ends, shifts);
+        const auto [spin_1, radius_1] = lanes.template spin_and_radius<Space>(ends.first);
+        const auto [spin_2, radius_2] = lanes.template spin_and_radius<Space>(ends.second);
+        const auto place = place_of<Lanes, Space>(branch, radius_1, radius_2);
+        Vector<Lanes, Space> velocity{};
         if (moving) {
-          motion.velocity = lanes.template velocity<Space>(ends);
-          if (s.affine.deforming) motion.velocity = motion.velocity + s.affine(branch);
+          velocity = lanes.template velocity<Space>(ends);
+          if (deforming) velocity = velocity + s.affine(branch);
         }
-        if (use_masses_) lanes.masses(ends, g.kinematics);
-        n += (touching | lanes.touching()) != 0;
+        const unsigned touching = bits(place.touching);
+        const bool live = (touching | lanes.touching()) != 0;
+        group->lanes = lanes, group->touching = touching;
+        group->motion = {velocity, spin_1, spin_2, radius_1, radius_2, place.inverse_distance};
+        PairGeometry<Lanes, Space>& g = group->geometry;
+        g.touching = place.touching;
+        Kinematics<Lanes, Space>& kinematics = g.kinematics;
+        kinematics.normal = place.normal, kinematics.overlap = place.overlap, kinematics.R_star = place.R_star;
+        kinematics.r1 = radius_1, kinematics.r2 = radius_2;
+        if (use_masses) lanes.masses(ends, kinematics);
+        group += live;
       }
     }
-    return next;
+    next = block;
+    return static_cast<std::size_t>(group - groups.data());
   }
 
   template <class Space>
@@ -222,7 +233,7 @@ class LawSweep final : public ContactSweep {
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s) {
     for (const Group<Lanes, Space>& group : batch) {
-      const BlockLanes<Lanes>& lanes = group.lanes;
+      const BlockLanes<Lanes> lanes = group.lanes;
       const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
       Memory<Lanes, Space> memory{};
       memory.shear = lanes.template shear<Space>();
@@ -258,13 +269,12 @@ class LawSweep final : public ContactSweep {
       const auto put = [&](const Lanes& radius, const auto& load_of) {
         const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
         const V3<Lanes> t = keep(g.touching, translation), w = keep(g.touching, rotation);
-        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(s.loads + load_of(lane), row); });
-        to_rows(w.x, w.y, w.z, Lanes{},
-                [&](int lane, const Lane4& row) { add(s.loads + load_of(lane) + width<Lane4>, row); });
+        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(load_of(lane), row); });
+        to_rows(w.x, w.y, w.z, Lanes{}, [&](int lane, const Lane4& row) { add(load_of(lane) + width<Lane4>, row); });
       };
       const BlockLanes<Lanes>& lanes = group.lanes;
-      put(k.r1, [&](int lane) { return lanes.load_first(lane); });
-      put(k.r2, [&](int lane) { return lanes.load_second(lane); });
+      put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.loads); });
+      put(k.r2, [&](int lane) { return lanes.load_second(static_cast<std::size_t>(lane), s.loads); });
     }
   }
 

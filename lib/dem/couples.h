@@ -59,7 +59,7 @@ class Couples {
   [[gnu::noinline]] void answer_differing(const Bodies& bodies, const BlockLanes<T>& lanes,
                                           const Kinematics<T, Space>& k, const T& dt, Answer<T, Space>& answer) const {
     Mask<T> couple{};
-    for (int lane = 0; lane < width<T>; ++lane)
+    for (std::size_t lane = 0; lane < width<T>; ++lane)
       couple[lane] = static_cast<std::int64_t>(place(bodies.material[lanes.first(lane) / ContactBlock::grain_size],
                                                      bodies.material[lanes.second(lane) / ContactBlock::grain_size]));
     const Memory<T, Space> before = answer.memory;

@@ -46,19 +46,23 @@ struct AffineMotion {
   }
 };
 
-/// Where two grains are to each other, from the branch vector and their radii: normal, overlap, R*. Returns 1/distance.
+/// Where two grains are to each other.
 template <class T, class Space>
-T set_place(const Vector<T, Space>& branch, const T& r1, const T& r2, PairGeometry<T, Space>& g) {
-  Kinematics<T, Space>& k = g.kinematics;
+struct Place {
+  Vector<T, Space> normal;
+  T overlap, R_star, inverse_distance;
+  Mask<T> touching;
+};
+
+/// From the branch vector and their radii.
+template <class T, class Space>
+Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r2) {
   const T reach = r1 + r2, distance_squared = norm2(branch);
-  g.touching = distance_squared <= reach * reach;
+  const Mask<T> touching = distance_squared <= reach * reach;
   const T distance = square_root(distance_squared), inverse = 1.0 / (distance * reach);
   const T inverse_distance = reach * inverse;
-  k.normal = inverse_distance * branch;
-  k.overlap = keep(g.touching, reach - distance);
-  k.R_star = r1 * r2 * (distance * inverse);
-  k.r1 = r1, k.r2 = r2;
-  return inverse_distance;
+  return {inverse_distance * branch, keep(touching, reach - distance), r1 * r2 * (distance * inverse), inverse_distance,
+          touching};
 }
 
 /// How they move, over a step dt that led there. Masses are the caller's.

@@ -73,8 +73,7 @@ inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(
 template <class Lanes>
 void add_across(const std::array<Lane4, width<Lanes>>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   if (!lanes.block->folded) return;
-  for (int lane = 0; lane < width<Lanes>; ++lane)
-    add(s.across + width<Lane4> * lanes.image(lane), force[static_cast<std::size_t>(lane)]);
+  for (std::size_t lane = 0; lane < force.size(); ++lane) add(s.across + width<Lane4> * lanes.image(lane), force[lane]);
 }
 
 /// To the loads of the grains, pair by pair.
@@ -88,7 +87,7 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
   to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
     const auto k = static_cast<std::size_t>(lane);
-    double *one = s.loads + lanes.load_first(lane), *two = s.loads + lanes.load_second(lane);
+    double *one = lanes.load_first(k, s.loads), *two = lanes.load_second(k, s.loads);
     take(one, force[k]), take(one + width<Lane4>, torque[k]);
     add(two, force[k]), add(two + width<Lane4>, row);
   });
@@ -102,8 +101,9 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
   to_rows(f.x, f.y, act.torque_first, Lanes{},
           [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
   to_rows(f.x, f.y, act.torque_second, Lanes{}, [&](int lane, const Lane4& row) {
-    take(s.loads + lanes.load_first(lane), first[static_cast<std::size_t>(lane)]);
-    add(s.loads + lanes.load_second(lane), row);
+    const auto k = static_cast<std::size_t>(lane);
+    take(lanes.load_first(k, s.loads), first[k]);
+    add(lanes.load_second(k, s.loads), row);
   });
   add_across(first, lanes, s);
 }
