@@ -143,11 +143,12 @@ class LawSweep final : public ContactSweep {
                            dt,
                            reinterpret_cast<double*>(scene.bodies.loads.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
+      ChunkToCome to_come(scene.bodies, chunk + 1, contacts.chunks[chunk].size());
       std::array<Group<Lanes, Space>, batch_size> groups;
       ContactBlock* next = contacts.chunks[chunk].data();
       ContactBlock* const end = next + contacts.chunks[chunk].size();
       while (next != end) {
-        const std::size_t n = approach<Space, moving>(next, end, s, groups);
+        const std::size_t n = approach<Space, moving>(next, end, s, to_come, groups);
         if (n) stage(Batch<Lanes, Space>(groups.data(), n), s, sums[chunk]);
       }
     }
@@ -157,6 +158,7 @@ class LawSweep final : public ContactSweep {
   // worked out in values and stored at the end: after every store the compiler reads anew what it holds by reference.
   template <class Space, bool moving>
   [[gnu::noinline, gnu::flatten]] std::size_t approach(ContactBlock*& next, ContactBlock* end, const Surroundings& s,
+                                                       ChunkToCome& to_come,
                                                        std::array<Group<Lanes, Space>, batch_size>& groups) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
     const double* const grains = s.grains();
@@ -167,6 +169,7 @@ class LawSweep final : public ContactSweep {
     ContactBlock* block = next;
     for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
       call_for(block, end, grains, loads);
+      to_come.call();
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const auto ends = lanes.ends(grains);
