@@ -130,6 +130,7 @@ struct Resample {
   std::int64_t samples = 100, components = 5;
   std::string method = "mixture";
   double prior_share = 0.1, least_size = 0.1;
+  bool keep = false;
   calibration::Output output;
 
   void options(tool::Table& t) {
@@ -141,6 +142,7 @@ struct Resample {
     t.option(components, calibration::components_range);
     t.option(least_size, calibration::kept_size_range);
     t.option(prior_share, calibration::prior_share_range);
+    t.flag(keep, "keep", "keep the sets of before, weighted as one sample of all rounds; --tsv: the new");
     output.declare(t, "ensemble file to write");
     t.seed();
   }
@@ -152,6 +154,10 @@ struct Resample {
     const Ensemble before = calibration::read_ensemble(posterior, {}, sources);
     if (before.weight.size() == 0)
       throw DataError(fmt::format("{}: has no weights; assimilate observations first", posterior.string()));
+    if (keep && before.rounds.empty())
+      throw DataError(fmt::format(
+          "{}: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep",
+          posterior.string()));
     double power = 1;
     const auto weight = calibration::tempered(before.weight, least_size * static_cast<double>(before.size()), power);
     const auto points = before.coordinates();
@@ -161,7 +167,8 @@ struct Resample {
     const std::int64_t next_id = *std::max_element(before.id.begin(), before.id.end()) + 1;
     const Ensemble next =
         calibration::members_from(proposal, before.prior, static_cast<std::size_t>(samples), invocation.seed, next_id);
-    output.put(calibration::ensemble_file(next), calibration::members_table(next), "", sources, invocation);
+    output.put(calibration::ensemble_file(keep ? calibration::together(before, next) : next),
+               calibration::members_table(next), "", sources, invocation);
     Progress progress("pf-weight", invocation.quiet);
     if (power < 1)
       progress.note(

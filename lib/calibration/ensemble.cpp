@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* importance_name = "log_importance";
 constexpr const char* weight_name = "weight";
+constexpr const char* rounds_name = "rounds";
 
 std::vector<double> column_of(const Vector& values) { return {values.data(), values.data() + values.size()}; }
 
@@ -64,6 +65,8 @@ std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& w
   return ids;
 }
 
+std::vector<Round> from_prior(std::size_t sets) { return {{{{}, 1, 1}, sets}}; }
+
 Ensemble from_table(const io::Series& table, Prior prior, const std::string& where) {
   Ensemble e;
   e.prior = std::move(prior);
@@ -79,6 +82,7 @@ Ensemble from_table(const io::Series& table, Prior prior, const std::string& whe
   }
   e.log_importance = optional_column(table, importance_name, rows, where);
   e.weight = optional_column(table, weight_name, rows, where);
+  if ((e.log_importance.array() == 0).all()) e.rounds = from_prior(e.size());
   return e;
 }
 
@@ -122,6 +126,7 @@ Ensemble members_at(const Prior& prior, const Matrix& coordinates, std::int64_t 
     e.values.row(i) = prior.values(coordinates.row(i).transpose()).transpose();
   }
   e.log_importance = Vector::Zero(coordinates.rows());
+  e.rounds = from_prior(e.size());
   return e;
 }
 
@@ -130,6 +135,9 @@ io::Series members_table(const Ensemble& ensemble) {
 }
 
 io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsFile::Group> groups) {
+  if (!ensemble.rounds.empty())
+    groups.push_back({rounds_name, "what the parameter sets were drawn from, one row per Gaussian",
+                      rounds_table(ensemble.rounds, ensemble.prior.size())});
   return {table_of(ensemble, true), prior_text(ensemble.prior), std::move(groups), {}};
 }
 
@@ -155,7 +163,11 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
   Settings document = Settings::parse(file.prior, where + ": /prior");
   Prior own = read_prior(document);
   document.finish();
-  return from_table(file.members, given ? *given : own, where);
+  Ensemble members = from_table(file.members, given ? *given : own, where);
+  for (const io::FieldsFile::Group& group : file.groups)
+    if (group.name == rounds_name)
+      members.rounds = rounds_from(group.table, members.prior.size(), where + ": /fields/" + rounds_name);
+  return members;
 }
 
 }  // namespace soilweave::calibration

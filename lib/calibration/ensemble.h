@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "calibration/prior.h"
+#include "calibration/rounds.h"
 #include "io/files.h"
 
 namespace soilweave::calibration {
@@ -15,9 +16,10 @@ namespace soilweave::calibration {
 struct Ensemble {
   Prior prior;
   std::vector<std::int64_t> id;
-  Matrix values;          // a row a member, a column a parameter, in its unit
-  Vector log_importance;  // log of the prior density over the density drawn from; 0 where drawn from the prior
-  Vector weight;          // after assimilation, sum 1; empty before
+  Matrix values;              // a row a member, a column a parameter, in its unit
+  Vector log_importance;      // log of the prior density over the density drawn from; 0 where drawn from the prior
+  Vector weight;              // after assimilation, sum 1; empty before
+  std::vector<Round> rounds;  // what the members were drawn from; empty where that is not known
 
   std::size_t size() const { return id.size(); }
   /// Values in the prior's coordinates, a row a member.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "calibration/particle_filter.h"
@@ -26,21 +25,6 @@ constexpr double settled = 1e-8;  // relative change of the log likelihood
 Matrix root_of(const Matrix& covariance) {
   const Matrix floor = least_deviation * least_deviation * Matrix::Identity(covariance.rows(), covariance.cols());
   return Eigen::LLT<Matrix>(covariance + floor).matrixL();
-}
-
-double log_gaussian(const Gaussian& g, const Vector& point) {
-  const Vector z = g.root.triangularView<Eigen::Lower>().solve(point - g.mean);
-  return -0.5 * z.squaredNorm() - g.root.diagonal().array().log().sum() -
-         0.5 * static_cast<double>(point.size()) * std::log(2 * std::numbers::pi);
-}
-
-/// log of share times density of each Gaussian, and of their sum.
-double log_parts(const std::vector<Gaussian>& gaussians, const Vector& point, Vector& parts) {
-  parts.resize(index(gaussians.size()));
-  for (std::size_t k = 0; k < gaussians.size(); ++k)
-    parts[index(k)] = std::log(gaussians[k].share) + log_gaussian(gaussians[k], point);
-  const double largest = parts.maxCoeff();
-  return largest + std::log(exponentials(parts.array() - largest).sum());
 }
 
 bool in_cube(const Vector& point) { return (point.array() >= 0).all() && (point.array() <= 1).all(); }
@@ -89,12 +73,11 @@ double maximise(const Matrix& points, const Vector& weight, std::vector<Gaussian
 
 }  // namespace
 
-Proposal::Proposal(std::vector<Gaussian> gaussians, double prior_share)
-    : gaussians_(std::move(gaussians)), prior_share_(prior_share) {
-  const Matrix uniform = sobol(inside_draws, static_cast<std::size_t>(gaussians_.front().mean.size()) + 1, 1);
+Proposal::Proposal(std::vector<Gaussian> gaussians, double prior_share) : law_{std::move(gaussians), prior_share, 1} {
+  const Matrix uniform = sobol(inside_draws, static_cast<std::size_t>(law_.gaussians.front().mean.size()) + 1, 1);
   std::size_t hits = 0;
   for (Eigen::Index i = 0; i < uniform.rows(); ++i) hits += in_cube(drawn(uniform.row(i).transpose())) ? 1 : 0;
-  inside_ = static_cast<double>(std::max<std::size_t>(hits, 1)) / static_cast<double>(inside_draws);
+  law_.inside = static_cast<double>(std::max<std::size_t>(hits, 1)) / static_cast<double>(inside_draws);
 }
 
 Proposal Proposal::kernels(const Matrix& points, const Vector& weight, double prior_share) {
@@ -124,19 +107,19 @@ Proposal Proposal::mixture(const Matrix& points, const Vector& weight, std::size
 
 Vector Proposal::drawn(const Vector& uniform) const {
   const Eigen::Index dimension = uniform.size() - 1;
-  if (uniform[0] < prior_share_) return uniform.tail(dimension);
-  double left = (uniform[0] - prior_share_) / (1 - prior_share_);
+  if (uniform[0] < law_.prior_share) return uniform.tail(dimension);
+  double left = (uniform[0] - law_.prior_share) / (1 - law_.prior_share);
   std::size_t k = 0;
-  while (k + 1 < gaussians_.size() && left >= gaussians_[k].share) left -= gaussians_[k++].share;
+  while (k + 1 < law_.gaussians.size() && left >= law_.gaussians[k].share) left -= law_.gaussians[k++].share;
   Vector z(dimension);
   constexpr double edge = 1e-12;
   for (Eigen::Index i = 0; i < dimension; ++i)
     z[i] = gsl_cdf_ugaussian_Pinv(std::clamp(uniform[i + 1], edge, 1 - edge));
-  return gaussians_[k].mean + gaussians_[k].root * z;
+  return law_.gaussians[k].mean + law_.gaussians[k].root * z;
 }
 
 Matrix Proposal::draw(std::size_t rows, std::uint64_t seed) const {
-  const Eigen::Index dimension = gaussians_.front().mean.size();
+  const Eigen::Index dimension = law_.gaussians.front().mean.size();
   std::mt19937_64 engine(seed);
   Vector shift(dimension + 1);
   for (double& s : shift) s = static_cast<double>(engine() >> 11) * 0x1.0p-53;
@@ -153,12 +136,6 @@ Matrix Proposal::draw(std::size_t rows, std::uint64_t seed) const {
     }
   }
   return points;
-}
-
-double Proposal::log_density(const Vector& point) const {
-  Vector parts;
-  return std::log(prior_share_ + (1 - prior_share_) * std::exp(log_parts(gaussians_, point, parts))) -
-         std::log(inside_);
 }
 
 Vector tempered(const Vector& weight, double least, double& power) {
@@ -182,8 +159,23 @@ Ensemble members_from(const Proposal& proposal, const Prior& prior, std::size_t 
   const Matrix points = proposal.draw(rows, seed);
   Ensemble next = members_at(prior, points, first_id);
   for (Eigen::Index i = 0; i < points.rows(); ++i)
-    next.log_importance[i] = -proposal.log_density(points.row(i).transpose());
+    next.log_importance[i] = -proposal.law().log_density(points.row(i).transpose());
+  next.rounds = {{proposal.law(), rows}};
   return next;
+}
+
+Ensemble together(const Ensemble& earlier, const Ensemble& next) {
+  Ensemble all = earlier;
+  all.weight.resize(0);
+  all.id.insert(all.id.end(), next.id.begin(), next.id.end());
+  all.rounds.insert(all.rounds.end(), next.rounds.begin(), next.rounds.end());
+  all.values.resize(index(all.size()), earlier.values.cols());
+  all.values << earlier.values, next.values;
+  all.log_importance.resize(index(all.size()));
+  const Matrix points = all.coordinates();
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    all.log_importance[i] = -log_density(all.rounds, points.row(i).transpose());
+  return all;
 }
 
 }  // namespace soilweave::calibration

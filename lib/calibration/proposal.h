@@ -10,12 +10,6 @@
 
 namespace soilweave::calibration {
 
-struct Gaussian {
-  double share;  // of the mixture
-  Vector mean;
-  Matrix root;  // lower triangular, covariance = root root^T
-};
-
 /// A mixture of Gaussians cut off at the cube's faces, and a share drawn from the prior, which bounds the importance
 /// weights (a defensive mixture: Hesterberg 1995).
 class Proposal {
@@ -28,20 +22,15 @@ class Proposal {
 
   /// Points, a row each, from a Sobol sequence shifted at random by the seed. The same seed gives the same points.
   Matrix draw(std::size_t rows, std::uint64_t seed) const;
-  /// log density of a point in the cube.
-  double log_density(const Vector& point) const;
-
-  const std::vector<Gaussian>& gaussians() const { return gaussians_; }
-  /// How much of all that lies within the cube.
-  double inside() const { return inside_; }
+  /// What it is: its Gaussians, its density.
+  const CutMixture& law() const { return law_; }
 
  private:
   Proposal(std::vector<Gaussian> gaussians, double prior_share);
   /// A point, maybe outside of the cube, from one of the unit cube with a dimension more: the first chooses the part.
   Vector drawn(const Vector& uniform) const;
 
-  std::vector<Gaussian> gaussians_;
-  double prior_share_, inside_ = 1;
+  CutMixture law_;
 };
 
 /// Weights raised to the greatest power not above 1 that leaves an effective size of `least`, as far as there are as
@@ -49,8 +38,12 @@ class Proposal {
 /// not is corrected by importance.
 Vector tempered(const Vector& weight, double least, double& power);
 
-/// `rows` members drawn from the proposal, numbered from first_id, with their importance.
+/// `rows` members drawn from the proposal, a round of their own, numbered from first_id, with their importance.
 Ensemble members_from(const Proposal& proposal, const Prior& prior, std::size_t rows, std::uint64_t seed,
                       std::int64_t first_id);
+
+/// Both together: the members of rounds that followed from one another, each with the importance it has in a sample of
+/// all of them (log_density of rounds.h), without weights. Both must know their rounds.
+Ensemble together(const Ensemble& earlier, const Ensemble& next);
 
 }  // namespace soilweave::calibration

@@ -21,8 +21,8 @@ cat <<PAGE
 under GNU parallel, and the laboratory's curve weighs them step by step (<code>pf-weight assimilate</code>, thesis Eqs. 2.3–2.8) with the
 variances ${ERROR//,/, } of the observation error on radial strain (%), stress ratio and volumetric strain (%): the thesis's 0.1 for all
 lets the strains decide alone, and sets are chosen that miss the stress ratio. Rounds of ${SAMPLES// / and }
-sets; each round after the first is drawn around the posterior before it, with the importance that corrects for it
-(<code>pf-weight resample</code>): the thesis has one round. Profile: ${PROFILE}.</p>
+sets; each round after the first is drawn around the posterior of all sets before it, and the sets of all rounds count as one sample,
+each with the importance that corrects for where it was drawn (<code>pf-weight resample --keep</code>): the thesis has one round. Profile: ${PROFILE}.</p>
 PAGE
 if [[ $PROFILE == quick ]]; then
   echo '<p>The quick profile has a narrower prior than the thesis, a few tens of sets and a shorter test: it shows how the method works,

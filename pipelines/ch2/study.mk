@@ -1,7 +1,7 @@
 # Chapter 2: contact parameters of Toyoura sand identified by the particle filter (thesis Figs. 2.1 to 2.4).
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A case is LAW_GRAINS_PRESSURE: hm (Hertz-Mindlin) or cl (linear), number of grains, MPa. Each round is an ensemble of its own: the
-# first drawn from the prior, the next around the posterior before it. Slurm: ENGINE=slurm; other hosts: SSHLOGINFILE=FILE.
+# A case is LAW_GRAINS_PRESSURE: hm (Hertz-Mindlin) or cl (linear), number of grains, MPa. The sets of the first round are drawn from
+# the prior, those of the next around the posterior of all sets so far. Slurm: ENGINE=slurm; other hosts: SSHLOGINFILE=FILE.
 
 STUDIES += ch2
 C2 := pipelines/ch2
@@ -65,7 +65,7 @@ $(C2O)/peak_%MPa.tsv: data/laboratory/toyoura_peak_obliquity.tsv
 	  $< $(call whole,$@)
 
 # One round of one case. $(1): case, $(2): number of the round, $(3): sets, $(4): the round before.
-c2_made = $(if $(4),resample $(C2O)/$(1)/posterior$(4).h5 --seed $(2),draw $(call C2_PRIOR_$(PROFILE),$(call law,$(1))) --bases 2$(comma)5$(comma)7$(comma)9$(comma)11)
+c2_made = $(if $(4),resample $(C2O)/$(1)/posterior$(4).h5 --keep --seed $(2),draw $(call C2_PRIOR_$(PROFILE),$(call law,$(1))) --bases 2$(comma)5$(comma)7$(comma)9$(comma)11)
 define c2_round
 $(C2O)/$(1)/round$(2).h5 $(C2O)/$(1)/round$(2).tsv &: $(if $(4),$(C2O)/$(1)/posterior$(4).h5,$(call C2_PRIOR_$(PROFILE),$(call law,$(1)))) \
   $(C2O)/settings $(BIN)/pf-weight

@@ -52,7 +52,7 @@ for round in 0 1 2 3; do
         $at["effective_size"], $at["young_modulus"], 100 * e, $at["young_modulus_low"], $at["young_modulus_high"], $at["friction_angle"],
         100 * m, $at["friction_angle_low"], $at["friction_angle_high"]
       print (e * e < 0.01 && m * m < 0.01 ? 0 : 1) > "verdict" }'
-  ((round == 3)) || pf-weight resample "posterior$round.h5" --samples "$sets" --seed "$round" --tsv --quiet --force -o "round$((round + 1)).h5" \
+  ((round == 3)) || pf-weight resample "posterior$round.h5" --keep --samples "$sets" --seed "$round" --tsv --quiet --force -o "round$((round + 1)).h5" \
     > "round$((round + 1)).tsv"
 done
 [[ $(cat verdict) == 0 ]] || { echo "crosscheck: hidden parameters were not found to 10 %" >&2; exit 1; }

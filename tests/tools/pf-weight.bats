@@ -238,6 +238,33 @@ PY
   [[ ${lines[0]} == *log_importance* ]] || show
 }
 
+@test "resample --keep: sets of all rounds are one sample" {
+  local ensemble=ensemble.h5 round kept
+  pf-weight draw prior.toml -n 40 --method sobol --first 1 -o ensemble.h5
+  pf-weight draw prior.toml -n 40 --method sobol --first 1 --tsv > sets.tsv
+  echo $'id\tt\tone\ttwo' > runs.tsv
+  for round in 1 2 3; do
+    # The runs of the new sets alone are added.
+    awk -F '\t' 'NR > 1 { for (t = 1; t <= 5; ++t) printf "%d\t%d\t%.17g\t%.17g\n", $1, t, $2 + $3 * t / 5, $2 * t / 5 - $3 }' \
+      sets.tsv >> runs.tsv
+    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --error 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
+    pf-weight resample "posterior$round.h5" -n 40 --seed "$round" --keep --tsv --quiet -o "next$round.h5" > sets.tsv
+    [[ $(wc -l < sets.tsv) -eq 41 && $(sed -n 2p sets.tsv | cut -f 1) -eq $((40 * round)) ]] || show "new sets alone: $(head -n 2 sets.tsv)"
+    ensemble=next$round.h5
+  done
+  kept=$(pf-weight assimilate next2.h5 observed.tsv --runs runs.tsv --error 1e-2 --tsv --table weights --quiet | wc -l)
+  [[ $kept -eq 121 ]] || show "three rounds of 40: $kept"
+  tail -n 1 steps3.tsv | awk -F '\t' 'NR == FNR { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } nextfile }
+    { exit !(($at["a"] - 0.3) ^ 2 < 0.05 ^ 2 && ($at["b"] + 0.4) ^ 2 < 0.05 ^ 2 && $at["effective_size"] > 10) }' steps3.tsv - ||
+    show "$(tail -n 1 steps3.tsv)"
+  # A table does not tell what its sets were drawn from.
+  pf-weight resample posterior1.h5 -n 20 --seed 9 --tsv --quiet > alone.tsv
+  awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
+  pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --error 1e-2 --quiet -o alone.h5 > /dev/null
+  refuses 65 resample "alone.h5: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep" \
+    alone.h5 -n 5 --keep --tsv
+}
+
 @test "2000 sets and 100 steps of three observables take less than a second" {
   [[ $BIN == */build/bin ]] || skip "not the build that users have"
   thesis_prior > thesis.toml

@@ -233,9 +233,9 @@ TEST(Proposal, the_number_of_gaussians_follows_the_points) {
   for (Eigen::Index i = 0; i < 400; ++i)  // two narrow clouds
     points.row(i) = (i % 2 == 0 ? 0.2 : 0.8) * Eigen::RowVector2d::Ones() + 0.05 * (u.row(i).array() - 0.5).matrix();
   const Proposal two = Proposal::mixture(points, Vector::Constant(400, 1.0 / 400), 5, 0);
-  EXPECT_GE(two.gaussians().size(), 2u);
-  EXPECT_LT(two.log_density(Eigen::Vector2d(0.5, 0.5)), -20);
-  EXPECT_GT(two.log_density(Eigen::Vector2d(0.2, 0.2)), std::log(50));
+  EXPECT_GE(two.law().gaussians.size(), 2u);
+  EXPECT_LT(two.law().log_density(Eigen::Vector2d(0.5, 0.5)), -20);
+  EXPECT_GT(two.law().log_density(Eigen::Vector2d(0.2, 0.2)), std::log(50));
 }
 
 TEST(Proposal, tempering_keeps_as_many_sets_as_asked) {
@@ -251,7 +251,7 @@ TEST(Proposal, tempering_keeps_as_many_sets_as_asked) {
 
 TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_with_sixty_runs_a_round) {
   // A posterior with deviations of about 1 % of the prior's range, which 60 sets of the first round do not meet.
-  for (const bool kernel : {false, true}) {
+  const auto resampled = [](bool kernel, bool keep) {
     const LinearModel model(42, 0.05);
     Ensemble ensemble = members_at(LinearModel::prior(4), sobol(60, 2, 1));
     Assimilation a = model.assimilate(ensemble);
@@ -261,16 +261,64 @@ TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_wit
       const Vector w = tempered(a.ensemble.weight, 6, power);
       const Matrix points = a.ensemble.coordinates();
       const Proposal proposal = kernel ? Proposal::kernels(points, w, 0.1) : Proposal::mixture(points, w, 5, 0.1);
-      a = model.assimilate(members_from(proposal, a.ensemble.prior, 60, round, 60 * static_cast<std::int64_t>(round)));
+      const Ensemble next = members_from(proposal, a.ensemble.prior, 60, round, 60 * static_cast<std::int64_t>(round));
+      a = model.assimilate(keep ? together(a.ensemble, next) : next);
     }
     const double size = effective_size(a.ensemble.weight);
     const Vector mean = weighted_mean(a.ensemble.values, a.ensemble.weight);
-    std::printf("[   info   ] %s: effective size after three rounds: %.3g of 60\n", kernel ? "kernel" : "mixture",
-                size);
+    std::printf("[   info   ] %s%s: effective size after three rounds: %.3g of %zu\n", kernel ? "kernel" : "mixture",
+                keep ? ", all rounds" : "", size, a.ensemble.size());
     EXPECT_GT(size, 10);
     for (Eigen::Index k = 0; k < 2; ++k)
       EXPECT_NEAR(mean[k], model.mean[k], 4 * std::sqrt(model.covariance(k, k) / size));
+    return size;
+  };
+  EXPECT_GT(resampled(false, true), 1.2 * resampled(false, false));
+  EXPECT_GT(resampled(true, true), 1.2 * resampled(true, false));
+}
+
+TEST(Rounds, together_stand_for_the_prior_whatever_each_was_drawn_from) {
+  const Prior unit{{{"a", "1", "", 0, 1, Scale::linear}, {"b", "1", "", 0, 1, Scale::linear}}};
+  const Vector even = Vector::Constant(50, 0.02);
+  const Ensemble first = members_at(unit, sobol(500, 2, 1));
+  // Without a share of the prior: corners that only the first round covers.
+  const Proposal low = Proposal::kernels(halton(50, {2, 3}, 1) * 0.3, even, 0);
+  const Proposal high = Proposal::mixture((halton(50, {2, 3}, 1) * 0.3).array() + 0.6, even, 3, 0);
+  Ensemble all = together(first, members_from(low, unit, 3000, 1, 500));
+  all = together(all, members_from(high, unit, 2500, 2, 3500));
+  ASSERT_EQ(all.size(), 6000u);
+  EXPECT_EQ(all.id.back(), 5999);
+  EXPECT_EQ(all.weight.size(), 0);
+  // Densities integrate to one, and expectations are the flat prior's.
+  EXPECT_NEAR(all.log_importance.array().exp().mean(), 1, 0.02);
+  const Vector w = all.log_prior_weight().array().exp();
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(weighted_mean(all.values, w)[k], 0.5, 0.015);
+    EXPECT_NEAR(weighted_covariance(all.values, w)(k, k), 1.0 / 12, 0.003);
   }
+  // The first round alone bounds every importance.
+  EXPECT_LE(all.log_importance.maxCoeff(), std::log(6000.0 / 500) + 1e-12);
+  // Rounds from the prior alone leave none.
+  const Ensemble twice = together(first, members_at(unit, sobol(300, 2, 501), 500));
+  EXPECT_LT(twice.log_importance.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Rounds, go_through_tables_unchanged_and_broken_ones_are_refused) {
+  const Proposal proposal = Proposal::mixture(halton(50, {2, 3}, 1) * 0.4, Vector::Constant(50, 0.02), 3, 0.2);
+  const std::vector<Round> rounds = {{{{}, 1, 1}, 500}, {proposal.law(), 60}, {{{}, 1, 1}, 7}, {proposal.law(), 40}};
+  const io::Series table = rounds_table(rounds, 2);
+  const std::vector<Round> read = rounds_from(table, 2, "here");
+  ASSERT_EQ(read.size(), 4u);
+  for (const Eigen::Vector2d& point : {Eigen::Vector2d(0.1, 0.3), Eigen::Vector2d(0.9, 0.2)})
+    EXPECT_EQ(log_density(read, point), log_density(rounds, point));
+  for (const char* name : {"round", "sets", "prior_share", "inside", "share", "mean_1", "root_1_1"})
+    for (const double wrong : {std::nan(""), -1.0, infinite}) {
+      if (name == std::string("mean_1") && wrong == -1) continue;
+      io::Series broken = table;
+      for (io::Column& column : broken.columns)
+        if (column.name == name) column.values[1] = wrong;
+      EXPECT_THROW(rounds_from(broken, 2, "here"), DataError) << name << " " << wrong;
+    }
 }
 
 }  // namespace

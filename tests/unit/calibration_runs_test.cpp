@@ -175,6 +175,8 @@ TEST(Ensembles, go_through_files_and_tables_unchanged) {
     EXPECT_LT((read.coordinates() - halton(5, {2, 3}, 1)).norm(), 1e-12);
   }
   EXPECT_EQ(read_ensemble(folder / "e.tsv", {}, sources).prior.ranges[1].low, e.values.col(1).minCoeff());
+  EXPECT_EQ(read_ensemble(folder / "e.h5", {}, sources).rounds.at(0).sets, 5u);
+  EXPECT_TRUE(read_ensemble(folder / "e.tsv", folder / "prior.toml", sources).rounds.empty());
 }
 
 TEST(Ensembles, tables_that_are_none_are_refused) {

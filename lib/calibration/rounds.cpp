@@ -1,0 +1,120 @@
+// Densities of rounds, and rounds to and from tables.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "calibration/rounds.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "calibration/particle_filter.h"
+#include "core/error.h"
+#include "io/table.h"
+
+namespace soilweave::calibration {
+namespace {
+
+/// log of a sum from the logs of its terms.
+double log_sum(const Vector& logs) {
+  const double largest = logs.maxCoeff();
+  return std::isfinite(largest) ? largest + std::log(exponentials(logs.array() - largest).sum()) : largest;
+}
+
+std::string mean_name(Eigen::Index i) { return fmt::format("mean_{}", i); }
+std::string root_name(Eigen::Index i, Eigen::Index j) { return fmt::format("root_{}_{}", i, j); }
+
+}  // namespace
+
+double log_density(const Gaussian& gaussian, const Vector& point) {
+  const Vector z = gaussian.root.triangularView<Eigen::Lower>().solve(point - gaussian.mean);
+  return -0.5 * z.squaredNorm() - gaussian.root.diagonal().array().log().sum() -
+         0.5 * static_cast<double>(point.size()) * std::log(2 * std::numbers::pi);
+}
+
+double log_parts(const std::vector<Gaussian>& gaussians, const Vector& point, Vector& parts) {
+  parts.resize(index(gaussians.size()));
+  for (std::size_t k = 0; k < gaussians.size(); ++k)
+    parts[index(k)] = std::log(gaussians[k].share) + log_density(gaussians[k], point);
+  return log_sum(parts);
+}
+
+double CutMixture::log_density(const Vector& point) const {
+  if (gaussians.empty()) return 0;
+  Vector parts;
+  return std::log(prior_share + (1 - prior_share) * std::exp(log_parts(gaussians, point, parts))) - std::log(inside);
+}
+
+double log_density(const std::vector<Round>& rounds, const Vector& point) {
+  Vector logs(index(rounds.size()));
+  double sets = 0;
+  for (std::size_t r = 0; r < rounds.size(); ++r) {
+    logs[index(r)] = std::log(static_cast<double>(rounds[r].sets)) + rounds[r].from.log_density(point);
+    sets += static_cast<double>(rounds[r].sets);
+  }
+  return log_sum(logs) - std::log(sets);
+}
+
+io::Series rounds_table(const std::vector<Round>& rounds, std::size_t dimension) {
+  const Eigen::Index d = index(dimension);
+  io::Series table;
+  const auto put = [&table](std::string name, std::string long_name, const auto& of) {
+    table.columns.push_back({std::move(name), "1", std::move(long_name), of()});
+  };
+  const Gaussian none{0, Vector::Zero(d), Matrix::Zero(d, d)};
+  const auto rows = [&](const auto& value) {
+    return [&rounds, &none, value] {
+      std::vector<double> column;
+      for (std::size_t r = 0; r < rounds.size(); ++r) {
+        const std::vector<Gaussian>& gaussians = rounds[r].from.gaussians;
+        if (gaussians.empty()) column.push_back(value(r, none));
+        for (const Gaussian& g : gaussians) column.push_back(value(r, g));
+      }
+      return column;
+    };
+  };
+  put("round", "number of the round, from 1", rows([](std::size_t r, const Gaussian&) { return double(r + 1); }));
+  put("sets", "sets drawn in it", rows([&](std::size_t r, const Gaussian&) { return double(rounds[r].sets); }));
+  put("prior_share", "share of it drawn from the prior",
+      rows([&](std::size_t r, const Gaussian&) { return rounds[r].from.prior_share; }));
+  put("inside", "how much of it lies within the prior's ranges",
+      rows([&](std::size_t r, const Gaussian&) { return rounds[r].from.inside; }));
+  put("share", "of this Gaussian", rows([](std::size_t, const Gaussian& g) { return g.share; }));
+  for (Eigen::Index i = 0; i < d; ++i)
+    put(mean_name(i), "mean, in the prior's coordinates",
+        rows([i](std::size_t, const Gaussian& g) { return g.mean[i]; }));
+  for (Eigen::Index i = 0; i < d; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j)
+      put(root_name(i, j), "of the triangular root of its covariance",
+          rows([i, j](std::size_t, const Gaussian& g) { return g.root(i, j); }));
+  return table;
+}
+
+std::vector<Round> rounds_from(const io::Series& table, std::size_t dimension, const std::string& where) {
+  const Eigen::Index d = index(dimension);
+  std::vector<Round> rounds;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto at = [&](const std::string& name) { return table.at(name).values[row]; };
+    const double round = at("round"), sets = at("sets"), share = at("share");
+    const bool goes_on = round == static_cast<double>(rounds.size()) && share > 0;
+    if (!goes_on && round != static_cast<double>(rounds.size() + 1))
+      throw DataError(fmt::format("{}: row {}: round {} does not follow the one before", where, row + 1, round));
+    if (!(sets >= 1 && sets < 1e15) || !(at("prior_share") >= 0 && at("prior_share") <= 1) ||
+        !(at("inside") > 0 && at("inside") <= 1) || !(share >= 0 && share <= 1 + 1e-9))
+      throw DataError(fmt::format("{}: row {}: a number of sets or a share that is none", where, row + 1));
+    if (!goes_on) rounds.push_back({{{}, at("prior_share"), at("inside")}, static_cast<std::size_t>(sets)});
+    if (share == 0) continue;
+    Gaussian g{share, Vector(d), Matrix::Zero(d, d)};
+    for (Eigen::Index i = 0; i < d; ++i) {
+      g.mean[i] = at(mean_name(i));
+      for (Eigen::Index j = 0; j <= i; ++j) g.root(i, j) = at(root_name(i, j));
+    }
+    if (!g.mean.allFinite() || !g.root.allFinite() || !(g.root.diagonal().array() > 0).all())
+      throw DataError(fmt::format("{}: row {}: no Gaussian", where, row + 1));
+    rounds.back().from.gaussians.push_back(std::move(g));
+  }
+  return rounds;
+}
+
+}  // namespace soilweave::calibration
