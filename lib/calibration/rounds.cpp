@@ -58,36 +58,35 @@ double log_density(const std::vector<Round>& rounds, const Vector& point) {
 
 io::Series rounds_table(const std::vector<Round>& rounds, std::size_t dimension) {
   const Eigen::Index d = index(dimension);
-  io::Series table;
-  const auto put = [&table](std::string name, std::string long_name, const auto& of) {
-    table.columns.push_back({std::move(name), "1", std::move(long_name), of()});
-  };
   const Gaussian none{0, Vector::Zero(d), Matrix::Zero(d, d)};
-  const auto rows = [&](const auto& value) {
-    return [&rounds, &none, value] {
-      std::vector<double> column;
-      for (std::size_t r = 0; r < rounds.size(); ++r) {
-        const std::vector<Gaussian>& gaussians = rounds[r].from.gaussians;
-        if (gaussians.empty()) column.push_back(value(r, none));
-        for (const Gaussian& g : gaussians) column.push_back(value(r, g));
-      }
-      return column;
-    };
+  struct Row {
+    std::size_t round;
+    const Round& of;
+    const Gaussian& gaussian;
   };
-  put("round", "number of the round, from 1", rows([](std::size_t r, const Gaussian&) { return double(r + 1); }));
-  put("sets", "sets drawn in it", rows([&](std::size_t r, const Gaussian&) { return double(rounds[r].sets); }));
-  put("prior_share", "share of it drawn from the prior",
-      rows([&](std::size_t r, const Gaussian&) { return rounds[r].from.prior_share; }));
-  put("inside", "how much of it lies within the prior's ranges",
-      rows([&](std::size_t r, const Gaussian&) { return rounds[r].from.inside; }));
-  put("share", "of this Gaussian", rows([](std::size_t, const Gaussian& g) { return g.share; }));
+  std::vector<Row> rows;
+  for (const Round& round : rounds) {
+    const auto number = static_cast<std::size_t>(&round - rounds.data()) + 1;
+    if (round.from.gaussians.empty()) rows.push_back({number, round, none});
+    for (const Gaussian& g : round.from.gaussians) rows.push_back({number, round, g});
+  }
+  io::Series table;
+  const auto put = [&](std::string name, std::string long_name, const auto& value) {
+    std::vector<double> column;
+    for (const Row& row : rows) column.push_back(static_cast<double>(value(row)));
+    table.columns.push_back({std::move(name), "1", std::move(long_name), std::move(column)});
+  };
+  put("round", "number of the round, from 1", [](const Row& row) { return row.round; });
+  put("sets", "sets drawn in it", [](const Row& row) { return row.of.sets; });
+  put("prior_share", "share of it drawn from the prior", [](const Row& row) { return row.of.from.prior_share; });
+  put("inside", "how much of it lies within the ranges", [](const Row& row) { return row.of.from.inside; });
+  put("share", "of this Gaussian", [](const Row& row) { return row.gaussian.share; });
   for (Eigen::Index i = 0; i < d; ++i)
-    put(mean_name(i), "mean, in the prior's coordinates",
-        rows([i](std::size_t, const Gaussian& g) { return g.mean[i]; }));
+    put(mean_name(i), "mean, in the prior's coordinates", [i](const Row& row) { return row.gaussian.mean[i]; });
   for (Eigen::Index i = 0; i < d; ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
       put(root_name(i, j), "of the triangular root of its covariance",
-          rows([i, j](std::size_t, const Gaussian& g) { return g.root(i, j); }));
+          [i, j](const Row& row) { return row.gaussian.root(i, j); });
   return table;
 }
 
