@@ -16,13 +16,6 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double least_share = 0.01;  // of the greatest observation, where an observation passes through zero
 
-/// log of the sum of exponentials; -inf for none.
-double log_sum(const Vector& logs) {
-  const double largest = logs.maxCoeff();
-  if (!(largest > -infinite)) return -infinite;
-  return largest + std::log(exponentials(logs.array() - largest).sum());
-}
-
 /// The smallest effective size of all steps.
 double smallest_size(const Matrix& misfit, const Vector& log_prior, double factor) {
   Vector logs = log_prior;
@@ -83,6 +76,12 @@ Vector Filtered::weights(Eigen::Index step) const { return exponentials(log_weig
 
 Vector exponentials(const Vector& logs) {
   return logs.unaryExpr([](double x) { return std::exp(x); });
+}
+
+double log_sum(const Vector& logs) {
+  const double largest = logs.maxCoeff();
+  if (!(largest > -infinite)) return -infinite;
+  return largest + std::log(exponentials(logs.array() - largest).sum());
 }
 
 double effective_size(const Vector& weight) { return 1 / weight.squaredNorm(); }

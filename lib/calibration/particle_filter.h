@@ -50,6 +50,8 @@ inline constexpr double underflow_misfit = 1490;
 
 /// exp of each, exactly 0 for -inf, which Eigen's own vector form does not give.
 Vector exponentials(const Vector& logs);
+/// log of the sum of exponentials; -inf for none.
+double log_sum(const Vector& logs);
 
 /// 1 / sum of w^2 of weights that sum to 1.
 double effective_size(const Vector& weight);

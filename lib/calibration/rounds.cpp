@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -15,12 +14,6 @@
 
 namespace soilweave::calibration {
 namespace {
-
-/// log of a sum from the logs of its terms.
-double log_sum(const Vector& logs) {
-  const double largest = logs.maxCoeff();
-  return std::isfinite(largest) ? largest + std::log(exponentials(logs.array() - largest).sum()) : largest;
-}
 
 std::string mean_name(Eigen::Index i) { return fmt::format("mean_{}", i); }
 std::string root_name(Eigen::Index i, Eigen::Index j) { return fmt::format("root_{}_{}", i, j); }

@@ -144,8 +144,8 @@ template <bool planar>
   const Columns<Lane4> x_r = columns<Lane4>([grains](int i) { return grains[i].position; });
   V3<Lane4> force = vector_part(columns<Lane4>([loads](int i) { return loads[i].force; }));
   const V3<Lane4> torque = vector_part(columns<Lane4>([loads](int i) { return loads[i].torque; }));
-  // Vector by vector: the compiler would make one string instruction of `= {}`, slower than all before it.
-  for (int i = 0; i < width<Lane4>; ++i) store(&loads[i].force[0], Lane4{}), store(&loads[i].torque[0], Lane4{});
+  // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
+  for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
   const Lane4 ratio = push.dt / v_m.d;
   const V3<Lane4> before = vector_part(v_m), pull = v_m.d * push.gravity;
   if (push.heavy) force = force + pull;

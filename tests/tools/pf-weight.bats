@@ -143,7 +143,7 @@ import h5py, math
 rows = [line.rstrip("\n").split("\t") for line in open("steps.tsv")]
 with h5py.File("posterior.h5") as file:
     fields = file["fields"]
-    assert sorted(fields) == ["covariance", "density", "runs", "steps", "weights"]
+    assert sorted(fields) == ["covariance", "density", "rounds", "runs", "steps", "weights"]
     for i, head in enumerate(rows[0]):
         assert fields["steps"][head.split(" [")[0]][()].tolist() == [float(row[i]) for row in rows[1:]], head
     weight = file["members/weight"][()]
