@@ -1,7 +1,7 @@
 #!/bin/bash
 # Chapter 2 as a section of the report, on standard output.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: OUT=out/ch2 CASES='hm_1000_0.2 ...' SAMPLES='32 24' LAST=2 ERROR=0.1,0.01,0.1 PROFILE=quick page.sh > page.html
+# usage: OUT=out/ch2 CASES='hm_1000_0.2 ...' SAMPLES='32 24' LAST=2 ERROR=0.1,0.025,0.1 PROFILE=quick page.sh > page.html
 set -euo pipefail
 
 # Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
