@@ -67,6 +67,15 @@ std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& w
 
 std::vector<Round> from_prior(std::size_t sets) { return {{{{}, 1, 1}, sets}}; }
 
+std::vector<Round> read_rounds(const io::Series& table, const Ensemble& members, const std::string& where) {
+  std::vector<Round> rounds = rounds_from(table, members.prior.size(), where);
+  std::size_t sets = 0;
+  for (const Round& round : rounds) sets += round.sets;
+  if (sets != members.size())
+    throw DataError(fmt::format("{}: tells of {} sets, but there are {}", where, sets, members.size()));
+  return rounds;
+}
+
 Ensemble from_table(const io::Series& table, Prior prior, const std::string& where) {
   Ensemble e;
   e.prior = std::move(prior);
@@ -164,9 +173,11 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
   Prior own = read_prior(document);
   document.finish();
   Ensemble members = from_table(file.members, given ? *given : own, where);
+  // Rounds are told in the coordinates of the file's own prior.
+  if (given) return members;
   for (const io::FieldsFile::Group& group : file.groups)
     if (group.name == rounds_name)
-      members.rounds = rounds_from(group.table, members.prior.size(), where + ": /fields/" + rounds_name);
+      members.rounds = read_rounds(group.table, members, where + ": /fields/" + rounds_name);
   return members;
 }
 

@@ -17,7 +17,7 @@ struct Ensemble {
   Prior prior;
   std::vector<std::int64_t> id;
   Matrix values;              // a row a member, a column a parameter, in its unit
-  Vector log_importance;      // log of the prior density over the density drawn from; 0 where drawn from the prior
+  Vector log_importance;      // log of the prior density over that of all rounds together; 0 where drawn from the prior
   Vector weight;              // after assimilation, sum 1; empty before
   std::vector<Round> rounds;  // what the members were drawn from; empty where that is not known
 

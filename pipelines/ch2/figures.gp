@@ -111,7 +111,7 @@ do for [c in checked] {
 }
 unset multiplot; unset title
 
-# --- Posterior densities at several strains, last round
+# --- Posterior densities at several strains of the first round, and of all rounds at the end
 do for [c in checked] {
   W = 900; H = 560; @start
   set output figure("density_" . c)
@@ -131,7 +131,7 @@ do for [c in checked] {
   unset logscale x; set xtics autofreq; unset border; unset tics; unset grid; unset xlabel; unset ylabel; set key center center
   set xrange [0:1]; set yrange [0:1]
   plot -1 with lines, for [i = 1:words(stations)] keyentry with lines linewidth 1.8 linecolor rgb word(colours, i) title sprintf("to %.2g %% strain", word(stations, i) + 0), \
-    keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb "#303840" title "last round, at the end"
+    keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb "#303840" title "all rounds, at the end"
   unset multiplot
   set border 3; set tics; set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6; set grid; set key top right
 }
@@ -145,5 +145,5 @@ plot for [i = 1:words(checked)] steps(word(checked, i), "1") using (column("stra
     linecolor rgb word(colours, i) title sprintf("%s, %s grains, %s MPa", law_name(part(word(checked, i), 1)), part(word(checked, i), 2), part(word(checked, i), 3)), \
   for [i = 1:words(checked)] steps(word(checked, i), last) using (column("strain_axial [%]")):(column("effective_size [1]")) with lines dashtype 2 \
     linewidth 1.8 linecolor rgb word(colours, i), \
-  keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb grey title "last round"
+  keyentry with lines dashtype 2 linewidth 1.8 linecolor rgb grey title "all rounds"
 set output

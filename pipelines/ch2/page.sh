@@ -42,7 +42,7 @@ echo '<h3>Statements of §2.4</h3>'
 awk -f pipelines/table.awk "$OUT/checklist.tsv"
 if [[ $PROFILE == quick ]]; then
   echo '<p>That the means settle is not to be seen with so few sets: the thesis'"'"'s error is small beside their distances, all weight is on one
-set at a time, and it moves to another where the curves cross. The second round is drawn closer, and its means are the ones used.</p>'
+set at a time, and it moves to another where the curves cross. The second round is drawn closer, and the means of both together are the ones used.</p>'
 fi
 echo '<h3>Figures</h3>'
 figure means_cl 'Weighted means over axial strain, linear contacts (thesis Fig. 2.1).'

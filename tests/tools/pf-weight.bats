@@ -59,6 +59,31 @@ TOML
       near($6, 60 * 10 / 11)) }' <<<"$output" || show "row 10: ${lines[11]}"
 }
 
+@test "draw: every row of the author's three tables, by radical inverses in whole numbers" {
+  thesis_prior > wide.toml
+  sed 's/low = 1e7/low = 5.4e8/; s/high = 1e11/high = 5.5e8/; s/high = 0.5/high = 0.2/; s/high = 60/high = 31/' wide.toml |
+    awk '/^name/ { name = $3 } name ~ /rolling_stiffness/ { sub(/low = 0/, "low = 0.5"); sub(/high = 1$/, "high = 0.6") }
+      name ~ /rolling_limit/ { sub(/low = 0/, "low = 0.1"); sub(/high = 1$/, "high = 0.2") }
+      name ~ /friction/ { sub(/low = 0/, "low = 29") } { print }' > narrow.toml
+  local table
+  # Prior, sets, first index, bases, and the ranges once more.
+  for table in 'wide 2000 0 2,5,7,9,11 1e7,1e11 0,0.5 0,1 0,1 0,60' 'wide 1000 1 2,3,5,7,11 1e7,1e11 0,0.5 0,1 0,1 0,60' \
+    'narrow 100 1 2,3,5,7,11 5.4e8,5.5e8 0,0.2 0.5,0.6 0.1,0.2 29,31'; do
+    # shellcheck disable=SC2086  # words of the table
+    set -- $table
+    exits 0 pf-weight draw "$1.toml" -n "$2" --first "$3" --bases "$4" --tsv
+    awk -v first="$3" -v bases="$4" -v ranges="$5 $6 $7 $8 $9" -v rows="$2" -F '\t' '
+      BEGIN { split(bases, base, ","); split(ranges, range, " ") }
+      NR > 1 { for (k = 1; k <= 5; ++k) {
+          over = 0; under = 1
+          for (i = $1 + first; i > 0; i = int(i / base[k])) { over = over * base[k] + i % base[k]; under *= base[k] }
+          split(range[k], end, ",")
+          u = over / under; value = k == 1 ? end[1] * exp(u * log(end[2] / end[1])) : end[1] + u * (end[2] - end[1])
+          if (sprintf("%.6g", value) != sprintf("%.6g", $(k + 1))) { print "row " $1 " column " k ": " $(k + 1) ", not " value; ++wrong } } }
+      END { exit !(NR == rows + 1 && !wrong) }' <<<"$output" || show "$table"
+  done
+}
+
 @test "draw: the stored table of 100 sets, digit by digit" {
   needs_reference ch2/mc100_parameters.csv
   cat > mc100.toml <<'TOML'

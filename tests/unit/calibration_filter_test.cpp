@@ -273,6 +273,7 @@ TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_wit
       EXPECT_NEAR(mean[k], model.mean[k], 4 * std::sqrt(model.covariance(k, k) / size));
     return size;
   };
+  // Four times the sets, of which the last round's count most.
   EXPECT_GT(resampled(false, true), 1.2 * resampled(false, false));
   EXPECT_GT(resampled(true, true), 1.2 * resampled(true, false));
 }

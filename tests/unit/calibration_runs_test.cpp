@@ -177,6 +177,11 @@ TEST(Ensembles, go_through_files_and_tables_unchanged) {
   EXPECT_EQ(read_ensemble(folder / "e.tsv", {}, sources).prior.ranges[1].low, e.values.col(1).minCoeff());
   EXPECT_EQ(read_ensemble(folder / "e.h5", {}, sources).rounds.at(0).sets, 5u);
   EXPECT_TRUE(read_ensemble(folder / "e.tsv", folder / "prior.toml", sources).rounds.empty());
+  // Another prior, other coordinates.
+  EXPECT_TRUE(read_ensemble(folder / "e.h5", folder / "prior.toml", sources).rounds.empty());
+  e.rounds.front().sets = 4;
+  io::write_ensemble(folder / "less.h5", ensemble_file(e), {});
+  EXPECT_THROW(read_ensemble(folder / "less.h5", {}, sources), DataError);
 }
 
 TEST(Ensembles, tables_that_are_none_are_refused) {
