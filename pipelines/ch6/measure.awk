@@ -141,6 +141,8 @@ function pull_out(   n, k, runs, r1, r2, v, part, left, left_n, right, right_n, 
   say("pullout_mesh_spread", spread("pullout", meshes, "friction", 0.03))
   curve("main", "pullout_" main, "friction")
   say("pullout_friction", average("main", 0.1, 0.2))
+  curve("swinging", "swinging_" main, "friction")
+  say("swinging_friction", average("swinging", 0.1, 0.2))
   open_table(folder "/pullout_" main "_nodes.tsv")
   while (next_row()) if (get("time") > high) high = get("time")
   close(table)

@@ -41,25 +41,34 @@ $(C6_ROUND)_k0.h5: $(C6_ROUND)_loose.h5 $(C6)/k0.toml $(BIN)/run-dem
 	@$(BIN)/run-dem $< $(C6)/k0.toml --threads 1 --quiet --force -o $@
 
 # A quarter of a metre of pull; 100 outputs of shape-forming, 167 of pull-out, as in the thesis's runs.
+C6_SCENARIO_shape := $(C6)/shape.toml
+C6_SCENARIO_pullout := $(C6)/pullout.toml
 C6_START_shape := $(C6_ROUND)_loose.h5
 C6_START_pullout := $(C6_ROUND)_k0.h5
 C6_OUTPUTS_shape := 100
 C6_OUTPUTS_pullout := 167
-C6_ENDS_shape := start.y=-V end.y=-V
-C6_ENDS_pullout := end.x=V
+C6_SET_shape := geosynthetic.start.y=-V geosynthetic.end.y=-V
+C6_SET_pullout := geosynthetic.end.x=V
 # run EXAMPLE SQUARES SPEED
 define c6_run
-$(C6O)/$(1)_$(2)_$(3).h5: $$(C6_START_$(1)) $(C6)/$(1).toml $(BIN)/fem-dem
+$(C6O)/$(1)_$(2)_$(3).h5: $$(C6_START_$(1)) $$(C6_SCENARIO_$(1)) $(BIN)/fem-dem
 	@echo '  run   $$@'
-	@$(BIN)/fem-dem $(C6)/$(1).toml $$< --set mesh.columns=$(2) --set mesh.rows=$(2) --set record.points=[$$$$(($(2) - 2 + $(2) % 2))] \
-	  $$(foreach e,$$(C6_ENDS_$(1)),--set 'geosynthetic.$$(subst V,$$(shell echo $(3) | awk '{print $$$$1 / 100}'),$$(e))') \
+	@$(BIN)/fem-dem $$(C6_SCENARIO_$(1)) $$< --set mesh.columns=$(2) --set mesh.rows=$(2) --set record.points=[$$$$(($(2) - 2 + $(2) % 2))] \
+	  $$(foreach e,$$(C6_SET_$(1)),--set '$$(subst V,$$(shell echo $(3) | awk '{print $$$$1 / 100}'),$$(e))') \
 	  --set time.duration=$$$$(echo $(3) | awk '{ print 25 / $$$$1 }') \
 	  --set time.output_interval=$$$$(echo $(3) | awk '{ print 25 / $$$$1 / $$(C6_OUTPUTS_$(1)) }') \
 	  --resume --force --threads $(C6_THREADS) --quiet -o $$@
 endef
 $(foreach e,shape pullout,$(foreach c,$(C6_CASES),$(eval $(call c6_run,$(e),$(word 1,$(subst _, ,$(c))),$(word 2,$(subst _, ,$(c)))))))
+# The main pull-out once more with the soil damping of the thesis.
+C6_SCENARIO_swinging := $(C6_SCENARIO_pullout)
+C6_START_swinging := $(C6_START_pullout)
+C6_OUTPUTS_swinging := $(C6_OUTPUTS_pullout)
+C6_SET_swinging := $(C6_SET_pullout) soil.damping=0.2
+C6_SWINGING := swinging_$(C6_MAIN)
+$(eval $(call c6_run,swinging,$(word 1,$(subst _, ,$(C6_MAIN))),$(word 2,$(subst _, ,$(C6_MAIN)))))
 
-C6_SERIES := $(C6_RUNS:%=$(C6O)/%.tsv)
+C6_SERIES := $(C6_RUNS:%=$(C6O)/%.tsv) $(C6O)/$(C6_SWINGING).tsv
 C6_TABLES := $(foreach e,shape pullout,$(foreach t,points nodes bars,$(C6O)/$(e)_$(C6_MAIN)_$(t).tsv))
 $(C6_SERIES): $(C6O)/%.tsv: $(C6O)/%.h5
 	@$(BIN)/fem-dem --table series $< $(call whole,$@)
