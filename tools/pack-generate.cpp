@@ -15,6 +15,7 @@
 #include "packing/cloud.h"
 #include "packing/generate.h"
 #include "packing/grading.h"
+#include "packing/spatial_order.h"
 
 namespace {
 
@@ -62,8 +63,7 @@ struct PackGenerate {
         "pack-generate", "make a packing of grains from a grading curve, at a void ratio and a pressure",
         "A random cloud in a periodic cell is compressed isotropically to the pressure; then the inter-particle "
         "friction is lowered step by step until the void ratio is reached, and restored.");
-    table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5",
-                  "spheres, Toyoura grading");
+    table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5", "Toyoura grading");
     table.example("pack-generate --import spheres.txt --as-is -o imported.h5", "a packing from another code");
     table.option(grading, "grading", "NAME|FILE", "toyoura, or a TSV with diameter [mm] and finer_by_mass [1]");
     table.option(grains, grains_parameter);
@@ -79,7 +79,7 @@ struct PackGenerate {
     table.option(tolerance, tolerance_parameter);
     table.option(import, "import", "FILE", "start from this packing (x y z r text, or a packing file)");
     table.option(cell, "cell", "LX,LY,LZ", "periodic cell of an imported text without a ##PERIODIC:: line, m");
-    table.flag(as_is, "as-is", "write the imported packing unchanged");
+    table.flag(as_is, "as-is", "write the imported packing as it is, but many loose grains in spatial order");
     table.output(output, "packing to write");
     table.resume(interval);
     table.seed();
@@ -191,7 +191,7 @@ struct PackGenerate {
     io::PackingFile file =
         is_ours() ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
     sources.push_back(file.source);
-    return file.state;
+    return packing::in_spatial_order(file.state);
   }
 };
 

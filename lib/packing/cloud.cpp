@@ -8,9 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "core/error.h"
 #include "dem/bodies.h"
+#include "packing/spatial_order.h"
 
 namespace soilweave::packing {
 namespace {
@@ -111,7 +113,7 @@ io::Snapshot cloud(const std::vector<double>& radii, double void_ratio, const Ve
     g.material_id.push_back(0);
     g.copy_id.push_back(0);
   }
-  return s;
+  return in_spatial_order(std::move(s));
 }
 
 }  // namespace soilweave::packing

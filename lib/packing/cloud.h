@@ -11,8 +11,8 @@ namespace soilweave::packing {
 
 /// Grains placed one after the other at random without overlap (random sequential addition), in an upright periodic
 /// cell of the given proportions whose size makes the void ratio. radii: m, largest first; density: kg/m3 (2D: per
-/// metre of thickness). The same seed gives the same cloud everywhere. Throws DataError where the cell is too small for
-/// the largest grain, or too dense for random placing.
+/// metre of thickness). Many lie in order in space (spatial_order.h). The same seed gives the same cloud everywhere.
+/// Throws DataError where the cell is too small for the largest grain, or too dense for random placing.
 io::Snapshot cloud(const std::vector<double>& radii, double void_ratio, const Vec3& proportions, int dimension,
                    double density, std::uint64_t seed);
 

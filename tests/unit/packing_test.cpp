@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "dem/bodies.h"
+#include "packing/spatial_order.h"
 #include "support/assemblies.h"
 
 namespace soilweave::packing {
@@ -120,6 +121,55 @@ io::Snapshot loose(int dimension) {
   std::vector<double> radii = Grading::toyoura().radii(200, dimension);
   for (double& r : radii) r *= 0.58;
   return cloud(radii, 2.0, {1, 1, 1}, dimension, 2650e3, 3);
+}
+
+// How many of the grains have the one nearest to them within fifty rows.
+double share_side_by_side(const io::GrainsRecord& g) {
+  double sum = 0;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    std::size_t nearest = i == 0 ? 1 : 0;
+    for (std::size_t j = 0; j < g.size(); ++j)
+      if (j != i && (g.position[j] - g.position[i]).norm() < (g.position[nearest] - g.position[i]).norm()) nearest = j;
+    sum += (i < nearest ? nearest - i : i - nearest) <= 50 ? 1 : 0;
+  }
+  return sum / static_cast<double>(g.size());
+}
+
+TEST(SpatialOrder, LaysNeighboursSideBySideAndLosesNoGrain) {
+  for (const int d : {2, 3}) {
+    // In the order of a cloud's making, which is random; some have left the cell.
+    const io::Snapshot made = cloud(Grading::toyoura().radii(2000, d), 3, {1, 1, d == 2 ? 1.0 : 2.0}, d, 2650, 7);
+    io::Snapshot random = made;
+    for (std::size_t i = 0; i < made.grains.size(); ++i) {
+      const auto id = static_cast<std::size_t>(made.grains.body_id[i]);
+      random.grains.body_id[id] = made.grains.body_id[i];
+      random.grains.position[id] = made.grains.position[i];
+      random.grains.radius[id] = made.grains.radius[i];
+      random.grains.mass[id] = made.grains.mass[i];
+    }
+    EXPECT_LT(share_side_by_side(random.grains), 0.1);
+    io::Snapshot ordered = random;
+    for (std::size_t i = 0; i < 2000; i += 7) ordered.grains.position[i] += made.cell.matrix.col(0);
+    const std::vector<Vec3> moved = ordered.grains.position;
+    ordered = in_spatial_order(ordered);
+    EXPECT_EQ(ordered.grains.body_id, made.grains.body_id);
+    EXPECT_GT(share_side_by_side(made.grains), 0.75);
+    for (std::size_t i = 0; i < made.grains.size(); ++i) {
+      EXPECT_EQ(ordered.grains.position[i], moved[static_cast<std::size_t>(made.grains.body_id[i])]);
+      EXPECT_EQ(ordered.grains.radius[i], made.grains.radius[i]);
+      EXPECT_EQ(ordered.grains.mass[i], made.grains.mass[i]);
+    }
+  }
+}
+
+TEST(SpatialOrder, LeavesWhatACacheHoldsAndRowsThatAreNamed) {
+  const io::Snapshot few = cloud(Grading::toyoura().radii(1000, 3), 3, {1, 1, 1}, 3, 2650, 7);
+  EXPECT_EQ(in_spatial_order(few).grains.position, few.grains.position);
+  io::Snapshot touching = cloud(Grading::toyoura().radii(1001, 3), 3, {1, 1, 1}, 3, 2650, 7);
+  std::reverse(touching.grains.position.begin(), touching.grains.position.end());
+  EXPECT_NE(in_spatial_order(touching).grains.position, touching.grains.position);
+  touching.contacts.bodies.push_back({0, 1});
+  EXPECT_EQ(in_spatial_order(touching).grains.position, touching.grains.position);
 }
 
 TEST(Compact, HoldsVoidRatioAndPressureAtFullFriction) {
