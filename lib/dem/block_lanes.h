@@ -115,19 +115,4 @@ struct BlockLanes {
   static void put(const T& turn, double* to) { store(to + 2 * ContactBlock::size, turn); }
 };
 
-/// Calls memory for what the sweep will come to: blocks, and the grains of other chunks that one of them names.
-inline void call_for(const ContactBlock* next, const ContactBlock* end, const double* grains, const double* loads) {
-  constexpr int ahead = 6, soon = 3, line = 64;
-  if (end - next <= ahead) return;
-  const char* block = reinterpret_cast<const char*>(next + ahead);
-  for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
-  if (!next[soon].far) return;
-  for (int lane = 0; lane < ContactBlock::size; ++lane) {
-    const double* second = grains + next[soon].second[lane];
-    __builtin_prefetch(second);
-    __builtin_prefetch(second + line / sizeof(double));
-    __builtin_prefetch(loads + next[soon].load_second[lane]);
-  }
-}
-
 }  // namespace soilweave::dem

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "dem/couples.h"
+#include "dem/memory_ahead.h"
 #include "dem/plane_sweep.h"
 #include "dem/sweep_groups.h"
 #include "dem/transport.h"
@@ -39,6 +40,8 @@ using Lanes = Lane8;
 using Lanes = Lane4;
 #endif
 
+constexpr auto nothing = [](std::size_t) {};
+
 template <class Law>
 class LawSweep final : public ContactSweep {
  public:
@@ -48,27 +51,29 @@ class LawSweep final : public ContactSweep {
         use_masses_(couples_.use_masses()),
         use_moments_(couples_.use_moments()) {}
 
-  SweepSums run(const Scene& scene, double dt, Contacts& contacts) override {
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around) override {
     const Cell& cell = scene.cell;
     set_shifts(cell, contacts);
     across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
     if (!use_moments_ && dt > 0) let_moments_go(contacts);
-    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, contacts)
-                                : step<Spatial>(scene, affine, dt, contacts);
+    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, contacts, around)
+                                : step<Spatial>(scene, affine, dt, contacts, around);
     SweepSums total;
     for (const StepSums<Lanes>& s : step_sums_) s.put_into(total);
     total.force_branch += force_branch_across(scene.bodies.dimension == 2);
     StepSums<Lanes> with_planes;
     for (PlanePair& pair : contacts.planes) planes_.act(scene, dt, pair, with_planes, total);
     with_planes.put_into(total);
+    if (!contacts.planes.empty())
+      contacts.plan.run(nothing, nothing, [&around](std::size_t chunk) { around.after(chunk); });
     return total;
   }
 
   Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
     sweep<Spatial, false>(
-        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
         [this](Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) { stiffen(batch, s, sum); });
     Lane4 total{};
     for (const Lane4& sum : row_sums_) total += sum;
@@ -79,7 +84,7 @@ class LawSweep final : public ContactSweep {
   StoredEnergies stored(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
     sweep<Spatial, false>(
-        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_,
+        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
         [this](Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
     Lane4 total{};
     for (const Lane4& sum : row_sums_) total += sum;
@@ -118,7 +123,7 @@ class LawSweep final : public ContactSweep {
   }
 
   template <class Space>
-  void step(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts) {
+  void step(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, AroundChunk& around) {
     const auto through = [this](Batch<Lanes, Space> batch, const Surroundings& s, StepSums<Lanes>& sums) {
       move<Space>(batch, s.dt);
       if (use_moments_)
@@ -126,17 +131,21 @@ class LawSweep final : public ContactSweep {
       else
         answer<Space, false>(batch, s, sums), act<Space, false>(batch, s);
     };
-    sweep<Space, true>(scene, affine, dt, contacts, step_sums_, through);
+    const bool with_planes = !contacts.planes.empty();  // which act when all is swept
+    sweep<Space, true>(
+        scene, affine, dt, contacts, step_sums_, [&around](std::size_t chunk) { around.before(chunk); },
+        [&around, with_planes](std::size_t chunk) {
+          if (!with_planes) around.after(chunk);
+        },
+        through);
   }
 
   // Chunk by chunk, batch by batch, the pairs that touch, or did so in the last step, through `stage`.
-  template <class Space, bool moving, class Sums, class Stage>
+  template <class Space, bool moving, class Sums, class Before, class After, class Stage>
   void sweep(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, std::vector<Sums>& sums,
-             const Stage& stage) {
-    const std::size_t chunks = chunks_of(scene.bodies.size());
-    sums.assign(chunks, Sums{});
-#pragma omp parallel for schedule(static) num_threads(scene.threads) if (scene.threads > 1)
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+             const Before& before, const After& after, const Stage& stage) {
+    sums.assign(contacts.chunks.size(), Sums{});
+    const auto one = [&](std::size_t chunk) {
       const Surroundings s{scene.bodies,
                            shifts_,
                            affine,
@@ -151,7 +160,8 @@ class LawSweep final : public ContactSweep {
         const std::size_t n = approach<Space, moving>(next, end, s, to_come, groups);
         if (n) stage(Batch<Lanes, Space>(groups.data(), n), s, sums[chunk]);
       }
-    }
+    };
+    contacts.plan.run(before, one, after);
   }
 
   // Fills the batch from `next` on, which becomes the first block not looked at; returns how many were filled. All is

@@ -34,7 +34,15 @@ struct Scene {
   Bodies& bodies;
   const Cell& cell;
   const Planes& planes;
-  int threads;
+};
+
+/// What else a step does with the grains of a chunk, done by the thread that sweeps their pairs while they lie in its
+/// cache (ChunkPlan). Called once for each chunk, by several threads.
+class AroundChunk {
+ public:
+  virtual ~AroundChunk() = default;
+  virtual void before(std::size_t chunk) = 0;  // no pair has been swept that one of the chunk's grains belongs to
+  virtual void after(std::size_t chunk) = 0;   // all have
 };
 
 class ContactSweep {
@@ -42,8 +50,8 @@ class ContactSweep {
   virtual ~ContactSweep() = default;
   /// Updates every pair's contact over a step dt that led to the present positions and adds what it does to its grains
   /// to the loads, zero before; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation). What
-  /// force_branch lacks is the sum of F (x) x over the grains: Motion::gather has it.
-  virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts) = 0;
+  /// force_branch lacks is the sum of F (x) x over the grains: Motion::collected has it.
+  virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around) = 0;
   /// Adds the stiffness that each contact gives its grains to the loads instead: about the axes x, y, z against
   /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else. Returns the affine
   /// stiffness times squared branch along the axes, summed over contacts, N m.

@@ -132,6 +132,18 @@ void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
   bodies.loads.assign(load_start.back(), Load{});
 }
 
+void Contacts::make_plan(const std::vector<Pair>& pairs) {
+  const std::size_t count = chunks.size();
+  std::vector<std::vector<std::uint32_t>> reached(count);
+  std::vector<std::size_t> last_seen(count, count);  // from which chunk, to name each once
+  for (const Pair& p : pairs) {
+    const std::size_t one = chunk_of(p.first), two = chunk_of(p.second);
+    if (one == two || std::exchange(last_seen[two], one) == one) continue;
+    reached[one].push_back(static_cast<std::uint32_t>(two));
+  }
+  plan = ChunkPlan(reached, threads);
+}
+
 void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
   const std::vector<Vec3i> old_images = std::exchange(images, images_of(pairs));
   if (images.size() > std::numeric_limits<std::uint16_t>::max())
@@ -140,6 +152,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   planes = std::move(with_planes);
   assign_loads(pairs, bodies);
   chunks.resize(chunks_of(bodies.size()));
+  make_plan(pairs);
   auto at = pairs.begin();
   for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
     const std::size_t begin = chunk * grains_per_chunk;

@@ -12,6 +12,7 @@
 
 #include "core/v3.h"
 #include "dem/bodies.h"
+#include "dem/chunk_plan.h"
 #include "dem/laws/contact.h"
 
 namespace soilweave::dem {
@@ -72,6 +73,8 @@ struct Contacts {
   // load_start[b] to load_start[b+1], in the order of its pairs, planes last. Pairs of a grain's own chunk add to its
   // own load.
   std::vector<std::uint32_t> load_start;
+  int threads = 1;  // that share the chunks
+  ChunkPlan plan;
 
   /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane). A pair that
   /// was listed before keeps its history. Loads are made to fit, and zero. Throws DataError beyond 65,000 cell offsets.
@@ -83,6 +86,7 @@ struct Contacts {
 
  private:
   void assign_loads(const std::vector<Pair>& pairs, Bodies& bodies);
+  void make_plan(const std::vector<Pair>& pairs);
 
   LargeVector<ContactBlock> before_;  // of one chunk, while it is listed anew
   std::vector<std::uint32_t> next_;   // load that is free for another pair of each grain

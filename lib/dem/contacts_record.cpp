@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contacts_record.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 namespace soilweave::dem {
 
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
@@ -46,6 +50,37 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
       }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;
+}
+
+void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contacts) {
+  std::vector<std::size_t> order(r.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto pair = [&r](std::size_t k) { return Pair{r.bodies[k][0], r.bodies[k][1], r.image[k]}; };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return before(pair(a), pair(b)); });
+  std::vector<Pair> pairs;
+  std::vector<PlanePair> with_planes;
+  std::vector<History> histories;
+  for (const std::size_t k : order) {
+    const History history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
+                          r.normal_force[k],
+                          true,
+                          r.sliding[k] != 0};
+    const Pair p = pair(k);
+    if (p.second < 0) {
+      with_planes.push_back({p.first, -1 - p.second, 0, from_eigen(r.normal[k]), history});
+    } else {
+      pairs.push_back(p);
+      histories.push_back(history);
+    }
+  }
+  std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
+    return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
+  });
+  contacts.list(pairs, std::move(with_planes), bodies);
+  std::size_t k = 0;
+  for (auto& chunk : contacts.chunks)
+    for (ContactBlock& block : chunk)
+      for (int lane = 0; lane < block.count; ++lane) Contacts::set_history(block, lane, histories[k++]);
 }
 
 }  // namespace soilweave::dem

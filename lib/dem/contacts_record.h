@@ -13,4 +13,7 @@ namespace soilweave::dem {
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
                                    const Planes& planes);
 
+/// Lists the pairs of a record, in any order, with their history.
+void list_recorded(const io::ContactsRecord& record, Bodies& bodies, Contacts& contacts);
+
 }  // namespace soilweave::dem

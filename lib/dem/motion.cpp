@@ -7,16 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace soilweave::dem {
-// What four grains are moved by.
-struct Push {
-  Lane4 damping, dt, gyration;
-  V3<Lane4> gravity;
-  Mat3 gradient;
-  bool heavy, deforming;
-};
-
 namespace {
 
 Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
@@ -24,7 +17,7 @@ Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
 }
 
 // Adds the loads of single pairs to that of their grain and leaves them zero.
-Load& collect(const Contacts& contacts, std::size_t i, Bodies& bodies) {
+Load& collect_loads(const Contacts& contacts, std::size_t i, Bodies& bodies) {
   Load& total = bodies.loads[i];
   for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) {
     Load& one = bodies.loads[s];
@@ -32,6 +25,11 @@ Load& collect(const Contacts& contacts, std::size_t i, Bodies& bodies) {
     one = {};
   }
   return total;
+}
+
+// First grain of a chunk; that of the next one, or how many there are.
+std::size_t first_of(std::size_t chunk, const Bodies& bodies) {
+  return std::min(bodies.size(), chunk * grains_per_chunk);
 }
 
 // x, y and z squared and added.
@@ -96,49 +94,53 @@ V3<Lane4> affine(const Mat3& g, const V3<Lane4>& x, const V3<Lane4>& v) {
 
 }  // namespace
 
-Motion::Motion(std::size_t grains, int threads) : threads_(threads), partial_(chunks_of(grains)) {}
-
-template <class Body>
-void Motion::chunked(std::size_t grains, const Body& body) {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t c = 0; c < partial_.size(); ++c) {
-    Partial partial;
-    body(c * grains_per_chunk, std::min(grains, (c + 1) * grains_per_chunk), partial);
-    partial_[c] = partial;
-  }
+Motion::Motion(std::size_t grains, int threads)
+    : threads_(threads), moved_(chunks_of(grains)), collected_(chunks_of(grains)), partial_(chunks_of(grains)) {
+  for (Moved& m : moved_) m.fastest = all<Lane4>(std::numeric_limits<double>::infinity());  // not known yet
 }
 
-Mat3 Motion::gather(const Contacts& contacts, Bodies& bodies) {
-  const bool planar = bodies.dimension == 2;
+template <class Pass>
+void Motion::pass(const Pass& over) const {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t chunk = 0; chunk < moved_.size(); ++chunk) over(chunk);
+}
+
+void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
   const Mask<Lane4> in_plane{-1, -1, 0, 0};
-  chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Load& load = collect(contacts, i, bodies);
-      if (planar) load = {keep(in_plane, load.force), keep(~in_plane, load.force)};  // as the sweep left them
-      if (bodies.is_node(i)) load.torque = Lane4{};                                  // nodes do not rotate
-      const Lane4& x = bodies.grains[i].position;
-      for (int a = 0; a < 3; ++a) partial.virial[a] = fused(all<Lane4>(x[a]), load.force, partial.virial[a]);
-    }
-  });
+  const bool planar = bodies.dimension == 2;
+  Collected sums;
+  for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
+    Load& load = collect_loads(contacts, i, bodies);
+    if (planar) load = {keep(in_plane, load.force), keep(~in_plane, load.force)};  // as the sweep left them
+    if (bodies.is_node(i)) load.torque = Lane4{};                                  // nodes do not rotate
+    const Lane4& x = bodies.grains[i].position;
+    for (int a = 0; a < 3; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
+    sums.force = maximum(sums.force, Lane4(load.force * load.force));
+  }
+  collected_[chunk] = sums;
+}
+
+Mat3 Motion::collected() const {
   Mat3 sum = Mat3::Zero();
-  for (const Partial& p : partial_)
-    for (int a = 0; a < 3; ++a) sum.col(a) += vector_of(p.virial[a]);
+  for (const Collected& c : collected_)
+    for (int a = 0; a < 3; ++a) sum.col(a) += vector_of(c.virial[a]);
   return sum;
 }
 
 double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   const Lane4 g = row(gravity, 0);
-  chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
-    for (std::size_t i = begin; i < end; ++i) partial.sum += std::sqrt(length2(resultant(bodies, i, g)));
+  pass([&](std::size_t chunk) {
+    double sum = 0;
+    for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i)
+      sum += std::sqrt(length2(resultant(bodies, i, g)));
+    partial_[chunk] = sum;
   });
-  double sum = 0;
-  for (const Partial& p : partial_) sum += p.sum;
-  return sum;
+  return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
 // One step of four grains; their loads are used up.
 template <bool planar>
-[[gnu::flatten]] void Motion::advance(const Push& push, Grain* grains, Load* loads, Partial& partial) {
+[[gnu::flatten]] void Motion::advance(const Push& push, Grain* grains, Load* loads, Moved& moved) {
   const Columns<Lane4> v_m = columns<Lane4>([grains](int i) { return grains[i].velocity; });
   const Columns<Lane4> w_r = columns<Lane4>([grains](int i) { return grains[i].spin; });
   const Columns<Lane4> x_r = columns<Lane4>([grains](int i) { return grains[i].position; });
@@ -149,13 +151,13 @@ template <bool planar>
   const Lane4 ratio = push.dt / v_m.d;
   const V3<Lane4> before = vector_part(v_m), pull = v_m.d * push.gravity;
   if (push.heavy) force = force + pull;
-  const V3<Lane4> v = kick<planar>(force, ratio, push.damping, before, partial.damping);
-  if (push.heavy) partial.gravity_work += dot(pull, before + v);
-  partial.largest = maximum(partial.largest, norm2(v));
+  const V3<Lane4> v = kick<planar>(force, ratio, push.damping, before, moved.damping);
+  if (push.heavy) moved.gravity_work += dot(pull, before + v);
+  moved.fastest = maximum(moved.fastest, norm2(v));
   put(v, v_m.d, [grains](int i) -> Lane4& { return grains[i].velocity; });
 
   const Lane4 spin_ratio = ratio / (push.gyration * w_r.d * w_r.d);
-  const V3<Lane4> w = spin_up<planar>(torque, spin_ratio, push.damping, vector_part(w_r), partial.damping);
+  const V3<Lane4> w = spin_up<planar>(torque, spin_ratio, push.damping, vector_part(w_r), moved.damping);
   put(w, w_r.d, [grains](int i) -> Lane4& { return grains[i].spin; });
   turn<planar>(w, push.dt, grains);
 
@@ -164,54 +166,80 @@ template <bool planar>
       [grains](int i) -> Lane4& { return grains[i].position; });
 }
 
-MotionSums Motion::advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies) {
-  const Push push{all<Lane4>(damping),
-                  all<Lane4>(dt),
-                  all<Lane4>(bodies.gyration),
-                  {all<Lane4>(gravity.x()), all<Lane4>(gravity.y()), all<Lane4>(gravity.z())},
-                  cell.velocity_gradient(),
-                  !gravity.isZero(0.0),
-                  !cell.velocity_gradient().isZero(0.0)};
-  Bodies& b = bodies;
-  const auto four = bodies.dimension == 2 ? &Motion::advance<true> : &Motion::advance<false>;
-  chunked(b.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
-    std::size_t i = begin;
-    for (; i + 4 <= end; i += 4) four(push, &b.grains[i], &b.loads[i], partial);
-    if (i == end) return;
+void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies) {
+  push_ = {all<Lane4>(damping),
+           all<Lane4>(dt),
+           all<Lane4>(bodies.gyration),
+           {all<Lane4>(gravity.x()), all<Lane4>(gravity.y()), all<Lane4>(gravity.z())},
+           cell.velocity_gradient(),
+           !gravity.isZero(0.0),
+           !cell.velocity_gradient().isZero(0.0),
+           bodies.dimension == 2};
+}
+
+void Motion::advance(std::size_t chunk, Bodies& bodies) {
+  const auto four = push_.planar ? &Motion::advance<true> : &Motion::advance<false>;
+  std::size_t i = first_of(chunk, bodies);
+  const std::size_t end = first_of(chunk + 1, bodies);
+  Moved moved;
+  for (; i + 4 <= end; i += 4) four(push_, &bodies.grains[i], &bodies.loads[i], moved);
+  if (i < end) {
     // The last few, beside grains at rest that do not fall.
-    Push last = push;
+    Push last = push_;
     for (std::size_t k = end; k < i + 4; ++k) last.gravity.x[k - i] = last.gravity.y[k - i] = last.gravity.z[k - i] = 0;
     const Lane4 rest{0, 0, 0, 1};
     std::array<Grain, 4> grains;
     grains.fill({rest, rest, rest, rest});
     std::array<Load, 4> loads;
-    for (std::size_t k = i; k < end; ++k) grains[k - i] = b.grains[k], loads[k - i] = b.loads[k], b.loads[k] = {};
-    four(last, grains.data(), loads.data(), partial);
-    for (std::size_t k = i; k < end; ++k) b.grains[k] = grains[k - i];
-  });
-  Lane4 damped{}, work{}, fastest{};
-  for (const Partial& p : partial_) {
-    damped += p.damping;
-    work += p.gravity_work;
-    fastest = maximum(fastest, p.largest);
+    for (std::size_t k = i; k < end; ++k)
+      grains[k - i] = bodies.grains[k], loads[k - i] = bodies.loads[k], bodies.loads[k] = {};
+    four(last, grains.data(), loads.data(), moved);
+    for (std::size_t k = i; k < end; ++k) bodies.grains[k] = grains[k - i];
+  }
+  moved_[chunk] = moved;
+}
+
+void Motion::advance_all(Bodies& bodies) {
+  pass([&](std::size_t chunk) { advance(chunk, bodies); });
+}
+
+MotionSums Motion::advanced() const {
+  Moved all_chunks;
+  for (const Moved& m : moved_) {
+    all_chunks.damping += m.damping;
+    all_chunks.gravity_work += m.gravity_work;
+    all_chunks.fastest = maximum(all_chunks.fastest, m.fastest);
   }
   const auto sum = [](const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; };
-  return {0.5 * dt * sum(damped), 0.5 * dt * sum(work),
+  const Lane4& fastest = all_chunks.fastest;
+  const double dt = push_.dt[0];
+  return {0.5 * dt * sum(all_chunks.damping), 0.5 * dt * sum(all_chunks.gravity_work),
           std::sqrt(std::max({fastest[0], fastest[1], fastest[2], fastest[3]}))};
 }
 
+double Motion::speed_bound(double smallest_mass) const {
+  Lane4 force{};
+  for (const Collected& c : collected_) force = maximum(force, c.force);
+  const auto length = [](double x2, double y2, double z2) { return std::sqrt(x2 + y2 + z2); };
+  const V3<Lane4>& g = push_.gravity;
+  const double gravity = length(g.x[0] * g.x[0], g.y[0] * g.y[0], g.z[0] * g.z[0]);
+  const double acceleration = length(force[0], force[1], force[2]) / smallest_mass + gravity;
+  constexpr double rounding = 1 + 1e-9;
+  return rounding * (advanced().fastest + push_.dt[0] * (1 + push_.damping[0]) * acceleration);
+}
+
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
-  chunked(bodies.size(), [&](std::size_t begin, std::size_t end, Partial& partial) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Load& load = collect(contacts, i, bodies);
-      const Lane4 stiffness = maximum(Lane4(load.force / bodies.mass(i)), Lane4(load.torque / bodies.inertia(i)));
+  pass([&](std::size_t chunk) {
+    Lane4 largest{};
+    for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
+      Load& load = collect_loads(contacts, i, bodies);
+      largest = maximum(largest, maximum(Lane4(load.force / bodies.mass(i)), Lane4(load.torque / bodies.inertia(i))));
       load = {};
-      partial.largest = maximum(partial.largest, stiffness);
     }
+    partial_[chunk] = std::max({largest[0], largest[1], largest[2]});
   });
-  Lane4 all_chunks{};
-  for (const Partial& p : partial_) all_chunks = maximum(all_chunks, p.largest);
-  const double largest = std::max({all_chunks[0], all_chunks[1], all_chunks[2]});
+  double largest = 0;
+  for (const double one : partial_) largest = std::max(largest, one);
   return largest > 0 ? std::numbers::sqrt2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 

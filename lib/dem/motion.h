@@ -15,22 +15,39 @@ struct MotionSums {
   double fastest = 0;       // m/s, largest fluctuation speed
 };
 
-/// Passes over the grains; keeps the partial sums of its chunks from call to call, so that stepping allocates nothing.
+/// What grains are moved by in a step: four at a time.
+struct Push {
+  Lane4 damping, dt, gyration;
+  V3<Lane4> gravity;
+  Mat3 gradient;
+  bool heavy, deforming, planar;
+};
+
+/// Passes over the grains, chunk by chunk (contacts.h); keeps the sums of the chunks from call to call, so that
+/// stepping allocates nothing. Different threads may be at different chunks.
 class Motion {
  public:
   Motion(std::size_t grains, int threads);
 
-  /// Adds the loads of single pairs to those of their grains, in a fixed order. Returns the sum of force (x) position,
-  /// N m.
-  Mat3 gather(const Contacts& contacts, Bodies& bodies);
+  /// Says how the next step moves the grains: velocities by the forces, damped by Cundall's local damping (dem-laws §4:
+  /// each component's force is scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities
+  /// and the cell's affine motion.
+  void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
+  /// Moves the grains of a chunk. Uses their loads up: they are left zero.
+  void advance(std::size_t chunk, Bodies& bodies);
+  void advance_all(Bodies& bodies);
+  MotionSums advanced() const;
+  /// No grain will be faster than this after the step set out for, m/s, by the forces as they were collected and the
+  /// speeds after the step before; infinite before the first step. To be asked before anything moves.
+  double speed_bound(double smallest_mass) const;
+
+  /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.
+  void collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
+  /// Sum of force (x) position over the grains, N m.
+  Mat3 collected() const;
 
   /// Sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
-
-  /// One step: velocities by the forces, damped by Cundall's local damping (dem-laws §4: each component's force is
-  /// scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities and the cell's affine
-  /// motion. Uses the loads of the grains up: they are left zero.
-  MotionSums advance(const Cell& cell, const Vec3& gravity, double damping, double dt, Bodies& bodies);
 
   /// Stability limit from the stiffnesses in the loads (ContactSweep::stiffen), which are left zero, s: sqrt(2) times
   /// the least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws
@@ -38,19 +55,24 @@ class Motion {
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
-  struct Partial {
+  struct Moved {
     Lane4 damping{}, gravity_work{};
+    Lane4 fastest{};  // m2/s2
+  };
+  struct Collected {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
-    Lane4 largest{};
-    double sum = 0;
+    Lane4 force{};         // the largest of each component, N, squared
   };
   template <bool planar>
-  static void advance(const struct Push& push, Grain* grains, Load* loads, Partial& partial);
-  template <class Body>
-  void chunked(std::size_t grains, const Body& body);
+  static void advance(const Push& push, Grain* grains, Load* loads, Moved& moved);
+  template <class Pass>
+  void pass(const Pass& over) const;
 
   int threads_;
-  std::vector<Partial> partial_;
+  Push push_{};
+  std::vector<Moved> moved_;
+  std::vector<Collected> collected_;
+  std::vector<double> partial_;  // of other passes, by chunk
 };
 
 /// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.

@@ -11,7 +11,7 @@ namespace soilweave::dem {
 namespace {
 
 // Skins over the largest radius. Narrow: candidates that do not touch cost as much as contacts; wide: the search costs
-// as much as dozens of sweeps. Measured flat from half to twice these at 1000 to 70,000 grains.
+// as much as dozens of sweeps. The inner one measured flat from half to twice this at 1000 to 70,000 grains.
 constexpr double relative_skin = 0.01;
 constexpr double relative_outer_skin = 0.25;
 // Of the skin: what is used up when a look at what the grains have truly moved is not worth another one.
@@ -134,11 +134,16 @@ void Neighbours::Since::begin(const Bodies& bodies) {
   planes = closed = 0;
 }
 
+double Neighbours::Since::closing(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt,
+                                  double longest) {
+  return dt * (2 * fastest + fastest_plane + velocity_gradient.norm() * longest);
+}
+
 void Neighbours::Since::move(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt,
                              double longest) {
   deformation += dt * velocity_gradient * deformation;
   planes += dt * fastest_plane;
-  closed += dt * (2 * fastest + fastest_plane + velocity_gradient.norm() * longest);
+  closed += closing(fastest, fastest_plane, velocity_gradient, dt, longest);
 }
 
 void Neighbours::Since::look(const Bodies& bodies, double longest) {
@@ -163,6 +168,10 @@ bool Neighbours::outdated(const Bodies& bodies, double fastest, double fastest_p
   if (planes_) return true;
   filtered_.look(bodies, longest());
   return filtered_.closed > worn * skin_;
+}
+
+bool Neighbours::outlast(double fastest, const Mat3& velocity_gradient, double dt) const {
+  return filtered_.closed + Since::closing(fastest, 0, velocity_gradient, dt, longest()) <= skin_;
 }
 
 void Neighbours::search(const Bodies& bodies, const Cell& cell) {

@@ -21,6 +21,8 @@ class Neighbours {
   /// longest branch, and when that sum uses up the skin, by what the grains have truly moved since. Returns true when
   /// the list is no longer safe. Speeds in m/s, of the fluctuation and of planes.
   bool outdated(const Bodies& bodies, double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt);
+  /// Whether a step without planes is sure not to use up the skin by that count, where no grain is faster.
+  bool outlast(double fastest, const Mat3& velocity_gradient, double dt) const;
   /// Lists all pairs of grains, and of grains and planes, closer than the skin; what `contacts` knew of them is kept.
   /// Loads of the bodies are left zero.
   void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
@@ -34,6 +36,9 @@ class Neighbours {
     double closed = 0;  // m, at most
 
     void begin(const Bodies& bodies);
+    /// What a step adds to `closed`, m.
+    static double closing(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt,
+                          double longest);
     void move(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt, double longest);
     void look(const Bodies& bodies, double longest);
   };

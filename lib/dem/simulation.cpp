@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.h"
 #include "dem/contact_sweep.h"
@@ -16,6 +15,7 @@
 #include "dem/motion.h"
 #include "dem/neighbours.h"
 #include "dem/overlap.h"
+#include "dem/step_passes.h"
 
 namespace soilweave::dem {
 namespace {
@@ -47,10 +47,13 @@ struct Simulation::Impl {
         sweep(make_contact_sweep(model)),
         guard(settings, bodies, cell, planes),
         smallest_radius(bodies.smallest_radius()),
+        smallest_mass(bodies.smallest_mass()),
         time(state.time),
         steps(state.step) {
     bodies.set_fabric(yarns.fabric_of());
-    restore(state.contacts);
+    contacts.threads = numerics.threads;
+    list_recorded(state.contacts, bodies, contacts);
+    record.contacts = {};
     neighbours.rebuild(bodies, cell, planes, contacts);
     for (const auto& held : numerics.clamps) clamps.all.push_back({held});
     if (kept) {
@@ -61,7 +64,7 @@ struct Simulation::Impl {
     }
   }
 
-  Scene scene() { return {bodies, cell, planes, numerics.threads}; }
+  Scene scene() { return {bodies, cell, planes}; }
 
   void begin() {
     meet();
@@ -78,47 +81,17 @@ struct Simulation::Impl {
   // Forces at the present positions, as they are met; the step that they bear.
   void meet() {
     estimate_step();
-    sums = sweep->run(scene(), 0.0, contacts);
+    StepPasses passes(false, contacts, motion, bodies);
+    act(0, passes);
     estimated_at = sums.largest_overlap;
-    gather();
   }
 
-  // Forces of contacts and yarns on every grain.
-  void gather() {
-    sums.force_branch += motion.gather(contacts, bodies);
+  // Forces of contacts and yarns on every grain, after a step dt.
+  void act(double dt, StepPasses& passes) {
+    sums = sweep->run(scene(), dt, contacts, passes);
+    sums.force_branch += motion.collected();
+    time += dt;
     if (yarns.any()) yarns.run(time, numerics.threads, bodies);
-  }
-
-  void restore(const io::ContactsRecord& r) {
-    std::vector<std::size_t> order(r.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto pair = [&r](std::size_t k) { return Pair{r.bodies[k][0], r.bodies[k][1], r.image[k]}; };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return before(pair(a), pair(b)); });
-    std::vector<Pair> pairs;
-    std::vector<PlanePair> with_planes;
-    std::vector<History> histories;
-    for (const std::size_t k : order) {
-      const History history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
-                            r.normal_force[k],
-                            true,
-                            r.sliding[k] != 0};
-      const Pair p = pair(k);
-      if (p.second < 0) {
-        with_planes.push_back({p.first, -1 - p.second, 0, from_eigen(r.normal[k]), history});
-      } else {
-        pairs.push_back(p);
-        histories.push_back(history);
-      }
-    }
-    std::sort(with_planes.begin(), with_planes.end(), [](const PlanePair& a, const PlanePair& b) {
-      return std::pair(a.grain, a.plane) < std::pair(b.grain, b.plane);
-    });
-    contacts.list(pairs, std::move(with_planes), bodies);
-    std::size_t k = 0;
-    for (auto& chunk : contacts.chunks)
-      for (ContactBlock& block : chunk)
-        for (int lane = 0; lane < block.count; ++lane) Contacts::set_history(block, lane, histories[k++]);
-    record.contacts = {};
   }
 
   void archive(Archive& a) {
@@ -138,21 +111,27 @@ struct Simulation::Impl {
   void step() {
     const double dt = time_step;
     StepWatch clock(times, steps);
-    const MotionSums moved = motion.advance(cell, numerics.gravity, numerics.damping, dt, bodies);
     const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
+    const bool look_at_stiffness = (steps + 1) % stiffness_interval == 0;
+    motion.set_out(cell, numerics.gravity, numerics.damping, dt, bodies);
+    PassTime beside_sweep;
+    StepPasses passes(!look_at_stiffness && list_outlasts_step(), contacts, motion, bodies,
+                      clock.on() ? &beside_sweep : nullptr);
+    if (!passes.moving()) motion.advance_all(bodies);
     cell.advance(dt);
     planes.advance(dt);
     clock.lap(Phase::integration);
-    if (neighbours.outdated(bodies, moved.fastest, fastest_plane(), gradient, dt))
+    if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().fastest, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
-    if ((steps + 1) % stiffness_interval == 0) estimate_step();
-    sums = sweep->run(scene(), dt, contacts);
-    clock.lap(Phase::contacts);
+    if (look_at_stiffness) estimate_step();
+    act(dt, passes);
     ++steps;
-    time += dt;
-    gather();
+    clock.lap(Phase::contacts);
+    clock.shift(beside_sweep.seconds() / numerics.threads, Phase::contacts, Phase::integration);
+    const MotionSums moved = motion.advanced();
+    if (passes.moving()) neighbours.outdated(bodies, moved.fastest, 0, gradient, dt);
     const double clamped = clamps.take(numerics.gravity, dt, bodies);
     clock.lap(Phase::integration);
     contact_steps += sums.contacts;
@@ -163,6 +142,13 @@ struct Simulation::Impl {
     if (outgrown()) beside_loads([this] { estimate_step(); });
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
+  }
+
+  // Whether grains may move while their pairs are swept: no new list will be needed. What yarns and clamps do to the
+  // grains comes after the forces are collected, by which their speed is foreseen.
+  bool list_outlasts_step() const {
+    return planes.all.empty() && !yarns.any() && clamps.all.empty() &&
+           neighbours.outlast(motion.speed_bound(smallest_mass), cell.velocity_gradient(), time_step);
   }
 
   void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
@@ -249,7 +235,7 @@ struct Simulation::Impl {
     const double r = smallest_radius;
     const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
-        std::sqrt(2.0 * bodies.smallest_mass() / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
+        std::sqrt(2.0 * smallest_mass / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
     const Vec3 sum = sweep->stiffen(scene(), contacts);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
     return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(contacts, bodies)})};
@@ -296,7 +282,7 @@ struct Simulation::Impl {
   SweepSums sums;
   Measures measures;
   Energies energies;
-  double smallest_radius;  // m
+  double smallest_radius, smallest_mass;  // m, kg
   double stable = 0, time_step = 0, time = 0;
   double estimated_at = 0;  // largest overlap when the step was last estimated, m
   double looked_at = 0;     // largest overlap when it was last compared with the grains' own radii, m
@@ -367,6 +353,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   const Energies before = s.stored();
   s.bodies.scale_radii(factor, stretch);
   s.smallest_radius = s.bodies.smallest_radius();
+  s.smallest_mass = s.bodies.smallest_mass();
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.meet();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 
@@ -24,12 +25,19 @@ class StepWatch {
   StepWatch(StepTimes& times, std::int64_t step) : times_(times), on_(step % interval == 0) {
     if (on_) ++times_.looked_at, last_ = Clock::now();
   }
+  bool on() const { return on_; }
   /// The time since the last lap was this phase's.
   void lap(Phase phase) {
     if (!on_) return;
     const Clock::time_point now = Clock::now();
     times_.seconds[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
+  }
+
+  /// Of the laps of one phase, s were another one's.
+  void shift(double s, Phase from, Phase to) {
+    times_.seconds[static_cast<std::size_t>(from)] -= s;
+    times_.seconds[static_cast<std::size_t>(to)] += s;
   }
 
  private:
@@ -40,6 +48,24 @@ class StepWatch {
   StepTimes& times_;
   Clock::time_point last_;
   bool on_;
+};
+
+/// What passes within a phase take, by all threads.
+class PassTime {
+ public:
+  /// Does it, and counts its time where one is given.
+  template <class Pass>
+  static void count(PassTime* time, const Pass& pass) {
+    using Clock = std::chrono::steady_clock;
+    if (!time) return pass();
+    const Clock::time_point began = Clock::now();
+    pass();
+    time->seconds_ += std::chrono::duration<double>(Clock::now() - began).count();
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  std::atomic<double> seconds_ = 0;
 };
 
 }  // namespace soilweave::dem

@@ -54,33 +54,6 @@ struct Surroundings {
   const double* grains() const { return reinterpret_cast<const double*>(bodies.grains.data()); }
 };
 
-/// Calls memory for the grains of a chunk to come and their loads, some with every block of the present one: its pairs
-/// will name them in an order that no hardware foresees.
-class ChunkToCome {
- public:
-  ChunkToCome(const Bodies& bodies, std::size_t chunk, std::size_t blocks_before) {
-    const std::size_t begin = std::min(bodies.size(), chunk * grains_per_chunk);
-    const std::size_t end = std::min(bodies.size(), begin + grains_per_chunk);
-    grain_ = bodies.grains.data() + begin, end_ = bodies.grains.data() + end;
-    load_ = bodies.loads.data() + begin;
-    at_once_ = blocks_before > 0 ? (end - begin) / blocks_before + 1 : 0;
-  }
-
-  void call() {
-    constexpr int second_cache = 2;
-    for (std::size_t n = 0; n < at_once_ && grain_ != end_; ++n, ++grain_, ++load_) {
-      __builtin_prefetch(&grain_->position, 0, second_cache);
-      __builtin_prefetch(&grain_->spin, 0, second_cache);
-      __builtin_prefetch(load_, 1, second_cache);
-    }
-  }
-
- private:
-  const Grain *grain_, *end_;
-  const Load* load_;
-  std::size_t at_once_;
-};
-
 /// Pairs of one register on their way through the stages.
 template <class Lanes, class Space>
 struct Group {

@@ -5,12 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "dem/contact_sweep.h"
-#include "dem/motion.h"
-#include "dem/neighbours.h"
 #include "dem/scenario.h"
 #include "packing/tile.h"
 #include "support/assemblies.h"
+#include "support/engine_parts.h"
 
 namespace soilweave::dem {
 namespace {
@@ -36,27 +34,11 @@ const io::Snapshot& assembly(std::size_t grains, const Model& model) {
 }
 
 /// What the loops work on, after one sweep.
-struct Loops {
-  Loops(std::size_t grains, const Model& model)
-      : bodies(assembly(grains, model).grains),
-        cell(assembly(grains, model).cell, 3),
-        neighbours(bodies.largest_radius()),
-        motion(bodies.size(), 1),
-        sweep(make_contact_sweep(model)) {
-    neighbours.rebuild(bodies, cell, planes, contacts);
-    sums = sweep->run(scene(), 0, contacts);
-    motion.gather(contacts, bodies);
+struct Loops : testing::EngineParts {
+  Loops(std::size_t grains, const Model& model) : EngineParts(assembly(grains, model), make_contact_sweep(model)) {
+    motion.set_out(cell, Vec3::Zero(), 0.2, time_step, bodies);
+    act(0);
   }
-  Scene scene() { return {bodies, cell, planes, 1}; }
-
-  Bodies bodies;
-  Cell cell;
-  Planes planes;
-  Contacts contacts;
-  Neighbours neighbours;
-  Motion motion;
-  std::unique_ptr<ContactSweep> sweep;
-  SweepSums sums;
 };
 
 /// Seconds for one of `count` things, and things per second.
@@ -71,7 +53,7 @@ std::size_t grains_of(const benchmark::State& state) { return static_cast<std::s
 
 void contact_sweep(benchmark::State& state, const Model& model) {
   Loops loops(grains_of(state), model);
-  for (auto _ : state) loops.sums = loops.sweep->run(loops.scene(), time_step, loops.contacts);
+  for (auto _ : state) loops.act(time_step);
   tell(state, "contact", static_cast<double>(loops.sums.contacts));
 }
 
@@ -92,16 +74,17 @@ void neighbour_filter(benchmark::State& state) {
   tell(state, "grain", static_cast<double>(loops.bodies.size()));
 }
 
-void gathering(benchmark::State& state) {
+void collecting(benchmark::State& state) {
   Loops loops(grains_of(state), sand());
-  for (auto _ : state) benchmark::DoNotOptimize(loops.motion.gather(loops.contacts, loops.bodies));
+  for (auto _ : state)
+    for (std::size_t chunk = 0; chunk < loops.contacts.chunks.size(); ++chunk)
+      loops.motion.collect(chunk, loops.contacts, loops.bodies);
   tell(state, "grain", static_cast<double>(loops.bodies.size()));
 }
 
 void integration(benchmark::State& state) {
   Loops loops(grains_of(state), sand());
-  for (auto _ : state)
-    benchmark::DoNotOptimize(loops.motion.advance(loops.cell, Vec3::Zero(), 0.2, time_step, loops.bodies));
+  for (auto _ : state) loops.motion.advance_all(loops.bodies);
   tell(state, "grain", static_cast<double>(loops.bodies.size()));
 }
 
@@ -125,7 +108,7 @@ BENCHMARK_CAPTURE(contact_sweep, hertz_mindlin_without_moments, without_moments(
 BENCHMARK_CAPTURE(contact_sweep, linear, linear_sand())->Arg(base)->Arg(10 * base);
 BENCHMARK(neighbour_search)->Arg(base)->Arg(10 * base);
 BENCHMARK(neighbour_filter)->Arg(base)->Arg(10 * base);
-BENCHMARK(gathering)->Arg(base)->Arg(10 * base);
+BENCHMARK(collecting)->Arg(base)->Arg(10 * base);
 BENCHMARK(integration)->Arg(base)->Arg(10 * base);
 BENCHMARK_CAPTURE(whole_step, hertz_mindlin, sand())->Arg(base)->Arg(10 * base);
 BENCHMARK_CAPTURE(whole_step, linear, linear_sand())->Arg(base)->Arg(10 * base);

@@ -6,66 +6,45 @@
 #include <bit>
 #include <cstring>
 
-#include "dem/contact_sweep.h"
-#include "dem/motion.h"
-#include "dem/neighbours.h"
 #include "support/assemblies.h"
+#include "support/engine_parts.h"
 
 namespace soilweave::dem {
 namespace {
+
+using testing::same_bits;
 
 // The sweep of eight as processors with AVX-512 run it, but lowered to the baseline (Makefile): the same source.
 using Make = std::unique_ptr<ContactSweep> (*)(const Model&);
 
 // Grains in a shearing cell, stepped by hand.
-struct Stepper {
-  Stepper(const io::Snapshot& state, const Model& model, Make make)
-      : bodies(state.grains),
-        cell(state.cell, state.grains.dimension),
-        neighbours(bodies.largest_radius()),
-        motion(bodies.size(), 1),
-        sweep(make(model)) {
+struct Stepper : testing::EngineParts {
+  Stepper(const io::Snapshot& state, const Model& model, Make make) : EngineParts(state, make(model)) {
     cell.set_velocity_gradient(bodies.dimension == 3 ? Mat3(Vec3(-0.2, 0.1, -0.3).asDiagonal()) : shearing());
-    neighbours.rebuild(bodies, cell, planes, contacts);
-    sums = sweep->run(scene(), 0, contacts);
-    motion.gather(contacts, bodies);
+    act(0);
   }
   static Mat3 shearing() {
     Mat3 gradient = Vec3(-0.2, 0.1, 0).asDiagonal();
     gradient(0, 1) = 0.1;
     return gradient;
   }
-  Scene scene() { return {bodies, cell, planes, 1}; }
   void step(double dt) {
     const int dimension = bodies.dimension;
     const Vec3 gravity = dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0);
     if (in_space) bodies.dimension = 3;
-    const MotionSums moved = motion.advance(cell, gravity, 0.2, dt, bodies);
+    motion.set_out(cell, gravity, 0.2, dt, bodies);
+    motion.advance_all(bodies);
     bodies.dimension = dimension;
     cell.advance(dt);
-    if (neighbours.outdated(bodies, moved.fastest, 0, cell.velocity_gradient(), dt))
+    if (neighbours.outdated(bodies, motion.advanced().fastest, 0, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     if (in_space) bodies.dimension = 3;
-    sums = sweep->run(scene(), dt, contacts);
-    sums.force_branch += motion.gather(contacts, bodies);
+    act(dt);
     bodies.dimension = dimension;
   }
 
-  Bodies bodies;
-  Cell cell;
-  Planes planes;
-  Contacts contacts;
-  Neighbours neighbours;
-  Motion motion;
-  std::unique_ptr<ContactSweep> sweep;
-  SweepSums sums;
   bool in_space = false;  // move disks as if they were grains
 };
-
-template <class Rows>
-bool same_bits(const Rows& a, const Rows& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
-}
 
 void expect_same_bits(const Model& model, const io::Snapshot& state) {
   Stepper four(state, model, make_contact_sweep_of_four), eight(state, model, make_contact_sweep_of_eight);

@@ -1,0 +1,34 @@
+// What a step does with the grains of a chunk beside sweeping their pairs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/contact_sweep.h"
+#include "dem/motion.h"
+#include "dem/step_times.h"
+
+namespace soilweave::dem {
+
+/// Moves the grains, where they have not moved before the sweep, and collects their loads.
+class StepPasses final : public AroundChunk {
+ public:
+  /// time: counts what the passes take, where one is given.
+  StepPasses(bool moving, const Contacts& contacts, Motion& motion, Bodies& bodies, PassTime* time = nullptr)
+      : moving_(moving), contacts_(contacts), motion_(motion), bodies_(bodies), time_(time) {}
+
+  bool moving() const { return moving_; }
+  void before(std::size_t chunk) override {
+    if (moving_) PassTime::count(time_, [&] { motion_.advance(chunk, bodies_); });
+  }
+  void after(std::size_t chunk) override {
+    PassTime::count(time_, [&] { motion_.collect(chunk, contacts_, bodies_); });
+  }
+
+ private:
+  bool moving_;
+  const Contacts& contacts_;
+  Motion& motion_;
+  Bodies& bodies_;
+  PassTime* time_;
+};
+
+}  // namespace soilweave::dem

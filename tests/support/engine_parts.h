@@ -1,0 +1,47 @@
+// The parts of the engine that Simulation puts together, for tests and benchmarks that drive them one by one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstring>
+#include <memory>
+
+#include "dem/neighbours.h"
+#include "dem/step_passes.h"
+
+namespace soilweave::testing {
+
+struct EngineParts {
+  EngineParts(const io::Snapshot& state, std::unique_ptr<dem::ContactSweep> sweep_with, int threads = 1)
+      : bodies(state.grains),
+        cell(state.cell, state.grains.dimension),
+        neighbours(bodies.largest_radius()),
+        motion(bodies.size(), threads),
+        sweep(std::move(sweep_with)) {
+    contacts.threads = threads;
+    neighbours.rebuild(bodies, cell, planes, contacts);
+  }
+
+  dem::Scene scene() { return {bodies, cell, planes}; }
+  /// Forces after a step dt, whose grains move within the sweep where they have not moved before.
+  void act(double dt, bool moving = false) {
+    dem::StepPasses passes(moving, contacts, motion, bodies);
+    sums = sweep->run(scene(), dt, contacts, passes);
+    sums.force_branch += motion.collected();
+  }
+
+  dem::Bodies bodies;
+  dem::Cell cell;
+  dem::Planes planes;
+  dem::Contacts contacts;
+  dem::Neighbours neighbours;
+  dem::Motion motion;
+  std::unique_ptr<dem::ContactSweep> sweep;
+  dem::SweepSums sums;
+};
+
+template <class Rows>
+bool same_bits(const Rows& a, const Rows& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+}  // namespace soilweave::testing

@@ -1,0 +1,112 @@
+// Grains that move while their pairs are swept, chunk by chunk, come to the same bits as pass after pass.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/step_passes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <random>
+
+#include "dem/chunk_plan.h"
+#include "packing/tile.h"
+#include "support/assemblies.h"
+#include "support/engine_parts.h"
+
+namespace soilweave::dem {
+namespace {
+
+using testing::same_bits;
+using Reached = std::vector<std::vector<std::uint32_t>>;
+
+// Chunks of which each reaches some of the higher ones.
+Reached random_reach(std::size_t chunks, std::mt19937& engine) {
+  Reached reached(chunks);
+  for (std::size_t one = 0; one < chunks; ++one)
+    for (std::size_t two = one + 1; two < chunks; ++two)
+      if (engine() % 3 == 0) reached[one].push_back(static_cast<std::uint32_t>(two));
+  return reached;
+}
+
+TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
+  std::mt19937 engine(7);
+  for (const int threads : {1, 2, 3, 16})
+    for (const std::size_t chunks : {0u, 1u, 2u, 9u, 40u}) {
+      const Reached reached = random_reach(chunks, engine);
+      std::atomic<int> clock = 0;
+      std::vector<int> moved(chunks, -1), swept(chunks, -1), collected(chunks, -1);
+      const auto note = [&clock](std::vector<int>& when) {
+        return [&clock, &when](std::size_t chunk) {
+          EXPECT_EQ(when[chunk], -1);
+          when[chunk] = clock++;
+        };
+      };
+      ChunkPlan(reached, threads).run(note(moved), note(swept), note(collected));
+      EXPECT_EQ(clock, 3 * static_cast<int>(chunks));
+      for (std::size_t one = 0; one < chunks; ++one) {
+        EXPECT_LT(moved[one], swept[one]);
+        EXPECT_LT(swept[one], collected[one]);
+        for (const std::uint32_t two : reached[one]) {
+          EXPECT_LT(moved[two], swept[one]);
+          EXPECT_LT(swept[one], collected[two]);
+        }
+      }
+    }
+}
+
+// Some chunks of grains in a cell that is compressed and sheared.
+struct Stepper : testing::EngineParts {
+  explicit Stepper(int threads) : EngineParts(state(), make_contact_sweep(testing::sand()), threads) {
+    Mat3 gradient = Vec3(-0.5, 0.3, -0.8).asDiagonal();
+    gradient(0, 1) = 0.4;
+    cell.set_velocity_gradient(gradient);
+    act(0);
+  }
+  static const io::Snapshot& state() {
+    static const io::Snapshot tiled =
+        packing::tile(testing::packed(testing::sand(), 1e5, 400), {2, 2, 3}, {true, true, true});
+    return tiled;
+  }
+  // Returns whether the grains moved within the sweep.
+  bool step(double dt, bool may_move_within) {
+    const Vec3 gravity(0, 0, -9.81);
+    motion.set_out(cell, gravity, 0.2, dt, bodies);
+    const double bound = motion.speed_bound(bodies.smallest_mass());
+    const Mat3& gradient = cell.velocity_gradient();
+    const bool within = may_move_within && neighbours.outlast(bound, gradient, dt);
+    if (!within) motion.advance_all(bodies);
+    cell.advance(dt);
+    if (!within && neighbours.outdated(bodies, motion.advanced().fastest, 0, gradient, dt))
+      neighbours.rebuild(bodies, cell, planes, contacts), ++rebuilt;
+    act(dt, within);
+    EXPECT_LE(motion.advanced().fastest, bound);
+    if (within) {
+      EXPECT_FALSE(neighbours.outdated(bodies, motion.advanced().fastest, 0, gradient, dt));
+    }
+    return within;
+  }
+
+  int rebuilt = 0;
+};
+
+TEST(StepPasses, within_the_sweep_give_the_bits_of_one_pass_after_the_other) {
+  Stepper apart(1), within(1), shared(2);
+  ASSERT_GT(apart.contacts.chunks.size(), 3u);
+  int moved_within = 0;
+  constexpr int steps = 200;
+  for (int k = 0; k < steps; ++k) {
+    apart.step(2e-5, false);
+    moved_within += within.step(2e-5, true);
+    shared.step(2e-5, true);
+    for (const Stepper* other : {&within, &shared}) {
+      ASSERT_TRUE(same_bits(apart.bodies.grains, other->bodies.grains)) << "step " << k;
+      ASSERT_TRUE(same_bits(apart.bodies.loads, other->bodies.loads)) << "step " << k;
+      ASSERT_EQ(std::memcmp(&apart.sums, &other->sums, sizeof apart.sums), 0) << "step " << k;
+    }
+  }
+  EXPECT_GT(moved_within, steps / 2);
+  EXPECT_GT(within.rebuilt, 2);
+}
+
+}  // namespace
+}  // namespace soilweave::dem
