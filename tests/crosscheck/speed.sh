@@ -101,7 +101,7 @@ lammps_speed() { # CASE TO PROGRAM
       printf 'pair_coeff * * hertz/material 3.1e9 0 0.3 tangential mindlin NULL 0 0.554 rolling sds 14444 0 0.26 %s\n' \
         'twisting sds 0.13 0 4e-4 damping velocity'
     else
-      printf 'communicate single vel yes\nread_data %s.data\nneighbor 0.0003 bin\nneigh_modify delay 0\n' "$1"
+      printf 'hard_particles yes\ncommunicate single vel yes\nread_data %s.data\nneighbor 0.0003 bin\nneigh_modify delay 0\n' "$1"
       printf 'fix %s all property/global %s\n' a 'youngsModulus peratomtype 3.1e9' b 'poissonsRatio peratomtype 0.3' \
         c 'coefficientRestitution peratomtypepair 1 0.9' d 'coefficientFriction peratomtypepair 1 0.554' \
         e 'coefficientRollingFriction peratomtypepair 1 0.26'
