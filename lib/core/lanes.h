@@ -103,6 +103,24 @@ void to_rows(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d, con
   put(0, r.a), put(1, r.b), put(2, r.c), put(3, r.d);
 }
 
+/// Two columns of the halves of four rows; half(i) points to two numbers of row i. A quarter of the work of four
+/// columns.
+struct Halves {
+  Lane4 a, b;
+};
+template <class Half>
+Halves columns_of_halves(const Half& half) {
+  const auto join = [&half](int i, int j) { return _mm256_loadu2_m128d(half(j), half(i)); };
+  const Lane4 t0 = join(0, 2), t1 = join(1, 3);
+  return {__builtin_shufflevector(t0, t1, 0, 4, 2, 6), __builtin_shufflevector(t0, t1, 1, 5, 3, 7)};
+}
+/// And back.
+template <class Half>
+void to_halves(const Lane4& a, const Lane4& b, const Half& half) {
+  const Lane4 t0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), t1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  _mm256_storeu2_m128d(half(2), half(0), t0), _mm256_storeu2_m128d(half(3), half(1), t1);
+}
+
 }  // namespace soilweave
 
 #ifdef SOILWEAVE_EIGHT_LANES

@@ -36,6 +36,8 @@ struct Bodies {
   // First one of every grain: after Motion::gather the resultant of what acts on it, gravity apart, which
   // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::load_start).
   LargeVector<Load> loads;
+  // What contacts resist motion with, laid out like the loads (ContactSweep); zero but while a step looks at it.
+  LargeVector<Load> stiffness;
   std::vector<std::int32_t> material;
   std::vector<std::int32_t> fabric;  // of a node of a geotextile, -1 of soil; empty where all are soil
 

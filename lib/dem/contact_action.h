@@ -25,7 +25,8 @@ Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_
   return {fused(normal_force, n, memory.shear), fused(arm_1, turn, moment), fused_less(arm_2, turn, moment)};
 }
 
-/// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005).
+/// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005), against translation and
+/// rotation.
 template <class T>
 std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
   const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
@@ -33,13 +34,24 @@ std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, con
   return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
           kr * one + (r.twisting_stiffness - kr) * n2};
 }
+template <class T>
+std::pair<V2<T>, T> axis_stiffness(const V2<T>& n, const Response<T>& r, const T& radius) {
+  const V2<T> n2{n.x * n.x, n.y * n.y}, one{all<T>(1), all<T>(1)};
+  return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
+          r.rolling_stiffness + r.shear_stiffness * (radius * radius)};
+}
 
 /// Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
 template <class T>
-V3<T> affine_stiffness(const V3<T>& n, const T& length, const Response<T>& r) {
+V2<T> affine_stiffness(const V2<T>& n, const T& length, const Response<T>& r) {
   const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;
   const auto along = [&](const T& n_a) { return T((length2 * (n_a * n_a)) * fused(difference, T(n_a * n_a), ks)); };
-  return {along(n.x), along(n.y), along(n.z)};
+  return {along(n.x), along(n.y)};
+}
+template <class T>
+V3<T> affine_stiffness(const V3<T>& n, const T& length, const Response<T>& r) {
+  const V2<T> xy = affine_stiffness(V2<T>{n.x, n.y}, length, r);
+  return {xy.x, xy.y, affine_stiffness(V2<T>{n.z, n.z}, length, r).x};
 }
 
 }  // namespace soilweave::dem

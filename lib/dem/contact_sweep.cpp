@@ -51,20 +51,29 @@ class LawSweep final : public ContactSweep {
         use_masses_(couples_.use_masses()),
         use_moments_(couples_.use_moments()) {}
 
-  SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around) override {
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
+                Vec3* affine_stiffness) override {
     const Cell& cell = scene.cell;
     set_shifts(cell, contacts);
     across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
     if (!use_moments_ && dt > 0) let_moments_go(contacts);
-    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, contacts, around)
-                                : step<Spatial>(scene, affine, dt, contacts, around);
+    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, affine_stiffness != nullptr, contacts, around)
+                                : step<Spatial>(scene, affine, dt, affine_stiffness != nullptr, contacts, around);
     SweepSums total;
     for (const StepSums<Lanes>& s : step_sums_) s.put_into(total);
     total.force_branch += force_branch_across(scene.bodies.dimension == 2);
     StepSums<Lanes> with_planes;
-    for (PlanePair& pair : contacts.planes) planes_.act(scene, dt, pair, with_planes, total);
+    for (PlanePair& pair : contacts.planes) {
+      planes_.act(scene, dt, pair, with_planes, total);
+      if (affine_stiffness) planes_.stiffen(scene, pair, with_planes.affine_stiffness);
+    }
     with_planes.put_into(total);
+    if (affine_stiffness) {
+      Lane4 affine = with_planes.affine_stiffness;
+      for (const StepSums<Lanes>& s : step_sums_) affine += s.affine_stiffness;
+      *affine_stiffness = vector_of(affine);
+    }
     if (!contacts.planes.empty())
       contacts.plan.run(nothing, nothing, [&around](std::size_t chunk) { around.after(chunk); });
     return total;
@@ -72,12 +81,10 @@ class LawSweep final : public ContactSweep {
 
   Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
-    sweep<Spatial, false>(
-        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
-        [this](Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) { stiffen(batch, s, sum); });
+    scene.bodies.dimension == 2 ? look<Planar>(scene, contacts) : look<Spatial>(scene, contacts);
     Lane4 total{};
     for (const Lane4& sum : row_sums_) total += sum;
-    for (const PlanePair& pair : contacts.planes) planes_.stiffen(scene, pair, scene.bodies.loads[pair.load], total);
+    for (const PlanePair& pair : contacts.planes) planes_.stiffen(scene, pair, total);
     return vector_of(total);
   }
 
@@ -123,13 +130,15 @@ class LawSweep final : public ContactSweep {
   }
 
   template <class Space>
-  void step(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, AroundChunk& around) {
-    const auto through = [this](Batch<Lanes, Space> batch, const Surroundings& s, StepSums<Lanes>& sums) {
+  void step(const Scene& scene, const AffineMotion& affine, double dt, bool with_stiffness, Contacts& contacts,
+            AroundChunk& around) {
+    const auto through = [=, this](Batch<Lanes, Space> batch, const Surroundings& s, StepSums<Lanes>& sums) {
       move<Space>(batch, s.dt);
       if (use_moments_)
         answer<Space, true>(batch, s, sums), act<Space, true>(batch, s);
       else
         answer<Space, false>(batch, s, sums), act<Space, false>(batch, s);
+      if (with_stiffness) stiffen<Space>(batch, s, sums.affine_stiffness);
     };
     const bool with_planes = !contacts.planes.empty();  // which act when all is swept
     sweep<Space, true>(
@@ -138,6 +147,13 @@ class LawSweep final : public ContactSweep {
           if (!with_planes) around.after(chunk);
         },
         through);
+  }
+
+  template <class Space>
+  void look(const Scene& scene, Contacts& contacts) {
+    sweep<Space, false>(
+        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
+        [this](Batch<Lanes, Space> batch, const Surroundings& s, Lane4& sum) { stiffen<Space>(batch, s, sum); });
   }
 
   // Chunk by chunk, batch by batch, the pairs that touch, or did so in the last step, through `stage`.
@@ -151,6 +167,7 @@ class LawSweep final : public ContactSweep {
                            affine,
                            dt,
                            reinterpret_cast<double*>(scene.bodies.loads.data()),
+                           reinterpret_cast<double*>(scene.bodies.stiffness.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
       ChunkToCome to_come(scene.bodies, chunk + 1, contacts.chunks[chunk].size());
       std::array<Group<Lanes, Space>, batch_size> groups;
@@ -272,22 +289,20 @@ class LawSweep final : public ContactSweep {
     return force_branch;
   }
 
-  [[gnu::noinline, gnu::flatten]] void stiffen(Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) const {
-    for (const Group<Lanes, Spatial>& group : batch) {
-      const PairGeometry<Lanes>& g = group.geometry;
-      const Kinematics<Lanes>& k = g.kinematics;
-      const auto r = response(group, s, Memory<Lanes>{}).first;
-      const V3<Lanes> affine = keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r));
-      add_to(sum, affine.x, affine.y, affine.z, Lanes{});
-      const auto put = [&](const Lanes& radius, const auto& load_of) {
+  template <class Space>
+  [[gnu::noinline, gnu::flatten]] void stiffen(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group<Lanes, Space>& group : batch) {
+      const PairGeometry<Lanes, Space>& g = group.geometry;
+      const Kinematics<Lanes, Space>& k = g.kinematics;
+      const auto r = response<Space>(group, s, Memory<Lanes, Space>{}).first;
+      add_to(sum, keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
+      const auto put = [&](const Lanes& radius, const auto& place) {
         const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
-        const V3<Lanes> t = keep(g.touching, translation), w = keep(g.touching, rotation);
-        to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(load_of(lane), row); });
-        to_rows(w.x, w.y, w.z, Lanes{}, [&](int lane, const Lane4& row) { add(load_of(lane) + width<Lane4>, row); });
+        add_stiffness(keep(g.touching, translation), keep(g.touching, rotation), place);
       };
       const BlockLanes<Lanes>& lanes = group.lanes;
-      put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.loads); });
-      put(k.r2, [&](int lane) { return lanes.load_second(static_cast<std::size_t>(lane), s.loads); });
+      put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.stiffness); });
+      put(k.r2, [&](int lane) { return lanes.load_second(static_cast<std::size_t>(lane), s.stiffness); });
     }
   }
 
@@ -297,17 +312,18 @@ class LawSweep final : public ContactSweep {
       const Mask<Lanes>& touching = group.geometry.touching;
       const Memory<Lanes> memory{keep(touching, lanes.shear<Spatial>()), keep(touching, lanes.rolling<Spatial>()),
                                  keep(touching, lanes.twisting())};
-      const Books<Lanes> b = response(group, s, memory).second;
+      const Books<Lanes> b = response<Spatial>(group, s, memory).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     }
   }
 
   // To pairs at rest.
-  std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Lanes, Spatial>& group, const Surroundings& s,
-                                                    Memory<Lanes> memory) const {
-    Kinematics<Lanes> k = group.geometry.kinematics;
+  template <class Space>
+  std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
+                                                    Memory<Lanes, Space> memory) const {
+    Kinematics<Lanes, Space> k = group.geometry.kinematics;
     k.approach_speed = k.twist = Lanes{};
-    k.slip = k.roll = V3<Lanes>{};
+    k.slip = Vector<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
     Books<Lanes> books;
     const auto r = couples_.respond(s.bodies, group.lanes, k, Lanes{}, memory, books);
     return {r, books};

@@ -50,11 +50,13 @@ class ContactSweep {
   virtual ~ContactSweep() = default;
   /// Updates every pair's contact over a step dt that led to the present positions and adds what it does to its grains
   /// to the loads, zero before; dt = 0: positions unmoved, memory as it is (the first sweep of a simulation). What
-  /// force_branch lacks is the sum of F (x) x over the grains: Motion::collected has it.
-  virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around) = 0;
-  /// Adds the stiffness that each contact gives its grains to the loads instead: about the axes x, y, z against
-  /// translation in `force`, N/m, and against rotation in `torque`, N m/rad. Changes nothing else. Returns the affine
-  /// stiffness times squared branch along the axes, summed over contacts, N m.
+  /// force_branch lacks is the sum of F (x) x over the grains: Motion::collected has it. affine_stiffness: where given,
+  /// also does what `stiffen` does, and this is what it returns.
+  virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
+                        Vec3* affine_stiffness = nullptr) = 0;
+  /// Adds the stiffness that each contact gives its grains to theirs: about the axes x, y, z against translation in
+  /// `force`, N/m, and against rotation in `torque`, N m/rad; in the plane that one is the third part of the force.
+  /// Changes nothing else. Returns the affine stiffness times squared branch along the axes, summed over contacts, N m.
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
   /// Largest normal stiffness of a grain of a material below `materials` and an equal one of any material at the given

@@ -130,6 +130,7 @@ void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
   for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
   next_.assign(load_start.begin(), load_start.end() - 1);
   bodies.loads.assign(load_start.back(), Load{});
+  bodies.stiffness.resize(load_start.back());
 }
 
 void Contacts::make_plan(const std::vector<Pair>& pairs) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace soilweave::dem {
 namespace {
@@ -16,11 +17,11 @@ Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
   return bodies.loads[i].force + bodies.mass(i) * gravity;
 }
 
-// Adds the loads of single pairs to that of their grain and leaves them zero.
-Load& collect_loads(const Contacts& contacts, std::size_t i, Bodies& bodies) {
-  Load& total = bodies.loads[i];
+// Adds the loads of single pairs, or their stiffnesses, to that of their grain and leaves them zero.
+Load& collect_single(const Contacts& contacts, std::size_t i, LargeVector<Load>& loads) {
+  Load& total = loads[i];
   for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) {
-    Load& one = bodies.loads[s];
+    Load& one = loads[s];
     total.force += one.force, total.torque += one.torque;
     one = {};
   }
@@ -32,15 +33,11 @@ std::size_t first_of(std::size_t chunk, const Bodies& bodies) {
   return std::min(bodies.size(), chunk * grains_per_chunk);
 }
 
+// Parts of a force in the plane; the others are a torque's.
+const Mask<Lane4> in_plane{-1, -1, 0, 0};
+
 // x, y and z squared and added.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-
-V3<Lane4> vector_part(const Columns<Lane4>& c) { return {c.a, c.b, c.c}; }
-
-template <class Row>
-void put(const V3<Lane4>& v, const Lane4& scalar, const Row& row) {
-  to_rows(v.x, v.y, v.z, scalar, [&row](int i, const Lane4& value) { row(i) = value; });
-}
 
 // Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.
 Lane4 kick(const Lane4& force, const Lane4& ratio, const Lane4& damping, const Lane4& velocity, Lane4& lost) {
@@ -51,38 +48,13 @@ Lane4 kick(const Lane4& force, const Lane4& ratio, const Lane4& damping, const L
   lost = fused(Lane4(side * force), velocity + after, lost);
   return after;
 }
-// Disks are not pushed out of their plane, nor turned out of it.
-template <bool planar>
 V3<Lane4> kick(const V3<Lane4>& f, const Lane4& ratio, const Lane4& damping, const V3<Lane4>& v, Lane4& lost) {
   const Lane4 x = kick(f.x, ratio, damping, v.x, lost), y = kick(f.y, ratio, damping, v.y, lost);
-  return {x, y, planar ? v.z : kick(f.z, ratio, damping, v.z, lost)};
+  return {x, y, kick(f.z, ratio, damping, v.z, lost)};
 }
-template <bool planar>
-V3<Lane4> spin_up(const V3<Lane4>& torque, const Lane4& ratio, const Lane4& damping, const V3<Lane4>& w, Lane4& lost) {
-  if constexpr (planar) return {w.x, w.y, kick(torque.z, ratio, damping, w.z, lost)};
-  return kick<false>(torque, ratio, damping, w, lost);
-}
-
-// q <- (1, dt w/2) q, of unit length again by one Newton step: the length is off by the square of half the angle.
-template <bool planar>
-void turn(const V3<Lane4>& spin, const Lane4& dt, Grain* grains) {
-  const Columns<Lane4> q = columns<Lane4>([grains](int i) { return grains[i].orientation; });
-  const V3<Lane4> half = Lane4(0.5 * dt) * spin;
-  Lane4 a = q.a, b = q.b, c = q.c, d = q.d;
-  if constexpr (!planar) {
-    a = fused_less(half.y, q.c, fused_less(half.x, q.b, a));
-    b = fused(half.y, q.d, fused(half.x, q.a, b));
-    c = fused(half.y, q.a, fused_less(half.x, q.d, c));
-    d = fused_less(half.y, q.b, fused(half.x, q.c, d));
-  }
-  a = fused_less(half.z, q.d, a);
-  b = fused_less(half.z, q.c, b);
-  c = fused(half.z, q.b, c);
-  d = fused(half.z, q.a, d);
-  const Lane4 square = fused(d, d, fused(c, c, fused(b, b, Lane4(a * a))));
-  const Lane4 scale = fused_less(all<Lane4>(0.5), square, all<Lane4>(1.5));
-  to_rows(scale * a, scale * b, scale * c, scale * d,
-          [grains](int i, const Lane4& row) { grains[i].orientation = row; });
+V2<Lane4> kick(const V2<Lane4>& f, const Lane4& ratio, const Lane4& damping, const V2<Lane4>& v, Lane4& lost) {
+  const Lane4 x = kick(f.x, ratio, damping, v.x, lost);
+  return {x, kick(f.y, ratio, damping, v.y, lost)};
 }
 
 V3<Lane4> affine(const Mat3& g, const V3<Lane4>& x, const V3<Lane4>& v) {
@@ -91,6 +63,116 @@ V3<Lane4> affine(const Mat3& g, const V3<Lane4>& x, const V3<Lane4>& v) {
   };
   return {component(0, v.x), component(1, v.y), component(2, v.z)};
 }
+V2<Lane4> affine(const Mat3& g, const V2<Lane4>& x, const V2<Lane4>& v) {
+  const auto component = [&](int i, const Lane4& to) {
+    return fused(all<Lane4>(g(i, 1)), x.y, fused(all<Lane4>(g(i, 0)), x.x, to));
+  };
+  return {component(0, v.x), component(1, v.y)};
+}
+
+// Of unit length again by one Newton step: the length is off by the square of half the angle turned.
+Columns<Lane4> unit(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d) {
+  const Lane4 square = fused(d, d, fused(c, c, fused(b, b, Lane4(a * a))));
+  const Lane4 scale = fused_less(all<Lane4>(0.5), square, all<Lane4>(1.5));
+  return {scale * a, scale * b, scale * c, scale * d};
+}
+
+// Rows of four grains, read as columns and written back.
+struct FourInSpace {
+  using Vector = V3<Lane4>;
+  Grain* grains;
+  Load* loads;
+
+  static Vector part(const V3<Lane4>& of_space) { return of_space; }
+  static std::pair<Vector, Lane4> read(const auto& row) {
+    const Columns<Lane4> c = columns<Lane4>(row);
+    return {{c.a, c.b, c.c}, c.d};
+  }
+  static void put(const Vector& v, const Lane4& scalar, const auto& row) {
+    to_rows(v.x, v.y, v.z, scalar, [&row](int i, const Lane4& value) { row(i) = value; });
+  }
+  Vector force() const {
+    return read([this](int i) { return loads[i].force; }).first;
+  }
+  Vector torque() const {
+    return read([this](int i) { return loads[i].torque; }).first;
+  }
+  std::pair<Vector, Lane4> velocity_and_mass() const {
+    return read([this](int i) { return grains[i].velocity; });
+  }
+  void put_velocity(const Vector& v, const Lane4& mass) const {
+    put(v, mass, [this](int i) -> Lane4& { return grains[i].velocity; });
+  }
+  std::pair<Vector, Lane4> spin_and_radius() const {
+    return read([this](int i) { return grains[i].spin; });
+  }
+  void put_spin(const Vector& spin, const Lane4& radius) const {
+    put(spin, radius, [this](int i) -> Lane4& { return grains[i].spin; });
+  }
+  std::pair<Vector, Lane4> position_and_radius() const {
+    return read([this](int i) { return grains[i].position; });
+  }
+  void put_position(const Vector& x, const Lane4& radius) const {
+    put(x, radius, [this](int i) -> Lane4& { return grains[i].position; });
+  }
+  // q <- (1, half) q.
+  void turn(const Vector& half) const {
+    const Columns<Lane4> q = columns<Lane4>([this](int i) { return grains[i].orientation; });
+    const Lane4 a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
+    const Lane4 b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
+    const Lane4 c = fused(half.z, q.b, fused(half.y, q.a, fused_less(half.x, q.d, q.c)));
+    const Lane4 d = fused(half.z, q.a, fused_less(half.y, q.b, fused(half.x, q.c, q.d)));
+    const Columns<Lane4> turned = unit(a, b, c, d);
+    to_rows(turned.a, turned.b, turned.c, turned.d, [this](int i, const Lane4& row) { grains[i].orientation = row; });
+  }
+};
+
+// Disks have halves of rows to read and write: they are not pushed out of their plane, nor turned out of it.
+struct FourInPlane {
+  using Vector = V2<Lane4>;
+  Grain* grains;
+  Load* loads;
+
+  static Vector part(const V3<Lane4>& of_space) { return {of_space.x, of_space.y}; }
+  template <Lane4 Load::*row, int from>
+  Halves of_loads() const {
+    return columns_of_halves([this](int i) { return reinterpret_cast<const double*>(&(loads[i].*row)) + from; });
+  }
+  template <Lane4 Grain::*row, int from>
+  Halves read() const {
+    return columns_of_halves([this](int i) { return reinterpret_cast<const double*>(&(grains[i].*row)) + from; });
+  }
+  template <Lane4 Grain::*row, int from>
+  void put(const Lane4& a, const Lane4& b) const {
+    to_halves(a, b, [this](int i) { return reinterpret_cast<double*>(&(grains[i].*row)) + from; });
+  }
+  Vector force() const {
+    const Halves f = of_loads<&Load::force, 0>();
+    return {f.a, f.b};
+  }
+  Lane4 torque() const { return of_loads<&Load::torque, 2>().a; }
+  std::pair<Vector, Lane4> velocity_and_mass() const {
+    const Halves v = read<&Grain::velocity, 0>();
+    return {{v.a, v.b}, read<&Grain::velocity, 2>().b};
+  }
+  void put_velocity(const Vector& v, const Lane4&) const { put<&Grain::velocity, 0>(v.x, v.y); }
+  std::pair<Lane4, Lane4> spin_and_radius() const {
+    const Halves s = read<&Grain::spin, 2>();
+    return {s.a, s.b};
+  }
+  void put_spin(const Lane4& spin, const Lane4& radius) const { put<&Grain::spin, 2>(spin, radius); }
+  std::pair<Vector, Lane4> position_and_radius() const {
+    const Halves x = read<&Grain::position, 0>();
+    return {{x.a, x.b}, Lane4{}};
+  }
+  void put_position(const Vector& x, const Lane4&) const { put<&Grain::position, 0>(x.x, x.y); }
+  void turn(const Lane4& half) const {
+    const Halves ab = read<&Grain::orientation, 0>(), cd = read<&Grain::orientation, 2>();
+    const Columns<Lane4> turned = unit(fused_less(half, cd.b, ab.a), fused_less(half, cd.a, ab.b),
+                                       fused(half, ab.b, cd.a), fused(half, ab.a, cd.b));
+    put<&Grain::orientation, 0>(turned.a, turned.b), put<&Grain::orientation, 2>(turned.c, turned.d);
+  }
+};
 
 }  // namespace
 
@@ -106,11 +188,10 @@ void Motion::pass(const Pass& over) const {
 }
 
 void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
-  const Mask<Lane4> in_plane{-1, -1, 0, 0};
   const bool planar = bodies.dimension == 2;
   Collected sums;
   for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
-    Load& load = collect_loads(contacts, i, bodies);
+    Load& load = collect_single(contacts, i, bodies.loads);
     if (planar) load = {keep(in_plane, load.force), keep(~in_plane, load.force)};  // as the sweep left them
     if (bodies.is_node(i)) load.torque = Lane4{};                                  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
@@ -138,32 +219,38 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// One step of four grains; their loads are used up.
-template <bool planar>
-[[gnu::flatten]] void Motion::advance(const Push& push, Grain* grains, Load* loads, Moved& moved) {
-  const Columns<Lane4> v_m = columns<Lane4>([grains](int i) { return grains[i].velocity; });
-  const Columns<Lane4> w_r = columns<Lane4>([grains](int i) { return grains[i].spin; });
-  const Columns<Lane4> x_r = columns<Lane4>([grains](int i) { return grains[i].position; });
-  V3<Lane4> force = vector_part(columns<Lane4>([loads](int i) { return loads[i].force; }));
-  const V3<Lane4> torque = vector_part(columns<Lane4>([loads](int i) { return loads[i].torque; }));
-  // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
-  for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
-  const Lane4 ratio = push.dt / v_m.d;
-  const V3<Lane4> before = vector_part(v_m), pull = v_m.d * push.gravity;
-  if (push.heavy) force = force + pull;
-  const V3<Lane4> v = kick<planar>(force, ratio, push.damping, before, moved.damping);
-  if (push.heavy) moved.gravity_work += dot(pull, before + v);
-  moved.fastest = maximum(moved.fastest, norm2(v));
-  put(v, v_m.d, [grains](int i) -> Lane4& { return grains[i].velocity; });
+// One step of a multiple of four grains; their loads are used up. Sums go on from those before: in registers, since
+// through memory each addition would wait for the one before it to be stored.
+template <class Four>
+[[gnu::flatten]] Motion::Moved Motion::advance(const Push& push, Grain* grains, const Grain* end, Load* loads,
+                                               const Moved& before) {
+  using Vector = typename Four::Vector;
+  Lane4 lost = before.damping, gravity_work = before.gravity_work, fastest = before.fastest;
+  for (; grains != end; grains += width<Lane4>, loads += width<Lane4>) {
+    const Four four{grains, loads};
+    Vector force = four.force();
+    const auto torque = four.torque();
+    // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
+    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
+    const auto [v_before, mass] = four.velocity_and_mass();
+    const Lane4 ratio = push.dt / mass;
+    const Vector pull = mass * Four::part(push.gravity);
+    if (push.heavy) force = force + pull;
+    const Vector v = kick(force, ratio, push.damping, v_before, lost);
+    if (push.heavy) gravity_work += dot(pull, v_before + v);
+    fastest = maximum(fastest, norm2(v));
+    four.put_velocity(v, mass);
 
-  const Lane4 spin_ratio = ratio / (push.gyration * w_r.d * w_r.d);
-  const V3<Lane4> w = spin_up<planar>(torque, spin_ratio, push.damping, vector_part(w_r), moved.damping);
-  put(w, w_r.d, [grains](int i) -> Lane4& { return grains[i].spin; });
-  turn<planar>(w, push.dt, grains);
+    const auto [spin, radius] = four.spin_and_radius();
+    const Lane4 spin_ratio = ratio / (push.gyration * radius * radius);
+    const auto w = kick(torque, spin_ratio, push.damping, spin, lost);
+    four.put_spin(w, radius);
+    four.turn(Lane4(0.5 * push.dt) * w);
 
-  const V3<Lane4> x = vector_part(x_r);
-  put(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), x_r.d,
-      [grains](int i) -> Lane4& { return grains[i].position; });
+    const auto [x, r] = four.position_and_radius();
+    four.put_position(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), r);
+  }
+  return {lost, gravity_work, fastest};
 }
 
 void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies) {
@@ -178,25 +265,23 @@ void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, doub
 }
 
 void Motion::advance(std::size_t chunk, Bodies& bodies) {
-  const auto four = push_.planar ? &Motion::advance<true> : &Motion::advance<false>;
-  std::size_t i = first_of(chunk, bodies);
-  const std::size_t end = first_of(chunk + 1, bodies);
-  Moved moved;
-  for (; i + 4 <= end; i += 4) four(push_, &bodies.grains[i], &bodies.loads[i], moved);
-  if (i < end) {
-    // The last few, beside grains at rest that do not fall.
-    Push last = push_;
-    for (std::size_t k = end; k < i + 4; ++k) last.gravity.x[k - i] = last.gravity.y[k - i] = last.gravity.z[k - i] = 0;
-    const Lane4 rest{0, 0, 0, 1};
-    std::array<Grain, 4> grains;
-    grains.fill({rest, rest, rest, rest});
-    std::array<Load, 4> loads;
-    for (std::size_t k = i; k < end; ++k)
-      grains[k - i] = bodies.grains[k], loads[k - i] = bodies.loads[k], bodies.loads[k] = {};
-    four(last, grains.data(), loads.data(), moved);
-    for (std::size_t k = i; k < end; ++k) bodies.grains[k] = grains[k - i];
-  }
-  moved_[chunk] = moved;
+  const auto move = push_.planar ? &Motion::advance<FourInPlane> : &Motion::advance<FourInSpace>;
+  const std::size_t begin = first_of(chunk, bodies), end = first_of(chunk + 1, bodies);
+  const std::size_t rest = (end - begin) % width<Lane4>, whole = end - rest;
+  Grain* const grains = bodies.grains.data();
+  Load* const loads = bodies.loads.data();
+  moved_[chunk] = move(push_, grains + begin, grains + whole, loads + begin, {});
+  if (rest == 0) return;
+  // The last few, beside grains at rest that do not fall.
+  Push last = push_;
+  for (std::size_t k = rest; k < width<Lane4>; ++k) last.gravity.x[k] = last.gravity.y[k] = last.gravity.z[k] = 0;
+  const Lane4 unit_row{0, 0, 0, 1};
+  std::array<Grain, 4> few;
+  few.fill({unit_row, unit_row, unit_row, unit_row});
+  std::array<Load, 4> on_few;
+  for (std::size_t k = 0; k < rest; ++k) few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
+  moved_[chunk] = move(last, few.data(), few.data() + few.size(), on_few.data(), moved_[chunk]);
+  std::copy_n(few.begin(), rest, grains + whole);
 }
 
 void Motion::advance_all(Bodies& bodies) {
@@ -229,12 +314,15 @@ double Motion::speed_bound(double smallest_mass) const {
 }
 
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
+  const bool planar = bodies.dimension == 2;
   pass([&](std::size_t chunk) {
     Lane4 largest{};
     for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
-      Load& load = collect_loads(contacts, i, bodies);
-      largest = maximum(largest, maximum(Lane4(load.force / bodies.mass(i)), Lane4(load.torque / bodies.inertia(i))));
-      load = {};
+      Load& stiffness = collect_single(contacts, i, bodies.stiffness);
+      if (planar) stiffness = {keep(in_plane, stiffness.force), keep(~in_plane, stiffness.force)};
+      largest = maximum(largest,
+                        maximum(Lane4(stiffness.force / bodies.mass(i)), Lane4(stiffness.torque / bodies.inertia(i))));
+      stiffness = {};
     }
     partial_[chunk] = std::max({largest[0], largest[1], largest[2]});
   });

@@ -49,9 +49,9 @@ class Motion {
   /// Sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
 
-  /// Stability limit from the stiffnesses in the loads (ContactSweep::stiffen), which are left zero, s: sqrt(2) times
-  /// the least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws
-  /// §8). Infinite without contacts.
+  /// Stability limit from the grains' stiffnesses (ContactSweep::stiffen), which are left zero, s: sqrt(2) times the
+  /// least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8).
+  /// Infinite without contacts.
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
@@ -63,8 +63,8 @@ class Motion {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
     Lane4 force{};         // the largest of each component, N, squared
   };
-  template <bool planar>
-  static void advance(const Push& push, Grain* grains, Load* loads, Moved& moved);
+  template <class Four>
+  static Moved advance(const Push& push, Grain* grains, const Grain* end, Load* loads, const Moved& before);
   template <class Pass>
   void pass(const Pass& over) const;
 

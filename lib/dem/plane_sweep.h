@@ -39,9 +39,7 @@ class PlaneSweep {
     pair.normal = n;
     history.normal_force = response.normal_force;
     history.touching = true, history.sliding = response.sliding;
-    Load& load = scene.bodies.loads[pair.load];
-    put(-act.force, load.force), put(-act.torque_first, load.torque);
-    if (scene.bodies.dimension == 2) load.force[2] = load.torque[2], load.torque = Lane4{};
+    put(-act.force, -act.torque_first, scene.bodies.dimension == 2, scene.bodies.loads[pair.load]);
     sums.add(g, before, memory, moments_, books);
     ++sums.contacts;
     // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
@@ -53,18 +51,17 @@ class PlaneSweep {
     total.plane_work -= 0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
   }
 
-  /// Sets the load to the stiffness that the contact gives its grain; the affine one goes to `total` (ContactSweep).
-  void stiffen(const Scene& scene, const PlanePair& pair, Load& load, Lane4& total) const {
+  /// Sets the pair's stiffness; the affine one is added to `total` (ContactSweep).
+  void stiffen(const Scene& scene, const PlanePair& pair, Lane4& total) const {
     const PairGeometry<double> g = geometry(scene, 0, pair);
     if (!g.touching) return;
     const Kinematics<double>& k = g.kinematics;
     Memory<double> memory = pair.history.memory;
     Books<double> books;
     const auto r = Law::respond(couple(scene, pair), k, 0.0, memory, books);
-    const V3<double> affine = affine_stiffness(k.normal, k.r1 - k.overlap, r);
-    add_to(total, affine.x, affine.y, affine.z, 0.0);
+    add_to(total, affine_stiffness(k.normal, k.r1 - k.overlap, r));
     const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
-    put(translation, load.force), put(rotation, load.torque);
+    put(translation, rotation, scene.bodies.dimension == 2, scene.bodies.stiffness[pair.load]);
   }
 
   /// Adds normal, shear, rolling and twisting energy, J.
@@ -77,7 +74,11 @@ class PlaneSweep {
   }
 
  private:
-  static void put(const V3<double>& v, Lane4& row) { row = Lane4{v.x, v.y, v.z, 0}; }
+  // As the sweep puts it, in the plane too.
+  static void put(const V3<double>& force, const V3<double>& torque, bool planar, Load& load) {
+    load.force = Lane4{force.x, force.y, planar ? torque.z : force.z, 0};
+    load.torque = planar ? Lane4{} : Lane4{torque.x, torque.y, torque.z, 0};
+  }
 
   static PairGeometry<double> geometry(const Scene& scene, double dt, const PlanePair& pair) {
     const Grain& grain = scene.bodies.grains[static_cast<std::size_t>(pair.grain)];

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/lanes.h"
+#include "core/v2.h"
+#include "core/v3.h"
 
 namespace soilweave::dem {
 
@@ -13,6 +14,16 @@ void add_to(Lane4& row, const T& a, const T& b, const T& c, const T& d) {
     to_rows(a, b, c, d, [&row](int, const Lane4& contact) { row = row + contact; });
   else
     row = row + Lane4{a, b, c, d};
+}
+
+/// Adds the parts of a vector of every contact.
+template <class T>
+void add_to(Lane4& row, const V3<T>& v) {
+  add_to(row, v.x, v.y, v.z, T{});
+}
+template <class T>
+void add_to(Lane4& row, const V2<T>& v) {
+  add_to(row, v.x, v.y, T{}, T{});
 }
 
 }  // namespace soilweave::dem

@@ -80,15 +80,15 @@ struct Simulation::Impl {
 
   // Forces at the present positions, as they are met; the step that they bear.
   void meet() {
-    estimate_step();
     StepPasses passes(false, contacts, motion, bodies);
-    act(0, passes);
-    estimated_at = sums.largest_overlap;
+    Vec3 stiffness;
+    act(0, passes, &stiffness);
+    estimate_step(stiffness);
   }
 
-  // Forces of contacts and yarns on every grain, after a step dt.
-  void act(double dt, StepPasses& passes) {
-    sums = sweep->run(scene(), dt, contacts, passes);
+  // Forces of contacts and yarns on every grain, after a step dt; and the contacts' stiffness, where asked for.
+  void act(double dt, StepPasses& passes, Vec3* stiffness) {
+    sums = sweep->run(scene(), dt, contacts, passes, stiffness);
     sums.force_branch += motion.collected();
     time += dt;
     if (yarns.any()) yarns.run(time, numerics.threads, bodies);
@@ -116,8 +116,7 @@ struct Simulation::Impl {
     const bool look_at_stiffness = (steps + 1) % stiffness_interval == 0;
     motion.set_out(cell, numerics.gravity, numerics.damping, dt, bodies);
     PassTime beside_sweep;
-    StepPasses passes(!look_at_stiffness && list_outlasts_step(), contacts, motion, bodies,
-                      clock.on() ? &beside_sweep : nullptr);
+    StepPasses passes(list_outlasts_step(), contacts, motion, bodies, clock.on() ? &beside_sweep : nullptr);
     if (!passes.moving()) motion.advance_all(bodies);
     cell.advance(dt);
     planes.advance(dt);
@@ -125,8 +124,8 @@ struct Simulation::Impl {
     if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().fastest, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
-    if (look_at_stiffness) estimate_step();
-    act(dt, passes);
+    Vec3 stiffness;
+    act(dt, passes, look_at_stiffness ? &stiffness : nullptr);
     ++steps;
     clock.lap(Phase::contacts);
     clock.shift(beside_sweep.seconds() / numerics.threads, Phase::contacts, Phase::integration);
@@ -139,7 +138,10 @@ struct Simulation::Impl {
     account(moved, dt, before, gradient, clamped);
     measure();
     watch();
-    if (outgrown()) beside_loads([this] { estimate_step(); });
+    if (look_at_stiffness)
+      estimate_step(stiffness);
+    else if (outgrown())
+      estimate_step(sweep->stiffen(scene(), contacts));
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
   }
@@ -216,41 +218,27 @@ struct Simulation::Impl {
     return e;
   }
 
-  struct Stiffness {
-    Vec3 axial;    // Pa
-    double limit;  // s, of stability
-  };
-
-  // Does what needs loads that are zero while there are some.
-  template <class What>
-  void beside_loads(const What& what) {
-    const LargeVector<Load> loads = bodies.loads;
-    std::fill(bodies.loads.begin(), bodies.loads.end(), Load{});
-    what();
-    bodies.loads = loads;
-  }
-
-  // Needs loads that are zero, and leaves them so.
-  Stiffness look_at_stiffness() {
+  // s, from the grains' stiffnesses, which are used up.
+  double stability_limit() {
     const double r = smallest_radius;
     const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
     const double reference =
         std::sqrt(2.0 * smallest_mass / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
-    const Vec3 sum = sweep->stiffen(scene(), contacts);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
-    return {sum / cell.volume(), std::min({reference, nodes, motion.stable_time_step(contacts, bodies)})};
+    return std::min({reference, nodes, motion.stable_time_step(contacts, bodies)});
   }
 
   bool outgrown() const {
     return sums.largest_overlap > overlap_growth * std::max(estimated_at, reference_overlap * smallest_radius);
   }
 
-  void estimate_step() {
+  // After the grains were given their stiffnesses, whose affine sum over the contacts this is.
+  void estimate_step(const Vec3& affine) {
     estimated_at = sums.largest_overlap;
-    const Stiffness found = look_at_stiffness();
-    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * found.limit;
+    const double limit = stability_limit();
+    stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * limit;
     time_step = stable;
-    measures.axial_stiffness = found.axial;
+    measures.axial_stiffness = affine / cell.volume();
   }
 
   void limit_move(double fastest) {
@@ -309,9 +297,8 @@ double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }
 double Simulation::largest_overlap() const { return impl_->deepest().relative; }
 double Simulation::stability_limit() {
-  double limit = 0;
-  impl_->beside_loads([&] { limit = impl_->look_at_stiffness().limit; });
-  return limit;
+  impl_->sweep->stiffen(impl_->scene(), impl_->contacts);
+  return impl_->stability_limit();
 }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }

@@ -19,6 +19,7 @@ template <class Lanes>
 struct StepSums {
   Lane4 work{};     // -2 times that on the springs; frictional, rolling plastic, viscous
   Lanes overlap{};  // the largest, a lane each
+  Lane4 affine_stiffness{};  // where asked for
   std::int64_t contacts = 0;
 
   template <class T, class Space>
@@ -49,6 +50,7 @@ struct Surroundings {
   AffineMotion affine;
   double dt;
   double* loads;
+  double* stiffness;
   double* across;  // of this chunk: forces summed by image
 
   const double* grains() const { return reinterpret_cast<const double*>(bodies.grains.data()); }
@@ -106,6 +108,18 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
     add(lanes.load_second(k, s.loads), row);
   });
   add_across(first, lanes, s);
+}
+
+/// Stiffness against translation and rotation, at place(lane), laid out as the loads are.
+template <class Lanes, class Place>
+void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const Place& place) {
+  const V3<Lanes>&t = translation, &r = rotation;
+  to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
+  to_rows(r.x, r.y, r.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane) + width<Lane4>, row); });
+}
+template <class Lanes, class Place>
+void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation, const Place& place) {
+  to_rows(translation.x, translation.y, rotation, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
 }
 
 }  // namespace soilweave::dem

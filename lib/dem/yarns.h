@@ -38,8 +38,8 @@ class Yarns {
   void run(double time, int threads, Bodies& bodies);
   const YarnSums& sums() const { return sums_; }
 
-  /// Largest stiffness over mass of the nodes, 1/s2: of their yarns, and of the contacts in the loads as
-  /// ContactSweep::stiffen leaves them. 0 without yarns.
+  /// Largest stiffness over mass of the nodes, 1/s2: of their yarns, and of the contacts as
+  /// ContactSweep::stiffen leaves it. 0 without yarns.
   double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
   io::YarnsRecord record() const;
 

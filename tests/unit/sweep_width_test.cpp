@@ -54,7 +54,6 @@ void expect_same_bits(const Model& model, const io::Snapshot& state) {
   EXPECT_TRUE(same_bits(four.bodies.grains, eight.bodies.grains));
   EXPECT_TRUE(same_bits(four.bodies.loads, eight.bodies.loads));
   EXPECT_EQ(std::memcmp(&four.sums, &eight.sums, sizeof four.sums), 0);
-  for (Stepper* s : {&four, &eight}) std::fill(s->bodies.loads.begin(), s->bodies.loads.end(), Load{});
   EXPECT_EQ(four.sweep->stiffen(four.scene(), four.contacts), eight.sweep->stiffen(eight.scene(), eight.contacts));
   EXPECT_EQ(four.motion.stable_time_step(four.contacts, four.bodies),
             eight.motion.stable_time_step(eight.contacts, eight.bodies));
