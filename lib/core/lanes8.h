@@ -34,15 +34,42 @@ inline unsigned bits(const Mask<Lane8>& mask) {
 }
 #endif
 
-template <class T, class Row>
-requires(width<T> == 8) Columns<T> columns(const Row& row) {
-  const Rows4 l = transpose({row(0), row(1), row(2), row(3)}), h = transpose({row(4), row(5), row(6), row(7)});
-  return {join(l.a, h.a), join(l.b, h.b), join(l.c, h.c), join(l.d, h.d)};
+/// r[i] holds row i and row i + 4.
+inline Columns<Lane8> columns(const Lane8 (&r)[4]) {
+  const Lane8 t0 = __builtin_shufflevector(r[0], r[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t1 = __builtin_shufflevector(r[0], r[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 t2 = __builtin_shufflevector(r[2], r[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t3 = __builtin_shufflevector(r[2], r[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  return {__builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15),
+          __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
+template <class T, class Row>
+requires(width<T> == 8) T rows(const Row& row, int i) { return join(row(i), row(i + 4)); }
 template <class Put>
 void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, const Put& put) {
-  to_rows(low(a), low(b), low(c), low(d), put);
-  to_rows(high(a), high(b), high(c), high(d), [&put](int i, const Lane4& row) { put(i + 4, row); });
+  const Lane8 t0 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t1 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 t2 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t3 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 r02 = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 2, 3, 10, 11);
+  const Lane8 r13 = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 2, 3, 10, 11);
+  const Lane8 r46 = __builtin_shufflevector(t0, t2, 4, 5, 12, 13, 6, 7, 14, 15);
+  const Lane8 r57 = __builtin_shufflevector(t1, t3, 4, 5, 12, 13, 6, 7, 14, 15);
+  put(0, low(r02)), put(1, low(r13)), put(2, high(r02)), put(3, high(r13));
+  put(4, low(r46)), put(5, low(r57)), put(6, high(r46)), put(7, high(r57));
+}
+template <class T, class Half>
+requires(width<T> == 8) Lane4 halves(const Half& half, int piece) {
+  const int k = 4 * (piece % 2) + piece / 2;  // 0 and 2, 4 and 6, 1 and 3, 5 and 7
+  return pair_of(half(k), half(k + 2));
+}
+template <class T>
+requires(width<T> == 8) Halves<T> columns_of_halves(const Lane4 (&piece)[4]) {
+  const Lane8 even = join(piece[0], piece[1]), odd = join(piece[2], piece[3]);
+  return {__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
+          __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
 }
 
 }  // namespace soilweave

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 
 #include "dem/bodies.h"
 #include "dem/contacts.h"
 #include "dem/pair_geometry.h"
+#include "dem/pair_rows.h"
 
 namespace soilweave::dem {
 
@@ -30,12 +30,11 @@ struct BlockLanes {
   }
   std::size_t first(std::size_t k) const { return block->first[lane + k]; }
   std::size_t second(std::size_t k) const { return block->second[lane + k]; }
-  // In bytes: a distance among grains is one among loads without a division.
   double* load_first(std::size_t k, double* loads) const {
-    return reinterpret_cast<double*>(reinterpret_cast<std::byte*>(loads) +
-                                     first(k) * (sizeof(Load) / ContactBlock::grain_size));
+    constexpr std::size_t grain_over_load = sizeof(Grain) / sizeof(Load);
+    return at_bytes(loads, first(k) / grain_over_load);
   }
-  double* load_second(std::size_t k, double* loads) const { return loads + block->load_second[lane + k]; }
+  double* load_second(std::size_t k, double* loads) const { return at_bytes(loads, block->load_second[lane + k]); }
   std::size_t image(std::size_t k) const { return block->image[lane + k]; }
 
   template <class Space>
@@ -60,44 +59,26 @@ struct BlockLanes {
   void forget_moments() const { remember_moments(Memory<T, Spatial>{}); }
   void remember_normal_force(const T& force) const { store(at(normal), force); }
 
-  /// The grains at one side of the pairs.
-  struct Side {
-    const double* grains;
-    std::size_t distance[width<T>];
-    const Grain& operator[](int k) const { return *reinterpret_cast<const Grain*>(grains + distance[k]); }
-  };
-  struct Ends {
-    Side first, second;
-  };
-  Ends ends(const double* grains) const {
-    Ends ends{{grains, {}}, {grains, {}}};
-    for (std::size_t k = 0; k < width<T>; ++k) ends.first.distance[k] = first(k), ends.second.distance[k] = second(k);
-    return ends;
-  }
-  /// Second grain less first; a cell offset comes with `shifts`, a row for each of Contacts::images.
-  template <class Space>
-  Vector<T, Space> branch(const Ends& ends, const Lane4* shifts) const {
-    const auto between = [&](int k) { return ends.second[k].position - ends.first[k].position; };
-    return Space::vector(block->folded ? columns<T>([&](int k) { return between(k) + shifts[image(k)]; })
-                                       : columns<T>(between));
+  Side first_side(const std::byte* grains) const { return {grains, block->first + lane}; }
+  Side second_side(const std::byte* grains) const { return {grains, block->second + lane}; }
+  /// A cell offset comes with `shifts`, a row for each of Contacts::images.
+  template <class Space, bool moving>
+  PairRows<T, Space> look(const std::byte* grains, const Lane4* shifts) const {
+    const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
+    return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded, shift, Space());
   }
   template <class Space>
-  static Vector<T, Space> velocity(const Ends& ends) {
-    return Space::vector(columns<T>([&](int k) { return ends.second[k].velocity - ends.first[k].velocity; }));
-  }
-  template <class Space>
-  static std::pair<Turn<T, Space>, T> spin_and_radius(const Side& side) {
-    const Columns<T> c = columns<T>([&](int k) { return side[k].spin; });
-    return {Space::turn(c), c.d};
-  }
-  template <class Space>
-  static void masses(const Ends& ends, Kinematics<T, Space>& kinematics) {
+  void masses(const std::byte* grains, Kinematics<T, Space>& kinematics) const {
     double one[width<T>], two[width<T>];
-    for (int k = 0; k < width<T>; ++k) one[k] = ends.first[k].velocity[3], two[k] = ends.second[k].velocity[3];
+    for (int k = 0; k < width<T>; ++k)
+      one[k] = first_side(grains)[k].velocity[3], two[k] = second_side(grains)[k].velocity[3];
     kinematics.m1 = load<T>(one), kinematics.m2 = load<T>(two);
   }
 
  private:
+  static double* at_bytes(double* from, std::size_t distance) {
+    return reinterpret_cast<double*>(reinterpret_cast<std::byte*>(from) + distance);
+  }
   // The block's arrays of numbers, which lie one after the other.
   enum Array : std::size_t { shear_force = 0, rolling_moment = 3, twisting_moment = 6, normal = 7 };
   static_assert(offsetof(ContactBlock, normal_force) == normal * ContactBlock::size * sizeof(double));

@@ -188,8 +188,8 @@ class LawSweep final : public ContactSweep {
                                                        ChunkToCome& to_come,
                                                        std::array<Group<Lanes, Space>, batch_size>& groups) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
-    const double* const grains = s.grains();
-    const double* const loads = s.loads;
+    const std::byte* const grains = s.grains();
+    const auto* const loads = reinterpret_cast<const std::byte*>(s.loads);
     const Lane4* const shifts = s.shifts.data();
     const bool deforming = moving && s.affine.deforming, use_masses = use_masses_;
     Group<Lanes, Space>* group = groups.data();
@@ -199,26 +199,19 @@ class LawSweep final : public ContactSweep {
       to_come.call();
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
-        const auto ends = lanes.ends(grains);
-        const Vector<Lanes, Space> branch = lanes.template branch<Space>(ends, shifts);
-        const auto [spin_1, radius_1] = lanes.template spin_and_radius<Space>(ends.first);
-        const auto [spin_2, radius_2] = lanes.template spin_and_radius<Space>(ends.second);
-        const auto place = place_of<Lanes, Space>(branch, radius_1, radius_2);
-        Vector<Lanes, Space> velocity{};
-        if (moving) {
-          velocity = lanes.template velocity<Space>(ends);
-          if (deforming) velocity = velocity + s.affine(branch);
-        }
+        const PairRows<Lanes, Space> rows = lanes.template look<Space, moving>(grains, shifts);
+        const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
+        const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);
         const bool live = (touching | lanes.touching()) != 0;
         group->lanes = lanes, group->touching = touching;
-        group->motion = {velocity, spin_1, spin_2, radius_1, radius_2, place.inverse_distance};
+        group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, place.inverse_distance};
         PairGeometry<Lanes, Space>& g = group->geometry;
         g.touching = place.touching;
         Kinematics<Lanes, Space>& kinematics = g.kinematics;
         kinematics.normal = place.normal, kinematics.overlap = place.overlap, kinematics.R_star = place.R_star;
-        kinematics.r1 = radius_1, kinematics.r2 = radius_2;
-        if (use_masses) lanes.masses(ends, kinematics);
+        kinematics.r1 = rows.radius_1, kinematics.r2 = rows.radius_2;
+        if (use_masses) lanes.masses(grains, kinematics);
         group += live;
       }
     }

@@ -30,8 +30,8 @@ std::vector<Vec3i> images_of(const std::vector<Pair>& pairs) {
   return found;
 }
 
-std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::grain_size; }
-std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index) * ContactBlock::load_size; }
+std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
+std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
 
 std::uint16_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
   if (image.isZero()) return 0;

@@ -30,7 +30,7 @@ struct alignas(64) ContactBlock {
   double rolling[3][size];                    // N m
   double twisting[size];                      // N m
   double normal_force[size];                  // N
-  // Distances from the first grain, in numbers, first < second; in loads, that of the load that takes what acts on the
+  // Distances from the first grain, in bytes, first < second; in loads, that of the load that takes what acts on the
   // second grain.
   std::uint32_t first[size], second[size], load_second[size];
   std::uint16_t image[size];               // cell offset of the second grain, among Contacts::images
@@ -39,8 +39,7 @@ struct alignas(64) ContactBlock {
   bool folded = false;  // some pair reaches across the cell's faces
   bool far = false;     // some second grain is of another chunk
 
-  static constexpr std::uint32_t grain_size = sizeof(Grain) / sizeof(double), load_size = sizeof(Load) / sizeof(double);
-  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / grain_size); }
+  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / sizeof(Grain)); }
 };
 
 /// A pair as the neighbour search lists it.

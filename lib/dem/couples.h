@@ -60,8 +60,8 @@ class Couples {
                                           const Kinematics<T, Space>& k, const T& dt, Answer<T, Space>& answer) const {
     Mask<T> couple{};
     for (std::size_t lane = 0; lane < width<T>; ++lane)
-      couple[lane] = static_cast<std::int64_t>(place(bodies.material[lanes.first(lane) / ContactBlock::grain_size],
-                                                     bodies.material[lanes.second(lane) / ContactBlock::grain_size]));
+      couple[lane] = static_cast<std::int64_t>(place(bodies.material[lanes.first(lane) / sizeof(Grain)],
+                                                     bodies.material[lanes.second(lane) / sizeof(Grain)]));
     const Memory<T, Space> before = answer.memory;
     Mask<T> answered{};
     for (int lane = 0; lane < width<T>; ++lane) {

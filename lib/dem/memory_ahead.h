@@ -10,16 +10,17 @@
 namespace soilweave::dem {
 
 /// Calls for blocks to come, and the grains of other chunks that one of them names.
-inline void call_for(const ContactBlock* next, const ContactBlock* end, const double* grains, const double* loads) {
+inline void call_for(const ContactBlock* next, const ContactBlock* end, const std::byte* grains,
+                     const std::byte* loads) {
   constexpr int ahead = 6, soon = 3, line = 64;
   if (end - next <= ahead) return;
   const char* block = reinterpret_cast<const char*>(next + ahead);
   for (std::size_t at = 0; at < sizeof(ContactBlock); at += line) __builtin_prefetch(block + at);
   if (!next[soon].far) return;
   for (int lane = 0; lane < ContactBlock::size; ++lane) {
-    const double* second = grains + next[soon].second[lane];
+    const std::byte* second = grains + next[soon].second[lane];
     __builtin_prefetch(second);
-    __builtin_prefetch(second + line / sizeof(double));
+    __builtin_prefetch(second + line);
     __builtin_prefetch(loads + next[soon].load_second[lane]);
   }
 }

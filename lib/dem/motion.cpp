@@ -85,7 +85,7 @@ struct FourInSpace {
 
   static Vector part(const V3<Lane4>& of_space) { return of_space; }
   static std::pair<Vector, Lane4> read(const auto& row) {
-    const Columns<Lane4> c = columns<Lane4>(row);
+    const Columns<Lane4> c = columns({row(0), row(1), row(2), row(3)});
     return {{c.a, c.b, c.c}, c.d};
   }
   static void put(const Vector& v, const Lane4& scalar, const auto& row) {
@@ -117,7 +117,8 @@ struct FourInSpace {
   }
   // q <- (1, half) q.
   void turn(const Vector& half) const {
-    const Columns<Lane4> q = columns<Lane4>([this](int i) { return grains[i].orientation; });
+    const Columns<Lane4> q =
+        columns({grains[0].orientation, grains[1].orientation, grains[2].orientation, grains[3].orientation});
     const Lane4 a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
     const Lane4 b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
     const Lane4 c = fused(half.z, q.b, fused(half.y, q.a, fused_less(half.x, q.d, q.c)));
@@ -134,40 +135,43 @@ struct FourInPlane {
   Load* loads;
 
   static Vector part(const V3<Lane4>& of_space) { return {of_space.x, of_space.y}; }
+  static Halves<Lane4> half_columns(const auto& half) {
+    return columns_of_halves<Lane4>({halves<Lane4>(half, 0), halves<Lane4>(half, 1)});
+  }
   template <Lane4 Load::*row, int from>
-  Halves of_loads() const {
-    return columns_of_halves([this](int i) { return reinterpret_cast<const double*>(&(loads[i].*row)) + from; });
+  Halves<Lane4> of_loads() const {
+    return half_columns([this](int i) { return reinterpret_cast<const double*>(&(loads[i].*row)) + from; });
   }
   template <Lane4 Grain::*row, int from>
-  Halves read() const {
-    return columns_of_halves([this](int i) { return reinterpret_cast<const double*>(&(grains[i].*row)) + from; });
+  Halves<Lane4> read() const {
+    return half_columns([this](int i) { return reinterpret_cast<const double*>(&(grains[i].*row)) + from; });
   }
   template <Lane4 Grain::*row, int from>
   void put(const Lane4& a, const Lane4& b) const {
     to_halves(a, b, [this](int i) { return reinterpret_cast<double*>(&(grains[i].*row)) + from; });
   }
   Vector force() const {
-    const Halves f = of_loads<&Load::force, 0>();
+    const auto f = of_loads<&Load::force, 0>();
     return {f.a, f.b};
   }
   Lane4 torque() const { return of_loads<&Load::torque, 2>().a; }
   std::pair<Vector, Lane4> velocity_and_mass() const {
-    const Halves v = read<&Grain::velocity, 0>();
+    const auto v = read<&Grain::velocity, 0>();
     return {{v.a, v.b}, read<&Grain::velocity, 2>().b};
   }
   void put_velocity(const Vector& v, const Lane4&) const { put<&Grain::velocity, 0>(v.x, v.y); }
   std::pair<Lane4, Lane4> spin_and_radius() const {
-    const Halves s = read<&Grain::spin, 2>();
+    const auto s = read<&Grain::spin, 2>();
     return {s.a, s.b};
   }
   void put_spin(const Lane4& spin, const Lane4& radius) const { put<&Grain::spin, 2>(spin, radius); }
   std::pair<Vector, Lane4> position_and_radius() const {
-    const Halves x = read<&Grain::position, 0>();
+    const auto x = read<&Grain::position, 0>();
     return {{x.a, x.b}, Lane4{}};
   }
   void put_position(const Vector& x, const Lane4&) const { put<&Grain::position, 0>(x.x, x.y); }
   void turn(const Lane4& half) const {
-    const Halves ab = read<&Grain::orientation, 0>(), cd = read<&Grain::orientation, 2>();
+    const auto ab = read<&Grain::orientation, 0>(), cd = read<&Grain::orientation, 2>();
     const Columns<Lane4> turned = unit(fused_less(half, cd.b, ab.a), fused_less(half, cd.a, ab.b),
                                        fused(half, ab.b, cd.a), fused(half, ab.a, cd.b));
     put<&Grain::orientation, 0>(turned.a, turned.b), put<&Grain::orientation, 2>(turned.c, turned.d);

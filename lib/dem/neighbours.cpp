@@ -12,7 +12,7 @@ namespace {
 
 // Skins over the largest radius. Narrow: candidates that do not touch cost as much as contacts; wide: the search costs
 // as much as dozens of sweeps. The inner one measured flat from half to twice this at 1000 to 70,000 grains.
-constexpr double relative_skin = 0.01;
+constexpr double relative_skin = 0.015;
 constexpr double relative_outer_skin = 0.25;
 // Of the skin: what is used up when a look at what the grains have truly moved is not worth another one.
 constexpr double worn = 0.8;

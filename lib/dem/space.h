@@ -14,15 +14,6 @@ struct Spatial {
   template <class T>
   using Turn = V3<T>;
   static constexpr bool twists = true;  // grains can turn about the normal of a contact
-
-  template <class T>
-  static V3<T> vector(const Columns<T>& rows) {
-    return {rows.a, rows.b, rows.c};
-  }
-  template <class T>
-  static V3<T> turn(const Columns<T>& rows) {
-    return {rows.a, rows.b, rows.c};
-  }
 };
 
 struct Planar {
@@ -31,15 +22,6 @@ struct Planar {
   template <class T>
   using Turn = T;
   static constexpr bool twists = false;
-
-  template <class T>
-  static V2<T> vector(const Columns<T>& rows) {
-    return {rows.a, rows.b};
-  }
-  template <class T>
-  static T turn(const Columns<T>& rows) {
-    return rows.c;
-  }
 };
 
 template <class T, class Space>

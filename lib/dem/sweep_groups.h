@@ -53,7 +53,7 @@ struct Surroundings {
   double* stiffness;
   double* across;  // of this chunk: forces summed by image
 
-  const double* grains() const { return reinterpret_cast<const double*>(bodies.grains.data()); }
+  const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
 };
 
 /// Pairs of one register on their way through the stages.
