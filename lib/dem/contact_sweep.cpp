@@ -166,6 +166,7 @@ class LawSweep final : public ContactSweep {
                            shifts_,
                            affine,
                            dt,
+                           contacts.chunks.size() == 1,
                            reinterpret_cast<double*>(scene.bodies.loads.data()),
                            reinterpret_cast<double*>(scene.bodies.stiffness.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
@@ -195,8 +196,10 @@ class LawSweep final : public ContactSweep {
     Group<Lanes, Space>* group = groups.data();
     ContactBlock* block = next;
     for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
-      call_for(block, end, grains, loads);
-      to_come.call();
+      if (!s.in_cache) {
+        call_for(block, end, grains, loads);
+        to_come.call();
+      }
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const PairRows<Lanes, Space> rows = lanes.template look<Space, moving>(grains, shifts);

@@ -49,6 +49,7 @@ struct Surroundings {
   const std::vector<Lane4>& shifts;  // of Contacts::images, m
   AffineMotion affine;
   double dt;
+  bool in_cache;  // all pairs and grains are from step to step
   double* loads;
   double* stiffness;
   double* across;  // of this chunk: forces summed by image
