@@ -21,7 +21,8 @@ struct alignas(64) Grain {
   Lane4 orientation;  // quaternion, in the order w x y z
 };
 
-/// What acts on a grain. One cache line.
+/// What acts on a grain. One cache line. In the plane the torque is the third part of the force, and the other row
+/// zero.
 struct alignas(64) Load {
   Lane4 force{}, torque{};  // N, N m; last place 0
 };
@@ -33,7 +34,7 @@ struct Bodies {
   int dimension = 3;
   double gyration;  // moment of inertia over mass and squared radius
   LargeVector<Grain> grains;
-  // First one of every grain: after Motion::gather the resultant of what acts on it, gravity apart, which
+  // First one of every grain: after Motion::collect the resultant of what acts on it, gravity apart, which
   // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::load_start).
   LargeVector<Load> loads;
   // What contacts resist motion with, laid out like the loads (ContactSweep); zero but while a step looks at it.
@@ -49,6 +50,13 @@ struct Bodies {
   double inertia(std::size_t i) const {
     return is_node(i) ? std::numeric_limits<double>::infinity() : gyration * mass(i) * radius(i) * radius(i);
   }
+
+  /// Of what acts on a grain: N, and N m.
+  Lane4 force(std::size_t i) const {
+    const Lane4& f = loads[i].force;
+    return dimension == 2 ? Lane4{f[0], f[1], 0, 0} : f;
+  }
+  Lane4 torque(std::size_t i) const { return dimension == 2 ? Lane4{0, 0, loads[i].force[2], 0} : loads[i].torque; }
 
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
   /// Nodes of one fabric are held together by yarns and do not touch.

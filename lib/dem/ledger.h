@@ -40,7 +40,7 @@ inline void archive(Archive& a, Energies& e) {
   a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
-/// Forces and torques of the grains.
+/// Forces and torques of the grains, as they lie in their loads.
 inline void archive(Archive& a, Bodies& bodies) {
   for (const auto& [name, part] : {std::pair("force", &Load::force), std::pair("torque", &Load::torque)}) {
     std::vector<double> flat;

@@ -14,7 +14,7 @@ namespace soilweave::dem {
 namespace {
 
 Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
-  return bodies.loads[i].force + bodies.mass(i) * gravity;
+  return bodies.force(i) + bodies.mass(i) * gravity;
 }
 
 // Adds the loads of single pairs, or their stiffnesses, to that of their grain and leaves them zero.
@@ -32,9 +32,6 @@ Load& collect_single(const Contacts& contacts, std::size_t i, LargeVector<Load>&
 std::size_t first_of(std::size_t chunk, const Bodies& bodies) {
   return std::min(bodies.size(), chunk * grains_per_chunk);
 }
-
-// Parts of a force in the plane; the others are a torque's.
-const Mask<Lane4> in_plane{-1, -1, 0, 0};
 
 // x, y and z squared and added.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
@@ -97,6 +94,10 @@ struct FourInSpace {
   Vector torque() const {
     return read([this](int i) { return loads[i].torque; }).first;
   }
+  void use_up() const {
+    // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
+    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
+  }
   std::pair<Vector, Lane4> velocity_and_mass() const {
     return read([this](int i) { return grains[i].velocity; });
   }
@@ -154,7 +155,10 @@ struct FourInPlane {
     const auto f = of_loads<&Load::force, 0>();
     return {f.a, f.b};
   }
-  Lane4 torque() const { return of_loads<&Load::torque, 2>().a; }
+  Lane4 torque() const { return of_loads<&Load::force, 2>().a; }
+  void use_up() const {
+    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = Lane4{};
+  }
   std::pair<Vector, Lane4> velocity_and_mass() const {
     const auto v = read<&Grain::velocity, 0>();
     return {{v.a, v.b}, read<&Grain::velocity, 2>().b};
@@ -192,17 +196,25 @@ void Motion::pass(const Pass& over) const {
 }
 
 void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
-  const bool planar = bodies.dimension == 2;
+  collected_[chunk] = bodies.dimension == 2 ? collect<2>(chunk, contacts, bodies) : collect<3>(chunk, contacts, bodies);
+}
+
+template <int dimension>
+Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
+  const bool nodes = !bodies.fabric.empty();
   Collected sums;
   for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
     Load& load = collect_single(contacts, i, bodies.loads);
-    if (planar) load = {keep(in_plane, load.force), keep(~in_plane, load.force)};  // as the sweep left them
-    if (bodies.is_node(i)) load.torque = Lane4{};                                  // nodes do not rotate
+    if (nodes && bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
-    for (int a = 0; a < 3; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
+    for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
     sums.force = maximum(sums.force, Lane4(load.force * load.force));
   }
-  collected_[chunk] = sums;
+  if (dimension == 2) {  // what the torque, third in the row, has added
+    for (Lane4& v : sums.virial) v[2] = 0;
+    sums.force[2] = 0;
+  }
+  return sums;
 }
 
 Mat3 Motion::collected() const {
@@ -234,8 +246,7 @@ template <class Four>
     const Four four{grains, loads};
     Vector force = four.force();
     const auto torque = four.torque();
-    // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
-    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
+    four.use_up();
     const auto [v_before, mass] = four.velocity_and_mass();
     const Lane4 ratio = push.dt / mass;
     const Vector pull = mass * Four::part(push.gravity);
@@ -323,7 +334,10 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
     Lane4 largest{};
     for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
       Load& stiffness = collect_single(contacts, i, bodies.stiffness);
-      if (planar) stiffness = {keep(in_plane, stiffness.force), keep(~in_plane, stiffness.force)};
+      if (planar) {
+        stiffness.torque = Lane4{0, 0, stiffness.force[2], 0};
+        stiffness.force[2] = 0;
+      }
       largest = maximum(largest,
                         maximum(Lane4(stiffness.force / bodies.mass(i)), Lane4(stiffness.torque / bodies.inertia(i))));
       stiffness = {};
@@ -341,7 +355,7 @@ double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double m = bodies.mass(i), inertia = bodies.inertia(i);
     const Lane4 v = bodies.grains[i].velocity + (0.5 * dt / m) * resultant(bodies, i, g);
-    const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.loads[i].torque;
+    const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.torque(i);
     sum += 0.5 * m * length2(v);
     if (std::isfinite(inertia)) sum += 0.5 * inertia * length2(w);
   }

@@ -63,6 +63,8 @@ class Motion {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
     Lane4 force{};         // the largest of each component, N, squared
   };
+  template <int dimension>
+  static Collected collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
   template <class Four>
   static Moved advance(const Push& push, Grain* grains, const Grain* end, Load* loads, const Moved& before);
   template <class Pass>

@@ -96,7 +96,7 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   });
   add_across(force, lanes, s);
 }
-/// In the plane the torque comes as the third part of the force (Motion::gather).
+/// In the plane the torque comes as the third part of the force.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   const auto& f = act.force;

@@ -90,8 +90,8 @@ TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
     for (std::size_t i = 0; i < plane.bodies.size(); ++i) {
       EXPECT_EQ(vector_of(plane.bodies.grains[i].position), vector_of(space.bodies.grains[i].position)) << i;
       EXPECT_EQ(vector_of(plane.bodies.grains[i].spin), vector_of(space.bodies.grains[i].spin)) << i;
-      EXPECT_EQ(vector_of(plane.bodies.loads[i].force), vector_of(space.bodies.loads[i].force)) << i;
-      EXPECT_EQ(vector_of(plane.bodies.loads[i].torque), vector_of(space.bodies.loads[i].torque)) << i;
+      EXPECT_EQ(vector_of(plane.bodies.force(i)), vector_of(space.bodies.loads[i].force)) << i;
+      EXPECT_EQ(vector_of(plane.bodies.torque(i)), vector_of(space.bodies.loads[i].torque)) << i;
     }
     EXPECT_EQ(plane.sums.force_branch, space.sums.force_branch);
     EXPECT_EQ(plane.sums.tangential_work, space.sums.tangential_work);
