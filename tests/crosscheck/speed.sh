@@ -78,7 +78,7 @@ ours() { # CASE THREADS TO
 }
 
 yade_speed() { # CASE TO
-  ORDER="{\"packing\": \"$1.txt\", \"disks\": $([[ $1 == disks ]] && echo true || echo false), \"pressure\": 2e5,
+  ORDER="{\"packing\": \"$1.txt\", \"disks\": $([[ $1 == disks ]] && echo true || echo false), \"pressure\": ${peer_pressure[$1]},
     \"warm_up\": ${peer_warm_up[$1]}, \"steps\": ${peer_steps[$1]}, \"output\": \"$2\"}" \
     first_core yade -n -x -j1 "$here/speed_yade.py" > peer.log 2>&1 < /dev/null || true
   [[ -s $2 ]] || { tail -n 5 peer.log >&2; echo "bench-peers: YADE did not finish" >&2; exit 1; }
@@ -129,6 +129,8 @@ bar() { # WORDS CASE NUMERATOR DENOMINATOR BAR
 
 # Of 70,000 as many steps that making the simulation, which the peers' warm-up holds, counts little.
 declare -A strain=([1000]=0.05 [70000]=0.006 [disks]=0.05) peer_steps=([1000]=1000 [70000]=30 [disks]=8000)
+# Disks: the same force on a side, over the peer's thickness of 0.03 m.
+declare -A peer_pressure=([1000]=2e5 [70000]=2e5 [disks]=3.333e6)
 declare -A peer_warm_up=([1000]=200 [70000]=10 [disks]=1000)
 missed=0
 for case in $cases; do
