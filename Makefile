@@ -100,23 +100,25 @@ $(B)/obj/lib/analysis/tessellation.o: private CXXFLAGS += -frounding-math $(if $
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves.
-HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
-$(HOT) $(B)/obj/lib/dem/contact_sweep.avx512.o: private CXXFLAGS += -mmove-max=256 -mstore-max=256 -fno-tree-slp-vectorize
+HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/grain_motion.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
+# The loops over contacts and grains once more, eight at a time, for processors with AVX-512 (lib/dem/vector_width.cpp
+# chooses). What these objects share with others, inline functions, must stay their own: the linker would hand them to all.
+WIDE := contact_sweep grain_motion
+EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/lib/dem/%.avx512.o))
+$(HOT) $(EIGHT): private CXXFLAGS += -mmove-max=256 -mstore-max=256 -fno-tree-slp-vectorize
 # AVX-512 roots: its headers leave a register unset on purpose (bug 105593).
-$(B)/obj/lib/dem/contact_sweep.avx512.o: private CXXFLAGS += -Wno-uninitialized
-# The sweep over contacts once more, eight at a time, for processors with AVX-512 (lib/dem/sweep_width.cpp chooses). What
-# this object shares with others, inline functions, must stay its own: the linker would hand them to all.
-EIGHT := $(if $(VARIANT),,$(B)/obj/lib/dem/contact_sweep.avx512.o)
+$(EIGHT): private CXXFLAGS += -Wno-uninitialized
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
-$(if $(EIGHT),$(call object,lib/dem/sweep_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
-$(B)/obj/lib/dem/contact_sweep.avx512.o: lib/dem/contact_sweep.cpp $(B)/flags
+$(if $(EIGHT),$(call object,lib/dem/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
+$(B)/obj/lib/dem/%.avx512.o: lib/dem/%.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (AVX-512)'
 	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(AVX512) -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@.all
 	@ld -r --force-group-allocation $@.all -o $@.one
-	@objcopy --wildcard --keep-global-symbol='*make_contact_sweep_of_eight*' $@.one $@ && rm $@.all $@.one
-# For tests of its bits on any processor: the same, lowered to the baseline.
-$(B)/obj/lib/dem/contact_sweep.eight.o: lib/dem/contact_sweep.cpp $(B)/flags
+	@objcopy --wildcard --keep-global-symbol='*$*_of_eight*' $@.one $@ && rm $@.all $@.one
+# For tests of their bits on any processor: the same, lowered to the baseline.
+LOWERED := $(WIDE:%=$(B)/obj/lib/dem/%.eight.o)
+$(LOWERED): $(B)/obj/lib/dem/%.eight.o: lib/dem/%.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (eight lanes)'
 	@$(CXX) $(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@
@@ -159,7 +161,7 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
 
 define test_program
-$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(if $(filter unit,$(1)),$(B)/obj/lib/dem/contact_sweep.eight.o) $(B)/libsoilweave.a
+$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT)) $(if $(filter unit,$(1)),$(LOWERED)) $(B)/libsoilweave.a
 	@mkdir -p $$(@D)
 	@echo '  link  $$@'
 	@$$(CXX) $$(CXXFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $$(LDLIBS) -lgtest -lgtest_main -o $$@
@@ -177,7 +179,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 	@echo '  link  $@'
 	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(B)/obj/lib/dem/contact_sweep.avx512.o $(B)/obj/lib/dem/contact_sweep.eight.o)
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(EIGHT) $(LOWERED))
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)

@@ -36,157 +36,15 @@ std::size_t first_of(std::size_t chunk, const Bodies& bodies) {
 // x, y and z squared and added.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
-// Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.
-Lane4 kick(const Lane4& force, const Lane4& ratio, const Lane4& damping, const Lane4& velocity, Lane4& lost) {
-  const Lane4 zero{}, change = ratio * force;
-  const Lane4 power = force * fused(all<Lane4>(0.5), change, velocity);
-  const Lane4 side = keep(power > zero, damping) - keep(power < zero, damping);
-  const Lane4 after = fused(change, 1.0 - side, velocity);
-  lost = fused(Lane4(side * force), velocity + after, lost);
-  return after;
-}
-V3<Lane4> kick(const V3<Lane4>& f, const Lane4& ratio, const Lane4& damping, const V3<Lane4>& v, Lane4& lost) {
-  const Lane4 x = kick(f.x, ratio, damping, v.x, lost), y = kick(f.y, ratio, damping, v.y, lost);
-  return {x, y, kick(f.z, ratio, damping, v.z, lost)};
-}
-V2<Lane4> kick(const V2<Lane4>& f, const Lane4& ratio, const Lane4& damping, const V2<Lane4>& v, Lane4& lost) {
-  const Lane4 x = kick(f.x, ratio, damping, v.x, lost);
-  return {x, kick(f.y, ratio, damping, v.y, lost)};
-}
-
-V3<Lane4> affine(const Mat3& g, const V3<Lane4>& x, const V3<Lane4>& v) {
-  const auto component = [&](int i, const Lane4& to) {
-    return fused(all<Lane4>(g(i, 2)), x.z, fused(all<Lane4>(g(i, 1)), x.y, fused(all<Lane4>(g(i, 0)), x.x, to)));
-  };
-  return {component(0, v.x), component(1, v.y), component(2, v.z)};
-}
-V2<Lane4> affine(const Mat3& g, const V2<Lane4>& x, const V2<Lane4>& v) {
-  const auto component = [&](int i, const Lane4& to) {
-    return fused(all<Lane4>(g(i, 1)), x.y, fused(all<Lane4>(g(i, 0)), x.x, to));
-  };
-  return {component(0, v.x), component(1, v.y)};
-}
-
-// Of unit length again by one Newton step: the length is off by the square of half the angle turned.
-Columns<Lane4> unit(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d) {
-  const Lane4 square = fused(d, d, fused(c, c, fused(b, b, Lane4(a * a))));
-  const Lane4 scale = fused_less(all<Lane4>(0.5), square, all<Lane4>(1.5));
-  return {scale * a, scale * b, scale * c, scale * d};
-}
-
-// Rows of four grains, read as columns and written back.
-struct FourInSpace {
-  using Vector = V3<Lane4>;
-  Grain* grains;
-  Load* loads;
-
-  static Vector part(const V3<Lane4>& of_space) { return of_space; }
-  static std::pair<Vector, Lane4> read(const auto& row) {
-    const Columns<Lane4> c = columns({row(0), row(1), row(2), row(3)});
-    return {{c.a, c.b, c.c}, c.d};
-  }
-  static void put(const Vector& v, const Lane4& scalar, const auto& row) {
-    to_rows(v.x, v.y, v.z, scalar, [&row](int i, const Lane4& value) { row(i) = value; });
-  }
-  Vector force() const {
-    return read([this](int i) { return loads[i].force; }).first;
-  }
-  Vector torque() const {
-    return read([this](int i) { return loads[i].torque; }).first;
-  }
-  void use_up() const {
-    // Not `loads[i] = {}`, of which the compiler would make one string instruction, slower than all before it.
-    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = loads[i].torque = Lane4{};
-  }
-  std::pair<Vector, Lane4> velocity_and_mass() const {
-    return read([this](int i) { return grains[i].velocity; });
-  }
-  void put_velocity(const Vector& v, const Lane4& mass) const {
-    put(v, mass, [this](int i) -> Lane4& { return grains[i].velocity; });
-  }
-  std::pair<Vector, Lane4> spin_and_radius() const {
-    return read([this](int i) { return grains[i].spin; });
-  }
-  void put_spin(const Vector& spin, const Lane4& radius) const {
-    put(spin, radius, [this](int i) -> Lane4& { return grains[i].spin; });
-  }
-  std::pair<Vector, Lane4> position_and_radius() const {
-    return read([this](int i) { return grains[i].position; });
-  }
-  void put_position(const Vector& x, const Lane4& radius) const {
-    put(x, radius, [this](int i) -> Lane4& { return grains[i].position; });
-  }
-  // q <- (1, half) q.
-  void turn(const Vector& half) const {
-    const Columns<Lane4> q =
-        columns({grains[0].orientation, grains[1].orientation, grains[2].orientation, grains[3].orientation});
-    const Lane4 a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
-    const Lane4 b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
-    const Lane4 c = fused(half.z, q.b, fused(half.y, q.a, fused_less(half.x, q.d, q.c)));
-    const Lane4 d = fused(half.z, q.a, fused_less(half.y, q.b, fused(half.x, q.c, q.d)));
-    const Columns<Lane4> turned = unit(a, b, c, d);
-    to_rows(turned.a, turned.b, turned.c, turned.d, [this](int i, const Lane4& row) { grains[i].orientation = row; });
-  }
-};
-
-// Disks have halves of rows to read and write: they are not pushed out of their plane, nor turned out of it.
-struct FourInPlane {
-  using Vector = V2<Lane4>;
-  Grain* grains;
-  Load* loads;
-
-  static Vector part(const V3<Lane4>& of_space) { return {of_space.x, of_space.y}; }
-  static Halves<Lane4> half_columns(const auto& half) {
-    return columns_of_halves<Lane4>({halves<Lane4>(half, 0), halves<Lane4>(half, 1)});
-  }
-  template <Lane4 Load::*row, int from>
-  Halves<Lane4> of_loads() const {
-    return half_columns([this](int i) { return reinterpret_cast<const double*>(&(loads[i].*row)) + from; });
-  }
-  template <Lane4 Grain::*row, int from>
-  Halves<Lane4> read() const {
-    return half_columns([this](int i) { return reinterpret_cast<const double*>(&(grains[i].*row)) + from; });
-  }
-  template <Lane4 Grain::*row, int from>
-  void put(const Lane4& a, const Lane4& b) const {
-    to_halves(a, b, [this](int i) { return reinterpret_cast<double*>(&(grains[i].*row)) + from; });
-  }
-  Vector force() const {
-    const auto f = of_loads<&Load::force, 0>();
-    return {f.a, f.b};
-  }
-  Lane4 torque() const { return of_loads<&Load::force, 2>().a; }
-  void use_up() const {
-    for (int i = 0; i < width<Lane4>; ++i) loads[i].force = Lane4{};
-  }
-  std::pair<Vector, Lane4> velocity_and_mass() const {
-    const auto v = read<&Grain::velocity, 0>();
-    return {{v.a, v.b}, read<&Grain::velocity, 2>().b};
-  }
-  void put_velocity(const Vector& v, const Lane4&) const { put<&Grain::velocity, 0>(v.x, v.y); }
-  std::pair<Lane4, Lane4> spin_and_radius() const {
-    const auto s = read<&Grain::spin, 2>();
-    return {s.a, s.b};
-  }
-  void put_spin(const Lane4& spin, const Lane4& radius) const { put<&Grain::spin, 2>(spin, radius); }
-  std::pair<Vector, Lane4> position_and_radius() const {
-    const auto x = read<&Grain::position, 0>();
-    return {{x.a, x.b}, Lane4{}};
-  }
-  void put_position(const Vector& x, const Lane4&) const { put<&Grain::position, 0>(x.x, x.y); }
-  void turn(const Lane4& half) const {
-    const auto ab = read<&Grain::orientation, 0>(), cd = read<&Grain::orientation, 2>();
-    const Columns<Lane4> turned = unit(fused_less(half, cd.b, ab.a), fused_less(half, cd.a, ab.b),
-                                       fused(half, ab.b, cd.a), fused(half, ab.a, cd.b));
-    put<&Grain::orientation, 0>(turned.a, turned.b), put<&Grain::orientation, 2>(turned.c, turned.d);
-  }
-};
-
 }  // namespace
 
-Motion::Motion(std::size_t grains, int threads)
-    : threads_(threads), moved_(chunks_of(grains)), collected_(chunks_of(grains)), partial_(chunks_of(grains)) {
-  for (Moved& m : moved_) m.fastest = all<Lane4>(std::numeric_limits<double>::infinity());  // not known yet
+Motion::Motion(std::size_t grains, int threads, const GrainMotion& how)
+    : how_(how),
+      threads_(threads),
+      moved_(chunks_of(grains)),
+      collected_(chunks_of(grains)),
+      partial_(chunks_of(grains)) {
+  for (MotionTally& m : moved_) m.fastest2 = std::numeric_limits<double>::infinity();  // not known yet
 }
 
 template <class Pass>
@@ -235,68 +93,38 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   return std::accumulate(partial_.begin(), partial_.end(), 0.0);
 }
 
-// One step of a multiple of four grains; their loads are used up. Sums go on from those before: in registers, since
-// through memory each addition would wait for the one before it to be stored.
-template <class Four>
-[[gnu::flatten]] Motion::Moved Motion::advance(const Push& push, Grain* grains, const Grain* end, Load* loads,
-                                               const Moved& before) {
-  using Vector = typename Four::Vector;
-  Lane4 lost = before.damping, gravity_work = before.gravity_work, fastest = before.fastest;
-  for (; grains != end; grains += width<Lane4>, loads += width<Lane4>) {
-    const Four four{grains, loads};
-    Vector force = four.force();
-    const auto torque = four.torque();
-    four.use_up();
-    const auto [v_before, mass] = four.velocity_and_mass();
-    const Lane4 ratio = push.dt / mass;
-    const Vector pull = mass * Four::part(push.gravity);
-    if (push.heavy) force = force + pull;
-    const Vector v = kick(force, ratio, push.damping, v_before, lost);
-    if (push.heavy) gravity_work += dot(pull, v_before + v);
-    fastest = maximum(fastest, norm2(v));
-    four.put_velocity(v, mass);
-
-    const auto [spin, radius] = four.spin_and_radius();
-    const Lane4 spin_ratio = ratio / (push.gyration * radius * radius);
-    const auto w = kick(torque, spin_ratio, push.damping, spin, lost);
-    four.put_spin(w, radius);
-    four.turn(Lane4(0.5 * push.dt) * w);
-
-    const auto [x, r] = four.position_and_radius();
-    four.put_position(fused(push.dt, push.deforming ? affine(push.gradient, x, v) : v, x), r);
-  }
-  return {lost, gravity_work, fastest};
-}
-
 void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies) {
-  push_ = {all<Lane4>(damping),
-           all<Lane4>(dt),
-           all<Lane4>(bodies.gyration),
-           {all<Lane4>(gravity.x()), all<Lane4>(gravity.y()), all<Lane4>(gravity.z())},
+  push_ = {damping,
+           dt,
+           bodies.gyration,
+           {},
            cell.velocity_gradient(),
            !gravity.isZero(0.0),
-           !cell.velocity_gradient().isZero(0.0),
-           bodies.dimension == 2};
+           !cell.velocity_gradient().isZero(0.0)};
+  for (std::size_t a = 0; a < push_.gravity.size(); ++a) push_.gravity[a].fill(gravity[static_cast<Eigen::Index>(a)]);
 }
 
 void Motion::advance(std::size_t chunk, Bodies& bodies) {
-  const auto move = push_.planar ? &Motion::advance<FourInPlane> : &Motion::advance<FourInSpace>;
+  const MoveGrains move = bodies.dimension == 2 ? how_.in_plane : how_.in_space;
   const std::size_t begin = first_of(chunk, bodies), end = first_of(chunk + 1, bodies);
-  const std::size_t rest = (end - begin) % width<Lane4>, whole = end - rest;
+  const std::size_t rest = (end - begin) % how_.at_once, whole = end - rest;
   Grain* const grains = bodies.grains.data();
   Load* const loads = bodies.loads.data();
-  moved_[chunk] = move(push_, grains + begin, grains + whole, loads + begin, {});
-  if (rest == 0) return;
-  // The last few, beside grains at rest that do not fall.
-  Push last = push_;
-  for (std::size_t k = rest; k < width<Lane4>; ++k) last.gravity.x[k] = last.gravity.y[k] = last.gravity.z[k] = 0;
-  const Lane4 unit_row{0, 0, 0, 1};
-  std::array<Grain, 4> few;
-  few.fill({unit_row, unit_row, unit_row, unit_row});
-  std::array<Load, 4> on_few;
-  for (std::size_t k = 0; k < rest; ++k) few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
-  moved_[chunk] = move(last, few.data(), few.data() + few.size(), on_few.data(), moved_[chunk]);
-  std::copy_n(few.begin(), rest, grains + whole);
+  MotionTally tally;
+  move(push_, grains + begin, grains + whole, loads + begin, tally);
+  if (rest > 0) {
+    // The last few, beside grains at rest that do not fall.
+    Push last = push_;
+    std::array<Grain, 8> few;
+    const Lane4 unit{0, 0, 0, 1};
+    few.fill({unit, unit, unit, unit});
+    std::array<Load, 8> on_few{};
+    for (auto& along : last.gravity) std::fill(along.begin() + rest, along.end(), 0.0);
+    for (std::size_t k = 0; k < rest; ++k) few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
+    move(last, few.data(), few.data() + how_.at_once, on_few.data(), tally);
+    std::copy_n(few.begin(), rest, grains + whole);
+  }
+  moved_[chunk] = tally;
 }
 
 void Motion::advance_all(Bodies& bodies) {
@@ -304,28 +132,25 @@ void Motion::advance_all(Bodies& bodies) {
 }
 
 MotionSums Motion::advanced() const {
-  Moved all_chunks;
-  for (const Moved& m : moved_) {
+  MotionTally all_chunks;
+  for (const MotionTally& m : moved_) {
     all_chunks.damping += m.damping;
     all_chunks.gravity_work += m.gravity_work;
-    all_chunks.fastest = maximum(all_chunks.fastest, m.fastest);
+    all_chunks.fastest2 = std::max(all_chunks.fastest2, m.fastest2);
   }
   const auto sum = [](const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; };
-  const Lane4& fastest = all_chunks.fastest;
-  const double dt = push_.dt[0];
-  return {0.5 * dt * sum(all_chunks.damping), 0.5 * dt * sum(all_chunks.gravity_work),
-          std::sqrt(std::max({fastest[0], fastest[1], fastest[2], fastest[3]}))};
+  const double half = 0.5 * push_.dt;
+  return {half * sum(all_chunks.damping), half * sum(all_chunks.gravity_work), std::sqrt(all_chunks.fastest2)};
 }
 
 double Motion::speed_bound(double smallest_mass) const {
   Lane4 force{};
   for (const Collected& c : collected_) force = maximum(force, c.force);
   const auto length = [](double x2, double y2, double z2) { return std::sqrt(x2 + y2 + z2); };
-  const V3<Lane4>& g = push_.gravity;
-  const double gravity = length(g.x[0] * g.x[0], g.y[0] * g.y[0], g.z[0] * g.z[0]);
-  const double acceleration = length(force[0], force[1], force[2]) / smallest_mass + gravity;
+  const double gx = push_.gravity[0][0], gy = push_.gravity[1][0], gz = push_.gravity[2][0];
+  const double acceleration = length(force[0], force[1], force[2]) / smallest_mass + length(gx * gx, gy * gy, gz * gz);
   constexpr double rounding = 1 + 1e-9;
-  return rounding * (advanced().fastest + push_.dt[0] * (1 + push_.damping[0]) * acceleration);
+  return rounding * (advanced().fastest + push_.dt * (1 + push_.damping) * acceleration);
 }
 
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {

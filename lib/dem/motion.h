@@ -5,6 +5,7 @@
 #include "dem/bodies.h"
 #include "dem/cell.h"
 #include "dem/contacts.h"
+#include "dem/grain_motion.h"
 
 namespace soilweave::dem {
 
@@ -15,23 +16,13 @@ struct MotionSums {
   double fastest = 0;       // m/s, largest fluctuation speed
 };
 
-/// What grains are moved by in a step: four at a time.
-struct Push {
-  Lane4 damping, dt, gyration;
-  V3<Lane4> gravity;
-  Mat3 gradient;
-  bool heavy, deforming, planar;
-};
-
 /// Passes over the grains, chunk by chunk (contacts.h); keeps the sums of the chunks from call to call, so that
 /// stepping allocates nothing. Different threads may be at different chunks.
 class Motion {
  public:
-  Motion(std::size_t grains, int threads);
+  Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
 
-  /// Says how the next step moves the grains: velocities by the forces, damped by Cundall's local damping (dem-laws §4:
-  /// each component's force is scaled by 1 -+ damping as it speeds up or slows down), positions by the new velocities
-  /// and the cell's affine motion.
+  /// Says by what the next step moves the grains.
   void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
   /// Moves the grains of a chunk. Uses their loads up: they are left zero.
   void advance(std::size_t chunk, Bodies& bodies);
@@ -55,24 +46,19 @@ class Motion {
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
-  struct Moved {
-    Lane4 damping{}, gravity_work{};
-    Lane4 fastest{};  // m2/s2
-  };
   struct Collected {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
     Lane4 force{};         // the largest of each component, N, squared
   };
   template <int dimension>
   static Collected collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
-  template <class Four>
-  static Moved advance(const Push& push, Grain* grains, const Grain* end, Load* loads, const Moved& before);
   template <class Pass>
   void pass(const Pass& over) const;
 
+  GrainMotion how_;
   int threads_;
   Push push_{};
-  std::vector<Moved> moved_;
+  std::vector<MotionTally> moved_;
   std::vector<Collected> collected_;
   std::vector<double> partial_;  // of other passes, by chunk
 };
