@@ -156,21 +156,18 @@ double Motion::speed_bound(double smallest_mass) const {
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
   const bool planar = bodies.dimension == 2;
   pass([&](std::size_t chunk) {
-    Lane4 largest{};
+    double largest = 0;
     for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
       Load& stiffness = collect_single(contacts, i, bodies.stiffness);
-      if (planar) {
-        stiffness.torque = Lane4{0, 0, stiffness.force[2], 0};
-        stiffness.force[2] = 0;
-      }
-      largest = maximum(largest,
-                        maximum(Lane4(stiffness.force / bodies.mass(i)), Lane4(stiffness.torque / bodies.inertia(i))));
-      stiffness = {};
+      const Lane4 &k = stiffness.force, &about = stiffness.torque;
+      const double along = std::max({k[0], k[1], planar ? 0 : k[2]});
+      const double rotation = planar ? k[2] : std::max({about[0], about[1], about[2]});
+      largest = std::max({largest, along / bodies.mass(i), rotation / bodies.inertia(i)});
+      stiffness.force = stiffness.torque = Lane4{};
     }
-    partial_[chunk] = std::max({largest[0], largest[1], largest[2]});
+    partial_[chunk] = largest;
   });
-  double largest = 0;
-  for (const double one : partial_) largest = std::max(largest, one);
+  const double largest = *std::max_element(partial_.begin(), partial_.end());
   return largest > 0 ? std::numbers::sqrt2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 
