@@ -20,7 +20,8 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps between two looks at the stiffness: it changes slowly against the step it limits.
+// Steps between two looks at the stiffness: it changes slowly against the step it limits, but a cloud that is pressed
+// together blew up with 16.
 constexpr std::int64_t stiffness_interval = 8;
 // Steps between two passes over the grains by the guards.
 constexpr std::int64_t guard_interval = 256;

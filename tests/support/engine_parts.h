@@ -11,11 +11,12 @@
 namespace soilweave::testing {
 
 struct EngineParts {
-  EngineParts(const io::Snapshot& state, std::unique_ptr<dem::ContactSweep> sweep_with, int threads = 1)
+  EngineParts(const io::Snapshot& state, std::unique_ptr<dem::ContactSweep> sweep_with, int threads = 1,
+              const dem::GrainMotion& how = dem::grain_motion())
       : bodies(state.grains),
         cell(state.cell, state.grains.dimension),
         neighbours(bodies.largest_radius()),
-        motion(bodies.size(), threads),
+        motion(bodies.size(), threads, how),
         sweep(std::move(sweep_with)) {
     contacts.threads = threads;
     neighbours.rebuild(bodies, cell, planes, contacts);
