@@ -129,6 +129,10 @@ void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
   load_start[0] = static_cast<std::uint32_t>(grains);
   for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
   next_.assign(load_start.begin(), load_start.end() - 1);
+  constexpr std::size_t farthest = std::numeric_limits<std::uint32_t>::max();
+  if (grains > farthest / sizeof(Grain) || load_start.back() > farthest / sizeof(Load))
+    throw DataError(fmt::format("{} grains are more than one simulation can hold: {} million", grains,
+                                farthest / sizeof(Grain) / 1'000'000));
   bodies.loads.assign(load_start.back(), Load{});
   bodies.stiffness.resize(load_start.back());
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/columns.h"
 #include "core/v2.h"
 #include "core/v3.h"
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/columns.h"
 #include "dem/bodies.h"
 #include "dem/space.h"
 

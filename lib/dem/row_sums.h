@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/columns.h"
 #include "core/v2.h"
 #include "core/v3.h"
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/columns.h"
 #include "dem/block_lanes.h"
 #include "dem/contact_action.h"
 #include "dem/contact_sweep.h"
@@ -17,8 +18,8 @@ namespace soilweave::dem {
 /// What a step sums over the contacts of a chunk.
 template <class Lanes>
 struct StepSums {
-  Lane4 work{};     // -2 times that on the springs; frictional, rolling plastic, viscous
-  Lanes overlap{};  // the largest, a lane each
+  Lane4 work{};              // -2 times that on the springs; frictional, rolling plastic, viscous
+  Lanes overlap{};           // the largest, a lane each
   Lane4 affine_stiffness{};  // where asked for
   std::int64_t contacts = 0;
 

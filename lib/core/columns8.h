@@ -1,0 +1,53 @@
+// What columns.h says of four rows, for eight. Included by columns.h alone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace soilweave {
+
+/// r[i] holds row i and row i + 4.
+inline Columns<Lane8> columns(const Lane8 (&r)[4]) {
+  const Lane8 t0 = __builtin_shufflevector(r[0], r[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t1 = __builtin_shufflevector(r[0], r[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 t2 = __builtin_shufflevector(r[2], r[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t3 = __builtin_shufflevector(r[2], r[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  return {__builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15),
+          __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15)};
+}
+template <class T, class Row>
+requires(width<T> == 8) T rows(const Row& row, int i) { return join(row(i), row(i + 4)); }
+template <class Put>
+void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, const Put& put) {
+  const Lane8 t0 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t1 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 t2 = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 t3 = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Lane8 r02 = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 2, 3, 10, 11);
+  const Lane8 r13 = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 2, 3, 10, 11);
+  const Lane8 r46 = __builtin_shufflevector(t0, t2, 4, 5, 12, 13, 6, 7, 14, 15);
+  const Lane8 r57 = __builtin_shufflevector(t1, t3, 4, 5, 12, 13, 6, 7, 14, 15);
+  put(0, low(r02)), put(1, low(r13)), put(2, high(r02)), put(3, high(r13));
+  put(4, low(r46)), put(5, low(r57)), put(6, high(r46)), put(7, high(r57));
+}
+template <class T, class Half>
+requires(width<T> == 8) Lane4 halves(const Half& half, int piece) {
+  const int k = 4 * (piece % 2) + piece / 2;  // 0 and 2, 4 and 6, 1 and 3, 5 and 7
+  return pair_of(half(k), half(k + 2));
+}
+template <class T>
+requires(width<T> == 8) Halves<T> columns_of_halves(const Lane4 (&piece)[4]) {
+  const Lane8 even = join(piece[0], piece[1]), odd = join(piece[2], piece[3]);
+  return {__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
+          __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
+}
+
+template <class Half>
+void to_halves(const Lane8& a, const Lane8& b, const Half& half) {
+  const Lane8 even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Lane8 odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  _mm256_storeu2_m128d(half(2), half(0), low(even)), _mm256_storeu2_m128d(half(3), half(1), low(odd));
+  _mm256_storeu2_m128d(half(6), half(4), high(even)), _mm256_storeu2_m128d(half(7), half(5), high(odd));
+}
+
+}  // namespace soilweave
