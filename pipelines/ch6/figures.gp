@@ -1,12 +1,13 @@
 # Figures of chapter 6: thesis Figs. 6.2 to 6.6.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: gnuplot -e "out='out/ch6'; format='svg'; main='8_0.5'; cases='6_1 8_1 ...'" figures.gp     (format: svg or png)
+# usage: gnuplot -e "out='out/ch6'; format='svg'; main='8_0.5'; cases='6_1 8_1 ...'; kept='pipelines/ch6/kept';
+#   kept_shape='8_1 ...'; kept_pullout='8_1 ...'" figures.gp     (format: svg or png)
 set datafile separator "\t"
 set encoding utf8
 start = 'if (format eq "svg") { set terminal svg size W,H font "Helvetica,14" background "#ffffff" rounded } else { \
   set terminal pngcairo size 2*W,2*H font "Helvetica,14" fontscale 1.9 linewidth 2 pointscale 1.7 background "#ffffff" rounded }'
 figure(name) = sprintf("%s/%s.%s", out, name, format)
-series(example, c) = sprintf("%s/%s_%s.tsv", out, example, c)
+series(folder, example, c) = sprintf("%s/%s_%s.tsv", folder, example, c)
 rows_of(example, name) = sprintf("%s/%s_%s_%s.tsv", out, example, main, name)
 squares(c) = int(substr(c, 1, strstrt(c, "_") - 1))
 speed(c) = substr(c, strstrt(c, "_") + 1, strlen(c))
@@ -17,18 +18,24 @@ set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6
 set grid linecolor rgb "#e3e6ea" linewidth 0.8 linetype 1
 set key noautotitle Left reverse top left samplen 1.6
 
-# --- Fig. 6.2: the global responses
-W = 1000; H = 420; @start
-set output figure("global")
-set multiplot layout 1,2
-set xlabel "pulled (cm)"
-set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]
-plot for [c in cases] series("shape", c) using (100 * column("pull_end [m]")):(absolute(column("force_y_bottom [N m-1]")) / \
-  column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c)
-set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
-plot for [c in cases] series("pullout", c) using (100 * column("pull_end [m]")):(-column("interface_shear [N m-1]") / \
-  column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
-unset multiplot; unset title; set key top left
+# --- Fig. 6.2: the global responses of these runs, and of those kept
+do for [which in "global kept"] {
+  folder = which eq "kept" ? kept : out
+  shapes = which eq "kept" ? kept_shape : cases
+  pullouts = which eq "kept" ? kept_pullout : cases
+  if (words(shapes) * words(pullouts) == 0) { continue }
+  W = 1000; H = 420; @start
+  set output figure(which)
+  set multiplot layout 1,2
+  set xlabel "pulled (cm)"
+  set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]; set key top left
+  plot for [c in shapes] series(folder, "shape", c) using (100 * column("pull_end [m]")): \
+    (absolute(column("force_y_bottom [N m-1]")) / column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c)
+  set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
+  plot for [c in pullouts] series(folder, "pullout", c) using (100 * column("pull_end [m]")): \
+    (-column("interface_shear [N m-1]") / column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
+  unset multiplot; unset title; set key top left
+}
 
 # Time of the last state of both examples.
 ends = system(sprintf("for e in shape pullout; do tail -n 1 %s/${e}_%s_points.tsv | cut -f 2; done | tr '\\n' ' '", out, main))

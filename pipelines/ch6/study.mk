@@ -1,7 +1,7 @@
 # Chapter 6: shape-forming and pull-out of a geosynthetic with finite elements of packings (thesis Figs. 6.2 to 6.6).
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Not among the STUDIES of the report until its whole chain has been run and its comparisons are of more than one mesh and speed.
+STUDIES += ch6
 C6 := pipelines/ch6
 C6O := $(OUT)/ch6
 # Squares along a side (two elements each), speeds in cm/s. quick: fewer elements and grains, and pulled faster.
@@ -86,12 +86,25 @@ $(C6O)/measured.tsv: $(C6)/measure.awk $(C6_SERIES) $(C6_TABLES) $(OUT)/profile
 $(C6O)/comparison.tsv: pipelines/compare.awk $(C6)/statements.tsv $(C6O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 
+# Series of runs at the thesis's size, kept for readers who have not the hours: RUN.tsv, and how RUN came to be in RUN.txt.
+C6_KEPT := $(C6)/kept
+C6_KEEP := time pull_end force_y_bottom length_bottom interface_shear interface_normal
+.PHONY: ch6-keep
+ch6-keep: $(BIN)/fem-dem $(BIN)/to-vtk ## put the series of finished thesis-size runs of ch6 among the kept ones (PROFILE=thesis)
+	$(if $(filter thesis,$(PROFILE)),,$(error ch6-keep: of PROFILE=thesis only))
+	@mkdir -p $(C6_KEPT)
+	@for run in $(notdir $(basename $(wildcard $(C6_RUNS:%=$(C6O)/%.h5)))); do \
+	  $(BIN)/fem-dem --table series $(C6O)/$$run.h5 | awk -v names='$(C6_KEEP)' -f $(C6)/keep.awk $(call whole,$(C6_KEPT)/$$run.tsv) && \
+	  $(BIN)/to-vtk --history $(C6O)/$$run.h5 $(call whole,$(C6_KEPT)/$$run.txt) && echo "  keep  $(C6_KEPT)/$$run.tsv"; done
+kept_cases = $(patsubst $(C6_KEPT)/$(1)_%.tsv,%,$(wildcard $(C6_KEPT)/$(1)_*.tsv))
+
 # The last state of the main runs and the local responses, for the figures.
 C6_POINTS := $(foreach e,shape pullout,$(C6O)/$(e)_local.tsv)
 $(C6_POINTS): $(C6O)/%_local.tsv: $(C6)/local.awk $(C6O)/%_$(C6_MAIN)_points.tsv
 	@awk -v example=$* -f $^ $(call whole,$@)
-$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_TABLES) $(C6_POINTS)
-	@for format in svg png; do gnuplot -e "out='$(C6O)'; format='$$format'; main='$(C6_MAIN)'; cases='$(C6_CASES)'" $<; done
+$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_TABLES) $(C6_POINTS) $(wildcard $(C6_KEPT)/*.tsv)
+	@for format in svg png; do gnuplot -e "out='$(C6O)'; format='$$format'; main='$(C6_MAIN)'; cases='$(C6_CASES)'; \
+	  kept='$(C6_KEPT)'; kept_shape='$(call kept_cases,shape)'; kept_pullout='$(call kept_cases,pullout)'" $<; done
 	@touch $@
 
 $(C6O)/page.html: $(C6)/page.sh pipelines/figure.sh pipelines/table.awk $(C6O)/comparison.tsv $(C6O)/figures

@@ -77,6 +77,18 @@ ours() { # CASE THREADS TO
     printf "%.6g %d\n", steps / (clock * share * (1 - output / 100)), pairs }' > "$3"
 }
 
+# Two runs side by side, a core each: as much as this machine gives two threads that need nothing of one another.
+side_by_side() { # CASE TO
+  for core in 0 1; do
+    taskset -c $core run-dem "$1.h5" scenario.toml --threads 1 --force -o run.$core.h5 2> said.$core.txt &
+  done
+  wait
+  grep -h ' steps/s, ' said.0.txt said.1.txt | awk '{ steps = 0
+    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
+      if ($i == "output") output = $(i + 1) }
+    sum += steps / (clock * (1 - output / 100)) } END { print sum }' > "$2"
+}
+
 yade_speed() { # CASE TO
   ORDER="{\"packing\": \"$1.txt\", \"disks\": $([[ $1 == disks ]] && echo true || echo false), \"pressure\": ${peer_pressure[$1]},
     \"warm_up\": ${peer_warm_up[$1]}, \"steps\": ${peer_steps[$1]}, \"output\": \"$2\"}" \
@@ -141,11 +153,12 @@ for case in $cases; do
     if have yade; then yade_speed "$case" "$case.YADE.$round"; fi
     if [[ $case == 70000 ]]; then
       ours "$case" 2 "$case.two-threads.$round"
+      if have taskset; then side_by_side "$case" "$case.side-by-side.$round"; fi
       for peer in lmp liggghts; do if have $peer; then lammps_speed "$case" "$case.$peer.$round" $peer; fi; done
     fi
   done
   echo "$case grains, $rounds rounds, medians (least to most):"
-  for engine in run-dem two-threads YADE lmp liggghts; do if [[ -e $case.$engine.1 ]]; then tell "$case" "$engine"; fi; done
+  for engine in run-dem two-threads side-by-side YADE lmp liggghts; do if [[ -e $case.$engine.1 ]]; then tell "$case" "$engine"; fi; done
   floor=20
   [[ $case == 70000 ]] && floor=35
   if [[ -e $case.YADE.1 ]]; then bar "run-dem over YADE" "$case" run-dem YADE "$floor"; fi
