@@ -40,30 +40,34 @@ do for [which in "global kept"] {
 # Time of the last state of both examples.
 ends = system(sprintf("for e in shape pullout; do tail -n 1 %s/${e}_%s_points.tsv | cut -f 2; done | tr '\\n' ' '", out, main))
 
-# --- Figs. 6.3, 6.4: fields of the last state; triangles as coloured points, the bars with their tension
+# --- Figs. 6.3, 6.4: fields of the last state, how the nodes have moved, the bars
+set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
 do for [example in "shape pullout"] {
   last = real(word(ends, example eq "shape" ? 1 : 2)) - 1e-9
-  W = 1100; H = 760; @start
+  moved(what) = column("time [s]") >= last ? column(what) : NaN
+  stats rows_of(example, "nodes") using (sqrt(moved("displacement_x [m]")**2 + moved("displacement_y [m]")**2)) nooutput
+  magnified = STATS_max < 0.05 && STATS_max > 0 ? 10**floor(log10(0.2 / STATS_max)) : 1
+  W = 1200; H = 720; @start
   set output figure(example . "_fields")
-  set multiplot layout 2,3
-  set size ratio -1; set key off; set autoscale; unset xlabel; unset ylabel
+  set multiplot layout 2,3 margins 0.04,0.93,0.06,0.94 spacing 0.13,0.14
+  set size ratio -1; set key off; set autoscale; unset xlabel; unset ylabel; unset grid
   set xtics 0.4; set ytics 0.4; set xrange [-0.15:1.45]; set yrange [(example eq "shape" ? -0.3 : -0.1):1.35]
   do for [k = 1:6] {
-    column_name = word("mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric", k)
-    unit = word("[Pa] [Pa] [1] [rad] [1] [1]", k)
-    what = column_name . " " . unit
-    set title k == 1 ? "p (kPa)" : k == 2 ? "q (kPa)" : k == 3 ? "ε_q" : k == 4 ? "rotation (rad)" : k == 5 ? "F_a" : "ε_v"
-    factor = k < 3 ? 1e-3 : 1
-    plot rows_of(example, "points") using (column("time [s]") >= last ? column("x [m]") : NaN):(column("y [m]")): \
-        (factor * column(what)) with points pointtype 5 pointsize (16.0 / squares(main)) linecolor palette, \
+    set title word("p q ε_q rotation F_a ε_v", k) . (k < 3 ? " (kPa)" : k == 4 ? " (rad)" : k == 5 ? "" : " (%)")
+    if (k == 5) { set cbrange [0:*] } else { set cbrange [*:*] }
+    if (k == 1 && magnified > 1) { set label 1 sprintf("displacements × %g", magnified) at 1.45, 1.29 right font ",11" } else { unset label 1 }
+    factor = k < 3 ? 1e-3 : k == 3 || k == 6 ? 100 : 1
+    plot sprintf("%s/%s_fields.tsv", out, example) skip 1 using 1:2:(factor * column(k + 2)) with filledcurves closed \
+        fillcolor palette, \
       rows_of(example, "nodes") using (column("time [s]") >= last ? column("x [m]") - column("displacement_x [m]") : NaN): \
-        (column("y [m]") - column("displacement_y [m]")):(column("displacement_x [m]")):(column("displacement_y [m]")) \
-        with vectors head size 0.01,20,60 linecolor rgb "#606060" linewidth 0.8, \
+        (column("y [m]") - column("displacement_y [m]")):(magnified * column("displacement_x [m]")): \
+        (magnified * column("displacement_y [m]")) \
+        with vectors head size 0.01,20,60 linecolor rgb "#202020" linewidth 0.8, \
       rows_of(example, "bars") using (column("time [s]") >= last ? column("x_0 [m]") : NaN):(column("y_0 [m]")) with points \
-        pointtype 7 pointsize 0.25 linecolor rgb "#202020"
+        pointtype 7 pointsize 0.25 linecolor rgb "#c03020"
   }
   unset multiplot
-  set size noratio; set autoscale; set xtics autofreq; set ytics autofreq; set key on; unset title
+  set size noratio; set autoscale; set xtics autofreq; set ytics autofreq; set key on; unset title; set grid
 }
 
 # --- Figs. 6.5, 6.6: local responses

@@ -26,7 +26,7 @@ figure global 'Vertical stress at the bottom in shape-forming, mobilised frictio
 if [ -e "$OUT/kept.svg" ]; then
   figure kept 'The same from runs at the thesis'"'"'s size, 400 rods a point, as far as they are kept (pipelines/ch6/kept; how each came to be lies beside it).'
 fi
-figure shape_fields 'Shape-forming at the end (Fig. 6.3): stress, strain, rotation and anisotropy of the points; arrows: displacement of the nodes.'
+figure shape_fields 'Shape-forming at the end (Fig. 6.3): stress, strain, rotation and anisotropy of the points; arrows: displacement of the nodes from where they began.'
 figure pullout_fields 'Pull-out at the end (Fig. 6.4).'
 figure shape_local 'Point A, under the middle of the top, in shape-forming (Fig. 6.5): q/p (blue) and volumetric strain (orange, contraction positive), stress path, fabric anisotropy.'
 figure pullout_local 'Point B, above the inclusion, in pull-out (Fig. 6.6).'

@@ -102,7 +102,11 @@ kept_cases = $(patsubst $(C6_KEPT)/$(1)_%.tsv,%,$(wildcard $(C6_KEPT)/$(1)_*.tsv
 C6_POINTS := $(foreach e,shape pullout,$(C6O)/$(e)_local.tsv)
 $(C6_POINTS): $(C6O)/%_local.tsv: $(C6)/local.awk $(C6O)/%_$(C6_MAIN)_points.tsv
 	@awk -v example=$* -f $^ $(call whole,$@)
-$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_TABLES) $(C6_POINTS) $(wildcard $(C6_KEPT)/*.tsv)
+C6_SHOWN := mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric
+C6_FIELDS := $(foreach e,shape pullout,$(C6O)/$(e)_fields.tsv)
+$(C6_FIELDS): $(C6O)/%_fields.tsv: $(C6)/triangles.awk $(C6O)/%_$(C6_MAIN)_nodes.tsv $(C6O)/%_$(C6_MAIN)_points.tsv
+	@awk -v squares=$(word 1,$(subst _, ,$(C6_MAIN))) -v names='$(C6_SHOWN)' -f $^ $(call whole,$@)
+$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_TABLES) $(C6_POINTS) $(C6_FIELDS) $(wildcard $(C6_KEPT)/*.tsv)
 	@for format in svg png; do gnuplot -e "out='$(C6O)'; format='$$format'; main='$(C6_MAIN)'; cases='$(C6_CASES)'; \
 	  kept='$(C6_KEPT)'; kept_shape='$(call kept_cases,shape)'; kept_pullout='$(call kept_cases,pullout)'" $<; done
 	@touch $@
