@@ -31,6 +31,7 @@ struct Numerics {
   double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
   double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness
   std::optional<double> time_step;  // s, fixed; overrides the estimate
+  bool watch_stiffness = true;      // to be left out where the time step is fixed and no servo drives the cell
   Vec3 gravity = Vec3::Zero();      // m/s2
   Limits limits;
   std::vector<std::vector<std::int32_t>> clamps = {};  // grains of each; a clamped grain moves as it is told

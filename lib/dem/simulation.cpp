@@ -114,7 +114,7 @@ struct Simulation::Impl {
     StepWatch clock(times, steps);
     const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
-    const bool look_at_stiffness = (steps + 1) % stiffness_interval == 0;
+    const bool look_at_stiffness = numerics.watch_stiffness && (steps + 1) % stiffness_interval == 0;
     motion.set_out(cell, numerics.gravity, numerics.damping, dt, bodies);
     PassTime beside_sweep;
     StepPasses passes(list_outlasts_step(), contacts, motion, bodies, clock.on() ? &beside_sweep : nullptr);
@@ -141,7 +141,7 @@ struct Simulation::Impl {
     watch();
     if (look_at_stiffness)
       estimate_step(stiffness);
-    else if (outgrown())
+    else if (numerics.watch_stiffness && outgrown())
       estimate_step(sweep->stiffen(scene(), contacts));
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);

@@ -26,6 +26,7 @@ Mat3 tangent_of(const dem::Simulation& simulation) {
 
 dem::Numerics fixed_step(dem::Numerics numerics, double step) {
   numerics.time_step = step;
+  numerics.watch_stiffness = false;
   numerics.threads = 1;
   return numerics;
 }
