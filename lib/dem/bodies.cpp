@@ -70,7 +70,18 @@ double Bodies::total_mass() const {
   return sum;
 }
 
+io::GrainsRecord Bodies::identities(io::GrainsRecord record) {
+  io::GrainsRecord kept;
+  kept.dimension = record.dimension;
+  kept.body_id = std::move(record.body_id);
+  kept.material_id = std::move(record.material_id);
+  kept.copy_id = std::move(record.copy_id);
+  return kept;
+}
+
 void Bodies::store(io::GrainsRecord& record) const {
+  record.position.resize(size()), record.velocity.resize(size()), record.angular_velocity.resize(size());
+  record.orientation.resize(size()), record.radius.resize(size()), record.mass.resize(size());
   for (std::size_t i = 0; i < size(); ++i) {
     const Grain& grain = grains[i];
     record.position[i] = vector_of(grain.position);

@@ -72,7 +72,9 @@ struct Bodies {
   double smallest_radius() const;
   double smallest_mass() const;
   double total_mass() const;
-  /// Positions, velocities, orientations, radii and masses back into a record that already holds the identities.
+  /// What a record holds beside what is here: the identities.
+  static io::GrainsRecord identities(io::GrainsRecord record);
+  /// Positions, velocities, orientations, radii and masses back into a record that holds the identities.
   void store(io::GrainsRecord& record) const;
 };
 

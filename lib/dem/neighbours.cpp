@@ -120,6 +120,11 @@ class Grid {
   std::vector<Vec3i> wrap_;  // whole cells between a grain's unwrapped position and its bin
 };
 
+// A vector that grew by doubling may hold twice what it needs.
+void give_back_spare(std::vector<Pair>& pairs) {
+  if (pairs.capacity() > pairs.size() + pairs.size() / 4) pairs.shrink_to_fit();
+}
+
 }  // namespace
 
 Neighbours::Neighbours(double largest_radius)
@@ -129,7 +134,7 @@ Neighbours::Neighbours(double largest_radius)
 
 void Neighbours::Since::begin(const Bodies& bodies) {
   position.clear();
-  for (const Grain& g : bodies.grains) position.push_back(g.position);
+  for (const Grain& g : bodies.grains) position.push_back(vector_of(g.position));
   deformation.setIdentity();
   planes = closed = 0;
 }
@@ -151,7 +156,8 @@ void Neighbours::Since::look(const Bodies& bodies, double longest) {
   const Lane4 a = row(f.col(0), 0), b = row(f.col(1), 0), c = row(f.col(2), 0);
   double largest = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Lane4 &x = bodies.grains[i].position, &from = position[i];
+    const Lane4& x = bodies.grains[i].position;
+    const Vec3& from = position[i];
     const Lane4 moved =
         fused_less(all<Lane4>(from[2]), c, fused_less(all<Lane4>(from[1]), b, fused_less(all<Lane4>(from[0]), a, x)));
     const Lane4 square = moved * moved;
@@ -178,6 +184,7 @@ void Neighbours::search(const Bodies& bodies, const Cell& cell) {
   const Grid grid(bodies, cell, longest());
   outer_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) grid.near(i, outer_skin_, outer_);
+  give_back_spare(outer_);
   searched_.begin(bodies);
 }
 
@@ -195,6 +202,7 @@ void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes,
     const double reach = a[3] + b[3] + skin_;
     if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) listed_.push_back(p);
   }
+  give_back_spare(listed_);
   std::vector<PlanePair> with_planes;
   if (!planes.all.empty())
     for (std::size_t i = 0; i < bodies.size(); ++i)

@@ -30,7 +30,7 @@ class Neighbours {
  private:
   // A state that pairs were looked for in, and what has moved since.
   struct Since {
-    std::vector<Lane4> position;
+    std::vector<Vec3> position;
     Mat3 deformation = Mat3::Identity();
     double planes = 0;  // m
     double closed = 0;  // m, at most

@@ -55,6 +55,7 @@ struct Simulation::Impl {
     contacts.threads = numerics.threads;
     list_recorded(state.contacts, bodies, contacts);
     record.contacts = {};
+    record.grains = Bodies::identities(std::move(record.grains));
     neighbours.rebuild(bodies, cell, planes, contacts);
     for (const auto& held : numerics.clamps) clamps.all.push_back({held});
     if (kept) {

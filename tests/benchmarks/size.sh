@@ -12,13 +12,15 @@ bench=${BENCH:-$here/../../build/tests/bench}
 out=${OUT:-$here/../../build/bench}
 mkdir -p "$out"
 export LC_ALL=C.UTF-8
-"$bench" --benchmark_filter='size_of_system|small_systems' --benchmark_format=csv 2> /dev/null > "$out/size.csv"
+for part in size_of_system small_systems; do
+  "$bench" --benchmark_filter="$part" --benchmark_format=csv 2> /dev/null > "$out/$part.csv"
+done
 
 awk -F , -v OFS='\t' '
   $1 == "name" { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); at[$i] = i }
     print "grains [1]", "contacts [1]", "step [ms]", "per_contact [ns]", "per_grain [B]"; next }
   /size_of_system/ { print $at["grains"], $at["contacts"], $at["cpu_time"], 1e9 * $at["per_contact"], $at["bytes_per_grain"] }
-  ' "$out/size.csv" > "$out/size.tsv"
+  ' "$out/size_of_system.csv" > "$out/size.tsv"
 column -t -s $'\t' "$out/size.tsv"
 
 if command -v gnuplot > /dev/null; then
@@ -38,12 +40,13 @@ fi
 
 awk -F '\t' '
   function bar(words, value, met) { printf "%s: %.4g: %s\n", words, value, met ? "met" : "MISSED"; if (!met) missed = 1 }
-  NR == FNR { if (FNR > 1) { cost[$1] = $4; held[$1] = $5 } next }
+  NR == FNR { if (FNR > 1) { cost[$1 + 0] = $4; held[$1 + 0] = $5 } next }
   { split($0, cell, ","); if (cell[1] ~ /small_systems\/1\//) one = cell[3]; if (cell[1] ~ /small_systems\/2\//) two = cell[3] }
   END {
+    if (!cost[1000000] || !cost[70000] || !one || !two) { print "bench-size: a row is missing" > "/dev/stderr"; exit 2 }
     bar("cost per contact of a million grains over that of 70,000, at most 1.5", cost[1000000] / cost[70000],
       cost[1000000] <= 1.5 * cost[70000])
     bar("memory of a million grains, bytes a grain, at most 1024", held[1000000], held[1000000] <= 1024)
     bar("128 systems of 400 grains on two threads over one, at least 1.9", one / two, one >= 1.9 * two)
     exit missed
-  }' "$out/size.tsv" "$out/size.csv"
+  }' "$out/size.tsv" "$out/small_systems.csv"
