@@ -23,17 +23,17 @@ do for [which in "global kept"] {
   folder = which eq "kept" ? kept : out
   shapes = which eq "kept" ? kept_shape : cases
   pullouts = which eq "kept" ? kept_pullout : cases
-  if (words(shapes) * words(pullouts) == 0) { continue }
+  if (words(shapes) + words(pullouts) == 0) { continue }
   W = 1000; H = 420; @start
   set output figure(which)
   set multiplot layout 1,2
   set xlabel "pulled (cm)"
   set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]; set key top left
-  plot for [c in shapes] series(folder, "shape", c) using (100 * column("pull_end [m]")): \
-    (absolute(column("force_y_bottom [N m-1]")) / column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c)
+  if (words(shapes) > 0) { plot for [c in shapes] series(folder, "shape", c) using (100 * column("pull_end [m]")): \
+    (absolute(column("force_y_bottom [N m-1]")) / column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c) } else { set multiplot next }
   set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
-  plot for [c in pullouts] series(folder, "pullout", c) using (100 * column("pull_end [m]")): \
-    (-column("interface_shear [N m-1]") / column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
+  if (words(pullouts) > 0) { plot for [c in pullouts] series(folder, "pullout", c) using (100 * column("pull_end [m]")): \
+    (-column("interface_shear [N m-1]") / column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c) }
   unset multiplot; unset title; set key top left
 }
 
