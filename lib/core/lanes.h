@@ -81,6 +81,13 @@ inline unsigned bits(const Mask<Lane4>& mask) {
 
 namespace soilweave {
 
+/// As many as the object at hand is compiled for.
+#ifdef SOILWEAVE_EIGHT_LANES
+using Lanes = Lane8;
+#else
+using Lanes = Lane4;
+#endif
+
 inline bool any(bool mask) { return mask; }
 template <class M>
 bool any(const M& mask) {

@@ -63,7 +63,7 @@ struct BlockLanes {
   Side second_side(const std::byte* grains) const { return {grains, block->second + lane}; }
   /// A cell offset comes with `shifts`, a row for each of Contacts::images.
   template <class Space, bool moving>
-  PairRows<T, Space> look(const std::byte* grains, const Lane4* shifts) const {
+  PairRows<T, Space> read(const std::byte* grains, const Lane4* shifts) const {
     const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
     return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded, shift, Space());
   }

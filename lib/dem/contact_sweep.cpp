@@ -11,6 +11,9 @@
 // order of the pairs; only for grains of other chunks, which another thread may be at, does it wait in a place of its
 // own (contacts.h). Disks go through the same stages with the vectors and turns of the plane (space.h).
 //
+// This file is compiled once for either width (vector_width.cpp); the same order of operations on every contact gives
+// the same bits.
+//
 // No old normal is kept: where a pair has turned from follows from its velocity (transport.h).
 //
 // The stress needs no product of force and branch for every contact: the sum of f (x) l is that of F (x) x over the
@@ -32,13 +35,6 @@
 
 namespace soilweave::dem {
 namespace {
-
-// This file is compiled once for either width; the same order of operations on every contact gives the same bits.
-#ifdef SOILWEAVE_EIGHT_LANES
-using Lanes = Lane8;
-#else
-using Lanes = Lane4;
-#endif
 
 constexpr auto nothing = [](std::size_t) {};
 
@@ -202,7 +198,7 @@ class LawSweep final : public ContactSweep {
       }
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
-        const PairRows<Lanes, Space> rows = lanes.template look<Space, moving>(grains, shifts);
+        const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
         const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);

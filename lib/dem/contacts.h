@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,10 @@ namespace soilweave::dem {
 /// has, whose copies a large packing is often made of, one after the other.
 inline constexpr std::size_t grains_per_chunk = 1000;
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
+/// Of a chunk; that of the next one, or how many there are.
+inline std::size_t first_grain(std::size_t chunk, const Bodies& bodies) {
+  return std::min(bodies.size(), chunk * grains_per_chunk);
+}
 inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t>(grain) / grains_per_chunk; }
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.

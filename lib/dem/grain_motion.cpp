@@ -13,11 +13,6 @@
 namespace soilweave::dem {
 namespace {
 
-#ifdef SOILWEAVE_EIGHT_LANES
-using Lanes = Lane8;
-#else
-using Lanes = Lane4;
-#endif
 constexpr int at_once = width<Lanes>;
 
 // Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-
 #include "dem/bodies.h"
 #include "dem/contacts.h"
 
@@ -29,8 +27,7 @@ inline void call_for(const ContactBlock* next, const ContactBlock* end, const st
 class ChunkToCome {
  public:
   ChunkToCome(const Bodies& bodies, std::size_t chunk, std::size_t blocks_before) {
-    const std::size_t begin = std::min(bodies.size(), chunk * grains_per_chunk);
-    const std::size_t end = std::min(bodies.size(), begin + grains_per_chunk);
+    const std::size_t begin = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies);
     grain_ = bodies.grains.data() + begin, end_ = bodies.grains.data() + end;
     load_ = bodies.loads.data() + begin;
     at_once_ = blocks_before > 0 ? (end - begin) / blocks_before + 1 : 0;

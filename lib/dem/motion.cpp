@@ -28,11 +28,6 @@ Load& collect_single(const Contacts& contacts, std::size_t i, LargeVector<Load>&
   return total;
 }
 
-// First grain of a chunk; that of the next one, or how many there are.
-std::size_t first_of(std::size_t chunk, const Bodies& bodies) {
-  return std::min(bodies.size(), chunk * grains_per_chunk);
-}
-
 // x, y and z squared and added.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
@@ -61,7 +56,7 @@ template <int dimension>
 Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
   const bool nodes = !bodies.fabric.empty();
   Collected sums;
-  for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
+  for (std::size_t i = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies); i < end; ++i) {
     Load& load = collect_single(contacts, i, bodies.loads);
     if (nodes && bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
@@ -86,7 +81,7 @@ double Motion::resultants(const Vec3& gravity, const Bodies& bodies) {
   const Lane4 g = row(gravity, 0);
   pass([&](std::size_t chunk) {
     double sum = 0;
-    for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i)
+    for (std::size_t i = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies); i < end; ++i)
       sum += std::sqrt(length2(resultant(bodies, i, g)));
     partial_[chunk] = sum;
   });
@@ -106,7 +101,7 @@ void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, doub
 
 void Motion::advance(std::size_t chunk, Bodies& bodies) {
   const MoveGrains move = bodies.dimension == 2 ? how_.in_plane : how_.in_space;
-  const std::size_t begin = first_of(chunk, bodies), end = first_of(chunk + 1, bodies);
+  const std::size_t begin = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies);
   const std::size_t rest = (end - begin) % how_.at_once, whole = end - rest;
   Grain* const grains = bodies.grains.data();
   Load* const loads = bodies.loads.data();
@@ -157,7 +152,7 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
   const bool planar = bodies.dimension == 2;
   pass([&](std::size_t chunk) {
     double largest = 0;
-    for (std::size_t i = first_of(chunk, bodies), end = first_of(chunk + 1, bodies); i < end; ++i) {
+    for (std::size_t i = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies); i < end; ++i) {
       Load& stiffness = collect_single(contacts, i, bodies.stiffness);
       const Lane4 &k = stiffness.force, &about = stiffness.torque;
       const double along = std::max({k[0], k[1], planar ? 0 : k[2]});

@@ -63,6 +63,13 @@ TOML
 }
 
 # ---- Each engine: its steps per second to a file --------------------------------------------------------------------
+price() { # SAID: steps per second of the clock beside output, and contacts
+  grep ' steps/s, ' "$1" | tail -n 1 | awk '{
+    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
+      if ($i == "contacts" && !pairs) pairs = $(i - 1); if ($i == "output") output = $(i + 1) }
+    printf "%.9g %d\n", steps / (clock * (1 - output / 100)), pairs }'
+}
+
 # Of one thread all count processor time, which others on the machine take less from than from the clock's. What is spent
 # on output and the start, once a run, is left out here as it is for the peers.
 ours() { # CASE THREADS TO
@@ -70,23 +77,19 @@ ours() { # CASE THREADS TO
   local pin=(first_core) TIMEFORMAT='%R %U %S'
   [[ $2 == 1 ]] || pin=()
   { time "${pin[@]}" run-dem "$1.h5" scenario.toml --threads "$2" --force -o run.h5 2> said.txt; } 2> time.txt
-  grep ' steps/s, ' said.txt | tail -n 1 | awk -v threads="$2" -v took="$(tail -n 1 time.txt)" '{
-    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
-      if ($i == "contacts" && !pairs) pairs = $(i - 1); if ($i == "output") output = $(i + 1) }
+  price said.txt | awk -v threads="$2" -v took="$(tail -n 1 time.txt)" '{
     split(took, t, " "); share = threads == 1 && t[2] + t[3] < t[1] ? (t[2] + t[3]) / t[1] : 1
-    printf "%.6g %d\n", steps / (clock * share * (1 - output / 100)), pairs }' > "$3"
+    printf "%.6g %d\n", $1 / share, $2 }' > "$3"
 }
 
 # Two runs side by side, a core each: as much as this machine gives two threads that need nothing of one another.
 side_by_side() { # CASE TO
+  scenario "$1" "${strain[$1]}" > scenario.toml
   for core in 0 1; do
     taskset -c $core run-dem "$1.h5" scenario.toml --threads 1 --force -o run.$core.h5 2> said.$core.txt &
   done
   wait
-  grep -h ' steps/s, ' said.0.txt said.1.txt | awk '{ steps = 0
-    for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
-      if ($i == "output") output = $(i + 1) }
-    sum += steps / (clock * (1 - output / 100)) } END { print sum }' > "$2"
+  { price said.0.txt; price said.1.txt; } | awk '{ sum += $1 } END { print sum }' > "$2"
 }
 
 yade_speed() { # CASE TO
