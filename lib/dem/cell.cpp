@@ -23,10 +23,7 @@ void Cell::advance(double dt) {
   deformation_gradient_ = (step * deformation_gradient_).eval();
 }
 
-double Cell::volume() const {
-  return dimension_ == 2 ? matrix_.topLeftCorner<2, 2>().determinant()
-                         : matrix_.topLeftCorner(3, 3).determinant();  // by a factorisation, unlike the fixed size's
-}
+double Cell::volume() const { return matrix_.topLeftCorner(dimension_, dimension_).determinant(); }
 
 Vec3 Cell::widths() const {
   const Mat3 inverse = matrix_.inverse();
