@@ -24,9 +24,9 @@ struct EngineParts {
 
   dem::Scene scene() { return {bodies, cell, planes}; }
   /// Forces after a step dt, whose grains move within the sweep where they have not moved before.
-  void act(double dt, bool moving = false) {
+  void act(double dt, bool moving = false, Vec3* affine_stiffness = nullptr) {
     dem::StepPasses passes(moving, contacts, motion, bodies);
-    sums = sweep->run(scene(), dt, contacts, passes);
+    sums = sweep->run(scene(), dt, contacts, passes, affine_stiffness);
     sums.force_branch += motion.collected();
   }
 

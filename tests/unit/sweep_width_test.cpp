@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
@@ -87,6 +89,31 @@ TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
   auto smooth = rough, lossy = rough;
   smooth.friction_angle = 0.1, lossy.restitution = 0.5;
   expect_same_bits({std::vector<HertzMindlin::Material>{rough, smooth, lossy}}, state);
+}
+
+TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
+  for (const Model& model : {testing::sand(), testing::linear_sand()})
+    for (const int dimension : {2, 3}) {
+      Stepper stepper(testing::packed(model, 1e5, 300, dimension), model, of_four);
+      for (int k = 0; k < 20; ++k) stepper.step(1e-5);
+      Vec3 with_step;
+      stepper.act(1e-5, false, &with_step);
+      const double limit = stepper.motion.stable_time_step(stepper.contacts, stepper.bodies);
+      EXPECT_EQ(stepper.sweep->stiffen(stepper.scene(), stepper.contacts), with_step);
+      EXPECT_EQ(stepper.motion.stable_time_step(stepper.contacts, stepper.bodies), limit);
+      EXPECT_TRUE(std::isfinite(limit));
+      EXPECT_GT(with_step[0], 0);
+      EXPECT_GT(with_step[1], 0);
+      // Used up: the next look begins with none.
+      EXPECT_EQ(stepper.motion.stable_time_step(stepper.contacts, stepper.bodies),
+                std::numeric_limits<double>::infinity());
+      // Disks have no stiffness across their plane that could bound the step.
+      if (dimension == 3) continue;
+      stepper.bodies.dimension = 3;
+      stepper.sweep->stiffen(stepper.scene(), stepper.contacts);
+      EXPECT_EQ(stepper.motion.stable_time_step(stepper.contacts, stepper.bodies), limit);
+      stepper.bodies.dimension = 2;
+    }
 }
 
 TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
