@@ -39,6 +39,8 @@ struct Bodies {
   LargeVector<Load> loads;
   // What contacts resist motion with, laid out like the loads (ContactSweep); zero but while a step looks at it.
   LargeVector<Load> stiffness;
+  // Of how far each may move before pairs are listed anew (Neighbours), 1/m2.
+  LargeVector<double> per_leeway2;
   std::vector<std::int32_t> material;
   std::vector<std::int32_t> fabric;  // of a node of a geotextile, -1 of soil; empty where all are soil
 

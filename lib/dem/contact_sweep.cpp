@@ -114,7 +114,7 @@ class LawSweep final : public ContactSweep {
  private:
   void set_shifts(const Cell& cell, const Contacts& contacts) {
     shifts_.clear();
-    for (const Vec3i& image : contacts.images) shifts_.push_back(row(cell.matrix() * image.cast<double>(), 0));
+    for (const CellOffset image : contacts.images) shifts_.push_back(row(shift_of(image, cell.matrix()), 0));
   }
 
   // Moments of a state that was made with a law that has them: this one would turn the grains by them for ever.

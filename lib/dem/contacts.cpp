@@ -16,16 +16,14 @@ namespace soilweave::dem {
 namespace {
 
 // Empty lanes name a grain so many cells away that they never touch.
-const Vec3i far_away{1 << 20, 0, 0};
+const CellOffset far_away = cell_offset({1 << 20, 0, 0});
 
-bool earlier(const Vec3i& a, const Vec3i& b) { return std::tuple(a[0], a[1], a[2]) < std::tuple(b[0], b[1], b[2]); }
-
-std::vector<Vec3i> images_of(const std::vector<Pair>& pairs) {
-  std::vector<Vec3i> found;
+std::vector<CellOffset> images_of(const std::vector<Pair>& pairs) {
+  std::vector<CellOffset> found;
   for (const Pair& p : pairs)
-    if (!p.image.isZero() && std::find(found.begin(), found.end(), p.image) == found.end()) found.push_back(p.image);
-  std::sort(found.begin(), found.end(), earlier);
-  found.insert(found.begin(), Vec3i::Zero());
+    if (p.image != 0 && std::find(found.begin(), found.end(), p.image) == found.end()) found.push_back(p.image);
+  std::sort(found.begin(), found.end());
+  found.insert(found.begin(), 0);
   found.push_back(far_away);
   return found;
 }
@@ -33,42 +31,14 @@ std::vector<Vec3i> images_of(const std::vector<Pair>& pairs) {
 std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
 std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
 
-std::uint16_t place(const Vec3i& image, const std::vector<Vec3i>& images) {
-  if (image.isZero()) return 0;
-  return static_cast<std::uint16_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image, earlier) -
-                                    images.begin());
+std::uint16_t place(CellOffset image, const std::vector<CellOffset>& images) {
+  if (image == 0) return 0;
+  return static_cast<std::uint16_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image) - images.begin());
 }
 
-Pair pair_of(const ContactBlock& b, int k, const std::vector<Vec3i>& images) {
+Pair pair_of(const ContactBlock& b, int k, const std::vector<CellOffset>& images) {
   return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
 }
-
-// A chunk's pairs in order.
-class Cursor {
- public:
-  Cursor(LargeVector<ContactBlock>& chunk, const std::vector<Vec3i>& images)
-      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images) {
-    settle();
-  }
-  bool done() const { return block_ == end_; }
-  const Pair& pair() const { return pair_; }
-  ContactBlock& block() const { return *block_; }
-  int lane() const { return lane_; }
-  void next() {
-    if (++lane_ == block_->count) ++block_, lane_ = 0;
-    settle();
-  }
-
- private:
-  void settle() {
-    if (!done()) pair_ = pair_of(*block_, lane_, images_);
-  }
-
-  ContactBlock *block_, *end_;
-  int lane_ = 0;
-  const std::vector<Vec3i>& images_;
-  Pair pair_;
-};
 
 std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
   return static_cast<std::uint8_t>((bits & ~(1u << k)) | (static_cast<unsigned>(on) << k));
@@ -84,14 +54,33 @@ void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
   to.sliding = with_bit(to.sliding, l, (from.sliding >> k) & 1);
 }
 
-void inherit(LargeVector<ContactBlock>& old, const std::vector<Vec3i>& old_images, LargeVector<ContactBlock>& chunk,
-             const std::vector<Vec3i>& images) {
-  Cursor from(old, old_images);
-  for (Cursor to(chunk, images); !to.done() && !from.done(); to.next()) {
-    while (!from.done() && before(from.pair(), to.pair())) from.next();
-    if (!from.done() && !before(to.pair(), from.pair())) copy_history(from.block(), from.lane(), to.block(), to.lane());
+// Pairs that a chunk knew, in order.
+class Known {
+ public:
+  Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images)
+      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images) {
+    settle();
   }
-}
+  /// What it knows of a pair, into a lane; pairs are asked for in order.
+  void pass_on(const Pair& pair, ContactBlock& to, int lane) {
+    while (block_ != end_ && before(pair_, pair)) next();
+    if (block_ != end_ && !before(pair, pair_)) copy_history(*block_, lane_, to, lane);
+  }
+
+ private:
+  void next() {
+    if (++lane_ == block_->count) ++block_, lane_ = 0;
+    settle();
+  }
+  void settle() {
+    if (block_ != end_) pair_ = pair_of(*block_, lane_, images_);
+  }
+
+  const ContactBlock *block_, *end_;
+  int lane_ = 0;
+  const std::vector<CellOffset>& images_;
+  Pair pair_{};
+};
 
 void inherit(const std::vector<PlanePair>& old, std::vector<PlanePair>& planes) {
   auto known = old.begin();
@@ -102,23 +91,16 @@ void inherit(const std::vector<PlanePair>& old, std::vector<PlanePair>& planes) 
   }
 }
 
-// A block whose lanes name a grain and itself, far away.
-ContactBlock empty_block(std::size_t grain, std::size_t far) {
-  ContactBlock block{};
-  std::fill_n(block.first, ContactBlock::size, grain_distance(grain));
-  std::fill_n(block.second, ContactBlock::size, grain_distance(grain));
-  std::fill_n(block.load_second, ContactBlock::size, load_distance(grain));
-  std::fill_n(block.image, ContactBlock::size, static_cast<std::uint16_t>(far));
-  return block;
+// Lanes from k on name a grain and itself, far away.
+void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far) {
+  std::fill(block.first + k, block.first + ContactBlock::size, grain_distance(grain));
+  std::fill(block.second + k, block.second + ContactBlock::size, grain_distance(grain));
+  std::fill(block.load_second + k, block.load_second + ContactBlock::size, load_distance(grain));
+  std::fill(block.image + k, block.image + ContactBlock::size, static_cast<std::uint16_t>(far));
+  block.folded = true;
 }
 
 }  // namespace
-
-bool before(const Pair& a, const Pair& b) {
-  if (a.first != b.first) return a.first < b.first;
-  if (a.second != b.second) return a.second < b.second;
-  return earlier(a.image, b.image);
-}
 
 void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
   const std::size_t grains = bodies.size();
@@ -150,7 +132,7 @@ void Contacts::make_plan(const std::vector<Pair>& pairs) {
 }
 
 void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
-  const std::vector<Vec3i> old_images = std::exchange(images, images_of(pairs));
+  const std::vector<CellOffset> old_images = std::exchange(images, images_of(pairs));
   if (images.size() > std::numeric_limits<std::uint16_t>::max())
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   inherit(planes, with_planes);
@@ -163,10 +145,11 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
     const std::size_t begin = chunk * grains_per_chunk;
     const auto end = static_cast<std::int32_t>(begin + grains_per_chunk);
     LargeVector<ContactBlock>& blocks = chunks[chunk];
-    before_.swap(blocks);
+    known_.swap(blocks);
     blocks.clear();
+    Known known(known_, old_images);
     while (at != pairs.end() && at->first < end) {
-      ContactBlock& block = blocks.emplace_back(empty_block(begin, images.size() - 1));
+      ContactBlock& block = blocks.emplace_back();
       for (; block.count < ContactBlock::size && at != pairs.end() && at->first < end; ++at, ++block.count) {
         const int k = block.count;
         const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
@@ -175,10 +158,10 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
         block.folded = block.folded || block.image[k] != 0;
         block.far = block.far || at->second >= end;
         block.load_second[k] = load_distance(at->second < end ? second : next_[second]++);
+        known.pass_on(*at, block, k);
       }
-      block.folded = block.folded || block.count < ContactBlock::size;
+      if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
     }
-    inherit(before_, old_images, blocks, images);
   }
   for (PlanePair& p : planes) p.load = next_[static_cast<std::size_t>(p.grain)]++;
 }

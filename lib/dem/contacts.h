@@ -13,6 +13,7 @@
 
 #include "core/v3.h"
 #include "dem/bodies.h"
+#include "dem/cell_offset.h"
 #include "dem/chunk_plan.h"
 #include "dem/laws/contact.h"
 
@@ -50,8 +51,13 @@ struct alignas(64) ContactBlock {
 /// A pair as the neighbour search lists it.
 struct Pair {
   std::int32_t first, second;
-  Vec3i image;
+  CellOffset image;
 };
+/// Order of pairs in a list.
+inline bool before(const Pair& a, const Pair& b) {
+  if (a.first != b.first) return a.first < b.first;
+  return a.second != b.second ? a.second < b.second : a.image < b.image;
+}
 
 /// What is kept of one pair from step to step.
 struct History {
@@ -72,7 +78,7 @@ struct Contacts {
   std::vector<LargeVector<ContactBlock>> chunks;
   std::vector<PlanePair> planes;  // sorted by (grain, plane)
   // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
-  std::vector<Vec3i> images;
+  std::vector<CellOffset> images;
   // Where loads of one pair each lie in Bodies::loads, of other chunks' pairs and of planes: of grain b from
   // load_start[b] to load_start[b+1], in the order of its pairs, planes last. Pairs of a grain's own chunk add to its
   // own load.
@@ -93,14 +99,11 @@ struct Contacts {
   void assign_loads(const std::vector<Pair>& pairs, Bodies& bodies);
   void make_plan(const std::vector<Pair>& pairs);
 
-  LargeVector<ContactBlock> before_;  // of one chunk, while it is listed anew
-  std::vector<std::uint32_t> next_;   // load that is free for another pair of each grain
+  LargeVector<ContactBlock> known_;  // of one chunk, while it is listed anew
+  std::vector<std::uint32_t> next_;  // load that is free for another pair of each grain
 };
 
 /// Sum of the magnitudes of all contact forces, N, contact by contact.
 double force_sum(const Contacts& contacts);
-
-/// Order of pairs in a list.
-bool before(const Pair& a, const Pair& b);
 
 }  // namespace soilweave::dem

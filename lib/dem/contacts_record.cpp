@@ -43,9 +43,9 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
         add_planes_up_to(first);
         const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
         const Vec3 branch = vector_of(bodies.grains[j].position) - vector_of(bodies.grains[i].position) +
-                            cell.matrix() * image.cast<double>();
+                            shift_of(image, cell.matrix());
         const double distance = branch.norm();
-        add(Contacts::history(block, k), first, second, image, branch / distance, branch,
+        add(Contacts::history(block, k), first, second, cells_of(image), branch / distance, branch,
             bodies.radius(i) + bodies.radius(j) - distance);
       }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
@@ -55,7 +55,7 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
 void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contacts) {
   std::vector<std::size_t> order(r.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto pair = [&r](std::size_t k) { return Pair{r.bodies[k][0], r.bodies[k][1], r.image[k]}; };
+  const auto pair = [&r](std::size_t k) { return Pair{r.bodies[k][0], r.bodies[k][1], cell_offset(r.image[k])}; };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return before(pair(a), pair(b)); });
   std::vector<Pair> pairs;
   std::vector<PlanePair> with_planes;

@@ -167,15 +167,16 @@ double largest(const Lane4& x) { return largest_of(x); }
 
 // Sums stay in registers: through memory each addition would wait for the one before it to be stored.
 template <class Rows>
-[[gnu::flatten]] void move(const Push& push, Grain* grains, const Grain* end, Load* loads, MotionTally& tally) {
+[[gnu::flatten]] void move(const Push& push, Grain* grains, const Grain* end, Load* loads, const double* per_leeway2,
+                           MotionTally& tally) {
   using Vector = typename Rows::Vector;
   const Lanes dt = all<Lanes>(push.dt), damping = all<Lanes>(push.damping), gyration = all<Lanes>(push.gyration);
   const Vector gravity = Rows::part(
       {load<Lanes>(push.gravity[0].data()), load<Lanes>(push.gravity[1].data()), load<Lanes>(push.gravity[2].data())});
   const bool heavy = push.heavy, deforming = push.deforming;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
-  Lanes fastest{};
-  for (; grains != end; grains += at_once, loads += at_once) {
+  Lanes fastest{}, haste{};
+  for (; grains != end; grains += at_once, loads += at_once, per_leeway2 += at_once) {
     const Rows of{grains, loads};
     Vector force = of.force();
     const auto torque = of.torque();
@@ -187,7 +188,8 @@ template <class Rows>
     Lanes lost{};
     const Vector v = kick(force, ratio, damping, before, lost);
     if (heavy) add_up(gravity_work, dot(pull, before + v));
-    fastest = maximum(fastest, norm2(v));
+    const Lanes speed2 = norm2(v);
+    fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(per_leeway2)));
     of.put_velocity(v, mass);
 
     const auto [spin, radius] = of.spin_and_radius();
@@ -202,6 +204,7 @@ template <class Rows>
   }
   tally.damping = all_lost, tally.gravity_work = gravity_work;
   tally.fastest2 = std::max(tally.fastest2, largest(fastest));
+  tally.haste2 = std::max(tally.haste2, largest(haste));
 }
 
 }  // namespace

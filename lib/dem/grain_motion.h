@@ -20,12 +20,14 @@ struct Push {
 struct MotionTally {
   Lane4 damping{}, gravity_work{};  // twice the power, W
   double fastest2 = 0;              // m2/s2
+  double haste2 = 0;                // largest speed over leeway (Neighbours), 1/s2
 };
 
 /// Moves these grains, whose number is a multiple of `at_once`: velocities by the forces, damped by Cundall's local
 /// damping (dem-laws §4: each component's force is scaled by 1 -+ damping as it speeds up or slows down), positions by
 /// the new velocities and the cell's affine motion. Uses their loads up: they are left zero.
-using MoveGrains = void (*)(const Push& push, Grain* grains, const Grain* end, Load* loads, MotionTally& tally);
+using MoveGrains = void (*)(const Push& push, Grain* grains, const Grain* end, Load* loads, const double* per_leeway2,
+                            MotionTally& tally);
 struct GrainMotion {
   MoveGrains in_space, in_plane;
   std::size_t at_once;

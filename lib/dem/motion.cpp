@@ -39,7 +39,7 @@ Motion::Motion(std::size_t grains, int threads, const GrainMotion& how)
       moved_(chunks_of(grains)),
       collected_(chunks_of(grains)),
       partial_(chunks_of(grains)) {
-  for (MotionTally& m : moved_) m.fastest2 = std::numeric_limits<double>::infinity();  // not known yet
+  for (Collected& c : collected_) c.force = all<Lane4>(std::numeric_limits<double>::infinity());  // not known yet
 }
 
 template <class Pass>
@@ -106,7 +106,8 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
   Grain* const grains = bodies.grains.data();
   Load* const loads = bodies.loads.data();
   MotionTally tally;
-  move(push_, grains + begin, grains + whole, loads + begin, tally);
+  const double* const per_leeway2 = bodies.per_leeway2.data();
+  move(push_, grains + begin, grains + whole, loads + begin, per_leeway2 + begin, tally);
   if (rest > 0) {
     // The last few, beside grains at rest that do not fall.
     Push last = push_;
@@ -115,8 +116,12 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
     few.fill({unit, unit, unit, unit});
     std::array<Load, 8> on_few{};
     for (auto& along : last.gravity) std::fill(along.begin() + rest, along.end(), 0.0);
-    for (std::size_t k = 0; k < rest; ++k) few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
-    move(last, few.data(), few.data() + how_.at_once, on_few.data(), tally);
+    std::array<double, 8> per_leeway2_of_few{};
+    for (std::size_t k = 0; k < rest; ++k) {
+      few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
+      per_leeway2_of_few[k] = per_leeway2[whole + k];
+    }
+    move(last, few.data(), few.data() + how_.at_once, on_few.data(), per_leeway2_of_few.data(), tally);
     std::copy_n(few.begin(), rest, grains + whole);
   }
   moved_[chunk] = tally;
@@ -132,20 +137,21 @@ MotionSums Motion::advanced() const {
     all_chunks.damping += m.damping;
     all_chunks.gravity_work += m.gravity_work;
     all_chunks.fastest2 = std::max(all_chunks.fastest2, m.fastest2);
+    all_chunks.haste2 = std::max(all_chunks.haste2, m.haste2);
   }
   const auto sum = [](const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; };
   const double half = 0.5 * push_.dt;
-  return {half * sum(all_chunks.damping), half * sum(all_chunks.gravity_work), std::sqrt(all_chunks.fastest2)};
+  return {half * sum(all_chunks.damping), half * sum(all_chunks.gravity_work), std::sqrt(all_chunks.fastest2),
+          std::sqrt(all_chunks.haste2)};
 }
 
-double Motion::speed_bound(double smallest_mass) const {
+double Motion::gain_bound(double smallest_mass) const {
   Lane4 force{};
   for (const Collected& c : collected_) force = maximum(force, c.force);
   const auto length = [](double x2, double y2, double z2) { return std::sqrt(x2 + y2 + z2); };
   const double gx = push_.gravity[0][0], gy = push_.gravity[1][0], gz = push_.gravity[2][0];
   const double acceleration = length(force[0], force[1], force[2]) / smallest_mass + length(gx * gx, gy * gy, gz * gz);
-  constexpr double rounding = 1 + 1e-9;
-  return rounding * (advanced().fastest + push_.dt * (1 + push_.damping) * acceleration);
+  return push_.dt * (1 + push_.damping) * acceleration;
 }
 
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {

@@ -14,6 +14,7 @@ struct MotionSums {
   double damping = 0;       // J, taken by local damping in this step
   double gravity_work = 0;  // J, in this step
   double fastest = 0;       // m/s, largest fluctuation speed
+  double haste = 0;         // 1/s, largest speed over leeway (Neighbours)
 };
 
 /// Passes over the grains, chunk by chunk (contacts.h); keeps the sums of the chunks from call to call, so that
@@ -28,9 +29,9 @@ class Motion {
   void advance(std::size_t chunk, Bodies& bodies);
   void advance_all(Bodies& bodies);
   MotionSums advanced() const;
-  /// No grain will be faster than this after the step set out for, m/s, by the forces as they were collected and the
-  /// speeds after the step before; infinite before the first step. To be asked before anything moves.
-  double speed_bound(double smallest_mass) const;
+  /// No grain will gain more speed than this in the step set out for, m/s, by the forces as they were collected;
+  /// infinite before the first step. To be asked before anything moves.
+  double gain_bound(double smallest_mass) const;
 
   /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.
   void collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);

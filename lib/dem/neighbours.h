@@ -1,5 +1,9 @@
-// Which pairs may touch soon. Two lists: an outer one with a wide skin from a grid over the deforming cell, and the one
-// that is swept, with a narrow skin, filtered from it. Contacts keep their memory across rebuilds.
+// Which pairs may touch soon. Two lists: an outer one with a wide skin from a search (pair_search.h), and the one that
+// is swept, filtered from it. Contacts keep their memory across rebuilds.
+//
+// A grain has a leeway: how far it may move beside the cell before pairs are listed anew. A pair is listed that may
+// close within the leeways of both and that of the cell. In a sheared packing few grains are fast, most of all those
+// that rattle in their cage, and they alone get a long one: the list lasts, and names little that does not touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,39 +18,53 @@ namespace soilweave::dem {
 
 class Neighbours {
  public:
-  /// Skins (gaps up to which pairs are listed) are fractions of this radius, m.
+  /// Skins are fractions of this radius, m.
   explicit Neighbours(double largest_radius);
 
-  /// Counts how much pairs may have closed in a step: at first twice the fastest grain plus the affine closing of the
-  /// longest branch, and when that sum uses up the skin, by what the grains have truly moved since. Returns true when
-  /// the list is no longer safe. Speeds in m/s, of the fluctuation and of planes.
-  bool outdated(const Bodies& bodies, double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt);
-  /// Whether a step without planes is sure not to use up the skin by that count, where no grain is faster.
-  bool outlast(double fastest, const Mat3& velocity_gradient, double dt) const;
-  /// Lists all pairs of grains, and of grains and planes, closer than the skin; what `contacts` knew of them is kept.
-  /// Loads of the bodies are left zero.
+  /// Counts how much of the leeways a step has used up, and when that may be all, by how far the grains have truly
+  /// moved since they were listed. Returns true when the list is no longer safe. haste: the largest speed over leeway
+  /// of a grain in the step, 1/s (Motion); fastest_plane in m/s.
+  bool outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient, double dt);
+  /// Whether a step without planes is sure not to use up the leeways by that count, where no grain gains more speed
+  /// than this, m/s.
+  bool outlast(double gain, const Mat3& velocity_gradient, double dt) const;
+  /// Lists all pairs of grains, and of grains and planes, that may touch within their leeways, which are set anew by
+  /// the present speeds and those that outdated() was last told of; what `contacts` knew of the pairs is kept. Loads of
+  /// the bodies are left zero.
   void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:
-  // A state that pairs were looked for in, and what has moved since.
+  // A state that pairs were looked for in, and how the cell has deformed since.
   struct Since {
     std::vector<Vec3> position;
     Mat3 deformation = Mat3::Identity();
-    double planes = 0;  // m
-    double closed = 0;  // m, at most
 
     void begin(const Bodies& bodies);
-    /// What a step adds to `closed`, m.
-    static double closing(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt,
-                          double longest);
-    void move(double fastest, double fastest_plane, const Mat3& velocity_gradient, double dt, double longest);
-    void look(const Bodies& bodies, double longest);
+    void step(const Mat3& velocity_gradient, double dt) { deformation += dt * velocity_gradient * deformation; }
+    double strain() const { return (deformation - Mat3::Identity()).norm(); }
+    /// Calls use(grain, m) with how far each has moved beside the cell.
+    template <class Use>
+    void moved(const Bodies& bodies, const Use& use) const;
+  };
+  // The last step counted.
+  struct Pace {
+    double dt = 0, plane = 0;  // s, m/s
+    Mat3 velocity_gradient = Mat3::Zero();
   };
 
-  void search(const Bodies& bodies, const Cell& cell);
+  void set_leeways(const Bodies& bodies);
+  bool fit_outer_list(const Bodies& bodies);
+  void filter(const Bodies& bodies, const Cell& cell);
+  std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   double longest() const { return 2 * radius_ + outer_skin_; }  // branch that is listed, m
 
-  double radius_, outer_skin_, skin_;  // m
+  double radius_, outer_skin_;  // m
+  Pace pace_;
+  std::vector<double> leeway_;                 // m
+  double least_leeway_ = 0, cell_leeway_ = 0;  // m; of all grains; closing of a pair with the cell
+  double plane_leeway_ = 0;                    // m, what a plane, and a grain with the cell, may move
+  double haste_ = 0, worn_ = 0;                // 1/s; share of its leeway a grain has used up at most
+  double planes_moved_ = 0, extent_ = 0;       // m; how far from the origin grains are
   bool planes_ = false;
   Since filtered_, searched_;
   std::vector<Pair> outer_, listed_;  // sorted

@@ -123,7 +123,7 @@ struct Simulation::Impl {
     cell.advance(dt);
     planes.advance(dt);
     clock.lap(Phase::integration);
-    if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().fastest, fastest_plane(), gradient, dt))
+    if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().haste, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
     Vec3 stiffness;
@@ -132,7 +132,7 @@ struct Simulation::Impl {
     clock.lap(Phase::contacts);
     clock.shift(beside_sweep.seconds() / numerics.threads, Phase::contacts, Phase::integration);
     const MotionSums moved = motion.advanced();
-    if (passes.moving()) neighbours.outdated(bodies, moved.fastest, 0, gradient, dt);
+    if (passes.moving()) neighbours.outdated(bodies, moved.haste, 0, gradient, dt);
     const double clamped = clamps.take(numerics.gravity, dt, bodies);
     clock.lap(Phase::integration);
     contact_steps += sums.contacts;
@@ -152,7 +152,7 @@ struct Simulation::Impl {
   // grains comes after the forces are collected, by which their speed is foreseen.
   bool list_outlasts_step() const {
     return planes.all.empty() && !yarns.any() && clamps.all.empty() &&
-           neighbours.outlast(motion.speed_bound(smallest_mass), cell.velocity_gradient(), time_step);
+           neighbours.outlast(motion.gain_bound(smallest_mass), cell.velocity_gradient(), time_step);
   }
 
   void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {

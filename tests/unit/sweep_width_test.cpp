@@ -44,7 +44,7 @@ struct Stepper : testing::EngineParts {
     motion.advance_all(bodies);
     bodies.dimension = dimension;
     cell.advance(dt);
-    if (neighbours.outdated(bodies, motion.advanced().fastest, 0, cell.velocity_gradient(), dt))
+    if (neighbours.outdated(bodies, motion.advanced().haste, 0, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     if (in_space) bodies.dimension = 3;
     act(dt);

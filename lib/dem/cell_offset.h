@@ -1,0 +1,40 @@
+// Whole cells between a grain and the image of another that it touches, as one number.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/tensor.h"
+
+namespace soilweave::dem {
+
+/// x first: offsets order as (x, y, z) do, and add and subtract as vectors do. None is 0. Beyond a million cells along
+/// an axis, farther than pairs reach, all is one.
+using CellOffset = std::int64_t;
+
+constexpr int cell_offset_bits = 21;  // of an axis, sign included
+
+inline CellOffset cell_offset(const Vec3i& cells) {
+  constexpr std::int64_t most = (std::int64_t{1} << (cell_offset_bits - 1)) - 1;
+  const auto along = [&](int axis) { return std::clamp(std::int64_t{cells[axis]}, -most, most); };
+  return (along(0) * (1 << cell_offset_bits) + along(1)) * (1 << cell_offset_bits) + along(2);
+}
+
+inline Vec3i cells_of(CellOffset offset) {
+  constexpr std::int64_t range = std::int64_t{1} << cell_offset_bits, half = range / 2;
+  Vec3i cells;
+  for (const int axis : {2, 1}) {
+    cells[axis] = static_cast<int>(((offset + half) & (range - 1)) - half);
+    offset = (offset - cells[axis]) / range;
+  }
+  cells[0] = static_cast<int>(offset);
+  return cells;
+}
+
+/// What is added to the position of the second grain, m; matrix: the cell's.
+inline Vec3 shift_of(CellOffset offset, const Mat3& matrix) {
+  return offset == 0 ? Vec3::Zero() : Vec3(matrix * cells_of(offset).cast<double>());
+}
+
+}  // namespace soilweave::dem

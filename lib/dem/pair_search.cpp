@@ -1,0 +1,142 @@
+// Bins in reduced coordinates. Their grains, brought into the cell, lie side by side and are looked at four at a time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/pair_search.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace soilweave::dem {
+namespace {
+
+// At least one interaction length wide along every axis.
+class Grid {
+ public:
+  Grid(const Bodies& bodies, const Cell& cell, double length) : bodies_(bodies), cell_(cell) {
+    frame(length);
+    const std::size_t grains = bodies.size();
+    bin_of_.resize(grains), wrap_.resize(grains), members_.resize(grains);
+    start_.assign(static_cast<std::size_t>(bins_.prod()) + 1, 0);
+    for (std::size_t i = 0; i < grains; ++i) ++start_[place(i) + 1];
+    for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    for (auto* column : {&x_, &y_, &z_, &radius_}) column->resize(grains + width<Lane4>);
+    std::vector<std::uint32_t> next = start_;
+    for (std::size_t i = 0; i < grains; ++i) {
+      const std::uint32_t m = next[bin_of_[i]]++;
+      const Vec3 x = within(i);
+      members_[m] = static_cast<std::int32_t>(i);
+      x_[m] = x[0], y_[m] = x[1], z_[m] = x[2], radius_[m] = bodies.radius(i);
+    }
+  }
+
+  // Adds the pairs of i with grains j > i whose gap is below the skin, sorted.
+  void near(std::size_t i, double skin, std::vector<Pair>& found) const {
+    const auto begin = static_cast<std::ptrdiff_t>(found.size());
+    const Vec3i home = coordinates(static_cast<int>(bin_of_[i]));
+    const int reach_z = bodies_.dimension == 3 ? 1 : 0;
+    for (int dz = -reach_z; dz <= reach_z; ++dz)
+      for (int dy = -1; dy <= 1; ++dy) {
+        // Along x bins lie one after the other, but where the cell ends.
+        const int from = std::max(home[0] - 1, 0), to = std::min(home[0] + 1, bins_[0] - 1);
+        near(i, {from, home[1] + dy, home[2] + dz}, to - from, skin, found);
+        if (home[0] == 0) near(i, {-1, home[1] + dy, home[2] + dz}, 0, skin, found);
+        if (home[0] == bins_[0] - 1) near(i, {bins_[0], home[1] + dy, home[2] + dz}, 0, skin, found);
+      }
+    std::sort(found.begin() + begin, found.end(), before);
+  }
+
+ private:
+  // In a bin and so many that follow it.
+  void near(std::size_t i, Vec3i bin, int more, double skin, std::vector<Pair>& found) const {
+    Vec3i turn = Vec3i::Zero();
+    if (!fold(bin, turn)) return;
+    const CellOffset offset = cell_offset(turn);
+    const Vec3 from = within(i) - shift_of(offset, cell_.matrix());
+    const Lane4 x = all<Lane4>(from[0]), y = all<Lane4>(from[1]), z = all<Lane4>(from[2]);
+    const Lane4 grown = all<Lane4>(bodies_.radius(i) + skin);
+    const std::size_t first = index(bin);
+    const std::uint32_t end = start_[first + static_cast<std::size_t>(more) + 1];
+    for (std::uint32_t m = start_[first]; m < end; m += width<Lane4>) {
+      const V3<Lane4> d{load<Lane4>(&x_[m]) - x, load<Lane4>(&y_[m]) - y, load<Lane4>(&z_[m]) - z};
+      const Lane4 reach = load<Lane4>(&radius_[m]) + grown;
+      for (unsigned near = bits(Mask<Lane4>(norm2(d) < reach * reach)); near != 0; near &= near - 1) {
+        const std::uint32_t at = m + static_cast<std::uint32_t>(std::countr_zero(near));
+        if (at >= end) break;
+        const auto j = static_cast<std::size_t>(members_[at]);
+        if (j > i && !bodies_.in_one_fabric(i, j))
+          found.push_back({static_cast<std::int32_t>(i), members_[at], offset + wrap_[i] - wrap_[j]});
+      }
+    }
+  }
+
+  // Periodic axes are binned over the cell, the others over the extent of the grains.
+  void frame(double length) {
+    inverse_ = cell_.matrix().inverse();
+    const Vec3 widths = cell_.widths();
+    for (int a = 0; a < 3; ++a) {
+      low_[a] = 0, span_[a] = 1;
+      double width = widths[a];
+      if (!cell_.periodic(a)) {
+        double low = 0, high = 0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+          const double s = inverse_.row(a).dot(vector_of(bodies_.grains[i].position));
+          low = i == 0 ? s : std::min(low, s), high = i == 0 ? s : std::max(high, s);
+        }
+        low_[a] = low, span_[a] = std::max(high - low, 1e-300) * (1 + 1e-12);
+        width *= span_[a];
+      }
+      bins_[a] = static_cast<int>(std::clamp(std::floor(width / length), 1.0, 256.0));
+    }
+  }
+  std::size_t place(std::size_t i) {
+    Vec3i bin;
+    Vec3i wrap = Vec3i::Zero();
+    for (int a = 0; a < 3; ++a) {
+      double s = (inverse_.row(a).dot(vector_of(bodies_.grains[i].position)) - low_[a]) / span_[a];
+      if (cell_.periodic(a)) {
+        wrap[a] = static_cast<int>(std::floor(s));
+        s -= std::floor(s);
+      }
+      bin[a] = static_cast<int>(std::clamp(s * bins_[a], 0.0, bins_[a] - 1.0));
+    }
+    wrap_[i] = cell_offset(wrap);
+    return bin_of_[i] = static_cast<std::uint32_t>(index(bin));
+  }
+  Vec3 within(std::size_t i) const {
+    return vector_of(bodies_.grains[i].position) - shift_of(wrap_[i], cell_.matrix());
+  }
+  bool fold(Vec3i& bin, Vec3i& turn) const {
+    for (int a = 0; a < 3; ++a) {
+      if (bin[a] >= 0 && bin[a] < bins_[a]) continue;
+      if (!cell_.periodic(a)) return false;
+      turn[a] = bin[a] < 0 ? -1 : 1;
+      bin[a] -= turn[a] * bins_[a];
+    }
+    return true;
+  }
+  std::size_t index(const Vec3i& bin) const {
+    return static_cast<std::size_t>((bin[2] * bins_[1] + bin[1]) * bins_[0] + bin[0]);
+  }
+  Vec3i coordinates(int b) const { return {b % bins_[0], (b / bins_[0]) % bins_[1], b / (bins_[0] * bins_[1])}; }
+
+  const Bodies& bodies_;
+  const Cell& cell_;
+  Mat3 inverse_;
+  Vec3 low_, span_;
+  Vec3i bins_;
+  std::vector<std::uint32_t> bin_of_, start_;
+  std::vector<std::int32_t> members_;       // bin by bin
+  std::vector<double> x_, y_, z_, radius_;  // of the members, m
+  std::vector<CellOffset> wrap_;            // between a grain's unwrapped position and its bin
+};
+
+}  // namespace
+
+void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, std::vector<Pair>& found) {
+  const Grid grid(bodies, cell, longest);
+  found.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) grid.near(i, skin, found);
+}
+
+}  // namespace soilweave::dem
