@@ -131,9 +131,9 @@ class LawSweep final : public ContactSweep {
     const auto through = [=, this](Batch<Lanes, Space> batch, const Surroundings& s, StepSums<Lanes>& sums) {
       move<Space>(batch, s.dt);
       if (use_moments_)
-        answer<Space, true>(batch, s, sums), act<Space, true>(batch, s);
+        answer<Space, true>(batch, s, sums), act<Space, true>(batch, s, sums.work);
       else
-        answer<Space, false>(batch, s, sums), act<Space, false>(batch, s);
+        answer<Space, false>(batch, s, sums), act<Space, false>(batch, s, sums.work);
       if (with_stiffness) stiffen<Space>(batch, s, sums.affine_stiffness);
     };
     const bool with_planes = !contacts.planes.empty();  // which act when all is swept
@@ -226,7 +226,9 @@ class LawSweep final : public ContactSweep {
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] void answer(Batch<Lanes, Space> batch, const Surroundings& s,
                                               StepSums<Lanes>& sums) const {
-    for (const Group<Lanes, Space>& group : batch) {
+    Lanes overlap = sums.overlap;
+    std::int64_t contacts = sums.contacts;
+    for (Group<Lanes, Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
       const PairGeometry<Lanes, Space>& g = group.geometry;
       // What has parted has no memory; then its overlap and increments, zero, give no force.
@@ -245,15 +247,18 @@ class LawSweep final : public ContactSweep {
       if (moments) lanes.remember_moments(memory);
       lanes.remember_normal_force(response.normal_force);
       lanes.set_masks(group.touching, group.touching & bits(response.sliding));
-      sums.add(g, before, memory, moments, books);
-      sums.contacts += std::popcount(group.touching);
+      group.work = work_of(g, before, memory, moments, books);
+      overlap = maximum(overlap, g.kinematics.overlap);
+      contacts += std::popcount(group.touching);
     }
+    sums.overlap = overlap, sums.contacts = contacts;
   }
   static Rotation<Lanes> rotation(const V3<Lanes>& gibbs) { return Rotation<Lanes>::by_small(gibbs); }
   static PlanarRotation<Lanes> rotation(const Lanes& gibbs) { return PlanarRotation<Lanes>::by_small(gibbs); }
 
   template <class Space, bool moments>
-  [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s) {
+  [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& work) {
+    Lane4 all_work = work;  // in a register: through memory each addition would wait for the one before it to be stored
     for (const Group<Lanes, Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
       const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
@@ -265,7 +270,9 @@ class LawSweep final : public ContactSweep {
       }
       const Lanes depth = 0.5 * k.overlap;
       add_to_loads(action(k.normal, Lanes(k.r1 - depth), Lanes(k.r2 - depth), memory, lanes.normal_force()), lanes, s);
+      add_to(all_work, group.work);
     }
+    work = all_work;
   }
 
   // The part of f (x) l that comes from pairs across the cell's faces.

@@ -4,8 +4,8 @@
 
 #include "dem/contact_action.h"
 #include "dem/contact_sweep.h"
+#include "dem/contact_work.h"
 #include "dem/couples.h"
-#include "dem/row_sums.h"
 #include "dem/transport.h"
 
 namespace soilweave::dem {
@@ -40,7 +40,8 @@ class PlaneSweep {
     history.normal_force = response.normal_force;
     history.touching = true, history.sliding = response.sliding;
     put(-act.force, -act.torque_first, scene.bodies.dimension == 2, scene.bodies.loads[pair.load]);
-    sums.add(g, before, memory, moments_, books);
+    add_to(sums.work, work_of(g, before, memory, moments_, books));
+    sums.overlap = maximum(sums.overlap, k.overlap + decltype(sums.overlap){});
     ++sums.contacts;
     // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
     const double height = k.r1 - k.overlap;

@@ -11,30 +11,17 @@
 #include "dem/block_lanes.h"
 #include "dem/contact_action.h"
 #include "dem/contact_sweep.h"
-#include "dem/row_sums.h"
+#include "dem/contact_work.h"
 
 namespace soilweave::dem {
 
 /// What a step sums over the contacts of a chunk.
 template <class Lanes>
 struct StepSums {
-  Lane4 work{};              // -2 times that on the springs; frictional, rolling plastic, viscous
+  Lane4 work{};              // contact_work.h
   Lanes overlap{};           // the largest, a lane each
   Lane4 affine_stiffness{};  // where asked for
   std::int64_t contacts = 0;
-
-  template <class T, class Space>
-  void add(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after, bool moments,
-           const Books<T>& b) {
-    const Kinematics<T, Space>& k = g.kinematics;
-    T twice = dot(before.shear + after.shear, g.surface_slip);
-    if (moments) {
-      twice += product(Turn<T, Space>(before.rolling + after.rolling), k.roll);
-      if constexpr (Space::twists) twice = fused(T(before.twisting + after.twisting), k.twist, twice);
-    }
-    add_to(work, twice, b.frictional, b.rolling_plastic, b.viscous);
-    overlap = maximum(overlap, k.overlap + Lanes{});
-  }
 
   void put_into(SweepSums& s) const {
     s.tangential_work -= 0.5 * work[0];
@@ -65,6 +52,7 @@ struct Group {
   unsigned touching;
   PairMotion<Lanes, Space> motion;
   PairGeometry<Lanes, Space> geometry;
+  Work<Lanes> work;
 };
 inline constexpr std::size_t batch_size = 8;  // what the first cache holds
 template <class Lanes, class Space>

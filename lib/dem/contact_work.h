@@ -1,0 +1,32 @@
+// Work on contacts in a step, and what they dissipate, for the balance of energies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/pair_geometry.h"
+#include "dem/row_sums.h"
+
+namespace soilweave::dem {
+
+template <class T>
+struct Work {
+  T on_springs, frictional, rolling_plastic, viscous;  // J; the first -2 times over
+};
+
+/// Forces and moments before and after the step do half of the work each.
+template <class T, class Space>
+Work<T> work_of(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after,
+                bool moments, const Books<T>& b) {
+  T twice = dot(before.shear + after.shear, g.surface_slip);
+  if (moments) {
+    twice += product(Turn<T, Space>(before.rolling + after.rolling), g.kinematics.roll);
+    if constexpr (Space::twists) twice = fused(T(before.twisting + after.twisting), g.kinematics.twist, twice);
+  }
+  return {twice, b.frictional, b.rolling_plastic, b.viscous};
+}
+
+template <class T>
+void add_to(Lane4& row, const Work<T>& w) {
+  add_to(row, w.on_springs, w.frictional, w.rolling_plastic, w.viscous);
+}
+
+}  // namespace soilweave::dem
