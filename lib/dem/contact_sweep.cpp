@@ -100,7 +100,7 @@ class LawSweep final : public ContactSweep {
     kinematics.normal = {1, 0, 0};
     kinematics.overlap = overlap;
     kinematics.r1 = kinematics.r2 = radius;
-    kinematics.R_star = radius / 2;
+    kinematics.R_star = radius / 2, kinematics.per_reach = 0.5 / radius;
     kinematics.m1 = kinematics.m2 = 1;
     double largest = 0;
     for (const auto& couple : couples_.of_first(materials)) {
@@ -208,7 +208,8 @@ class LawSweep final : public ContactSweep {
         PairGeometry<Lanes, Space>& g = group->geometry;
         g.touching = place.touching;
         Kinematics<Lanes, Space>& kinematics = g.kinematics;
-        kinematics.normal = place.normal, kinematics.overlap = place.overlap, kinematics.R_star = place.R_star;
+        kinematics.normal = place.normal, kinematics.overlap = place.overlap;
+        kinematics.R_star = place.R_star, kinematics.per_reach = place.per_reach;
         kinematics.r1 = rows.radius_1, kinematics.r2 = rows.radius_2;
         if (use_masses) lanes.masses(grains, kinematics);
         group += live;

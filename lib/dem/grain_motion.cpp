@@ -182,7 +182,9 @@ template <class Rows>
     const auto torque = of.torque();
     of.use_up();
     const auto [before, mass] = of.velocity_and_mass();
-    const Lanes ratio = dt / mass;
+    const auto [spin, radius] = of.spin_and_radius();
+    // One division for both.
+    const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
     const Vector pull = mass * gravity;
     if (heavy) force = force + pull;
     Lanes lost{};
@@ -192,8 +194,6 @@ template <class Rows>
     fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(per_leeway2)));
     of.put_velocity(v, mass);
 
-    const auto [spin, radius] = of.spin_and_radius();
-    const Lanes spin_ratio = ratio / (gyration * radius * radius);
     const auto w = kick(torque, spin_ratio, damping, spin, lost);
     of.put_spin(w, radius);
     of.turn(Lanes(0.5 * dt) * w);

@@ -18,6 +18,7 @@ struct Kinematics {
   T twist;                  // rad, increment of the relative rotation about `normal`; not in the plane
   T r1, r2;                 // m; against a plane r2 = r1
   T R_star;                 // m, r1 r2/(r1 + r2); against a plane r1
+  T per_reach;              // 1/m, of r1 + r2
   T m1, m2;                 // kg; a plane's is infinite
 
   T m_star() const { return m1 / (1.0 + m1 / m2); }  // kg, reduced mass

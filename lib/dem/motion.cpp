@@ -55,14 +55,21 @@ void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies
 template <int dimension>
 Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
   const bool nodes = !bodies.fabric.empty();
-  Collected sums;
-  for (std::size_t i = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies); i < end; ++i) {
+  const auto collect_one = [&](std::size_t i, Collected& sums) {
     Load& load = collect_single(contacts, i, bodies.loads);
     if (nodes && bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
     for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
     sums.force = maximum(sums.force, Lane4(load.force * load.force));
-  }
+  };
+  // Two sums take turns: each addition waits for the one before it.
+  Collected sums, others;
+  std::size_t i = first_grain(chunk, bodies);
+  const std::size_t end = first_grain(chunk + 1, bodies);
+  for (; i + 1 < end; i += 2) collect_one(i, sums), collect_one(i + 1, others);
+  if (i < end) collect_one(i, sums);
+  for (int a = 0; a < dimension; ++a) sums.virial[a] += others.virial[a];
+  sums.force = maximum(sums.force, others.force);
   if (dimension == 2) {  // what the torque, third in the row, has added
     for (Lane4& v : sums.virial) v[2] = 0;
     sums.force[2] = 0;

@@ -50,7 +50,7 @@ struct AffineMotion {
 template <class T, class Space>
 struct Place {
   Vector<T, Space> normal;
-  T overlap, R_star, inverse_distance;
+  T overlap, R_star, per_reach, inverse_distance;
   Mask<T> touching;
 };
 
@@ -59,10 +59,12 @@ template <class T, class Space>
 Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r2) {
   const T reach = r1 + r2, distance_squared = norm2(branch);
   const Mask<T> touching = distance_squared <= reach * reach;
-  const T distance = square_root(distance_squared), inverse = 1.0 / (distance * reach);
-  const T inverse_distance = reach * inverse;
-  return {inverse_distance * branch, keep(touching, reach - distance), r1 * r2 * (distance * inverse), inverse_distance,
-          touching};
+  // The division beside the root, not after it.
+  const T distance = square_root(distance_squared), inverse = 1.0 / (distance_squared * reach);
+  const T inverse_distance = distance * (reach * inverse), per_reach = distance_squared * inverse;
+  return {inverse_distance * branch, keep(touching, reach - distance),
+          r1 * r2 * per_reach,       per_reach,
+          inverse_distance,          touching};
 }
 
 /// How they move, over a step dt that led there. Masses are the caller's.
@@ -91,6 +93,7 @@ inline PairGeometry<double> plane_geometry(const V3<double>& velocity, const V3<
   set_increments(motion, dt, k);
   k.overlap = radius - height;
   k.r1 = k.r2 = k.R_star = radius;
+  k.per_reach = 0.5 / radius;
   k.m1 = mass, k.m2 = std::numeric_limits<double>::infinity();
   g.surface_slip = k.slip;
   g.turn = then_spin(between(old_normal, k.normal), k.normal, 0.5 * dt * dot(k.normal, spin));

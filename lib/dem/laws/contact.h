@@ -102,10 +102,10 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
   const Quantity trial = fused_less(stiffness, increment, old);
   const T force2 = squared(trial), force = square_root(force2);
   s.limited = force > limit;
-  // One division for both. No branch: a guess that fails costs more than a root and a division, which others work
-  // beside.
-  const T inverse = 1.0 / maximum(T(force * stiffness), all<T>(1e-300)), compliance = force * inverse;
-  const T scale = select<T>(s.limited, limit * (stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
+  // One division, beside the root and not after it, for what the force is scaled by and for the compliance. No branch:
+  // a guess that fails costs more than both.
+  const T inverse = 1.0 / maximum(T(force2 * stiffness), all<T>(1e-300)), compliance = force2 * inverse;
+  const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
   s.force = scale * trial;
   // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
   s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));

@@ -67,13 +67,18 @@ struct Linear {
   template <class T, class Space>
   static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
                              Books<T>& books) {
-    const T tiny = all<T>(1e-300);
-    const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
-    // One division for both.
-    const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);
     Response<T> r;
-    r.normal_stiffness = 2.0 * n1 * n2 * (s * inverse);
-    r.shear_stiffness = 2.0 * s1 * s2 * (n * inverse);
+    if (c.E1 == c.E2 && c.S1 == c.S2) {
+      const T twice = 2.0 * k.r1 * k.r2 * k.per_reach;
+      r.normal_stiffness = c.E1 * twice, r.shear_stiffness = c.S1 * twice;
+    } else {
+      const T tiny = all<T>(1e-300);
+      const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
+      // One division for both.
+      const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);
+      r.normal_stiffness = 2.0 * n1 * n2 * (s * inverse);
+      r.shear_stiffness = 2.0 * s1 * s2 * (n * inverse);
+    }
     const T elastic = r.normal_stiffness * k.overlap;
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
