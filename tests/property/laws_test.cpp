@@ -293,7 +293,8 @@ TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
       set_lane(rest.normal, i, (1.0 / norm(d)) * d);
       overlap[i] = one.radius + two.radius - norm(d);
       rest.r1[i] = one.radius, rest.r2[i] = two.radius;
-      rest.R_star[i] = one.radius * two.radius / (one.radius + two.radius);
+      rest.per_reach[i] = 1 / (one.radius + two.radius);
+      rest.R_star[i] = one.radius * two.radius * rest.per_reach[i];
       rest.m1[i] = one.mass, rest.m2[i] = two.mass;
       set_lane(memory.shear, i, q.memory.shear), set_lane(memory.rolling, i, q.memory.rolling);
       memory.twisting[i] = q.memory.twisting;
@@ -303,7 +304,8 @@ TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
     Kinematics<Lane4> k{};
     k.normal = rest.normal;
     set_increments(m, dt, k);
-    k.overlap = overlap, k.r1 = rest.r1, k.r2 = rest.r2, k.R_star = rest.R_star, k.m1 = rest.m1, k.m2 = rest.m2;
+    k.overlap = overlap, k.r1 = rest.r1, k.r2 = rest.r2, k.R_star = rest.R_star;
+    k.per_reach = rest.per_reach, k.m1 = rest.m1, k.m2 = rest.m2;
     const Lane4 angle = 0.5 * dt * dot(k.normal, m.spin_1 + m.spin_2);
     memory.shear = transport(memory.shear, old_normal, k.normal, angle);
     memory.rolling = transport(memory.rolling, old_normal, k.normal, angle);

@@ -43,7 +43,7 @@ struct Pair {
     set_increments(m, dt, k);
     k.overlap = one.radius + two.radius - distance;
     k.r1 = one.radius, k.r2 = two.radius;
-    k.R_star = k.r1 * k.r2 / (k.r1 + k.r2);
+    k.per_reach = 1 / (k.r1 + k.r2), k.R_star = k.r1 * k.r2 * k.per_reach;
     k.m1 = one.mass, k.m2 = two.mass;
     return k;
   }

@@ -10,7 +10,8 @@ namespace {
 
 Kinematics<double> unequal() {
   Kinematics<double> k{};
-  k.r1 = 2e-3, k.r2 = 5e-3, k.overlap = 1e-5, k.R_star = k.r1 * k.r2 / (k.r1 + k.r2);
+  k.r1 = 2e-3, k.r2 = 5e-3, k.overlap = 1e-5;
+  k.per_reach = 1 / (k.r1 + k.r2), k.R_star = k.r1 * k.r2 * k.per_reach;
   return k;
 }
 
@@ -60,12 +61,25 @@ TEST(MaterialsOfACouple, MixAsTheFormulasSay) {
   EXPECT_DOUBLE_EQ(r.shear_stiffness, 2 * s1 * s2 / (s1 + s2));
 }
 
+TEST(LinearCouple, OfEqualMaterialsIsTheLimitOfDifferingOnes) {
+  const Linear::Material one{5e8, 0.3, 0.5, {}, {}, {}};
+  Linear::Material other = one;
+  other.young_modulus *= 1 + 1e-12;
+  const Kinematics<double> k = unequal();
+  Memory<double> memory{};
+  Books<double> books;
+  const auto equal = Linear::respond(Linear::mix(one, one), k, 0.0, memory, books);
+  const auto differing = Linear::respond(Linear::mix(one, other), k, 0.0, memory, books);
+  EXPECT_NEAR(equal.normal_stiffness / differing.normal_stiffness, 1, 1e-11);
+  EXPECT_NEAR(equal.shear_stiffness / differing.shear_stiffness, 1, 1e-11);
+}
+
 TEST(LawWithoutShearOrResistance, LetsGoOfForcesThatAStateWasMadeWith) {
   const Linear::Material smooth{5e8, 0, 0.5, {}, {}, {}};
   Kinematics<double> k{};
   k.normal = {0, 0, 1};
   k.overlap = 1e-5;
-  k.r1 = k.r2 = 1e-3, k.R_star = 5e-4, k.m1 = k.m2 = 1e-5;
+  k.r1 = k.r2 = 1e-3, k.R_star = 5e-4, k.per_reach = 500, k.m1 = k.m2 = 1e-5;
   Memory<double> memory{{0.1, 0.2, 0}, {1e-4, 0, 0}, 1e-4};
   Books<double> books;
   const auto r = Linear::respond(Linear::mix(smooth, smooth), k, 1e-6, memory, books);
