@@ -3,10 +3,12 @@
 #include "dem/contacts.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -52,6 +54,14 @@ void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
     target[array * ContactBlock::size] = source[array * ContactBlock::size];
   to.touching = with_bit(to.touching, l, true);
   to.sliding = with_bit(to.sliding, l, (from.sliding >> k) & 1);
+}
+
+// The pairs of a chunk; all are sorted.
+std::span<const Pair> of_chunk(const std::vector<Pair>& pairs, std::size_t chunk) {
+  const auto from = [&](std::size_t c) {
+    return std::partition_point(pairs.begin(), pairs.end(), [c](const Pair& p) { return chunk_of(p.first) < c; });
+  };
+  return {from(chunk), from(chunk + 1)};
 }
 
 // Pairs that a chunk knew, in order.
@@ -100,6 +110,27 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
   block.folded = true;
 }
 
+// Blocks of a chunk's pairs, with what is known of them.
+void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs,
+          const std::vector<CellOffset>& images, Known known) {
+  const std::size_t begin = chunk * grains_per_chunk;
+  blocks.clear();
+  for (auto at = pairs.begin(); at != pairs.end();) {
+    ContactBlock& block = blocks.emplace_back();
+    for (; block.count < ContactBlock::size && at != pairs.end(); ++at, ++block.count) {
+      const int k = block.count;
+      const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
+      block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
+      block.load_second[k] = load_distance(second);
+      block.image[k] = place(at->image, images);
+      block.folded = block.folded || block.image[k] != 0;
+      block.far = block.far || chunk_of(at->second) != chunk;
+      known.pass_on(*at, block, k);
+    }
+    if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
+  }
+}
+
 }  // namespace
 
 void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
@@ -132,7 +163,7 @@ void Contacts::make_plan(const std::vector<Pair>& pairs) {
 }
 
 void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
-  const std::vector<CellOffset> old_images = std::exchange(images, images_of(pairs));
+  const std::vector<CellOffset> known_images = std::exchange(images, images_of(pairs));
   if (images.size() > std::numeric_limits<std::uint16_t>::max())
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   inherit(planes, with_planes);
@@ -140,29 +171,24 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   assign_loads(pairs, bodies);
   chunks.resize(chunks_of(bodies.size()));
   make_plan(pairs);
-  auto at = pairs.begin();
+  known_.resize(static_cast<std::size_t>(threads));
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
-    const std::size_t begin = chunk * grains_per_chunk;
-    const auto end = static_cast<std::int32_t>(begin + grains_per_chunk);
-    LargeVector<ContactBlock>& blocks = chunks[chunk];
-    known_.swap(blocks);
-    blocks.clear();
-    Known known(known_, old_images);
-    while (at != pairs.end() && at->first < end) {
-      ContactBlock& block = blocks.emplace_back();
-      for (; block.count < ContactBlock::size && at != pairs.end() && at->first < end; ++at, ++block.count) {
-        const int k = block.count;
-        const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
-        block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
-        block.image[k] = place(at->image, images);
-        block.folded = block.folded || block.image[k] != 0;
-        block.far = block.far || at->second >= end;
-        block.load_second[k] = load_distance(at->second < end ? second : next_[second]++);
-        known.pass_on(*at, block, k);
-      }
-      if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
-    }
+    LargeVector<ContactBlock>& known = known_[static_cast<std::size_t>(omp_get_thread_num())];
+    known.swap(chunks[chunk]);
+    fill(chunks[chunk], chunk, of_chunk(pairs, chunk), images, Known(known, known_images));
   }
+  name_loads();
+}
+
+// What pairs do to grains of other chunks, and planes to any, goes to loads of their own.
+void Contacts::name_loads() {
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+    for (ContactBlock& block : chunks[chunk])
+      for (int k = 0; block.far && k < block.count; ++k) {
+        const std::int32_t second = ContactBlock::index(block.second[k]);
+        if (chunk_of(second) != chunk) block.load_second[k] = load_distance(next_[static_cast<std::size_t>(second)]++);
+      }
   for (PlanePair& p : planes) p.load = next_[static_cast<std::size_t>(p.grain)]++;
 }
 

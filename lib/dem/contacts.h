@@ -98,8 +98,9 @@ struct Contacts {
  private:
   void assign_loads(const std::vector<Pair>& pairs, Bodies& bodies);
   void make_plan(const std::vector<Pair>& pairs);
+  void name_loads();
 
-  LargeVector<ContactBlock> known_;  // of one chunk, while it is listed anew
+  std::vector<LargeVector<ContactBlock>> known_;  // by thread: of one chunk, while it is listed anew
   std::vector<std::uint32_t> next_;  // load that is free for another pair of each grain
 };
 

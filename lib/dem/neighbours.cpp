@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "dem/pair_search.h"
@@ -31,6 +32,19 @@ void give_back_spare(std::vector<Pair>& pairs) {
   pairs.swap(fitting);
 }
 
+template <class Use>
+void over_grains(const Bodies& bodies, int threads, const Use& use) {
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (std::size_t i = 0; i < bodies.size(); ++i) use(i);
+}
+template <class Value>
+double largest_over_grains(const Bodies& bodies, int threads, const Value& value) {
+  double largest = 0;
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(max : largest)
+  for (std::size_t i = 0; i < bodies.size(); ++i) largest = std::max(largest, value(i));
+  return largest;
+}
+
 double speed(const Grain& grain) { return vector_of(grain.velocity).norm(); }
 
 }  // namespace
@@ -38,24 +52,21 @@ double speed(const Grain& grain) { return vector_of(grain.velocity).norm(); }
 Neighbours::Neighbours(double largest_radius)
     : radius_(largest_radius), outer_skin_(relative_outer_skin * largest_radius) {}
 
-void Neighbours::Since::begin(const Bodies& bodies) {
-  position.clear();
-  for (const Grain& g : bodies.grains) position.push_back(vector_of(g.position));
+void Neighbours::Since::begin(const Bodies& bodies, int threads) {
+  position.resize(bodies.size());
+  over_grains(bodies, threads, [&](std::size_t i) { position[i] = vector_of(bodies.grains[i].position); });
   deformation.setIdentity();
 }
 
-template <class Use>
-void Neighbours::Since::moved(const Bodies& bodies, const Use& use) const {
+double Neighbours::Since::moved2(const Bodies& bodies, std::size_t i) const {
+  const Lane4& x = bodies.grains[i].position;
   const Mat3& f = deformation;
+  const Vec3& from = position[i];
   const Lane4 a = row(f.col(0), 0), b = row(f.col(1), 0), c = row(f.col(2), 0);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Lane4& x = bodies.grains[i].position;
-    const Vec3& from = position[i];
-    const Lane4 moved =
-        fused_less(all<Lane4>(from[2]), c, fused_less(all<Lane4>(from[1]), b, fused_less(all<Lane4>(from[0]), a, x)));
-    const Lane4 square = moved * moved;
-    use(i, square[0] + square[1] + square[2]);
-  }
+  const Lane4 moved =
+      fused_less(all<Lane4>(from[2]), c, fused_less(all<Lane4>(from[1]), b, fused_less(all<Lane4>(from[0]), a, x)));
+  const Lane4 square = moved * moved;
+  return square[0] + square[1] + square[2];
 }
 
 bool Neighbours::outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient,
@@ -68,9 +79,8 @@ bool Neighbours::outdated(const Bodies& bodies, double haste, double fastest_pla
   planes_moved_ += dt * (fastest_plane + rate * extent_);
   if (filtered_.strain() * longest() > cell_leeway_ || (planes_ && planes_moved_ > plane_leeway_)) return true;
   if (worn_ <= 1) return false;
-  double most = 0;
-  filtered_.moved(bodies, [&](std::size_t i, double square) { most = std::max(most, square * bodies.per_leeway2[i]); });
-  worn_ = std::sqrt(most);
+  worn_ = std::sqrt(largest_over_grains(
+      bodies, threads_, [&](std::size_t i) { return filtered_.moved2(bodies, i) * bodies.per_leeway2[i]; }));
   return worn_ > nearly_all;
 }
 
@@ -83,14 +93,16 @@ bool Neighbours::outlast(double gain, const Mat3& velocity_gradient, double dt) 
 
 void Neighbours::set_leeways(const Bodies& bodies) {
   const double at_rest = relative_rest * radius_, most = 0.25 * outer_skin_, time = horizon * pace_.dt;
-  double mean = 0;
-  for (const Grain& g : bodies.grains) mean += speed(g) / static_cast<double>(bodies.size());
-  leeway_.clear();
-  for (const Grain& g : bodies.grains) leeway_.push_back(std::min(at_rest + time * (speed(g) + mean), most));
+  leeway_.resize(bodies.size());
+  over_grains(bodies, threads_, [&](std::size_t i) { leeway_[i] = speed(bodies.grains[i]); });
+  const double mean = std::accumulate(leeway_.begin(), leeway_.end(), 0.0) / static_cast<double>(bodies.size());
+  over_grains(bodies, threads_,
+              [&](std::size_t i) { leeway_[i] = std::min(at_rest + time * (leeway_[i] + mean), most); });
   const double rate = pace_.velocity_gradient.norm();
   cell_leeway_ = std::min(at_rest + time * rate * longest(), most);
-  extent_ = longest();
-  for (const Grain& g : bodies.grains) extent_ = std::max(extent_, longest() + vector_of(g.position).norm());
+  if (!planes_) return;
+  extent_ = longest() + largest_over_grains(bodies, threads_,
+                                            [&](std::size_t i) { return vector_of(bodies.grains[i].position).norm(); });
   plane_leeway_ = at_rest + time * (pace_.plane + rate * extent_);
 }
 
@@ -98,25 +110,29 @@ bool Neighbours::fit_outer_list(const Bodies& bodies) {
   if (searched_.position.empty()) return false;
   // What is not in the outer list was farther off than its skin, when it was searched.
   const double each = 0.5 * (outer_skin_ - searched_.strain() * longest() - cell_leeway_);
-  bool fits = true;
-  searched_.moved(bodies, [&](std::size_t i, double square) {
-    const double left = each - std::sqrt(square);
-    fits = fits && left >= 0.5 * leeway_[i];
+  const double lack = largest_over_grains(bodies, threads_, [&](std::size_t i) {
+    const double left = each - std::sqrt(searched_.moved2(bodies, i)), wanted = 0.5 * leeway_[i];
     leeway_[i] = std::min(leeway_[i], left);
+    return wanted - left;
   });
-  return fits;
+  return lack <= 0;
 }
 
 void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
-  listed_.clear();
-  for (const Pair& p : outer_) {
+  near_.resize(outer_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t k = 0; k < outer_.size(); ++k) {
+    const Pair& p = outer_[k];
     const auto i = static_cast<std::size_t>(p.first), j = static_cast<std::size_t>(p.second);
     const Lane4 &a = bodies.grains[i].position, &b = bodies.grains[j].position;
     Lane4 d = b - a;
     if (p.image != 0) d += row(shift_of(p.image, cell.matrix()), 0);
     const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_;
-    if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach) listed_.push_back(p);
+    near_[k] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
   }
+  listed_.clear();
+  for (std::size_t k = 0; k < outer_.size(); ++k)
+    if (near_[k]) listed_.push_back(outer_[k]);
   give_back_spare(listed_);
 }
 
@@ -134,24 +150,28 @@ std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Plane
 }
 
 void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
-  planes_ = !planes.all.empty();
+  planes_ = !planes.all.empty(), threads_ = contacts.threads;
   set_leeways(bodies);
   if (!fit_outer_list(bodies)) {
     find_pairs(bodies, cell, outer_skin_, longest(), outer_);
     give_back_spare(outer_);
-    searched_.begin(bodies);
+    searched_.begin(bodies, threads_);
     set_leeways(bodies);
   }
   filter(bodies, cell);
   contacts.list(listed_, near_planes(bodies, planes), bodies);
-  filtered_.begin(bodies);
+  begin_list(bodies);
+}
+
+void Neighbours::begin_list(Bodies& bodies) {
+  filtered_.begin(bodies, threads_);
   least_leeway_ = *std::min_element(leeway_.begin(), leeway_.end());
-  haste_ = worn_ = planes_moved_ = 0;
+  worn_ = planes_moved_ = 0;
   bodies.per_leeway2.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  haste_ = largest_over_grains(bodies, threads_, [&](std::size_t i) {
     bodies.per_leeway2[i] = 1 / (leeway_[i] * leeway_[i]);
-    haste_ = std::max(haste_, speed(bodies.grains[i]) / leeway_[i]);
-  }
+    return speed(bodies.grains[i]) / leeway_[i];
+  });
 }
 
 }  // namespace soilweave::dem

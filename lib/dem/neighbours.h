@@ -39,12 +39,11 @@ class Neighbours {
     std::vector<Vec3> position;
     Mat3 deformation = Mat3::Identity();
 
-    void begin(const Bodies& bodies);
+    void begin(const Bodies& bodies, int threads);
     void step(const Mat3& velocity_gradient, double dt) { deformation += dt * velocity_gradient * deformation; }
     double strain() const { return (deformation - Mat3::Identity()).norm(); }
-    /// Calls use(grain, m) with how far each has moved beside the cell.
-    template <class Use>
-    void moved(const Bodies& bodies, const Use& use) const;
+    /// How far a grain has moved beside the cell, squared, m2.
+    double moved2(const Bodies& bodies, std::size_t i) const;
   };
   // The last step counted.
   struct Pace {
@@ -56,6 +55,7 @@ class Neighbours {
   bool fit_outer_list(const Bodies& bodies);
   void filter(const Bodies& bodies, const Cell& cell);
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
+  void begin_list(Bodies& bodies);
   double longest() const { return 2 * radius_ + outer_skin_; }  // branch that is listed, m
 
   double radius_, outer_skin_;  // m
@@ -66,8 +66,10 @@ class Neighbours {
   double haste_ = 0, worn_ = 0;                // 1/s; share of its leeway a grain has used up at most
   double planes_moved_ = 0, extent_ = 0;       // m; how far from the origin grains are
   bool planes_ = false;
+  int threads_ = 1;
   Since filtered_, searched_;
   std::vector<Pair> outer_, listed_;  // sorted
+  std::vector<char> near_;            // of the outer ones: whether it is listed
 };
 
 }  // namespace soilweave::dem

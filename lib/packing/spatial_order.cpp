@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/spatial_order.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,8 +15,6 @@
 
 namespace soilweave::packing {
 namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
 
 // In the cell that they are wrapped into.
 std::vector<Vec3> wrapped(const io::Snapshot& state) {
@@ -34,25 +29,22 @@ std::vector<Vec3> wrapped(const io::Snapshot& state) {
   return positions;
 }
 
-template <class Traits, class Point>
-std::vector<std::size_t> curve(const std::vector<Point>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  CGAL::hilbert_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
-  return order;
-}
-
-std::vector<std::size_t> curve(const std::vector<Vec3>& positions, int dimension) {
-  if (dimension == 2) {
-    std::vector<Kernel::Point_2> points;
-    for (const Vec3& x : positions) points.emplace_back(x[0], x[1]);
-    return curve<CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::const_type>>(
-        points);
-  }
-  std::vector<Kernel::Point_3> points;
-  for (const Vec3& x : positions) points.emplace_back(x[0], x[1], x[2]);
-  return curve<CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>>(
-      points);
+// Puts the grains of a box in order: those of one half of it, then those of the other, each half as large a number of
+// whole chunks as can be. Cut across its longest side, time and again, a box becomes chunks that are about as long as
+// wide, which fewest pairs leave.
+void bisect(const std::vector<Vec3>& positions, std::span<std::size_t> box) {
+  if (box.size() < 2) return;
+  Vec3 low = positions[box[0]], high = low;
+  for (const std::size_t i : box) low = low.cwiseMin(positions[i]), high = high.cwiseMax(positions[i]);
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const std::size_t chunks = dem::chunks_of(box.size());
+  const std::size_t half = chunks > 1 ? (chunks + 1) / 2 * dem::grains_per_chunk : box.size() / 2;
+  const auto cut = box.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(box.begin(), cut, box.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(positions[a][axis], a) < std::pair(positions[b][axis], b);
+  });
+  bisect(positions, box.first(half)), bisect(positions, box.subspan(half));
 }
 
 template <class T>
@@ -68,7 +60,9 @@ void put_in(const std::vector<std::size_t>& order, std::vector<T>& values) {
 io::Snapshot in_spatial_order(io::Snapshot state) {
   io::GrainsRecord& g = state.grains;
   if (g.size() <= dem::grains_per_chunk || state.contacts.size() > 0 || state.yarns.size() > 0) return state;
-  const std::vector<std::size_t> order = curve(wrapped(state), g.dimension);
+  std::vector<std::size_t> order(g.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  bisect(wrapped(state), order);
   put_in(order, g.body_id), put_in(order, g.position), put_in(order, g.orientation);
   put_in(order, g.velocity), put_in(order, g.angular_velocity), put_in(order, g.radius);
   put_in(order, g.mass), put_in(order, g.material_id), put_in(order, g.copy_id);
