@@ -101,7 +101,7 @@ struct Contacts {
   void name_loads();
 
   std::vector<LargeVector<ContactBlock>> known_;  // by thread: of one chunk, while it is listed anew
-  std::vector<std::uint32_t> next_;  // load that is free for another pair of each grain
+  std::vector<std::uint32_t> next_;               // load that is free for another pair of each grain
 };
 
 /// Sum of the magnitudes of all contact forces, N, contact by contact.
