@@ -3,7 +3,6 @@
 #include "dem/contacts.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,11 +171,14 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   chunks.resize(chunks_of(bodies.size()));
   make_plan(pairs);
   known_.resize(static_cast<std::size_t>(threads));
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
-    LargeVector<ContactBlock>& known = known_[static_cast<std::size_t>(omp_get_thread_num())];
-    known.swap(chunks[chunk]);
-    fill(chunks[chunk], chunk, of_chunk(pairs, chunk), images, Known(known, known_images));
+#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
+  for (std::size_t share = 0; share < known_.size(); ++share) {
+    LargeVector<ContactBlock>& known = known_[share];
+    const std::size_t end = (share + 1) * chunks.size() / known_.size();
+    for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
+      known.swap(chunks[chunk]);
+      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), images, Known(known, known_images));
+    }
   }
   name_loads();
 }
