@@ -171,7 +171,7 @@ class Runner {
     }
     return Servo::settled(goals, dimension_, scenario_.tolerances, simulation_) &&
            (std::isinf(scenario_.tolerances.kinetic_energy) ||
-            simulation_.kinetic_energy() <= scenario_.tolerances.kinetic_energy);
+            simulation_.kinetic_energy_of_acted_on() <= scenario_.tolerances.kinetic_energy);
   }
 
   void tell(const Stage& stage, std::size_t station) const {
