@@ -119,7 +119,8 @@ class Runner {
   void apply(const Stage& stage) {
     if (!stage.friction && !stage.plate_friction) return;
     if (stage.friction) model_ = with_friction(model_, *stage.friction);
-    if (stage.plate_friction) model_ = with_friction(model_, *stage.plate_friction, scenario_.planes.material_id);
+    if (stage.plate_friction)
+      model_ = with_friction_against(model_, *stage.plate_friction, scenario_.planes.material_id);
     simulation_.set_model(model_);
   }
 
