@@ -15,6 +15,8 @@ C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
 C3_BAG_quick := $(C3_GRAINS_quick) --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   --set material.0.rolling.stiffness=1.04 --set material.0.twisting.stiffness=1.04
+# A round of growth takes more of the void ratio where more of the bag is filled.
+C3_BAG_thesis := --set growth.measure_every=2
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=$(C3_YARNS_quick) --set plane.0.point=[0,0,0.05] --set plane.1.point=[0,0,-0.05]
 # Of the thesis's, how many one yarn stands for.
 C3_YARNS_quick := 2
