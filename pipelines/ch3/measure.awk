@@ -113,6 +113,14 @@ END {
     for (i = 2; i <= rows[f]; ++i) if (size(value[f, "force_top_x", i]) > size(value[f, "force_top_x", peak])) peak = i
     ratio[k] = size(value[f, "force_top_x", peak]) / size(value[f, "force_top_z", peak])
   }
+  # Of the least load: thickness of the bag while it is sheared, and the soil's own ratio beside the plates'.
+  f = "ss_" load[1]
+  for (first = 1; value[f, "stage", first + 1] == 0; ++first) { }
+  lowest = first
+  for (i = first; i <= rows[f]; ++i) if (value[f, "displacement_top_z", i] < value[f, "displacement_top_z", lowest]) lowest = i
+  put("shear_contraction", 1000 * (value[f, "displacement_top_z", first] - value[f, "displacement_top_z", lowest]))
+  put("shear_dilation", 1000 * (last(f, "displacement_top_z") - value[f, "displacement_top_z", lowest]))
+  put("shear_lag", size(last(f, "soil_stress_xz")) / last(f, "soil_stress_zz") - size(last(f, "force_top_x")) / size(last(f, "force_top_z")))
   put("shear_ratio_first", ratio[1])
   put("shear_ratio_falls", ratio[m] - ratio[1])
 }
