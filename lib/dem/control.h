@@ -21,7 +21,7 @@ using AxisGoals = std::array<AxisGoal, 3>;
 struct Tolerances {
   double stress = 1e-3;                                             // relative to the goal
   double unbalanced_force = 1e-3;                                   // mean resultant over mean contact force
-  double kinetic_energy = std::numeric_limits<double>::infinity();  // J
+  double kinetic_energy = std::numeric_limits<double>::infinity();  // J, of what is acted on
 };
 
 /// How an axis follows its stress goal.

@@ -31,6 +31,14 @@ Load& collect_single(const Contacts& contacts, std::size_t i, LargeVector<Load>&
 // x, y and z squared and added.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
+double kinetic_energy_of(std::size_t i, const Bodies& bodies, const Lane4& gravity, double dt) {
+  const double m = bodies.mass(i), inertia = bodies.inertia(i);
+  const Lane4 v = bodies.grains[i].velocity + (0.5 * dt / m) * resultant(bodies, i, gravity);
+  const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.torque(i);
+  const double turning = std::isfinite(inertia) ? 0.5 * inertia * length2(w) : 0;
+  return 0.5 * m * length2(v) + turning;
+}
+
 }  // namespace
 
 Motion::Motion(std::size_t grains, int threads, const GrainMotion& how)
@@ -180,15 +188,17 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
 }
 
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) sum += kinetic_energy_of(i, bodies, row(gravity, 0), dt);
+  return sum;
+}
+
+double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt) {
   const Lane4 g = row(gravity, 0);
   double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double m = bodies.mass(i), inertia = bodies.inertia(i);
-    const Lane4 v = bodies.grains[i].velocity + (0.5 * dt / m) * resultant(bodies, i, g);
-    const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.torque(i);
-    sum += 0.5 * m * length2(v);
-    if (std::isfinite(inertia)) sum += 0.5 * inertia * length2(w);
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (length2(resultant(bodies, i, g)) > 0 || length2(bodies.torque(i)) > 0)
+      sum += kinetic_energy_of(i, bodies, g, dt);
   return sum;
 }
 

@@ -119,7 +119,8 @@ class Runner {
   void apply(const Stage& stage) {
     if (!stage.friction && !stage.plate_friction) return;
     if (stage.friction) model_ = with_friction(model_, *stage.friction);
-    if (stage.plate_friction) model_ = with_friction(model_, *stage.plate_friction, scenario_.planes.material_id);
+    if (stage.plate_friction)
+      model_ = with_friction_against(model_, *stage.plate_friction, scenario_.planes.material_id);
     simulation_.set_model(model_);
   }
 
@@ -171,7 +172,7 @@ class Runner {
     }
     return Servo::settled(goals, dimension_, scenario_.tolerances, simulation_) &&
            (std::isinf(scenario_.tolerances.kinetic_energy) ||
-            simulation_.kinetic_energy() <= scenario_.tolerances.kinetic_energy);
+            simulation_.kinetic_energy_of_acted_on() <= scenario_.tolerances.kinetic_energy);
   }
 
   void tell(const Stage& stage, std::size_t station) const {

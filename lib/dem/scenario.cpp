@@ -81,8 +81,12 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   stage.name = table.text("name", path);
   stage.reset_strain = table.flag("reset_strain", false);
   if (table.has("friction_angle")) stage.friction = table.number(friction) * degree;
-  static constexpr Parameter plates{
-      "plate_friction_angle", "deg", 0, 89.9, false, "friction angle of the planes' materials from this stage on"};
+  static constexpr Parameter plates{"plate_friction_angle",
+                                    "deg",
+                                    0,
+                                    89.9,
+                                    false,
+                                    "friction angle between the planes and what touches them from this stage on"};
   if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
   stage.path = read_path(path, table);
@@ -188,13 +192,24 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   return s;
 }
 
-Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
+Model with_friction(const Model& model, double angle) {
+  Model changed = model;
+  std::visit(
+      [angle](auto& all) {
+        for (auto& m : all) m.friction_angle = angle;
+      },
+      changed.materials);
+  return changed;
+}
+
+Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
   Model changed = model;
   std::visit(
       [&](auto& all) {
-        if (materials.empty())
-          for (auto& m : all) m.friction_angle = angle;
-        for (const std::int32_t k : materials) all[static_cast<std::size_t>(k)].friction_angle = angle;
+        for (const std::int32_t k : materials) {
+          auto& m = all[static_cast<std::size_t>(k)];
+          m.friction_angle = angle, m.friction_decides = true;
+        }
       },
       changed.materials);
   return changed;

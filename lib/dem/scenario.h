@@ -18,7 +18,7 @@ struct Stage {
   std::unique_ptr<Path> path;
   bool reset_strain = false;             // the state at its start becomes the reference of the strains
   std::optional<double> friction;        // rad, of all materials from here on
-  std::optional<double> plate_friction;  // rad, of the materials of planes alone
+  std::optional<double> plate_friction;  // rad, of the materials of planes against any other
   std::optional<double> damping;         // local damping during this stage
 };
 
@@ -61,8 +61,10 @@ Numerics read_numerics(Settings& document);
 /// Reads and checks everything; all mistakes are reported at once. Throws DataError.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 
-/// Model with every friction angle replaced, rad; of these materials alone, where some are named.
-Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
+/// Model with every friction angle replaced, rad.
+Model with_friction(const Model& model, double angle);
+/// Model with these materials' friction angle, rad, against any other material: of plates, rough or smooth.
+Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials);
 /// Model with every friction angle multiplied.
 Model with_friction_times(double factor, const Model& model);
 /// Smallest friction angle of a model's materials, rad.

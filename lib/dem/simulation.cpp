@@ -335,6 +335,9 @@ const YarnSums& Simulation::yarns() const { return impl_->yarns.sums(); }
 double Simulation::kinetic_energy() const {
   return dem::kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
 }
+double Simulation::kinetic_energy_of_acted_on() const {
+  return dem::kinetic_energy_of_acted_on(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
+}
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 
 void Simulation::scale_radii(double factor, const Vec3& stretch) {

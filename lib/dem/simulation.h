@@ -64,8 +64,9 @@ class Simulation {
   /// Mean resultant on grains over mean force of contacts and taut yarns, or over `least`, N, if that is more; 0/0 is
   /// 0.
   double unbalanced_force(double least = 0) const;
-  double kinetic_energy() const;   // J
-  double largest_overlap() const;  // over the smaller radius
+  double kinetic_energy() const;              // J
+  double kinetic_energy_of_acted_on() const;  // J, of grains that float free nothing
+  double largest_overlap() const;             // over the smaller radius
   Energies energies() const;
   double time_step() const;  // s, of the next step
   double stability_limit();  // s, from the present stiffness

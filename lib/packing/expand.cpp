@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "analysis/tables.h"
 #include "analysis/tessellation.h"
@@ -25,19 +26,24 @@ constexpr std::int64_t patience = 10;
 // Motion is stopped so much more rarely while grains come to rest: what sways as a whole takes its time.
 constexpr std::int64_t rest = 4;
 
-// What is being done: rounds of growth; then coming to rest, and again with the friction that was lowered restored.
-enum class Stage { growing, resting, restored, done };
+// Radii that give way do so by this share of the mean overlap at a time: half of it would part grains that stay in
+// place.
+constexpr double relief = 0.05;
+
+// What is being done: rounds of growth, with friction lowered where need be; then coming to rest with all of it.
+enum class Stage { growing, resting, done };
 
 struct Standing {
   Stage stage = Stage::growing;
   std::int64_t round = 0, first = 0;               // step at which the stage, or the round, began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
   double friction = 1;                             // over what it is to be
+  bool standing = false;                           // the volume, when grains last grew
 
   void archive(Archive& a) {
     a.whole("stage", stage), a.item("round", round), a.item("stage_first_step", first);
     a.item("growth", growth), a.item("delaunay_volume", volume), a.item("measured_at", measured_at);
-    a.item("friction", friction);
+    a.item("friction", friction), a.whole("volume_stands", standing);
   }
 };
 
@@ -93,15 +99,18 @@ class Grower {
 
   // Friction as the stage has it.
   void adjust() {
-    const bool lowered = at_.friction < 1 && at_.stage != Stage::restored;
+    const bool lowered = at_.friction < 1 && at_.stage == Stage::growing;
     simulation_.set_model(lowered ? dem::with_friction_times(at_.friction, model_) : model_);
   }
 
   // One stage, or one round of growth, to its end.
   void go_on() {
     if (at_.stage == Stage::growing) {
-      if (presses()) return enter(Stage::resting);
-      return grow();
+      if (!presses()) return grow();
+      if (!loose()) return enter(Stage::resting);
+      // Grains that slide more easily press less; until then they do not grow.
+      lower_friction();
+      return enter(Stage::growing);
     }
     const bool rests = settle(growth_.largest_round, 0);
     measure();
@@ -109,7 +118,7 @@ class Grower {
     // What presses while it moves may fall apart as it comes to rest.
     fell_apart_ = !held();
     if (fell_apart_) return grow();
-    if (growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio) {
+    if (loose()) {
       lower_friction();
       return grow();
     }
@@ -118,18 +127,25 @@ class Grower {
           fmt::format("full, but no equilibrium after {} steps (unbalanced force {:.2e} of {:.2e}): loosen "
                       "growth.unbalanced_force",
                       growth_.largest_round, simulation_.unbalanced_force(), growth_.unbalanced_force));
-    enter(at_.stage == Stage::resting && at_.friction < 1 ? Stage::restored : Stage::done);
+    if (growth_.largest_coordination_number && fill_.coordination_number > *growth_.largest_coordination_number)
+      return scale(1 - relief * fill_.overlap, Stage::resting);
+    enter(Stage::done);
   }
 
   void grow() {
     if (at_.round >= growth_.largest_rounds) unreached();
+    ++at_.round;
+    scale(growth_.factor, Stage::growing);
+  }
+
+  // Grains of another size, and the stage that goes on with them.
+  void scale(double factor, Stage stage) {
     const double filling = std::cbrt(growth_.stretch.prod());
     // The part of the way to the full container that this round goes.
-    const double share = at_.growth < filling ? std::log(growth_.factor) / std::log(filling) : 0;
-    at_.growth *= growth_.factor;
-    simulation_.scale_radii(growth_.factor, growth_.stretch.array().pow(share).matrix());
-    ++at_.round;
-    enter(Stage::growing);
+    const double share = factor > 1 && at_.growth < filling ? std::log(factor) / std::log(filling) : 0;
+    at_.growth *= factor;
+    simulation_.scale_radii(factor, growth_.stretch.array().pow(share).matrix());
+    enter(stage);
   }
 
   // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
@@ -176,7 +192,8 @@ class Grower {
       for (const std::int32_t body : bodies) ends += soil_[static_cast<std::size_t>(body)];
     fill_.growth = at_.growth;
     fill_.volume = analysis::delaunay_volume(soil);
-    fill_.void_ratio = fill_.volume / solids - 1;
+    const std::vector<double> cells = analysis::power_cell_volumes(state);
+    fill_.void_ratio = std::accumulate(cells.begin(), cells.end(), 0.0) / solids - 1;
     fill_.overlap = mean_overlap(state);
     fill_.coordination_number = ends / static_cast<double>(soil.grains.size());
     using analysis::put;
@@ -184,7 +201,7 @@ class Grower {
     put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
     put(history_, "growth", "1", "radii over those at the start", at_.growth);
     put(history_, "delaunay_volume", "m3", "volume of the tetrahedra of the soil's centres", fill_.volume);
-    put(history_, "void_ratio", "1", "void ratio of that volume", fill_.void_ratio);
+    put(history_, "void_ratio", "1", "void ratio of the soil from its power cells", fill_.void_ratio);
     put(history_, "mean_overlap", "1", "mean overlap over the mean radius", fill_.overlap);
     put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);
   }
@@ -203,11 +220,13 @@ class Grower {
     at_.volume = fill_.volume;
     // Grains that grow freely carry their volume along; grains that are held press on each other instead.
     const double free = 3 * std::log(at_.growth / at_.measured_at);
-    standing_ = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
+    if (free > 0) at_.standing = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
     at_.measured_at = at_.growth;
     if (report_) report_(progress(), fmt::format("round {}: {}", at_.round, text()));
-    return standing_ && held();
+    return at_.standing && held();
   }
+
+  bool loose() const { return growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio; }
 
   void lower_friction() {
     at_.friction *= growth_.friction_factor;
@@ -218,13 +237,13 @@ class Grower {
   }
 
   [[noreturn]] void unreached() const {
-    throw TargetNotReached(
-        fmt::format("after {} rounds the grains do not fill the container: {} ({})", at_.round,
-                    !standing_ ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
-                    : fell_apart_ ? "what presses falls apart as it comes to rest; allow more rounds (growth.rounds)"
-                                  : "the mean overlap is below growth.overlap, or the coordination number below "
-                                    "growth.coordination_number; allow more rounds (growth.rounds)",
-                    text()));
+    throw TargetNotReached(fmt::format(
+        "after {} rounds the grains do not fill the container: {} ({})", at_.round,
+        !at_.standing ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
+        : fell_apart_ ? "what presses falls apart as it comes to rest; allow more rounds (growth.rounds)"
+                      : "the mean overlap is below growth.overlap, or the coordination number below "
+                        "growth.coordination_number; allow more rounds (growth.rounds)",
+        text()));
   }
 
   io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), history_, at_); }
@@ -238,8 +257,7 @@ class Grower {
   std::vector<bool> soil_;
   Standing at_;
   Fill fill_;
-  double least_force_ = 0;  // N
-  bool standing_ = false;
+  double least_force_ = 0;   // N
   bool fell_apart_ = false;  // on coming to rest
   io::Series history_;
   dem::PriceClock clock_;
@@ -272,9 +290,12 @@ Growth Growth::read(Settings& table) {
       "growth of the Delaunay volume, over that of free grains, that counts as standing still"};
   static constexpr Parameter overlap{"overlap", "1",  0,
                                      1,         true, "mean overlap over the mean radius of a full container"};
-  static constexpr Parameter coordination{"coordination_number", "1", 0, 20, true, "of a full container at rest"};
+  static constexpr Parameter coordination{
+      "coordination_number", "1", 0, 20, true, "of a full container at rest, at least"};
+  static constexpr Parameter most{
+      "largest_coordination_number", "1", 0, 20, true, "of a full container at rest; radii give way for it"};
   static constexpr Parameter target{
-      "void_ratio", "1", 0, 100, true, "of the full container, by the Delaunay volume; friction is lowered for it"};
+      "void_ratio", "1", 0, 100, true, "of the full container, by its power cells; friction is lowered for it"};
   static constexpr Parameter lowering{"friction_factor", "1", 0, 0.999, true, "of the friction angle, each time"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
@@ -288,6 +309,7 @@ Growth Growth::read(Settings& table) {
   g.volume_tolerance = table.number(volume, g.volume_tolerance);
   g.overlap = table.number(overlap, g.overlap);
   g.coordination_number = table.number(coordination, g.coordination_number);
+  if (table.has("largest_coordination_number")) g.largest_coordination_number = table.number(most);
   if (table.has("void_ratio")) g.void_ratio = table.number(target);
   g.friction_factor = table.number(lowering, g.friction_factor);
   g.measure_every = table.integer(every, g.measure_every);

@@ -27,9 +27,11 @@ struct Growth {
   std::int64_t stop_every = 50;      // steps after which all motion is stopped, 0: never: damping takes none of flight
   double volume_tolerance = 0.9;     // growth of the Delaunay volume over that of free grains: less is standing still
   double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full, at rest
-  double coordination_number = 2.5;  // and their coordination number
-  /// Of the full container, by the Delaunay volume: while grains that press are looser, friction is lowered; it is
-  /// restored at the end. None: as dense as they come.
+  double coordination_number = 2.5;  // and their least coordination number
+  /// Their largest one: radii give way at rest until they have no more contacts. None: as many as they have.
+  std::optional<double> largest_coordination_number;
+  /// Of the full container, by the soil's power cells, which end at the nodes: while grains that press are looser,
+  /// friction is lowered; it is restored at the end. None: as dense as they come.
   std::optional<double> void_ratio;
   double friction_factor = 0.9;     // of the friction angles, each time
   std::int64_t measure_every = 10;  // rounds
@@ -43,7 +45,7 @@ struct Growth {
 struct Fill {
   double growth = 1;               // of the radii, so far
   double volume = 0;               // m3, of the Delaunay tetrahedra of the soil's centres
-  double void_ratio = 0;           // of that volume
+  double void_ratio = 0;           // of the soil's power cells
   double overlap = 0;              // mean over the contacts, over the soil's mean radius
   double coordination_number = 0;  // 2 Nc/N of the soil, contacts with nodes counting once
 };

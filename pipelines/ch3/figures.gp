@@ -1,4 +1,4 @@
-# Figures of chapter 3: compression, paths, yarns, shear. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'"
+# Figures of chapter 3: compression, paths, yarns, shear. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1"
 # SPDX-License-Identifier: GPL-3.0-or-later
 set datafile separator "\t"
 set key autotitle columnhead
@@ -32,7 +32,7 @@ unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"yarn_tension_face [N]" with linespoints pt 7 ps 0.4 title g, \
+plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints pt 7 ps 0.4 title g, \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points pt 6 title g.' recorded'
 set ylabel 'broken yarns'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints pt 7 ps 0.4 title g

@@ -1,7 +1,8 @@
 # The numbers of chapter 3: generation, compression beside the recorded series of the same model, shear, strips.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -v loads='1330 ...' -f measure.awk uc_*.tsv ss_*.tsv strip_*.tsv generation.tsv soilbag_uniaxial_*.tsv > measured.tsv
-# value[file, column, row] in SI; rows[file]. Files are named by their last part without the ending.
+# usage: awk -v loads='1330 ...' -v yarns=1 -f measure.awk uc_*.tsv ss_*.tsv strip_*.tsv generation.tsv soilbag_uniaxial_*.tsv > measured.tsv
+# value[file, column, row] in SI; rows[file]. Files are named by their last part without the ending. yarns: how many of the record's
+# yarns one of these stands for.
 function name_of(path) { sub(/.*\//, "", path); sub(/\.tsv$/, "", path); return path }
 function factor(unit) { return unit == "%" ? 0.01 : unit ~ /^k/ ? 1000 : 1 }
 function size(x) { return x < 0 ? -x : x }
@@ -29,6 +30,7 @@ function compression(f, i, start) {
     value[f, "strain", i] = (value[f, "displacement_bottom_z", i] - value[f, "displacement_top_z", i] - \
       value[f, "displacement_bottom_z", start] + value[f, "displacement_top_z", start]) / 0.08
     value[f, "pressure", i] = 0.5 * (size(value[f, "force_top_z", i]) + size(value[f, "force_bottom_z", i])) / 0.16
+    value[f, "tension", i] = value[f, "yarn_tension_face", i] / yarns
     value[f, "lateral", i] = 0.5 * (value[f, "soil_stress_xx", i] + value[f, "soil_stress_yy", i])
   }
 }
@@ -52,15 +54,15 @@ function compare(g, f, r, i, at, worst, n, slope, base, peak, recorded) {
   # At equal tension of the yarns on the faces, and at equal strain from 3 % to the recorded peak: greatest differences.
   for (i = 2; i <= recorded; ++i) {
     at = value[r, "tension_yarn_face", i]
-    note("tension", g, "lateral", where(f, "yarn_tension_face", "lateral", at), value[r, "radial_stress", i])
-    note("tension", g, "axial", where(f, "yarn_tension_face", "soil_stress_zz", at), value[r, "axial_stress", i])
-    note("tension", g, "pressure", where(f, "yarn_tension_face", "pressure", at), value[r, "plate_pressure", i])
+    note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+    note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
     at = value[r, "strain_axial", i]
     if (at < 0.03) continue
     note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
     note("strain", g, "axial", where(f, "strain", "soil_stress_zz", at), value[r, "axial_stress", i])
     note("strain", g, "pressure", where(f, "strain", "pressure", at), value[r, "plate_pressure", i])
-    note("strain", g, "tension", where(f, "strain", "yarn_tension_face", at), value[r, "tension_yarn_face", i])
+    note("strain", g, "tension", where(f, "strain", "tension", at), value[r, "tension_yarn_face", i])
   }
   # Energy that the balance leaves over, of the work of the plates.
   put("energy_error_" g, 100 * size(last(f, "energy_error")) / size(last(f, "boundary_work")))
@@ -68,7 +70,6 @@ function compare(g, f, r, i, at, worst, n, slope, base, peak, recorded) {
   put("tension_families_" g, value[f, "yarn_tension_face", base] / value[f, "yarn_tension_side_horizontal", base])
   put("hoop_over_side_" g, value[f, "yarn_tension_side_horizontal", base] / value[f, "yarn_tension_side_vertical", base])
   put("face_friction_" g, value[f, "face_friction_z", base])
-  put("grain_fraction_" g, last(f, "broken_yarns"))
 }
 function note(at, g, what, measured, recorded, d, key) {
   d = 100 * (measured / recorded - 1)
@@ -112,6 +113,14 @@ END {
     for (i = 2; i <= rows[f]; ++i) if (size(value[f, "force_top_x", i]) > size(value[f, "force_top_x", peak])) peak = i
     ratio[k] = size(value[f, "force_top_x", peak]) / size(value[f, "force_top_z", peak])
   }
+  # Of the least load: thickness of the bag while it is sheared, and the soil's own ratio beside the plates'.
+  f = "ss_" load[1]
+  for (first = 1; value[f, "stage", first + 1] == 0; ++first) { }
+  lowest = first
+  for (i = first; i <= rows[f]; ++i) if (value[f, "displacement_top_z", i] < value[f, "displacement_top_z", lowest]) lowest = i
+  put("shear_contraction", 1000 * (value[f, "displacement_top_z", first] - value[f, "displacement_top_z", lowest]))
+  put("shear_dilation", 1000 * (last(f, "displacement_top_z") - value[f, "displacement_top_z", lowest]))
+  put("shear_lag", size(last(f, "soil_stress_xz")) / last(f, "soil_stress_zz") - size(last(f, "force_top_x")) / size(last(f, "force_top_z")))
   put("shear_ratio_first", ratio[1])
   put("shear_ratio_falls", ratio[m] - ratio[1])
 }

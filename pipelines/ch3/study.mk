@@ -15,8 +15,16 @@ C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
 C3_BAG_quick := $(C3_GRAINS_quick) --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   --set material.0.rolling.stiffness=1.04 --set material.0.twisting.stiffness=1.04
-C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.05] --set plane.1.point=[0,0,-0.05]
-C3_THREADS := 2
+# A round of growth takes more of the void ratio where more of the bag is filled.
+C3_BAG_thesis := --set growth.measure_every=2
+C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=$(C3_YARNS_quick) --set plane.0.point=[0,0,0.05] --set plane.1.point=[0,0,-0.05]
+# Of the thesis's, how many one yarn stands for.
+C3_YARNS_quick := 2
+C3_YARNS_thesis := 1
+# Runs side by side use the cores better than threads within one; of the full size there is one at a time.
+C3_THREADS_quick := 1
+C3_THREADS_thesis := 2
+C3_THREADS ?= $(C3_THREADS_$(PROFILE))
 
 .PHONY: ch3
 ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 68,900 grains)
@@ -29,7 +37,7 @@ $(C3O)/rv.h5: $(BIN)/pack-generate
 
 $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
 	@echo '  fill  $(C3O)/bag.h5'
-	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_THREADS) --quiet --resume --force \
+	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads 2 --quiet --resume --force \
 	  --history $(C3O)/generation.tsv -o $(C3O)/bag.h5
 
 # % is the geotextile.
@@ -60,13 +68,13 @@ C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
 
 $(C3O)/measured.tsv: $(C3)/measure.awk $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3O)/generation.tsv $(C3_RECORDED)
-	@awk -v loads='$(C3_LOADS)' -f $^ $(call whole,$@)
+	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) -f $^ $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 $(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 $(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_RECORDED)
-	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'" $<; done
+	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'; yarns=$(C3_YARNS_$(PROFILE))" $<; done
 	@touch $@
 $(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures
 	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "dem/laws.h"
 
@@ -13,6 +15,16 @@ Kinematics<double> unequal() {
   k.r1 = 2e-3, k.r2 = 5e-3, k.overlap = 1e-5;
   k.per_reach = 1 / (k.r1 + k.r2), k.R_star = k.r1 * k.r2 * k.per_reach;
   return k;
+}
+
+TEST(FrictionOfTwoMaterials, IsTheSmallerUnlessOneDecides) {
+  const HertzMindlin::Material sand{4e9, 0.33, 0.5, {}, {}, {}};
+  HertzMindlin::Material plate{2e11, 0.33, 1.5, {}, {}, {}};
+  EXPECT_DOUBLE_EQ(HertzMindlin::mix(sand, plate).tangential.mu, std::tan(0.5));
+  plate.friction_decides = true;
+  EXPECT_DOUBLE_EQ(HertzMindlin::mix(sand, plate).tangential.mu, std::tan(1.5));
+  EXPECT_DOUBLE_EQ(HertzMindlin::mix(plate, sand).tangential.mu, std::tan(1.5));
+  EXPECT_DOUBLE_EQ(HertzMindlin::mix(sand, sand).tangential.mu, std::tan(0.5));
 }
 
 TEST(ResistanceOfTwoMaterials, KeepsEachSidesLimitOnItsOwnRadius) {

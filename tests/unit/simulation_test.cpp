@@ -240,6 +240,24 @@ TEST(Simulation, StopsWhenGrainsPassThroughEachOther) {
   }
 }
 
+TEST(Simulation, TellsTheMotionOfWhatIsActedOnFromFreeFlight) {
+  io::Snapshot state = testing::packed(testing::sand(), 1e5);
+  std::vector<int> contacts(state.grains.size(), 0);
+  for (const auto& [a, b] : state.contacts.bodies)
+    ++contacts[static_cast<std::size_t>(a)], ++contacts[static_cast<std::size_t>(b)];
+  const auto floating = static_cast<std::size_t>(std::find(contacts.begin(), contacts.end(), 0) - contacts.begin());
+  const auto held = static_cast<std::size_t>(std::max_element(contacts.begin(), contacts.end()) - contacts.begin());
+  ASSERT_LT(floating, contacts.size());
+  state.grains.velocity[floating] = state.grains.velocity[held] = Vec3::Zero();
+  const Simulation before(state, testing::sand(), {});
+  state.grains.velocity[floating] = Vec3(1e-3, 0, 0);
+  const Simulation flying(state, testing::sand(), {});
+  EXPECT_GT(flying.kinetic_energy(), before.kinetic_energy());
+  EXPECT_EQ(flying.kinetic_energy_of_acted_on(), before.kinetic_energy_of_acted_on());
+  state.grains.velocity[held] = Vec3(1e-3, 0, 0);
+  EXPECT_GT(Simulation(state, testing::sand(), {}).kinetic_energy_of_acted_on(), before.kinetic_energy_of_acted_on());
+}
+
 TEST(Simulation, ScaledRadiiKeepDensityAndCountTheWork) {
   Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
   const double solids = s.solid_volume(), stress = s.measures().stress(0, 0);

@@ -25,7 +25,8 @@ struct HertzMindlin {
     double friction_angle;              // rad
     std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
     Resistance rolling, twisting;
-    bool attraction = false;  // whether the dashpot may pull while the grains part (damping.h)
+    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
+    bool friction_decides = false;  // whether its friction angle holds against any other material
   };
   struct Couple {
     double E_star, G_star;  // Pa

@@ -21,7 +21,8 @@ struct Linear {
     double friction_angle;              // rad
     std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
     Resistance rolling, twisting;
-    bool attraction = false;  // whether the dashpot may pull while the grains part (damping.h)
+    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
+    bool friction_decides = false;  // whether its friction angle holds against any other material
   };
   struct Couple {
     double E1, E2;  // Pa

@@ -12,7 +12,7 @@ namespace soilweave::dem {
 
 /// Of a couple of materials.
 struct Tangential {
-  double mu;  // tangent of the smaller friction angle
+  double mu;  // tangent of the friction angle
   PairResistance rolling, twisting;
 
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
@@ -26,10 +26,16 @@ struct Tangential {
   }
 };
 
+/// rad: the smaller one, but for a material whose friction holds against any other.
+template <class Material>
+double mix_friction(const Material& a, const Material& b) {
+  if (a.friction_decides != b.friction_decides) return a.friction_decides ? a.friction_angle : b.friction_angle;
+  return std::min(a.friction_angle, b.friction_angle);
+}
+
 template <class Material>
 Tangential mix_tangential(const Material& a, const Material& b) {
-  return {std::tan(std::min(a.friction_angle, b.friction_angle)), mix(a.rolling, b.rolling),
-          mix(a.twisting, b.twisting)};
+  return {std::tan(mix_friction(a, b)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
 }
 
 /// Completes a response whose normal force and shear stiffness are known: memory becomes the present shear force and
