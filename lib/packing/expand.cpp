@@ -201,6 +201,7 @@ class Grower {
     put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
     put(history_, "growth", "1", "radii over those at the start", at_.growth);
     put(history_, "delaunay_volume", "m3", "volume of the tetrahedra of the soil's centres", fill_.volume);
+    put(history_, "delaunay_void_ratio", "1", "void ratio of that volume", fill_.volume / solids - 1);
     put(history_, "void_ratio", "1", "void ratio of the soil from its power cells", fill_.void_ratio);
     put(history_, "mean_overlap", "1", "mean overlap over the mean radius", fill_.overlap);
     put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);

@@ -95,6 +95,7 @@ FNR == 1 { file = name_of(FILENAME); head = 0 }
 }
 END {
   put("void_ratio", last("generation", "void_ratio"))
+  put("delaunay_void_ratio", last("generation", "delaunay_void_ratio"))
   put("coordination_number", last("generation", "coordination_number"))
   compare("PE"); compare("PP")
   for (key in misfit) put(key, misfit[key])
