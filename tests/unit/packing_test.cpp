@@ -162,6 +162,17 @@ TEST(SpatialOrder, LaysNeighboursSideBySideAndLosesNoGrain) {
   }
 }
 
+TEST(SpatialOrder, CutsAFlatCellIntoChunksAboutAsLongAsWide) {
+  const io::Snapshot flat = cloud(Grading::toyoura().radii(8000, 3), 3, {4, 4, 1}, 3, 2650, 7);
+  for (std::size_t chunk = 0; chunk < 8; ++chunk) {
+    const auto from = flat.grains.position.begin() + static_cast<std::ptrdiff_t>(chunk * dem::grains_per_chunk);
+    Vec3 low = *from, high = *from;
+    for (auto x = from; x != from + dem::grains_per_chunk; ++x) low = low.cwiseMin(*x), high = high.cwiseMax(*x);
+    // Halving the longest side leaves none above twice another; grains end within half of their distance of the cuts.
+    EXPECT_LT((high - low).maxCoeff(), 2.2 * (high - low).minCoeff());
+  }
+}
+
 TEST(SpatialOrder, LeavesWhatACacheHoldsAndRowsThatAreNamed) {
   const io::Snapshot few = cloud(Grading::toyoura().radii(1000, 3), 3, {1, 1, 1}, 3, 2650, 7);
   EXPECT_EQ(in_spatial_order(few).grains.position, few.grains.position);

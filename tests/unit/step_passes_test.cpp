@@ -86,7 +86,7 @@ struct Stepper : testing::EngineParts {
     if (!within && neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts), ++rebuilt;
     act(dt, within);
-    EXPECT_LE(motion.advanced().fastest, (1 + 1e-12) * (before + gain));
+    EXPECT_LE(motion.advanced().fastest, (1 + 1e-12) * (before + gain));  // but for rounding
     if (within) {
       EXPECT_FALSE(neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt));
     }
