@@ -188,8 +188,9 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
 }
 
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
+  const Lane4 g = row(gravity, 0);
   double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) sum += kinetic_energy_of(i, bodies, row(gravity, 0), dt);
+  for (std::size_t i = 0; i < bodies.size(); ++i) sum += kinetic_energy_of(i, bodies, g, dt);
   return sum;
 }
 

@@ -30,7 +30,7 @@ class Motion {
   void advance_all(Bodies& bodies);
   MotionSums advanced() const;
   /// No grain will gain more speed than this in the step set out for, m/s, by the forces as they were collected;
-  /// infinite before the first step. To be asked before anything moves.
+  /// infinite before they were. To be asked before anything moves.
   double gain_bound(double smallest_mass) const;
 
   /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.

@@ -7,8 +7,8 @@
 namespace soilweave::packing {
 
 /// The same grains box by box of their cell, a chunk (dem/contacts.h) a box, each with its identity: what touches then
-/// lies close together in memory, too. Packings that a cache holds anyway, of one chunk, and such that contacts
-/// or yarns already name the rows of, come back as they are.
+/// lies close together in memory, too. Packings that a cache holds anyway, of one chunk, and such that contacts or
+/// yarns already name the rows of, come back as they are.
 io::Snapshot in_spatial_order(io::Snapshot state);
 
 }  // namespace soilweave::packing
