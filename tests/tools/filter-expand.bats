@@ -117,6 +117,11 @@ setup() {
   # The void ratio is the one that the bag's tables give.
   near "$(homogenize denser.h5 --table bag --tsv | value - soil_void_ratio last)" "$(value denser.tsv void_ratio last)" 1e-3
   refuses 1 filter-expand "the grains do not fill the container" packing.h5 bag.toml --set growth.rounds=10 -o out.h5
+  # More overlap asked for than is left at rest, less than there was before.
+  local round between
+  read -r round between < <(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
+    { before = rest; rest = $at["mean_overlap"] } END { printf "%d %.9g\n", $at["round"], (before + rest) / 2 }' growth.tsv)
+  refuses 1 filter-expand "falls apart as it comes to rest" packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
   refuses 1 filter-expand "without friction the grains press" packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
 }
 
