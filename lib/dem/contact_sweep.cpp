@@ -166,12 +166,11 @@ class LawSweep final : public ContactSweep {
                            reinterpret_cast<double*>(scene.bodies.loads.data()),
                            reinterpret_cast<double*>(scene.bodies.stiffness.data()),
                            reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
-      ChunkToCome to_come(scene.bodies, chunk + 1, contacts.chunks[chunk].size());
       std::array<Group<Lanes, Space>, batch_size> groups;
       ContactBlock* next = contacts.chunks[chunk].data();
       ContactBlock* const end = next + contacts.chunks[chunk].size();
       while (next != end) {
-        const std::size_t n = approach<Space, moving>(next, end, s, to_come, groups);
+        const std::size_t n = approach<Space, moving>(next, end, s, groups);
         if (n) stage(Batch<Lanes, Space>(groups.data(), n), s, sums[chunk]);
       }
     };
@@ -182,20 +181,15 @@ class LawSweep final : public ContactSweep {
   // worked out in values and stored at the end: after every store the compiler reads anew what it holds by reference.
   template <class Space, bool moving>
   [[gnu::noinline, gnu::flatten]] std::size_t approach(ContactBlock*& next, ContactBlock* end, const Surroundings& s,
-                                                       ChunkToCome& to_come,
                                                        std::array<Group<Lanes, Space>, batch_size>& groups) const {
     constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
     const std::byte* const grains = s.grains();
-    const auto* const loads = reinterpret_cast<const std::byte*>(s.loads);
     const Lane4* const shifts = s.shifts.data();
     const bool deforming = moving && s.affine.deforming, use_masses = use_masses_;
     Group<Lanes, Space>* group = groups.data();
     ContactBlock* block = next;
     for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
-      if (!s.in_cache) {
-        call_for(block, end, grains, loads);
-        to_come.call();
-      }
+      if (!s.in_cache) call_for(block, end, grains);
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
@@ -203,7 +197,9 @@ class LawSweep final : public ContactSweep {
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);
         const bool live = (touching | lanes.touching()) != 0;
-        group->lanes = lanes, group->touching = touching;
+        // Part by part: copied whole, it would be read back from the two halves that were just stored, and wait for them.
+        group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
+        group->touching = touching;
         group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, place.inverse_distance};
         PairGeometry<Lanes, Space>& g = group->geometry;
         g.touching = place.touching;

@@ -21,8 +21,9 @@ namespace soilweave::dem {
 namespace {
 
 // Steps between two looks at the stiffness: it changes slowly against the step it limits, but a cloud that is pressed
-// together blew up with 16.
-constexpr std::int64_t stiffness_interval = 8;
+// together blew up with 16. Where hardly any contacts are added and none is pressed much deeper, rarer looks do.
+constexpr std::int64_t stiffness_interval = 8, calm_stiffness_interval = 32;
+constexpr double calm_contact_growth = 1.01, calm_overlap_growth = 1.05;
 // Steps between two passes over the grains by the guards.
 constexpr std::int64_t guard_interval = 256;
 // Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
@@ -101,6 +102,7 @@ struct Simulation::Impl {
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
     a.item("overlap_at_estimate", estimated_at), a.item("overlap_at_look", looked_at);
+    a.item("contacts_at_estimate", contacts_at_estimate);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
@@ -115,7 +117,8 @@ struct Simulation::Impl {
     StepWatch clock(times, steps);
     const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
-    const bool look_at_stiffness = numerics.watch_stiffness && (steps + 1) % stiffness_interval == 0;
+    const bool look_at_stiffness =
+        numerics.watch_stiffness && (steps + 1) % (calm() ? calm_stiffness_interval : stiffness_interval) == 0;
     motion.set_out(cell, numerics.gravity, numerics.damping, dt, bodies);
     PassTime beside_sweep;
     StepPasses passes(list_outlasts_step(), contacts, motion, bodies, clock.on() ? &beside_sweep : nullptr);
@@ -142,7 +145,7 @@ struct Simulation::Impl {
     watch();
     if (look_at_stiffness)
       estimate_step(stiffness);
-    else if (numerics.watch_stiffness && outgrown())
+    else if (numerics.watch_stiffness && outgrown(overlap_growth))
       estimate_step(sweep->stiffen(scene(), contacts));
     limit_move(moved.fastest);
     clock.lap(Phase::contacts);
@@ -230,13 +233,18 @@ struct Simulation::Impl {
     return std::min({reference, nodes, motion.stable_time_step(contacts, bodies)});
   }
 
-  bool outgrown() const {
-    return sums.largest_overlap > overlap_growth * std::max(estimated_at, reference_overlap * smallest_radius);
+  // Whether the largest overlap is so many times what it was when the step was last estimated.
+  bool outgrown(double times) const {
+    return sums.largest_overlap > times * std::max(estimated_at, reference_overlap * smallest_radius);
+  }
+  bool calm() const {
+    return !outgrown(calm_overlap_growth) &&
+           static_cast<double>(sums.contacts) <= calm_contact_growth * static_cast<double>(contacts_at_estimate);
   }
 
   // After the grains were given their stiffnesses, whose affine sum over the contacts this is.
   void estimate_step(const Vec3& affine) {
-    estimated_at = sums.largest_overlap;
+    estimated_at = sums.largest_overlap, contacts_at_estimate = sums.contacts;
     const double limit = stability_limit();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * limit;
     time_step = stable;
@@ -274,8 +282,9 @@ struct Simulation::Impl {
   Energies energies;
   double smallest_radius, smallest_mass;  // m, kg
   double stable = 0, time_step = 0, time = 0;
-  double estimated_at = 0;  // largest overlap when the step was last estimated, m
-  double looked_at = 0;     // largest overlap when it was last compared with the grains' own radii, m
+  double estimated_at = 0;                // largest overlap when the step was last estimated, m
+  std::int64_t contacts_at_estimate = 0;  // how many there were then
+  double looked_at = 0;                   // largest overlap when it was last compared with the grains' own radii, m
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
