@@ -35,7 +35,7 @@ struct Bodies {
   double gyration;  // moment of inertia over mass and squared radius
   LargeVector<Grain> grains;
   // First one of every grain: after Motion::collect the resultant of what acts on it, gravity apart, which
-  // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::load_start).
+  // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::singles).
   LargeVector<Load> loads;
   // What contacts resist motion with, laid out like the loads (ContactSweep); zero but while a step looks at it.
   LargeVector<Load> stiffness;

@@ -132,21 +132,21 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
 
 }  // namespace
 
-void Contacts::assign_loads(const std::vector<Pair>& pairs, Bodies& bodies) {
+void Contacts::count_singles(const std::vector<Pair>& pairs, Bodies& bodies) {
   const std::size_t grains = bodies.size();
-  load_start.assign(grains + 1, 0);
+  singles_start.assign(grains + 1, 0);
   for (const Pair& p : pairs)
-    if (chunk_of(p.first) != chunk_of(p.second)) ++load_start[static_cast<std::size_t>(p.second) + 1];
-  for (const PlanePair& p : planes) ++load_start[static_cast<std::size_t>(p.grain) + 1];
-  load_start[0] = static_cast<std::uint32_t>(grains);
-  for (std::size_t b = 0; b < grains; ++b) load_start[b + 1] += load_start[b];
-  next_.assign(load_start.begin(), load_start.end() - 1);
+    if (chunk_of(p.first) != chunk_of(p.second)) ++singles_start[static_cast<std::size_t>(p.second) + 1];
+  for (const PlanePair& p : planes) ++singles_start[static_cast<std::size_t>(p.grain) + 1];
+  for (std::size_t b = 0; b < grains; ++b) singles_start[b + 1] += singles_start[b];
+  singles.resize(singles_start.back());
+  const std::size_t loads = grains + singles.size();
   constexpr std::size_t farthest = std::numeric_limits<std::uint32_t>::max();
-  if (grains > farthest / sizeof(Grain) || load_start.back() > farthest / sizeof(Load))
+  if (grains > farthest / sizeof(Grain) || loads > farthest / sizeof(Load))
     throw DataError(fmt::format("{} grains are more than one simulation can hold: {} million", grains,
                                 farthest / sizeof(Grain) / 1'000'000));
-  bodies.loads.assign(load_start.back(), Load{});
-  bodies.stiffness.resize(load_start.back());
+  bodies.loads.assign(loads, Load{});
+  bodies.stiffness.resize(loads);
 }
 
 void Contacts::make_plan(const std::vector<Pair>& pairs) {
@@ -167,7 +167,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   inherit(planes, with_planes);
   planes = std::move(with_planes);
-  assign_loads(pairs, bodies);
+  count_singles(pairs, bodies);
   chunks.resize(chunks_of(bodies.size()));
   make_plan(pairs);
   known_.resize(static_cast<std::size_t>(threads));
@@ -180,18 +180,23 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
       fill(chunks[chunk], chunk, of_chunk(pairs, chunk), images, Known(known, known_images));
     }
   }
-  name_loads();
+  name_singles(bodies.size());
 }
 
-// What pairs do to grains of other chunks, and planes to any, goes to loads of their own.
-void Contacts::name_loads() {
+void Contacts::name_singles(std::size_t grains) {
+  next_.assign(singles_start.begin(), singles_start.end() - 1);
+  std::size_t load = grains;
+  const auto name = [&](std::int32_t grain) {
+    singles[next_[static_cast<std::size_t>(grain)]++] = {static_cast<std::uint32_t>(load), grain};
+    return load++;
+  };
   for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
     for (ContactBlock& block : chunks[chunk])
       for (int k = 0; block.far && k < block.count; ++k) {
         const std::int32_t second = ContactBlock::index(block.second[k]);
-        if (chunk_of(second) != chunk) block.load_second[k] = load_distance(next_[static_cast<std::size_t>(second)]++);
+        if (chunk_of(second) != chunk) block.load_second[k] = load_distance(name(second));
       }
-  for (PlanePair& p : planes) p.load = next_[static_cast<std::size_t>(p.grain)]++;
+  for (PlanePair& p : planes) p.load = static_cast<std::uint32_t>(name(p.grain));
 }
 
 Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }

@@ -79,10 +79,15 @@ struct Contacts {
   std::vector<PlanePair> planes;  // sorted by (grain, plane)
   // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
   std::vector<CellOffset> images;
-  // Where loads of one pair each lie in Bodies::loads, of other chunks' pairs and of planes: of grain b from
-  // load_start[b] to load_start[b+1], in the order of its pairs, planes last. Pairs of a grain's own chunk add to its
-  // own load.
-  std::vector<std::uint32_t> load_start;
+  // Of one pair each: what pairs of other chunks, and planes, do to a grain; pairs of its own chunk add to its own load.
+  // They lie in Bodies::loads after those of the grains, in the order in which they are swept. Of grain b are
+  // singles[singles_start[b]] up to singles[singles_start[b + 1]], in the order of its pairs, planes last.
+  struct Single {
+    std::uint32_t load;  // among Bodies::loads
+    std::int32_t grain;
+  };
+  std::vector<Single> singles;
+  std::vector<std::uint32_t> singles_start;
   int threads = 1;  // that share the chunks
   ChunkPlan plan;
 
@@ -96,12 +101,12 @@ struct Contacts {
   static void set_history(ContactBlock& block, int lane, const History& history);
 
  private:
-  void assign_loads(const std::vector<Pair>& pairs, Bodies& bodies);
+  void count_singles(const std::vector<Pair>& pairs, Bodies& bodies);
   void make_plan(const std::vector<Pair>& pairs);
-  void name_loads();
+  void name_singles(std::size_t grains);
 
   std::vector<LargeVector<ContactBlock>> known_;  // by thread: of one chunk, while it is listed anew
-  std::vector<std::uint32_t> next_;               // load that is free for another pair of each grain
+  std::vector<std::uint32_t> next_;               // place for another one in `singles`, of each grain
 };
 
 /// Sum of the magnitudes of all contact forces, N, contact by contact.

@@ -17,15 +17,20 @@ Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
   return bodies.force(i) + bodies.mass(i) * gravity;
 }
 
-// Adds the loads of single pairs, or their stiffnesses, to that of their grain and leaves them zero.
-Load& collect_single(const Contacts& contacts, std::size_t i, LargeVector<Load>& loads) {
-  Load& total = loads[i];
-  for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s) {
-    Load& one = loads[s];
+// Adds the loads of single pairs, or their stiffnesses, to those of a chunk's grains and leaves them zero. Pair by
+// pair: how many a grain has is not foreseen.
+void collect_singles(const Contacts& contacts, std::size_t chunk, const Bodies& bodies, LargeVector<Load>& loads) {
+  constexpr std::ptrdiff_t ahead = 8;
+  const auto from = [&](std::size_t c) {
+    return contacts.singles.data() + contacts.singles_start[first_grain(c, bodies)];
+  };
+  const Contacts::Single* const end = from(chunk + 1);
+  for (const Contacts::Single* s = from(chunk); s != end; ++s) {
+    if (end - s > ahead) __builtin_prefetch(&loads[s[ahead].load], 1);
+    Load &one = loads[s->load], &total = loads[static_cast<std::size_t>(s->grain)];
     total.force += one.force, total.torque += one.torque;
-    one = {};
+    one.force = one.torque = Lane4{};
   }
-  return total;
 }
 
 // x, y and z squared and added.
@@ -62,9 +67,10 @@ void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies
 
 template <int dimension>
 Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {
+  collect_singles(contacts, chunk, bodies, bodies.loads);
   const bool nodes = !bodies.fabric.empty();
   const auto collect_one = [&](std::size_t i, Collected& sums) {
-    Load& load = collect_single(contacts, i, bodies.loads);
+    Load& load = bodies.loads[i];
     if (nodes && bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
     for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
@@ -172,9 +178,10 @@ double Motion::gain_bound(double smallest_mass) const {
 double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
   const bool planar = bodies.dimension == 2;
   pass([&](std::size_t chunk) {
+    collect_singles(contacts, chunk, bodies, bodies.stiffness);
     double largest = 0;
     for (std::size_t i = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies); i < end; ++i) {
-      Load& stiffness = collect_single(contacts, i, bodies.stiffness);
+      Load& stiffness = bodies.stiffness[i];
       const Lane4 &k = stiffness.force, &about = stiffness.torque;
       const double along = std::max({k[0], k[1], planar ? 0 : k[2]});
       const double rotation = planar ? k[2] : std::max({about[0], about[1], about[2]});

@@ -130,9 +130,14 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
     const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_;
     near_[k] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
   }
-  listed_.clear();
-  for (std::size_t k = 0; k < outer_.size(); ++k)
-    if (near_[k]) listed_.push_back(outer_[k]);
+  // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
+  listed_.resize(static_cast<std::size_t>(std::count(near_.begin(), near_.end(), true)) + 1);
+  Pair* next = listed_.data();
+  for (std::size_t k = 0; k < outer_.size(); ++k) {
+    *next = outer_[k];
+    next += near_[k] != 0;
+  }
+  listed_.pop_back();
   give_back_spare(listed_);
 }
 

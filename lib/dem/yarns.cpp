@@ -126,8 +126,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   for (std::size_t n = 0; n < node_.size(); ++n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = bodies.stiffness[i].force;
-    for (std::uint32_t s = contacts.load_start[i]; s < contacts.load_start[i + 1]; ++s)
-      along += bodies.stiffness[s].force;
+    for (std::uint32_t s = contacts.singles_start[i]; s < contacts.singles_start[i + 1]; ++s)
+      along += bodies.stiffness[contacts.singles[s].load].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const Yarn& yarn = yarns_[ends_[e] / 2];
       if (yarn.memory.broken) continue;
