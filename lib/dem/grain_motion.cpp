@@ -56,6 +56,7 @@ Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes&
 // Rows of grains, read as columns and written back.
 struct InSpace {
   using Vector = V3<Lanes>;
+  using Turn = V3<Lanes>;
   Grain* grains;
   Load* loads;
 
@@ -104,6 +105,7 @@ struct InSpace {
 // Disks have halves of rows to read and write: they are not pushed out of their plane, nor turned out of it.
 struct InPlane {
   using Vector = V2<Lanes>;
+  using Turn = Lanes;
   Grain* grains;
   Load* loads;
 
@@ -165,42 +167,51 @@ void add_up(Lane4& sum, const Lane4& of_grains) { sum += of_grains; }
 double largest(const Lane4& x) { return largest_of(x); }
 #endif
 
-// Sums stay in registers: through memory each addition would wait for the one before it to be stored.
+// Sums stay in registers: through memory each addition would wait for the one before it to be stored. A batch of grains
+// is moved, then turned: one chain of operations after the other, so that more grains are on their way at once.
 template <class Rows>
 [[gnu::flatten]] void move(const Push& push, Grain* grains, const Grain* end, Load* loads, const double* per_leeway2,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
+  using Turn = typename Rows::Turn;
+  constexpr int batch_size = 8;
   const Lanes dt = all<Lanes>(push.dt), damping = all<Lanes>(push.damping), gyration = all<Lanes>(push.gyration);
   const Vector gravity = Rows::part(
       {load<Lanes>(push.gravity[0].data()), load<Lanes>(push.gravity[1].data()), load<Lanes>(push.gravity[2].data())});
   const bool heavy = push.heavy, deforming = push.deforming;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
   Lanes fastest{}, haste{};
-  for (; grains != end; grains += at_once, loads += at_once, per_leeway2 += at_once) {
-    const Rows of{grains, loads};
-    Vector force = of.force();
-    const auto torque = of.torque();
-    of.use_up();
-    const auto [before, mass] = of.velocity_and_mass();
-    const auto [spin, radius] = of.spin_and_radius();
-    // One division for both.
-    const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
-    const Vector pull = mass * gravity;
-    if (heavy) force = force + pull;
-    Lanes lost{};
-    const Vector v = kick(force, ratio, damping, before, lost);
-    if (heavy) add_up(gravity_work, dot(pull, before + v));
-    const Lanes speed2 = norm2(v);
-    fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(per_leeway2)));
-    of.put_velocity(v, mass);
+  Turn half[batch_size];
+  while (grains != end) {
+    Grain* const first = grains;
+    int n = 0;
+    for (; n < batch_size && grains != end; ++n, grains += at_once, loads += at_once, per_leeway2 += at_once) {
+      const Rows of{grains, loads};
+      Vector force = of.force();
+      const auto torque = of.torque();
+      of.use_up();
+      const auto [before, mass] = of.velocity_and_mass();
+      const auto [spin, radius] = of.spin_and_radius();
+      // One division for both.
+      const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
+      const Vector pull = mass * gravity;
+      if (heavy) force = force + pull;
+      Lanes lost{};
+      const Vector v = kick(force, ratio, damping, before, lost);
+      if (heavy) add_up(gravity_work, dot(pull, before + v));
+      const Lanes speed2 = norm2(v);
+      fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(per_leeway2)));
+      of.put_velocity(v, mass);
 
-    const auto w = kick(torque, spin_ratio, damping, spin, lost);
-    of.put_spin(w, radius);
-    of.turn(Lanes(0.5 * dt) * w);
-    add_up(all_lost, lost);
+      const auto w = kick(torque, spin_ratio, damping, spin, lost);
+      of.put_spin(w, radius);
+      half[n] = Lanes(0.5 * dt) * w;
+      add_up(all_lost, lost);
 
-    const auto [x, r] = of.position_and_radius();
-    of.put_position(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), r);
+      const auto [x, r] = of.position_and_radius();
+      of.put_position(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), r);
+    }
+    for (int k = 0; k < n; ++k) Rows{first + k * at_once, nullptr}.turn(half[k]);
   }
   tally.damping = all_lost, tally.gravity_work = gravity_work;
   tally.fastest2 = std::max(tally.fastest2, largest(fastest));
