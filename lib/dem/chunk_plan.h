@@ -9,11 +9,11 @@
 namespace soilweave::dem {
 
 /// A step passes over the grains to move them, over their pairs, and over the grains again to collect their loads. One
-/// pass after the other fetches every grain three times from a memory that is slower than the arithmetic. So one thread
-/// moves, sweeps and collects chunk by chunk, while they lie in its cache: a chunk's pairs are swept when all chunks
-/// that they reach have moved, and its loads collected then, since pairs belong to the chunk of their first grain, the
-/// lower one. Several threads take pass after pass, the same chunks in each: with as many caches, what waiting for one
-/// another's chunks costs was measured to be as much as what it saves.
+/// pass after the other would fetch every grain three times from a memory that is slower than the arithmetic. So a
+/// thread moves, sweeps and collects chunk by chunk, while they lie in its cache: a chunk's pairs are swept when all
+/// chunks that they reach have moved, and its loads collected then, since pairs belong to the chunk of their first
+/// grain, the lower one. Each thread has a share of the chunks, one after the other. Those that another share's pairs
+/// reach, the border, are moved before anything is swept, and collected when everything is.
 class ChunkPlan {
  public:
   ChunkPlan() = default;
@@ -23,39 +23,37 @@ class ChunkPlan {
   /// Calls move(chunk), sweep(chunk) and collect(chunk) once for each chunk.
   template <class Move, class Sweep, class Collect>
   void run(const Move& move, const Sweep& sweep, const Collect& collect) const {
-    if (threads_ == 1)
-      run_chunks(move, sweep, collect);
-    else
-      run_passes(move, sweep, collect);
+    const auto threads = static_cast<int>(shares_.size());
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+#pragma omp for schedule(static)
+      for (const std::uint32_t chunk : border_) move(chunk);
+#pragma omp for schedule(static, 1)
+      for (const Share& share : shares_) {
+        auto to_move = share.in_need.begin();
+        for (const Turn& turn : share.turns) {
+          for (; to_move != share.in_need.begin() + turn.moved_until; ++to_move) move(*to_move);
+          sweep(turn.chunk);
+          if (turn.collect) collect(turn.chunk);
+        }
+      }
+#pragma omp for schedule(static)
+      for (const std::uint32_t chunk : border_) collect(chunk);
+    }
   }
 
  private:
-  template <class Move, class Sweep, class Collect>
-  void run_chunks(const Move& move, const Sweep& sweep, const Collect& collect) const {
-    std::size_t moved = 0;
-    for (std::size_t chunk = 0; chunk < moved_until_.size(); ++chunk) {
-      for (; moved < moved_until_[chunk]; ++moved) move(in_need_[moved]);
-      sweep(chunk);
-      collect(chunk);
-    }
-  }
-  template <class Move, class Sweep, class Collect>
-  void run_passes(const Move& move, const Sweep& sweep, const Collect& collect) const {
-    const std::size_t chunks = moved_until_.size();
-#pragma omp parallel num_threads(threads_)
-    {
-#pragma omp for schedule(static)
-      for (std::size_t chunk = 0; chunk < chunks; ++chunk) move(chunk);
-#pragma omp for schedule(static)
-      for (std::size_t chunk = 0; chunk < chunks; ++chunk) sweep(chunk);
-#pragma omp for schedule(static)
-      for (std::size_t chunk = 0; chunk < chunks; ++chunk) collect(chunk);
-    }
-  }
-
-  int threads_ = 1;
-  std::vector<std::uint32_t> in_need_;      // chunks, in the order in which they are needed
-  std::vector<std::uint32_t> moved_until_;  // by chunk: how many of those must have moved before it is swept
+  struct Turn {
+    std::uint32_t chunk;
+    std::uint32_t moved_until;  // how many in need must have moved before
+    bool collect;
+  };
+  struct Share {
+    std::vector<std::uint32_t> in_need;  // in the order in which their grains are
+    std::vector<Turn> turns;
+  };
+  std::vector<std::uint32_t> border_;
+  std::vector<Share> shares_;  // one for each thread
 };
 
 }  // namespace soilweave::dem
