@@ -24,19 +24,13 @@ class ChunkPlan {
   template <class Move, class Sweep, class Collect>
   void run(const Move& move, const Sweep& sweep, const Collect& collect) const {
     const auto threads = static_cast<int>(shares_.size());
-#pragma omp parallel num_threads(threads) if (threads > 1)
+    if (threads == 1) return run(shares_.front(), move, sweep, collect);  // not even a team of one
+#pragma omp parallel num_threads(threads)
     {
 #pragma omp for schedule(static)
       for (const std::uint32_t chunk : border_) move(chunk);
 #pragma omp for schedule(static, 1)
-      for (const Share& share : shares_) {
-        auto to_move = share.in_need.begin();
-        for (const Turn& turn : share.turns) {
-          for (; to_move != share.in_need.begin() + turn.moved_until; ++to_move) move(*to_move);
-          sweep(turn.chunk);
-          if (turn.collect) collect(turn.chunk);
-        }
-      }
+      for (const Share& share : shares_) run(share, move, sweep, collect);
 #pragma omp for schedule(static)
       for (const std::uint32_t chunk : border_) collect(chunk);
     }
@@ -52,6 +46,17 @@ class ChunkPlan {
     std::vector<std::uint32_t> in_need;  // in the order in which their grains are
     std::vector<Turn> turns;
   };
+
+  template <class Move, class Sweep, class Collect>
+  static void run(const Share& share, const Move& move, const Sweep& sweep, const Collect& collect) {
+    auto to_move = share.in_need.begin();
+    for (const Turn& turn : share.turns) {
+      for (; to_move != share.in_need.begin() + turn.moved_until; ++to_move) move(*to_move);
+      sweep(turn.chunk);
+      if (turn.collect) collect(turn.chunk);
+    }
+  }
+
   std::vector<std::uint32_t> border_;
   std::vector<Share> shares_;  // one for each thread
 };
