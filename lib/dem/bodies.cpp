@@ -3,6 +3,7 @@
 #include "dem/bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -18,6 +19,7 @@ Bodies::Bodies(const io::GrainsRecord& record)
     const Vec4& q = record.orientation[i];
     grains.push_back({row(record.position[i], record.radius[i]), row(record.velocity[i], record.mass[i]),
                       row(record.angular_velocity[i], record.radius[i]), Lane4{q[0], q[1], q[2], q[3]}});
+    if (dimension == 2) angle.push_back(2 * std::atan2(q[3], q[0]));
   }
 }
 
@@ -87,7 +89,9 @@ void Bodies::store(io::GrainsRecord& record) const {
     record.position[i] = vector_of(grain.position);
     record.velocity[i] = vector_of(grain.velocity);
     record.angular_velocity[i] = vector_of(grain.spin);
-    for (int a = 0; a < 4; ++a) record.orientation[i][a] = grain.orientation[a];
+    const Lane4& q = grain.orientation;
+    record.orientation[i] =
+        dimension == 2 ? Vec4(std::cos(0.5 * angle[i]), 0, 0, std::sin(0.5 * angle[i])) : Vec4(q[0], q[1], q[2], q[3]);
     record.radius[i] = radius(i);
     record.mass[i] = mass(i);
   }

@@ -18,7 +18,7 @@ struct alignas(64) Grain {
   Lane4 position;     // x, y, z, m; radius, m
   Lane4 velocity;     // m/s; mass, kg
   Lane4 spin;         // rad/s; radius, m, once more
-  Lane4 orientation;  // quaternion, in the order w x y z
+  Lane4 orientation;  // quaternion, in the order w x y z; disks have Bodies::angle
 };
 
 /// What acts on a grain. One cache line. In the plane the torque is the third part of the force, and the other row
@@ -34,6 +34,7 @@ struct Bodies {
   int dimension = 3;
   double gyration;  // moment of inertia over mass and squared radius
   LargeVector<Grain> grains;
+  LargeVector<double> angle;  // rad, of disks, turned by about the axis of their plane
   // First one of every grain: after Motion::collect the resultant of what acts on it, gravity apart, which
   // Motion::advance uses up. Then, while a sweep collects, loads of one pair each (Contacts::singles).
   LargeVector<Load> loads;

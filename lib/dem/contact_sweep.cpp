@@ -197,7 +197,8 @@ class LawSweep final : public ContactSweep {
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);
         const bool live = (touching | lanes.touching()) != 0;
-        // Part by part: copied whole, it would be read back from the two halves that were just stored, and wait for them.
+        // Part by part: copied whole, it would be read back from the two halves that were just stored, and wait for
+        // them.
         group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
         group->touching = touching;
         group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, place.inverse_distance};

@@ -79,8 +79,8 @@ struct Contacts {
   std::vector<PlanePair> planes;  // sorted by (grain, plane)
   // Cell offsets that occur: none first, the others sorted, and last one so far away that nothing touches over it.
   std::vector<CellOffset> images;
-  // Of one pair each: what pairs of other chunks, and planes, do to a grain; pairs of its own chunk add to its own load.
-  // They lie in Bodies::loads after those of the grains, in the order in which they are swept. Of grain b are
+  // Of one pair each: what pairs of other chunks, and planes, do to a grain; pairs of its own chunk add to its own
+  // load. They lie in Bodies::loads after those of the grains, in the order in which they are swept. Of grain b are
   // singles[singles_start[b]] up to singles[singles_start[b + 1]], in the order of its pairs, planes last.
   struct Single {
     std::uint32_t load;  // among Bodies::loads

@@ -56,9 +56,10 @@ Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes&
 // Rows of grains, read as columns and written back.
 struct InSpace {
   using Vector = V3<Lanes>;
-  using Turn = V3<Lanes>;
   Grain* grains;
   Load* loads;
+
+  InSpace(const MovedGrains& of, std::size_t i) : grains(of.grains + i), loads(of.loads + i) {}
 
   static Vector part(const V3<Lanes>& of_space) { return of_space; }
   static Columns<Lanes> read(const auto& row) {
@@ -90,8 +91,9 @@ struct InSpace {
   void put_spin(const Vector& spin, const Lanes& radius) const { put<&Grain::spin>(spin, radius); }
   std::pair<Vector, Lanes> position_and_radius() const { return read<&Grain::position>(); }
   void put_position(const Vector& x, const Lanes& radius) const { put<&Grain::position>(x, radius); }
-  // q <- (1, half) q.
-  void turn(const Vector& half) const {
+  // q <- (1, half the turn) q.
+  void turn(const Vector& by) const {
+    const Vector half = all<Lanes>(0.5) * by;
     const Columns<Lanes> q = read([this](int k) -> const Lane4& { return grains[k].orientation; });
     const Lanes a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
     const Lanes b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
@@ -105,9 +107,11 @@ struct InSpace {
 // Disks have halves of rows to read and write: they are not pushed out of their plane, nor turned out of it.
 struct InPlane {
   using Vector = V2<Lanes>;
-  using Turn = Lanes;
   Grain* grains;
   Load* loads;
+  double* angle;
+
+  InPlane(const MovedGrains& of, std::size_t i) : grains(of.grains + i), loads(of.loads + i), angle(of.angle + i) {}
 
   static Vector part(const V3<Lanes>& of_space) { return {of_space.x, of_space.y}; }
   static Halves<Lanes> read(const auto& half) {
@@ -150,12 +154,7 @@ struct InPlane {
     return {{x.a, x.b}, Lanes{}};
   }
   void put_position(const Vector& x, const Lanes&) const { put<&Grain::position, 0>(x.x, x.y); }
-  void turn(const Lanes& half) const {
-    const auto ab = read<&Grain::orientation, 0>(), cd = read<&Grain::orientation, 2>();
-    const Columns<Lanes> turned = unit(fused_less(half, cd.b, ab.a), fused_less(half, cd.a, ab.b),
-                                       fused(half, ab.b, cd.a), fused(half, ab.a, cd.b));
-    put<&Grain::orientation, 0>(turned.a, turned.b), put<&Grain::orientation, 2>(turned.c, turned.d);
-  }
+  void turn(const Lanes& by) const { store(angle, Lanes(load<Lanes>(angle) + by)); }
 };
 
 double largest_of(const Lane4& x) { return std::max({x[0], x[1], x[2], x[3]}); }
@@ -167,51 +166,43 @@ void add_up(Lane4& sum, const Lane4& of_grains) { sum += of_grains; }
 double largest(const Lane4& x) { return largest_of(x); }
 #endif
 
-// Sums stay in registers: through memory each addition would wait for the one before it to be stored. A batch of grains
-// is moved, then turned: one chain of operations after the other, so that more grains are on their way at once.
+// Sums stay in registers: through memory each addition would wait for the one before it to be stored.
 template <class Rows>
-[[gnu::flatten]] void move(const Push& push, Grain* grains, const Grain* end, Load* loads, const double* per_leeway2,
+[[gnu::flatten]] void move(const Push& push, const MovedGrains& those, std::size_t begin, std::size_t end,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
-  using Turn = typename Rows::Turn;
-  constexpr int batch_size = 8;
   const Lanes dt = all<Lanes>(push.dt), damping = all<Lanes>(push.damping), gyration = all<Lanes>(push.gyration);
   const Vector gravity = Rows::part(
       {load<Lanes>(push.gravity[0].data()), load<Lanes>(push.gravity[1].data()), load<Lanes>(push.gravity[2].data())});
   const bool heavy = push.heavy, deforming = push.deforming;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
   Lanes fastest{}, haste{};
-  Turn half[batch_size];
-  while (grains != end) {
-    Grain* const first = grains;
-    int n = 0;
-    for (; n < batch_size && grains != end; ++n, grains += at_once, loads += at_once, per_leeway2 += at_once) {
-      const Rows of{grains, loads};
-      Vector force = of.force();
-      const auto torque = of.torque();
-      of.use_up();
-      const auto [before, mass] = of.velocity_and_mass();
-      const auto [spin, radius] = of.spin_and_radius();
-      // One division for both.
-      const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
-      const Vector pull = mass * gravity;
-      if (heavy) force = force + pull;
-      Lanes lost{};
-      const Vector v = kick(force, ratio, damping, before, lost);
-      if (heavy) add_up(gravity_work, dot(pull, before + v));
-      const Lanes speed2 = norm2(v);
-      fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(per_leeway2)));
-      of.put_velocity(v, mass);
+  const MovedGrains at = those;
+  for (std::size_t i = begin; i < end; i += at_once) {
+    const Rows of(at, i);
+    Vector force = of.force();
+    const auto torque = of.torque();
+    of.use_up();
+    const auto [before, mass] = of.velocity_and_mass();
+    const auto [spin, radius] = of.spin_and_radius();
+    // One division for both.
+    const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
+    const Vector pull = mass * gravity;
+    if (heavy) force = force + pull;
+    Lanes lost{};
+    const Vector v = kick(force, ratio, damping, before, lost);
+    if (heavy) add_up(gravity_work, dot(pull, before + v));
+    const Lanes speed2 = norm2(v);
+    fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(at.per_leeway2 + i)));
+    of.put_velocity(v, mass);
 
-      const auto w = kick(torque, spin_ratio, damping, spin, lost);
-      of.put_spin(w, radius);
-      half[n] = Lanes(0.5 * dt) * w;
-      add_up(all_lost, lost);
+    const auto w = kick(torque, spin_ratio, damping, spin, lost);
+    of.put_spin(w, radius);
+    of.turn(dt * w);
+    add_up(all_lost, lost);
 
-      const auto [x, r] = of.position_and_radius();
-      of.put_position(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), r);
-    }
-    for (int k = 0; k < n; ++k) Rows{first + k * at_once, nullptr}.turn(half[k]);
+    const auto [x, r] = of.position_and_radius();
+    of.put_position(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), r);
   }
   tally.damping = all_lost, tally.gravity_work = gravity_work;
   tally.fastest2 = std::max(tally.fastest2, largest(fastest));

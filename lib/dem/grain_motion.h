@@ -23,10 +23,18 @@ struct MotionTally {
   double haste2 = 0;                // largest speed over leeway (Neighbours), 1/s2
 };
 
-/// Moves these grains, whose number is a multiple of `at_once`: velocities by the forces, damped by Cundall's local
-/// damping (dem-laws §4: each component's force is scaled by 1 -+ damping as it speeds up or slows down), positions by
-/// the new velocities and the cell's affine motion. Uses their loads up: they are left zero.
-using MoveGrains = void (*)(const Push& push, Grain* grains, const Grain* end, Load* loads, const double* per_leeway2,
+/// Grains and what belongs to them, side by side.
+struct MovedGrains {
+  Grain* grains;
+  Load* loads;
+  double* angle;  // of disks
+  const double* per_leeway2;
+};
+
+/// Moves the grains from `begin` to `end`, whose number is a multiple of `at_once`: velocities by the forces, damped by
+/// Cundall's local damping (dem-laws §4: each component's force is scaled by 1 -+ damping as it speeds up or slows
+/// down), positions by the new velocities and the cell's affine motion. Uses their loads up: they are left zero.
+using MoveGrains = void (*)(const Push& push, const MovedGrains& of, std::size_t begin, std::size_t end,
                             MotionTally& tally);
 struct GrainMotion {
   MoveGrains in_space, in_plane;

@@ -40,8 +40,11 @@ inline void archive(Archive& a, Energies& e) {
   a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
-/// Forces and torques of the grains, as they lie in their loads.
+/// Forces and torques of the grains, as they lie in their loads; of disks what they have turned by.
 inline void archive(Archive& a, Bodies& bodies) {
+  std::vector<double> angle(bodies.angle.begin(), bodies.angle.end());
+  if (bodies.dimension == 2) a.item("angle", angle);
+  bodies.angle.assign(angle.begin(), angle.end());
   for (const auto& [name, part] : {std::pair("force", &Load::force), std::pair("torque", &Load::torque)}) {
     std::vector<double> flat;
     if (!a.giving_back())

@@ -124,11 +124,9 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
   const MoveGrains move = bodies.dimension == 2 ? how_.in_plane : how_.in_space;
   const std::size_t begin = first_grain(chunk, bodies), end = first_grain(chunk + 1, bodies);
   const std::size_t rest = (end - begin) % how_.at_once, whole = end - rest;
-  Grain* const grains = bodies.grains.data();
-  Load* const loads = bodies.loads.data();
+  const MovedGrains all{bodies.grains.data(), bodies.loads.data(), bodies.angle.data(), bodies.per_leeway2.data()};
   MotionTally tally;
-  const double* const per_leeway2 = bodies.per_leeway2.data();
-  move(push_, grains + begin, grains + whole, loads + begin, per_leeway2 + begin, tally);
+  move(push_, all, begin, whole, tally);
   if (rest > 0) {
     // The last few, beside grains at rest that do not fall.
     Push last = push_;
@@ -137,13 +135,18 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
     few.fill({unit, unit, unit, unit});
     std::array<Load, 8> on_few{};
     for (auto& along : last.gravity) std::fill(along.begin() + rest, along.end(), 0.0);
-    std::array<double, 8> per_leeway2_of_few{};
+    std::array<double, 8> angle_of_few{}, per_leeway2_of_few{};
+    const bool planar = bodies.dimension == 2;
     for (std::size_t k = 0; k < rest; ++k) {
-      few[k] = grains[whole + k], on_few[k] = std::exchange(loads[whole + k], {});
-      per_leeway2_of_few[k] = per_leeway2[whole + k];
+      few[k] = bodies.grains[whole + k], on_few[k] = std::exchange(bodies.loads[whole + k], {});
+      per_leeway2_of_few[k] = bodies.per_leeway2[whole + k];
+      if (planar) angle_of_few[k] = bodies.angle[whole + k];
     }
-    move(last, few.data(), few.data() + how_.at_once, on_few.data(), per_leeway2_of_few.data(), tally);
-    std::copy_n(few.begin(), rest, grains + whole);
+    move(last, {few.data(), on_few.data(), angle_of_few.data(), per_leeway2_of_few.data()}, 0, how_.at_once, tally);
+    for (std::size_t k = 0; k < rest; ++k) {
+      bodies.grains[whole + k] = few[k];
+      if (planar) bodies.angle[whole + k] = angle_of_few[k];
+    }
   }
   moved_[chunk] = tally;
 }
