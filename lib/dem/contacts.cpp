@@ -145,7 +145,7 @@ void Contacts::count_singles(const std::vector<Pair>& pairs, Bodies& bodies) {
   if (grains > farthest / sizeof(Grain) || loads > farthest / sizeof(Load))
     throw DataError(fmt::format("{} grains are more than one simulation can hold: {} million", grains,
                                 farthest / sizeof(Grain) / 1'000'000));
-  bodies.loads.assign(loads, Load{});
+  bodies.loads.resize(loads);
   bodies.stiffness.resize(loads);
 }
 

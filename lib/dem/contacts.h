@@ -92,8 +92,8 @@ struct Contacts {
   ChunkPlan plan;
 
   /// Lists these pairs, sorted by (first, second, image), and pairs with planes, sorted by (grain, plane). A pair that
-  /// was listed before keeps its history. Loads are made to fit, and zero. Throws DataError beyond 65,000 cell offsets
-  /// or 33 million grains.
+  /// was listed before keeps its history. Loads are made to fit; they must be used up, that is zero. Throws DataError
+  /// beyond 65,000 cell offsets or 33 million grains.
   void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
 
   Pair pair(const ContactBlock& block, int lane) const;

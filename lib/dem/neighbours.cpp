@@ -120,25 +120,37 @@ bool Neighbours::fit_outer_list(const Bodies& bodies) {
 
 void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
   near_.resize(outer_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t k = 0; k < outer_.size(); ++k) {
-    const Pair& p = outer_[k];
-    const auto i = static_cast<std::size_t>(p.first), j = static_cast<std::size_t>(p.second);
-    const Lane4 &a = bodies.grains[i].position, &b = bodies.grains[j].position;
-    Lane4 d = b - a;
-    if (p.image != 0) d += row(shift_of(p.image, cell.matrix()), 0);
-    const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_;
-    near_[k] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
+  const auto shares = static_cast<std::size_t>(threads_);
+  const auto begin = [&](std::size_t share) { return share * outer_.size() / shares; };
+  std::vector<std::size_t> listed_before(shares + 1);
+#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t share = 0; share < shares; ++share) {
+    std::size_t count = 0;
+    for (std::size_t k = begin(share); k < begin(share + 1); ++k) count += near_[k] = is_near(outer_[k], bodies, cell);
+    listed_before[share + 1] = count;
   }
-  // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
-  listed_.resize(static_cast<std::size_t>(std::count(near_.begin(), near_.end(), true)) + 1);
-  Pair* next = listed_.data();
-  for (std::size_t k = 0; k < outer_.size(); ++k) {
-    *next = outer_[k];
-    next += near_[k] != 0;
+  std::partial_sum(listed_before.begin(), listed_before.end(), listed_before.begin());
+  listed_.resize(listed_before.back());
+#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t share = 0; share < shares; ++share) {
+    // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
+    Pair* const end = listed_.data() + listed_before[share + 1];
+    std::size_t k = begin(share);
+    for (Pair* next = listed_.data() + listed_before[share]; next != end; ++k) {
+      *next = outer_[k];
+      next += near_[k];
+    }
   }
-  listed_.pop_back();
   give_back_spare(listed_);
+}
+
+bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) const {
+  const auto i = static_cast<std::size_t>(p.first), j = static_cast<std::size_t>(p.second);
+  const Lane4 &a = bodies.grains[i].position, &b = bodies.grains[j].position;
+  Lane4 d = b - a;
+  if (p.image != 0) d += row(shift_of(p.image, cell.matrix()), 0);
+  const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_;
+  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
 }
 
 std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Planes& planes) const {

@@ -54,6 +54,7 @@ class Neighbours {
   void set_leeways(const Bodies& bodies);
   bool fit_outer_list(const Bodies& bodies);
   void filter(const Bodies& bodies, const Cell& cell);
+  bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   void begin_list(Bodies& bodies);
   double longest() const { return 2 * radius_ + outer_skin_; }  // branch that is listed, m
