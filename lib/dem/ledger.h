@@ -42,9 +42,15 @@ inline void archive(Archive& a, Energies& e) {
 
 /// Forces and torques of the grains, as they lie in their loads; of disks what they have turned by.
 inline void archive(Archive& a, Bodies& bodies) {
-  std::vector<double> angle(bodies.angle.begin(), bodies.angle.end());
-  if (bodies.dimension == 2) a.item("angle", angle);
-  bodies.angle.assign(angle.begin(), angle.end());
+  const auto of_as_many = [&bodies](const std::string& name, std::size_t numbers, std::size_t of_each) {
+    if (numbers != of_each * bodies.size()) throw DataError(name + ": is of another number of grains; begin anew");
+  };
+  if (bodies.dimension == 2) {
+    std::vector<double> angle(bodies.angle.begin(), bodies.angle.end());
+    a.item("angle", angle);
+    of_as_many("angle", angle.size(), 1);
+    bodies.angle.assign(angle.begin(), angle.end());
+  }
   for (const auto& [name, part] : {std::pair("force", &Load::force), std::pair("torque", &Load::torque)}) {
     std::vector<double> flat;
     if (!a.giving_back())
@@ -54,8 +60,7 @@ inline void archive(Archive& a, Bodies& bodies) {
       }
     a.item(name, flat);
     if (!a.giving_back()) continue;
-    if (flat.size() != 3 * bodies.size())
-      throw DataError(std::string(name) + ": is of another number of grains; begin anew");
+    of_as_many(name, flat.size(), 3);
     for (std::size_t i = 0; i < bodies.size(); ++i)
       bodies.loads[i].*part = Lane4{flat[3 * i], flat[3 * i + 1], flat[3 * i + 2], 0};
   }
