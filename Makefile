@@ -99,13 +99,13 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
 $(B)/obj/lib/analysis/tessellation.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
-# would put single integers together in registers, which takes longer than what it saves.
+# would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
 HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/grain_motion.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
 # The loops over contacts and grains once more, eight at a time, for processors with AVX-512 (lib/dem/vector_width.cpp
 # chooses). What these objects share with others, inline functions, must stay their own: the linker would hand them to all.
 WIDE := contact_sweep grain_motion
 EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/lib/dem/%.avx512.o))
-$(HOT) $(EIGHT): private CXXFLAGS += -mmove-max=256 -mstore-max=256 -fno-tree-slp-vectorize
+$(HOT) $(EIGHT): private CXXFLAGS += $(if $(FUZZ),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
 # AVX-512 roots: its headers leave a register unset on purpose (bug 105593).
 $(EIGHT): private CXXFLAGS += -Wno-uninitialized
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
