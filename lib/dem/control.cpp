@@ -49,12 +49,20 @@ void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation)
   simulation.set_velocity_gradient(gradient);
 }
 
-bool Servo::settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances, const Simulation& simulation) {
-  const Measures& m = simulation.measures();
+bool Servo::strained(const AxisGoals& goals, int dimension, const Simulation& simulation) {
   const Vec3 strain = simulation.strain();
   for (int a = 0; a < dimension; ++a) {
     const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
     if (goal.kind == AxisGoal::Kind::strain && std::abs(goal.value - strain[a]) > strain_tolerance) return false;
+  }
+  return true;
+}
+
+bool Servo::settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances, const Simulation& simulation) {
+  if (!strained(goals, dimension, simulation)) return false;
+  const Measures& m = simulation.measures();
+  for (int a = 0; a < dimension; ++a) {
+    const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
     if (goal.kind == AxisGoal::Kind::stress &&
         std::abs(goal.value - m.stress(a, a)) > tolerances.stress * std::abs(goal.value))
       return false;

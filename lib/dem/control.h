@@ -43,6 +43,8 @@ class Servo {
   explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}
   /// Sets the velocity gradient of the next step; axes beyond the space's dimension stay at rest.
   void drive(const AxisGoals& goals, int dimension, Simulation& simulation);
+  /// Strain goals met.
+  static bool strained(const AxisGoals& goals, int dimension, const Simulation& simulation);
   /// All goals met within the tolerances and the unbalanced force below its own.
   static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances,
                       const Simulation& simulation);

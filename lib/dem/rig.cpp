@@ -86,13 +86,18 @@ void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation&
   }
 }
 
-bool Rig::arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const {
+bool Rig::moved(const std::vector<DriveGoal>& goals) const {
   for (const DriveGoal& goal : goals) {
     if (goal.kind != DriveGoal::Kind::displacement) continue;
     const State& s = states_[index(goal.part)];
     const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
     if (std::abs(left) > displacement_tolerance) return false;
   }
+  return true;
+}
+
+bool Rig::arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const {
+  if (!moved(goals)) return false;
   const std::vector<PlateLoad> plates = simulation.plate_loads();
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const State& s = states_[p];

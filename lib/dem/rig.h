@@ -40,6 +40,8 @@ class Rig {
   /// Sets the velocities of all parts for the next step: goals as given, loads of earlier stages held, the rest at
   /// rest.
   void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation);
+  /// Displacements reached.
+  bool moved(const std::vector<DriveGoal>& goals) const;
   /// Displacements reached, and loads, old ones too, met to the tolerance.
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
   /// Displacement and force of every part, appended to the series.

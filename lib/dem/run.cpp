@@ -150,9 +150,11 @@ class Runner {
 
   void travel(const Stage& stage, std::size_t station) {
     const std::vector<DriveGoal> drives = stage.path->drives(station);
-    const double damping = stage.damping.value_or(scenario_.numerics.damping);
+    const double on_the_way = stage.damping.value_or(scenario_.numerics.damping);
     for (;;) {
       const AxisGoals goals = goals_of(stage, station);
+      const double damping = stage.rest_damping && waits(goals, drives) ? *stage.rest_damping : on_the_way;
+      simulation_.set_damping(damping);
       servo_.drive(goals, dimension_, simulation_);
       rig_.drive(drives, damping, simulation_);
       simulation_.step();
@@ -163,6 +165,11 @@ class Runner {
       keeper_.after_step([this] { return moment(); });
     }
     tell(stage, station);
+  }
+
+  // Whether all that moves by a set way has arrived, and only rest is waited for.
+  bool waits(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
+    return rig_.moved(drives) && Servo::strained(goals, dimension_, simulation_);
   }
 
   bool settled(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {

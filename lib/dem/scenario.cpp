@@ -76,6 +76,8 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   static constexpr Parameter friction{
       "friction_angle", "deg", 0, 89.9, false, "friction angle of all materials from this stage on"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
+  static constexpr Parameter rest{"rest_damping", "1",   0,
+                                  0.999,          false, "local non-viscous damping while a station waits for rest"};
   Stage stage;
   const std::string path = table.kind("path", path_names());
   stage.name = table.text("name", path);
@@ -89,6 +91,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
                                     "friction angle between the planes and what touches them from this stage on"};
   if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
+  if (table.has("rest_damping")) stage.rest_damping = table.number(rest);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() > 0)
     for (const DriveGoal& goal : stage.path->drives(0))

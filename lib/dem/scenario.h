@@ -20,6 +20,7 @@ struct Stage {
   std::optional<double> friction;        // rad, of all materials from here on
   std::optional<double> plate_friction;  // rad, of the materials of planes against any other
   std::optional<double> damping;         // local damping during this stage
+  std::optional<double> rest_damping;    // the same while a station waits for rest
 };
 
 /// Which recorded stations get a full snapshot beside their row in the series.

@@ -5,37 +5,42 @@ set key autotitle columnhead
 if (format eq 'svg') { set terminal svg size 900,380 dynamic font 'sans,12' } else { set terminal pngcairo size 1800,760 font 'sans,22' }
 set key left top noautotitle
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
+# A run and its record share a colour.
+hue(g) = g eq 'PE' ? 1 : 2
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 C(n) = column(n)
-strain(n) = 100 * (C("displacement_bottom_z [m]") - C("displacement_top_z [m]")) / 0.08
+# From the end of the preload, which is the first stage.
+start = 0
+way(n) = C("displacement_bottom_z [m]") - C("displacement_top_z [m]")
+strain(n) = C("stage [1]") == 0 ? (start = way(0), 0) : 100 * (way(0) - start) / 0.08
 set output sprintf("%s/compression.%s", out, format)
 set multiplot layout 1,2
 set xlabel 'axial strain (%)'
 set ylabel 'load over 0.16 m² (kPa)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints pt 7 ps 0.4 title g, \
-  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points pt 6 title g.' recorded'
+plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints pt 7 ps 0.4 title g, \
-  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points pt 6 title g.' recorded'
+plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
 set multiplot layout 1,2
 set xlabel 'p (kPa)'
 set ylabel 'q (kPa)'
-plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints pt 7 ps 0.4 title g, \
-  for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points pt 6 title g.' recorded'
+plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'
 set ylabel 'void ratio'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints pt 7 ps 0.4 title g, \
-  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points pt 6 title g.' recorded'
+plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints pt 7 ps 0.4 title g, \
-  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points pt 6 title g.' recorded'
+plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'broken yarns'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints pt 7 ps 0.4 title g
+plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g
 unset multiplot
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
@@ -45,4 +50,4 @@ plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (100 * C("displaceme
 set output sprintf("%s/strip.%s", out, format)
 set xlabel 'strain (%)'
 set ylabel 'tension of a yarn (N)'
-plot for [g in "PE PP"] sprintf("%s/strip_%s.tsv", out, g) using (C("displacement_right_y [m]") * 1000):(abs(C("force_right_y [N]")) / 5) with linespoints pt 7 ps 0.4 title g
+plot for [g in "PE PP"] sprintf("%s/strip_%s.tsv", out, g) using (C("displacement_right_y [m]") * 1000):(abs(C("force_right_y [N]")) / 5) with linespoints lc hue(g) pt 7 ps 0.4 title g

@@ -105,6 +105,19 @@ TEST(Run, AStageMayChangeFrictionAndDamping) {
   EXPECT_LT(last(run, "void_ratio"), run.series.at("void_ratio").values.front());
 }
 
+TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
+  const auto strained = [](const std::string& keys) {
+    return loaded("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.002\nincrement = 0.001\n" + keys);
+  };
+  const io::RunFile same = strained("damping = 0.1\n"), said = strained("damping = 0.1\nrest_damping = 0.1\n"),
+                    more = strained("damping = 0.1\nrest_damping = 0.7\n"), all = strained("damping = 0.7\n");
+  EXPECT_EQ(said.series.at("stress_zz").values, same.series.at("stress_zz").values);
+  EXPECT_EQ(said.series.at("step").values, same.series.at("step").values);
+  EXPECT_LT(last(more, "step"), 0.7 * last(same, "step")) << "rest comes sooner";
+  // On the way to the second station the little damping holds again.
+  EXPECT_LT(last(more, "damping_dissipation"), 0.9 * last(all, "damping_dissipation"));
+}
+
 TEST(Run, SaysWhichStationCannotBeReached) {
   const Scenario plan =
       scenario("[equilibrium]\nsteps = 50\n[[stage]]\nname = \"far\"\npath = \"isotropic\"\npressure = 1e6\n");

@@ -116,6 +116,16 @@ TEST(Strip, EnergyOfYieldingIsAccountedFor) {
   EXPECT_NEAR(last("yarn_elastic_energy") + last("yarn_dissipation"), work, 2e-3 * work);
 }
 
+// Without damping the strip swings for ever; it swings on the way, and comes to rest where the clamp stands.
+TEST(Strip, ComesToRestWhereOnlyTheWaitIsDamped) {
+  std::string stage = move(2.4e-3, 4);
+  stage.insert(stage.find("parts"), "damping = 0\nrest_damping = 0.8\n");
+  const Scenario plan = pulled(pe_points, stage, 0.01);
+  const io::RunFile run = dem::run(prepare(strip(4), plan), plan, {}).file;
+  EXPECT_LE(run.series.at("unbalanced_force").values.back(), 1e-9);
+  EXPECT_GT(run.series.at("damping_dissipation").values.back(), 0);
+}
+
 TEST(Geotextile, RefusesCurvesThatTurnBack) {
   const std::string stage = move(1e-3, 1);
   EXPECT_THROW(pulled("yarn_strain = [0.02, 0.01]\nyarn_tension = [1, 2]\n", stage, 0.01), DataError);
