@@ -1,5 +1,6 @@
 // Loading paths and whole runs: what each path holds, what is recorded, and what is refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,16 +107,20 @@ TEST(Run, AStageMayChangeFrictionAndDamping) {
 }
 
 TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
-  const auto strained = [](const std::string& keys) {
-    return loaded("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.002\nincrement = 0.001\n" + keys);
+  const auto stage = [](double strain, const std::string& keys) {
+    return fmt::format("[[stage]]\npath = \"constant-volume\"\naxial_strain = {}\nincrement = 0.001\n{}", strain, keys);
   };
-  const io::RunFile same = strained("damping = 0.1\n"), said = strained("damping = 0.1\nrest_damping = 0.1\n"),
-                    more = strained("damping = 0.1\nrest_damping = 0.7\n"), all = strained("damping = 0.7\n");
+  const std::string little = "damping = 0.1\n", more = "damping = 0.1\nrest_damping = 0.7\n";
+  const io::RunFile same = loaded(stage(0.002, little)), said = loaded(stage(0.002, little + "rest_damping = 0.1\n"));
   EXPECT_EQ(said.series.at("stress_zz").values, same.series.at("stress_zz").values);
   EXPECT_EQ(said.series.at("step").values, same.series.at("step").values);
-  EXPECT_LT(last(more, "step"), 0.7 * last(same, "step")) << "rest comes sooner";
-  // On the way to the second station the little damping holds again.
-  EXPECT_LT(last(more, "damping_dissipation"), 0.9 * last(all, "damping_dissipation"));
+  const io::RunFile calmed = loaded(stage(0.002, more));
+  EXPECT_LT(last(calmed, "step"), last(same, "step")) << "rest comes sooner";
+  // On the way to the second station the little damping holds again, as it does where another stage begins.
+  const io::RunFile anew = loaded(stage(0.001, more) + stage(0.001, more));
+  const io::RunFile held = loaded(stage(0.001, more) + stage(0.001, "damping = 0.7\n"));
+  EXPECT_NEAR(last(anew, "step"), last(calmed, "step"), 2);
+  EXPECT_GT(std::abs(last(held, "step") - last(calmed, "step")), 20);
 }
 
 TEST(Run, SaysWhichStationCannotBeReached) {
