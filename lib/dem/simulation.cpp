@@ -31,7 +31,7 @@ constexpr std::int64_t guard_interval = 256;
 constexpr double overlap_growth = 2;
 // Overlap over radius of the contact that bounds the step while no stiffer one exists.
 constexpr double reference_overlap = 1e-4;
-// The fastest grain moves at most this fraction of the smallest radius in a step.
+// The fastest grain, or plane, moves at most this fraction of the smallest radius in a step.
 constexpr double largest_move = 1e-2;
 
 }  // namespace
@@ -147,7 +147,7 @@ struct Simulation::Impl {
       estimate_step(stiffness);
     else if (numerics.watch_stiffness && outgrown(overlap_growth))
       estimate_step(sweep->stiffen(scene(), contacts));
-    limit_move(moved.fastest);
+    limit_move(std::max(moved.fastest, fastest_plane()));
     clock.lap(Phase::contacts);
   }
 
@@ -238,7 +238,7 @@ struct Simulation::Impl {
     return sums.largest_overlap > times * std::max(estimated_at, reference_overlap * smallest_radius);
   }
   bool calm() const {
-    return !outgrown(calm_overlap_growth) &&
+    return !yarns.any() && !outgrown(calm_overlap_growth) &&
            static_cast<double>(sums.contacts) <= calm_contact_growth * static_cast<double>(contacts_at_estimate);
   }
 

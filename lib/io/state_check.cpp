@@ -15,6 +15,8 @@ namespace {
 constexpr double unit_tolerance = 1e-6;
 // Images are counted in 32 bits; a grain this far from its cell got there by mistake.
 constexpr double most_cells_away = 1e6;
+// m; farther away, distances between grains are no numbers any more.
+constexpr double farthest = 1e9;
 
 class Check {
  public:
@@ -72,6 +74,7 @@ class Check {
     const GrainsRecord& g = state_.grains;
     const auto bad = [&](const char* what) { fail(fmt::format("grain {} (body_id {}): {}", i, g.body_id[i], what)); };
     if (!g.position[i].allFinite()) bad("position is not finite");
+    if (g.position[i].cwiseAbs().maxCoeff() > farthest) bad("lies more than 1e9 m from the origin");
     if (!g.velocity[i].allFinite()) bad("velocity is not finite");
     if (!g.angular_velocity[i].allFinite()) bad("angular velocity is not finite");
     if (!(g.radius[i] > 0 && std::isfinite(g.radius[i]))) bad("radius is not positive");

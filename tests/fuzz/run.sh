@@ -21,8 +21,8 @@ seeds() { # READER: into the folder of that name
     file)
       (cd "$into"
         "$BIN/pack-generate" --quiet --grains 40 --dimension 2 --pressure 1e5 --tolerance 1e-2 -o packing.h5
-        "$BIN/run-dem" --quiet packing.h5 "$top/tests/tools/examples/triaxial.toml" --set stage.0.axial_strain=0.001 \
-          --set stage.0.increment=0.001 -o run.h5
+        "$BIN/run-dem" --quiet packing.h5 "$top/tests/tools/examples/triaxial.toml" --set stage.1.axial_strain=0.001 \
+          --set stage.1.increment=0.001 -o run.h5
         "$BIN/homogenize" --quiet run.h5 -o fields.h5
         "$BIN/pf-weight" draw "$top/tests/tools/examples/prior.toml" --quiet --samples 4 -o ensemble.h5)
       ;;

@@ -306,6 +306,8 @@ TEST(Check, tells_what_is_wrong_with_a_state) {
   wrong("the velocity gradient is not finite", [](Snapshot& s) { s.cell.velocity_gradient(0, 0) = std::nan(""); });
   wrong("grain 3 (body_id 997): radius is not positive", [](Snapshot& s) { s.grains.radius[3] = 0; });
   wrong("grain 3 (body_id 997): mass is not positive", [](Snapshot& s) { s.grains.mass[3] = -1; });
+  wrong("grain 3 (body_id 997): lies more than 1e9 m from the origin",
+        [](Snapshot& s) { s.grains.position[3].x() = 1e10; });
   wrong("grain 3 (body_id 997): orientation is no unit", [](Snapshot& s) { s.grains.orientation[3] *= 2; });
   wrong("grain 3 (body_id 997): material_id is negative", [](Snapshot& s) { s.grains.material_id[3] = -1; });
   wrong("grain 3 (body_id 997): velocity is not", [](Snapshot& s) { s.grains.velocity[3].x() = INFINITY; });
