@@ -9,6 +9,7 @@ top=$here/../..
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export TMPDIR=$work ASAN_OPTIONS=detect_leaks=1 BIN
+export LSAN_OPTIONS=suppressions=$here/leaks_of_libraries.txt:print_suppressions=0
 
 seeds() { # READER: into the folder of that name
   local into=$work/$1
