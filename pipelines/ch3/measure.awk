@@ -75,16 +75,16 @@ function compare(g, f, r, i, at, base, peak, recorded, tautest, densest, start, 
     pp += value[f, "soil_mean_stress", i] ^ 2
   }
   put("path_slope_" g, pq / pp)
-  # Greatest differences from 3 % to the recorded peak: at equal tension of the yarns on the faces, as far as it is reached, and at
-  # equal strain.
+  # Greatest differences up to the recorded peak: at equal tension of the yarns on the faces, or at the greatest where that is never
+  # reached, and from 3 % on at equal strain.
   tautest = value[f, "tension", greatest(f, "tension")]
   for (i = 2; i <= recorded; ++i) {
-    if (value[r, "strain_axial", i] < 0.03) continue
     at = value[r, "tension_yarn_face", i]
-    if (at > tautest) at = 0
-    if (at) note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
-    if (at) note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
-    if (at) note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    if (at > tautest) at = tautest
+    note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+    note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    if (value[r, "strain_axial", i] < 0.03) continue
     at = value[r, "strain_axial", i]
     note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
     note("strain", g, "axial", where(f, "strain", "soil_stress_zz", at), value[r, "axial_stress", i])
