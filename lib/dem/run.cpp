@@ -126,7 +126,6 @@ class Runner {
 
   void begin(const Stage& stage) {
     apply(stage);
-    simulation_.set_damping(stage.damping.value_or(scenario_.numerics.damping));
     if (stage.reset_strain) {
       simulation_.set_reference();
       if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table, too
