@@ -168,7 +168,7 @@ double largest(const Lane4& x) { return largest_of(x); }
 
 // Sums stay in registers: through memory each addition would wait for the one before it to be stored.
 template <class Rows>
-[[gnu::flatten]] void move(const Push& push, const MovedGrains& those, std::size_t begin, std::size_t end,
+[[gnu::flatten]] void move(const Push& push, const MovedGrains at, std::size_t begin, std::size_t end,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
   const Lanes dt = all<Lanes>(push.dt), damping = all<Lanes>(push.damping), gyration = all<Lanes>(push.gyration);
@@ -177,7 +177,6 @@ template <class Rows>
   const bool heavy = push.heavy, deforming = push.deforming;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
   Lanes fastest{}, haste{};
-  const MovedGrains at = those;
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
     Vector force = of.force();

@@ -34,8 +34,7 @@ struct MovedGrains {
 /// Moves the grains from `begin` to `end`, whose number is a multiple of `at_once`: velocities by the forces, damped by
 /// Cundall's local damping (dem-laws §4: each component's force is scaled by 1 -+ damping as it speeds up or slows
 /// down), positions by the new velocities and the cell's affine motion. Uses their loads up: they are left zero.
-using MoveGrains = void (*)(const Push& push, const MovedGrains& of, std::size_t begin, std::size_t end,
-                            MotionTally& tally);
+using MoveGrains = void (*)(const Push& push, MovedGrains of, std::size_t begin, std::size_t end, MotionTally& tally);
 struct GrainMotion {
   MoveGrains in_space, in_plane;
   std::size_t at_once;

@@ -122,21 +122,21 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
   near_.resize(outer_.size());
   const auto shares = static_cast<std::size_t>(threads_);
   const auto begin = [&](std::size_t share) { return share * outer_.size() / shares; };
-  std::vector<std::size_t> listed_before(shares + 1);
+  listed_before_.assign(shares + 1, 0);
 #pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
   for (std::size_t share = 0; share < shares; ++share) {
     std::size_t count = 0;
     for (std::size_t k = begin(share); k < begin(share + 1); ++k) count += near_[k] = is_near(outer_[k], bodies, cell);
-    listed_before[share + 1] = count;
+    listed_before_[share + 1] = count;
   }
-  std::partial_sum(listed_before.begin(), listed_before.end(), listed_before.begin());
-  listed_.resize(listed_before.back());
+  std::partial_sum(listed_before_.begin(), listed_before_.end(), listed_before_.begin());
+  listed_.resize(listed_before_.back());
 #pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
   for (std::size_t share = 0; share < shares; ++share) {
     // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
-    Pair* const end = listed_.data() + listed_before[share + 1];
+    Pair* const end = listed_.data() + listed_before_[share + 1];
     std::size_t k = begin(share);
-    for (Pair* next = listed_.data() + listed_before[share]; next != end; ++k) {
+    for (Pair* next = listed_.data() + listed_before_[share]; next != end; ++k) {
       *next = outer_[k];
       next += near_[k];
     }

@@ -69,8 +69,9 @@ class Neighbours {
   bool planes_ = false;
   int threads_ = 1;
   Since filtered_, searched_;
-  std::vector<Pair> outer_, listed_;  // sorted
-  std::vector<char> near_;            // of the outer ones: whether it is listed
+  std::vector<Pair> outer_, listed_;        // sorted
+  std::vector<char> near_;                  // of the outer ones: whether it is listed
+  std::vector<std::size_t> listed_before_;  // by share of the outer ones, how many of the shares before
 };
 
 }  // namespace soilweave::dem
