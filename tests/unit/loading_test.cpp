@@ -119,6 +119,7 @@ TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
   // On the way to the second station the little damping holds again, as it does where another stage begins.
   const io::RunFile anew = loaded(stage(0.001, more) + stage(0.001, more));
   const io::RunFile held = loaded(stage(0.001, more) + stage(0.001, "damping = 0.7\n"));
+  // A stage that begins measures its way anew: a step sooner or later.
   EXPECT_NEAR(last(anew, "step"), last(calmed, "step"), 2);
   EXPECT_GT(std::abs(last(held, "step") - last(calmed, "step")), 20);
 }

@@ -142,6 +142,27 @@ TEST(Simulation, TurnsAGrainByItsSpin) {
   EXPECT_LT((q - expected).norm(), 1e-6);
 }
 
+// More than a turn, from where it stood.
+TEST(Simulation, TurnsADiskByItsSpin) {
+  io::Snapshot state = testing::packed(testing::sand(), 1e5, 20, 2);
+  state.contacts = {};
+  state.cell.matrix.topLeftCorner<2, 2>() *= 10;
+  for (Vec3& x : state.grains.position) x *= 10;
+  for (Vec3& w : state.grains.angular_velocity) w = Vec3(0, 0, -40);
+  for (Vec4& q : state.grains.orientation) q = Vec4(std::cos(0.3), 0, 0, std::sin(0.3));
+  Numerics fixed;
+  fixed.time_step = 1e-4;
+  Simulation s(state, testing::sand(), fixed);
+  for (int k = 0; k < 2000; ++k) s.step();
+  const double half = 0.3 - 20 * s.time();
+  for (const Vec4& q : s.snapshot().grains.orientation)
+    EXPECT_LT((q - Vec4(std::cos(half), 0, 0, std::sin(half))).norm(), 1e-12);
+  const io::Snapshot turned = s.snapshot();
+  EXPECT_LT((Simulation(turned, testing::sand(), fixed).snapshot().grains.orientation[0] - turned.grains.orientation[0])
+                .norm(),
+            1e-15);
+}
+
 TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
   for (const Model& model : {testing::sand(), testing::linear_sand()}) {
     Simulation s(testing::packed(model, 2e5), model, {});

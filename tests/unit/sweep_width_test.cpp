@@ -65,6 +65,7 @@ void expect_same_bits(const Model& model, const io::Snapshot& state) {
   }
   EXPECT_GT(slid, 0);
   EXPECT_TRUE(same_bits(four.bodies.grains, eight.bodies.grains));
+  EXPECT_TRUE(same_bits(four.bodies.angle, eight.bodies.angle));
   EXPECT_TRUE(same_bits(four.bodies.loads, eight.bodies.loads));
   EXPECT_EQ(std::memcmp(&four.sums, &eight.sums, sizeof four.sums), 0);
   EXPECT_EQ(four.sweep->stiffen(four.scene(), four.contacts), eight.sweep->stiffen(eight.scene(), eight.contacts));
