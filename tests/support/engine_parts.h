@@ -42,7 +42,8 @@ struct EngineParts {
 
 template <class Rows>
 bool same_bits(const Rows& a, const Rows& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+  if (a.size() != b.size()) return false;
+  return a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;  // nothing has no address
 }
 
 }  // namespace soilweave::testing
