@@ -23,6 +23,8 @@ awk -f pipelines/table.awk "$OUT/comparison.tsv"
 echo '<h3>Statements</h3>'
 awk -f pipelines/table.awk "$OUT/checklist.tsv"
 echo '<h3>Figures</h3>'
+picture bag 'The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains cut by the plane in
+its middle (Fig. 3.14), tension of the yarns on its upper face (Fig. 3.17).'
 figure compression 'Uniaxial compression (thesis Figs. 3.6 and 3.7). Points: recorded series of the same model.'
 figure paths 'Stress paths and void ratio (Figs. 3.10 and 3.12).'
 figure yarns 'Tension of the yarns on the faces, and broken yarns.'
