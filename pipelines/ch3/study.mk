@@ -80,6 +80,16 @@ $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.
 	@awk -f $^ $(call whole,$@)
 $(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
+C3_KEPT := $(C3)/kept
+C3_KEEP := step stage displacement_top_x displacement_top_z displacement_bottom_z force_top_x force_top_z force_bottom_z soil_void_ratio \
+  soil_stress_xx soil_stress_yy soil_stress_zz soil_stress_xz soil_mean_stress soil_deviatoric_stress soil_coordination_number \
+  yarn_tension_face yarn_tension_side_horizontal yarn_tension_side_vertical broken_yarns kinetic_energy unbalanced_force boundary_work \
+  energy_error
+.PHONY: ch3-keep
+ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk ## put the series of finished thesis-size runs of ch3 among the kept ones (PROFILE=thesis)
+	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
+	@cp $(C3O)/generation.tsv $(C3_KEPT)/generation.tsv
+
 # Three states of the bag of PE for a picture: after the preload, at 12 %, the last.
 C3_STATES := 1 4 last
 C3_PICTURES := $(foreach k,1 2 3,$(C3O)/section_$(k).tsv $(C3O)/face_$(k).tsv)
@@ -88,9 +98,9 @@ $(C3O)/section_%.tsv: $(C3O)/uc_PE.h5 $(C3)/section.awk $(BIN)/homogenize
 $(C3O)/face_%.tsv: $(C3O)/uc_PE.h5 $(C3)/face.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --table yarns --tsv | awk -f $(C3)/face.awk $(call whole,$@)
 
-$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_RECORDED) $(C3_PICTURES)
+$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_RECORDED) $(C3_PICTURES) $(wildcard $(C3_KEPT)/*.tsv)
 	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'; yarns=$(C3_YARNS_$(PROFILE)); \
-	  end='$(C3_END_$(PROFILE))'" $<; done
+	  end='$(C3_END_$(PROFILE))'; kept='$(patsubst $(C3_KEPT)/uc_%.tsv,%,$(wildcard $(C3_KEPT)/uc_*.tsv))'" $<; done
 	@touch $@
 $(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures
 	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)
