@@ -1,4 +1,4 @@
-# Figures of chapter 3: compression, paths, yarns, shear. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'; kept='PE'"
+# Figures of chapter 3: compression, paths, yarns, shear, shear box, pictures. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'"
 # SPDX-License-Identifier: GPL-3.0-or-later
 set datafile separator "\t"
 set key autotitle columnhead
@@ -7,8 +7,6 @@ set key left top noautotitle
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 # A run and its record share a colour.
 hue(g) = g eq 'PE' ? 1 : 2
-# Runs at the thesis's size that are kept, dashed.
-full(g) = sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 C(n) = column(n)
 # From the end of the preload, which is the first stage.
@@ -20,11 +18,9 @@ set multiplot layout 1,2
 set xlabel 'axial strain (%)'
 set ylabel 'load over 0.16 m² (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in kept] full(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in kept] full(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
@@ -32,19 +28,16 @@ set multiplot layout 1,2
 set xlabel 'p (kPa)'
 set ylabel 'q (kPa)'
 plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in kept] full(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'
 set ylabel 'void ratio'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in kept] full(g) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in kept] full(g) using (strain(0)):(C("yarn_tension_face [N]")) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'broken yarns'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g
@@ -58,6 +51,27 @@ set output sprintf("%s/strip.%s", out, format)
 set xlabel 'strain (%)'
 set ylabel 'tension of a yarn (N)'
 plot for [g in "PE PP"] sprintf("%s/strip_%s.tsv", out, g) using (C("displacement_right_y [m]") * 1000):(abs(C("force_right_y [N]")) / 5) with linespoints lc hue(g) pt 7 ps 0.4 title g
+set output sprintf("%s/box.%s", out, format)
+set xlabel 'displacement (mm)'
+set ylabel 'shear over normal force'
+set key right bottom
+plot for [a in "21 25"] sprintf("%s/box_%s.tsv", out, a) using (1000 * C("displacement_left_x [m]")): \
+  (abs((C("force_left_x [N]") + C("force_right_x [N]")) / C("force_lid_z [N]"))) with linespoints pt 7 ps 0.4 title a.'°'
+set key left top
+# Growth of the grains, beside that of the full size, which is kept.
+set output sprintf("%s/growth.%s", out, format)
+set multiplot layout 1,2
+set xlabel 'radii grown by (%)'
+grown(n) = 100 * (C("growth [1]") - 1)
+set ylabel 'void ratio'
+set key right top
+plot out."/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
+  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'full size'
+set ylabel 'coordination number'
+set key left top
+plot out."/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
+  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'full size'
+unset multiplot
 # The bag before it is compressed, near its greatest load, and ruptured: cut in the middle, and from above. Too many marks for SVG.
 if (format eq 'png') {
 set output sprintf("%s/bag.png", out)
