@@ -170,7 +170,7 @@ void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes,
   planes_ = !planes.all.empty(), threads_ = contacts.threads;
   set_leeways(bodies);
   if (!fit_outer_list(bodies)) {
-    find_pairs(bodies, cell, outer_skin_, longest(), outer_);
+    find_pairs(bodies, cell, outer_skin_, longest(), threads_, outer_);
     give_back_spare(outer_);
     searched_.begin(bodies, threads_);
     set_leeways(bodies);
