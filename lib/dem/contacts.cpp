@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -63,6 +65,11 @@ std::span<const Pair> of_chunk(const std::vector<Pair>& pairs, std::size_t chunk
   return {from(chunk), from(chunk + 1)};
 }
 
+// Whether the second grain of a pair of this chunk is of another, which then is a higher one.
+bool is_far(const Pair& pair, std::size_t chunk) {
+  return static_cast<std::size_t>(pair.second) >= (chunk + 1) * grains_per_chunk;
+}
+
 // Pairs that a chunk knew, in order.
 class Known {
  public:
@@ -109,8 +116,8 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
   block.folded = true;
 }
 
-// Blocks of a chunk's pairs, with what is known of them.
-void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs,
+// Blocks of a chunk's pairs, with what is known of them. Pairs with grains of other chunks have loads from `load` on.
+void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs, std::size_t load,
           const std::vector<CellOffset>& images, Known known) {
   const std::size_t begin = chunk * grains_per_chunk;
   blocks.clear();
@@ -120,10 +127,11 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
       const int k = block.count;
       const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
       block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
-      block.load_second[k] = load_distance(second);
+      const bool far = is_far(*at, chunk);
+      block.load_second[k] = load_distance(far ? load++ : second);
       block.image[k] = place(at->image, images);
       block.folded = block.folded || block.image[k] != 0;
-      block.far = block.far || chunk_of(at->second) != chunk;
+      block.far = block.far || far;
       known.pass_on(*at, block, k);
     }
     if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
@@ -132,13 +140,32 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
 
 }  // namespace
 
-void Contacts::count_singles(const std::vector<Pair>& pairs, Bodies& bodies) {
+void Contacts::look_across(const std::vector<Pair>& pairs) {
+  reached_.resize(chunks.size()), across_.resize(chunks.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+    std::vector<std::uint32_t>& reached = reached_[chunk];
+    std::vector<std::int32_t>& grains = across_[chunk];
+    reached.clear(), grains.clear();
+    for (const Pair& p : of_chunk(pairs, chunk)) {
+      if (!is_far(p, chunk)) continue;
+      grains.push_back(p.second);
+      const auto other = static_cast<std::uint32_t>(chunk_of(p.second));
+      if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
+    }
+  }
+}
+
+void Contacts::name_singles(Bodies& bodies) {
   const std::size_t grains = bodies.size();
+  const auto each = [this](const auto& visit) {
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+      for (const std::int32_t grain : across_[chunk]) visit(static_cast<std::size_t>(grain));
+    for (const PlanePair& p : planes) visit(static_cast<std::size_t>(p.grain));
+  };
   singles_start.assign(grains + 1, 0);
-  for (const Pair& p : pairs)
-    if (chunk_of(p.first) != chunk_of(p.second)) ++singles_start[static_cast<std::size_t>(p.second) + 1];
-  for (const PlanePair& p : planes) ++singles_start[static_cast<std::size_t>(p.grain) + 1];
-  for (std::size_t b = 0; b < grains; ++b) singles_start[b + 1] += singles_start[b];
+  each([this](std::size_t grain) { ++singles_start[grain + 1]; });
+  std::partial_sum(singles_start.begin(), singles_start.end(), singles_start.begin());
   singles.resize(singles_start.back());
   const std::size_t loads = grains + singles.size();
   constexpr std::size_t farthest = std::numeric_limits<std::uint32_t>::max();
@@ -147,18 +174,11 @@ void Contacts::count_singles(const std::vector<Pair>& pairs, Bodies& bodies) {
                                 farthest / sizeof(Grain) / 1'000'000));
   bodies.loads.resize(loads);
   bodies.stiffness.resize(loads);
-}
-
-void Contacts::make_plan(const std::vector<Pair>& pairs) {
-  const std::size_t count = chunks.size();
-  std::vector<std::vector<std::uint32_t>> reached(count);
-  std::vector<std::size_t> last_seen(count, count);  // from which chunk, to name each once
-  for (const Pair& p : pairs) {
-    const std::size_t one = chunk_of(p.first), two = chunk_of(p.second);
-    if (one == two || std::exchange(last_seen[two], one) == one) continue;
-    reached[one].push_back(static_cast<std::uint32_t>(two));
-  }
-  plan = ChunkPlan(reached, threads);
+  next_.assign(singles_start.begin(), singles_start.end() - 1);
+  auto load = static_cast<std::uint32_t>(grains);
+  each([&](std::size_t grain) { singles[next_[grain]++] = {load++, static_cast<std::int32_t>(grain)}; });
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    planes[k].load = static_cast<std::uint32_t>(loads - planes.size() + k);
 }
 
 void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
@@ -167,9 +187,13 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   inherit(planes, with_planes);
   planes = std::move(with_planes);
-  count_singles(pairs, bodies);
   chunks.resize(chunks_of(bodies.size()));
-  make_plan(pairs);
+  look_across(pairs);
+  name_singles(bodies);
+  plan = ChunkPlan(reached_, threads);
+  std::vector<std::size_t> first_load(chunks.size());
+  std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),
+                                [](const auto& grains) { return grains.size(); });
   known_.resize(static_cast<std::size_t>(threads));
 #pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
   for (std::size_t share = 0; share < known_.size(); ++share) {
@@ -177,26 +201,9 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
       known.swap(chunks[chunk]);
-      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), images, Known(known, known_images));
+      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), first_load[chunk], images, Known(known, known_images));
     }
   }
-  name_singles(bodies.size());
-}
-
-void Contacts::name_singles(std::size_t grains) {
-  next_.assign(singles_start.begin(), singles_start.end() - 1);
-  std::size_t load = grains;
-  const auto name = [&](std::int32_t grain) {
-    singles[next_[static_cast<std::size_t>(grain)]++] = {static_cast<std::uint32_t>(load), grain};
-    return load++;
-  };
-  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
-    for (ContactBlock& block : chunks[chunk])
-      for (int k = 0; block.far && k < block.count; ++k) {
-        const std::int32_t second = ContactBlock::index(block.second[k]);
-        if (chunk_of(second) != chunk) block.load_second[k] = load_distance(name(second));
-      }
-  for (PlanePair& p : planes) p.load = static_cast<std::uint32_t>(name(p.grain));
 }
 
 Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }

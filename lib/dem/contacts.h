@@ -101,12 +101,13 @@ struct Contacts {
   static void set_history(ContactBlock& block, int lane, const History& history);
 
  private:
-  void count_singles(const std::vector<Pair>& pairs, Bodies& bodies);
-  void make_plan(const std::vector<Pair>& pairs);
-  void name_singles(std::size_t grains);
+  void look_across(const std::vector<Pair>& pairs);
+  void name_singles(Bodies& bodies);
 
-  std::vector<LargeVector<ContactBlock>> known_;  // by thread: of one chunk, while it is listed anew
-  std::vector<std::uint32_t> next_;               // place for another one in `singles`, of each grain
+  std::vector<LargeVector<ContactBlock>> known_;     // by thread: of one chunk, while it is listed anew
+  std::vector<std::vector<std::uint32_t>> reached_;  // by chunk: others that its pairs reach
+  std::vector<std::vector<std::int32_t>> across_;    // by chunk: second grains of other chunks, pair by pair
+  std::vector<std::uint32_t> next_;                  // place for another one in `singles`, of each grain
 };
 
 /// Sum of the magnitudes of all contact forces, N, contact by contact.

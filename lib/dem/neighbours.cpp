@@ -16,8 +16,8 @@ namespace {
 constexpr double relative_outer_skin = 0.25;
 constexpr double relative_rest = 0.001;
 // Steps that a list is to last. Longer: candidates that do not touch cost as much as contacts; shorter: a list costs as
-// much as a sweep.
-constexpr double horizon = 24;
+// much as a sweep. In the plane there are fewer of them in the same skin.
+constexpr double horizon_of_spheres = 24, horizon_of_disks = 56;
 // When so much of a leeway is truly used up, another look at what the grains have moved is not worth it.
 constexpr double nearly_all = 0.8;
 
@@ -92,7 +92,8 @@ bool Neighbours::outlast(double gain, const Mat3& velocity_gradient, double dt) 
 }
 
 void Neighbours::set_leeways(const Bodies& bodies) {
-  const double at_rest = relative_rest * radius_, most = 0.25 * outer_skin_, time = horizon * pace_.dt;
+  const double at_rest = relative_rest * radius_, most = 0.25 * outer_skin_;
+  const double time = (bodies.dimension == 2 ? horizon_of_disks : horizon_of_spheres) * pace_.dt;
   leeway_.resize(bodies.size());
   over_grains(bodies, threads_, [&](std::size_t i) { leeway_[i] = speed(bodies.grains[i]); });
   const double mean = std::accumulate(leeway_.begin(), leeway_.end(), 0.0) / static_cast<double>(bodies.size());
@@ -170,7 +171,7 @@ void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes,
   planes_ = !planes.all.empty(), threads_ = contacts.threads;
   set_leeways(bodies);
   if (!fit_outer_list(bodies)) {
-    find_pairs(bodies, cell, outer_skin_, longest(), outer_);
+    find_pairs(bodies, cell, outer_skin_, longest(), threads_, outer_);
     give_back_spare(outer_);
     searched_.begin(bodies, threads_);
     set_leeways(bodies);

@@ -133,10 +133,20 @@ class Grid {
 
 }  // namespace
 
-void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, std::vector<Pair>& found) {
+void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
+                std::vector<Pair>& found) {
   const Grid grid(bodies, cell, longest);
-  found.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i) grid.near(i, skin, found);
+  // Each thread finds those of some grains one after the other; what the first finds is where all come to be.
+  std::vector<std::vector<Pair>> others(static_cast<std::size_t>(threads) - 1);
+  const std::size_t shares = others.size() + 1;
+#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
+  for (std::size_t share = 0; share < shares; ++share) {
+    std::vector<Pair>& mine = share == 0 ? found : others[share - 1];
+    mine.clear();
+    const std::size_t end = (share + 1) * bodies.size() / shares;
+    for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, skin, mine);
+  }
+  for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
 }
 
 }  // namespace soilweave::dem

@@ -12,6 +12,7 @@ namespace soilweave::dem {
 
 /// Replaces `found` by all pairs whose gap is below the skin (m), sorted; nodes of one fabric are no pairs. longest: no
 /// such pair's branch is longer, m.
-void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, std::vector<Pair>& found);
+void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
+                std::vector<Pair>& found);
 
 }  // namespace soilweave::dem

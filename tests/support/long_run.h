@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,13 +25,20 @@ inline double momentum_scale(const io::GrainsRecord& grains, double kinetic) {
   return std::sqrt(2 * kinetic * mass);
 }
 
-/// Elastic contacts that never slide, no damping, a cell that stands still. Energy may drift by 1e-6 of what is stored;
-/// momentum and the length of quaternions by rounding alone, which adds up like a random walk, and the cell not at all.
+/// Elastic contacts that never slide, no damping, a cell that stands still. Energy may drift by 1e-6 of what is stored,
+/// what the law itself creates included; momentum and the length of quaternions by rounding alone, which adds up like a
+/// random walk, and the cell not at all.
+///
+/// The grains were packed with the friction of sand. A shear force that turns with its pair has no potential: its
+/// tangent stiffness is unsymmetric by |Fs| over the branch, in all codes that turn it by the mean spin, and modes of
+/// nearly one frequency then draw on the shear forces, at a rate that is the same in time for any step (flutter). Of
+/// packings made without sliding, whose shear forces are as large as their normal forces, a million steps set some
+/// 1e-5 of the stored energy in motion; of these about 1e-11.
 inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
   const dem::Model elastic = sand(89 * degree);
   dem::Numerics damped;
   damped.damping = 0.7;
-  dem::Simulation resting(packed(elastic, 1e5, grains), elastic, damped);
+  dem::Simulation resting(packed(sand(), 1e5, grains), elastic, damped);
   // What carries comes to rest; grains that carry nothing would fly on.
   for (int round = 0; round < 5; ++round) {
     for (int k = 0; k < 2000; ++k) resting.step();
@@ -42,21 +50,24 @@ inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
   dem::Simulation simulation(start, elastic, undamped);
   const Vec3 momentum_before = momentum(start.grains);
   const double stored = simulation.energies().elastic() + simulation.energies().kinetic;
-  double largest_error = 0, largest_kinetic = 0;
+  double largest_error = 0, largest_drift = 0, largest_kinetic = 0;
   for (std::int64_t k = 1; k <= steps; ++k) {
     simulation.step();
     if (k % 1000 != 0) continue;
-    largest_error = std::max(largest_error, std::abs(simulation.energies().error()));
-    largest_kinetic = std::max(largest_kinetic, simulation.energies().kinetic);
+    const dem::Energies now = simulation.energies();
+    largest_error = std::max(largest_error, std::abs(now.error()));
+    largest_drift = std::max(largest_drift, std::abs(now.kinetic + now.elastic() - stored));
+    largest_kinetic = std::max(largest_kinetic, now.kinetic);
   }
   const io::Snapshot end = simulation.snapshot();
   EXPECT_LE(largest_error, 1e-6 * stored);
-  EXPECT_LT(largest_kinetic, 1e-3 * stored) << "it is no longer at rest";
+  EXPECT_LE(largest_drift, 1e-6 * stored);
+  EXPECT_LT(largest_kinetic, 1e-6 * stored) << "it is no longer at rest";
   const double rounding = 1e-16 * std::sqrt(static_cast<double>(steps) * static_cast<double>(grains));
   EXPECT_LT((momentum(end.grains) - momentum_before).norm(), 100 * rounding * momentum_scale(end.grains, stored));
   for (const Vec4& q : end.grains.orientation) EXPECT_NEAR(q.norm(), 1, 1e-14);
   EXPECT_EQ(end.cell.matrix, start.cell.matrix);
-  ::testing::Test::RecordProperty("relative_energy_drift", std::to_string(largest_error / stored));
+  ::testing::Test::RecordProperty("relative_energy_drift", fmt::format("{:.2e}", largest_drift / stored));
 }
 
 }  // namespace soilweave::testing

@@ -113,7 +113,7 @@ TEST_P(NeighboursIn, AreAllThatTheSearchFinds) {
     for (int step = 0; step < 300; ++step) flight.step(1e-3);  // cells away from where they were
     const double skin = 0.3 * flight.bodies.largest_radius();
     std::vector<Pair> pairs;
-    find_pairs(flight.bodies, flight.cell, skin, 2 * flight.bodies.largest_radius() + skin, pairs);
+    find_pairs(flight.bodies, flight.cell, skin, 2 * flight.bodies.largest_radius() + skin, 1 + k, pairs);
     EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(), before));
     std::set<Key> found;
     for (const Pair& p : pairs) found.emplace(p.first, p.second, p.image);
