@@ -75,14 +75,14 @@ unset multiplot
 # The bag before it is compressed, near its greatest load, and ruptured: cut in the middle, and from above. Too many marks for SVG.
 if (format eq 'png') {
 set output sprintf("%s/bag.png", out)
-set terminal pngcairo size 1300,1100 font 'sans,15'
+set terminal pngcairo size 1000,850 font 'sans,11'
 set multiplot layout 3,2 margins 0.05,0.93,0.05,0.96 spacing 0.15,0.09
 set key off; set size ratio -1; set autoscale; set style fill solid noborder; unset xlabel; unset ylabel
 set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
 strains = "0 12 ".end
 do for [k = 1:3] {
   set xrange [-260:260]; set yrange [-60:60]; set xtics 100; set ytics 50
-  set cbrange [0:0.4]; set cbtics 0.1; set title sprintf("%s %%: deviatoric strain (mm)", word(strains, k))
+  set cbrange [0:0.4]; set cbtics 0.1; set title sprintf("%s %%: deviatoric strain", word(strains, k))
   plot sprintf("%s/section_%d.tsv", out, k) using 1:2:3:4 with circles lc palette, \
     "" using (valid(4) ? NaN : column(1)):2:3 with circles lc rgb "#808080"
   set yrange [-260:260]; set xtics 200; set ytics 100

@@ -101,6 +101,11 @@ setup() {
     awk -v x="$(value series.tsv $column 2)" 'BEGIN { exit !(x > 0) }' || show "$column" "$(cat series.tsv)"
   done
   homogenize run.h5 --table bag --tsv | grep -q soil_void_ratio
+  # A row a yarn of 12 x 12 x 6 cells; those of the faces have the mean tension that the series tells.
+  homogenize run.h5 --state last --table yarns --tsv > yarns.tsv
+  [[ $(wc -l < yarns.tsv) -eq $((1 + 2 * 2 * 12 * 13 + 4 * 12 * 5 + 4 * 12 * 6)) ]] || show "$(wc -l < yarns.tsv) rows"
+  near "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
+    $at["family"] == 0 { sum += $at["tension"]; ++n } END { printf "%.15g", sum / n }' yarns.tsv)" "$(value series.tsv yarn_tension_face last)" 1e-9
   [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
 }
 
