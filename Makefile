@@ -96,7 +96,7 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
 	@$(CXX) $(CPPFLAGS) -include $(PRECOMPILED) $(CXXFLAGS) -MMD -MP -c $< -o $@
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(B)/obj/lib/analysis/tessellation.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
+$(B)/obj/lib/analysis/tessellation.o $(B)/obj/lib/packing/surface.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.

@@ -10,6 +10,13 @@ figure() { # NAME CAPTION
   printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
 }
 
+# What has too many marks for SVG.
+picture() { # NAME CAPTION
+  printf '<figure>\n<img alt="%s" src="data:image/png;base64,' "$2"
+  base64 -w 0 "$OUT/$1.png"
+  printf '">\n<figcaption>%s</figcaption>\n</figure>\n' "$2"
+}
+
 escaped() { # FILE
   sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g' "$1"
 }

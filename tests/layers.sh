@@ -33,7 +33,7 @@ only() {
   done < <(grep -rnE "^ *#include [<\"]$pattern" "${folders[@]}" --include='*.cpp' --include='*.h' 2>/dev/null)
 }
 only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/store.cpp'
-only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp'
+only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp lib/packing/surface.cpp'
 only 'vtk' 'lib tools' 'lib/io/vtk.cpp'
 only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'
 only 'CLI/' 'lib tools' 'lib/core/tool_parse.cpp'

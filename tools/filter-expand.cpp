@@ -51,7 +51,9 @@ struct FilterExpand {
     const io::Snapshot start = packing::assemble(volume.state, what);
     Progress progress("filter-expand", invocation.quiet);
     const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
-    const io::History past = io::extend({volume.source, text.source}, invocation, what.resolved);
+    std::vector<io::Source> sources = {volume.source, text.source};
+    sources.insert(sources.end(), what.sources.begin(), what.sources.end());
+    const io::History past = io::extend(sources, invocation, what.resolved);
     const StopSignals signals;
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;

@@ -29,7 +29,7 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing or run, - for standard input");
-    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "broken"}, "what --tsv prints");
+    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"}, "what --tsv prints");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
@@ -64,10 +64,11 @@ struct Homogenize {
                      {"volumes", "volumes of interest, one row per volume and state", {}},
                      {"grains", "one row per grain and state", {}},
                      {"bag", "soil in geotextile as a whole, one row per state", {}},
+                     {"yarns", "one row per yarn and state", {}},
                      {"broken", "broken yarns of the last state", {}}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
       add(file.snapshots.front(), file.snapshots[n], fields);
-    if (file.snapshots.back().yarns.size() > 0) analysis::put_broken(fields.groups[4].table, file.snapshots.back());
+    if (file.snapshots.back().yarns.size() > 0) analysis::put_broken(fields.groups[5].table, file.snapshots.back());
     if (file.series.rows() > 0) fields.groups.push_back({"series", "the run's own series", file.series});
     if (tsv) print(fields);
     if (!output.empty()) {
@@ -79,6 +80,7 @@ struct Homogenize {
   void add(const io::Snapshot& first, const io::Snapshot& s, io::FieldsFile& fields) const {
     analysis::put_cell(fields.groups[0].table, s, tessellation);
     if (s.yarns.size() > 0) analysis::put_bag(fields.groups[3].table, s);
+    if (table == "yarns") analysis::put_yarns(fields.groups[4].table, s);
     if (boxes.empty() && !copies && !groups && !grains) return;
     const analysis::Local local = analysis::local(first, s);
     std::vector<analysis::Volume> parts;

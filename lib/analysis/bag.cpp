@@ -115,6 +115,25 @@ void put_bag(io::Series& table, const io::Snapshot& state) {
   put(table, "broken_yarns", "1", "yarns broken so far", broken);
 }
 
+void put_yarns(io::Series& table, const io::Snapshot& state) {
+  const io::YarnsRecord& y = state.yarns;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const Vec3& first = state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
+    const Vec3& second = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])];
+    const double length = (second - first).norm();
+    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
+    for (int a = 0; a < 3; ++a)
+      put(table, fmt::format("position_{}", "xyz"[a]), "m", "middle of the yarn", 0.5 * (first[a] + second[a]));
+    for (int a = 0; a < 3; ++a)
+      put(table, fmt::format("direction_{}", "xyz"[a]), "1", "unit direction", (second[a] - first[a]) / length);
+    put(table, "length", "m", "present length", length);
+    put(table, "tension", "N", "tension", y.tension[k]);
+    put(table, "strain", "1", "length over that at rest, less 1", length / y.rest_length[k] - 1);
+    put(table, "broken", "1", "1 where it is broken", y.broken[k]);
+  }
+}
+
 void put_broken(io::Series& table, const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   for (std::size_t k = 0; k < y.size(); ++k) {

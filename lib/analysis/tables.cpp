@@ -116,6 +116,8 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
     put(table, "body_id", "1", "identity of the grain", static_cast<double>(state.grains.body_id[i]));
     for (int a = 0; a < d; ++a)
       put(table, fmt::format("position_{}", axes[a]), "m", "position, not wrapped", state.grains.position[i][a]);
+    put(table, "radius", "m", "radius", state.grains.radius[i]);
+    put(table, "copy", "1", "copy of the representative volume it is of, -1 for none", state.grains.copy_id[i]);
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
     put_stress(table, local.dyads[i] / local.cell_volumes[i], d);
     put_strain(table, natural_strain(local.deformation[i]), d);

@@ -1,4 +1,4 @@
-// Power cells and Delaunay tetrahedra. The only file that includes CGAL.
+// Power cells and Delaunay tetrahedra.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/tessellation.h"
 

@@ -3,6 +3,7 @@
 #include "dem/contacts_record.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -24,15 +25,21 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
     r.twisting_moment.push_back(h.memory.twisting);
     r.sliding.push_back(h.sliding);
   };
+  const auto add_plane = [&](const PlanePair& pair) {
+    if (!pair.history.touching) return;
+    const Plane& plane = planes.all[static_cast<std::size_t>(pair.plane)];
+    const auto i = static_cast<std::size_t>(pair.grain);
+    const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
+    add(pair.history, pair.grain, -1 - pair.plane, Vec3i::Zero(), to_eigen(pair.normal), -height * plane.normal,
+        bodies.radius(i) - height);
+  };
   auto with_plane = contacts.planes.begin();
+  // Of one grain the planes come last to first: in files, plane p is body -1 - p.
   const auto add_planes_up_to = [&](std::int32_t grain) {
-    for (; with_plane != contacts.planes.end() && with_plane->grain <= grain; ++with_plane) {
-      if (!with_plane->history.touching) continue;
-      const Plane& plane = planes.all[static_cast<std::size_t>(with_plane->plane)];
-      const auto i = static_cast<std::size_t>(with_plane->grain);
-      const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
-      add(with_plane->history, with_plane->grain, -1 - with_plane->plane, Vec3i::Zero(), to_eigen(with_plane->normal),
-          -height * plane.normal, bodies.radius(i) - height);
+    while (with_plane != contacts.planes.end() && with_plane->grain <= grain) {
+      const auto first = with_plane;
+      while (with_plane != contacts.planes.end() && with_plane->grain == first->grain) ++with_plane;
+      std::for_each(std::make_reverse_iterator(with_plane), std::make_reverse_iterator(first), add_plane);
     }
   };
   for (const auto& chunk : contacts.chunks)

@@ -11,6 +11,8 @@
 #include "core/error.h"
 #include "dem/bodies.h"
 #include "dem/scenario.h"
+#include "io/files.h"
+#include "packing/surface.h"
 #include "packing/tile.h"
 
 namespace soilweave::packing {
@@ -28,7 +30,7 @@ void read_container(Settings& document, Plan& plan) {
   static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   Settings table = document.table("container");
-  const std::string shape = table.kind("shape", {"pillow", "box", "none"});
+  const std::string shape = table.kind("shape", {"pillow", "box", "surface", "none"});
   if (shape == "pillow") {
     auto pillow = std::make_unique<Pillow>(Pillow::read(table));
     plan.pillow = pillow.get();
@@ -38,6 +40,10 @@ void read_container(Settings& document, Plan& plan) {
     box->lower = table.vector(low), box->upper = table.vector(high);
     if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
     plan.container = std::move(box);
+  } else if (shape == "surface") {
+    const std::string file = table.text("file");
+    plan.sources.push_back(io::read_text(file, "surface").source);
+    plan.container = std::make_unique<Surface>(file);
   }
   if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
 }

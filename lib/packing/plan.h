@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem/model.h"
+#include "io/provenance.h"
 #include "packing/expand.h"
 #include "packing/geotextile.h"
 
@@ -30,6 +31,7 @@ struct Plan {
   dem::Model model;
   dem::Numerics numerics;
   std::optional<Growth> growth;
+  std::vector<io::Source> sources;  // files that the plan named
   std::string resolved;
 };
 

@@ -1,4 +1,4 @@
-# Figures of chapter 3: compression, paths, yarns, shear. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1"
+# Figures of chapter 3: compression, paths, yarns, shear, shear box, pictures. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'"
 # SPDX-License-Identifier: GPL-3.0-or-later
 set datafile separator "\t"
 set key autotitle columnhead
@@ -51,3 +51,44 @@ set output sprintf("%s/strip.%s", out, format)
 set xlabel 'strain (%)'
 set ylabel 'tension of a yarn (N)'
 plot for [g in "PE PP"] sprintf("%s/strip_%s.tsv", out, g) using (C("displacement_right_y [m]") * 1000):(abs(C("force_right_y [N]")) / 5) with linespoints lc hue(g) pt 7 ps 0.4 title g
+set output sprintf("%s/box.%s", out, format)
+set xlabel 'displacement (mm)'
+set ylabel 'shear over normal force'
+set key right bottom
+plot for [a in "21 25"] sprintf("%s/box_%s.tsv", out, a) using (1000 * C("displacement_left_x [m]")): \
+  (abs((C("force_left_x [N]") + C("force_right_x [N]")) / C("force_lid_z [N]"))) with linespoints pt 7 ps 0.4 title a.'°'
+set key left top
+# Growth of the grains, beside that of the full size, which is kept.
+set output sprintf("%s/growth.%s", out, format)
+set multiplot layout 1,2
+set xlabel 'radii grown by (%)'
+grown(n) = 100 * (C("growth [1]") - 1)
+set ylabel 'void ratio'
+set key right top
+plot out."/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
+  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'full size'
+set ylabel 'coordination number'
+set key left top
+plot out."/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
+  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'full size'
+unset multiplot
+# The bag before it is compressed, near its greatest load, and ruptured: cut in the middle, and from above. Too many marks for SVG.
+if (format eq 'png') {
+set output sprintf("%s/bag.png", out)
+set terminal pngcairo size 1300,1100 font 'sans,15'
+set multiplot layout 3,2 margins 0.05,0.93,0.05,0.96 spacing 0.15,0.09
+set key off; set size ratio -1; set autoscale; set style fill solid noborder; unset xlabel; unset ylabel
+set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
+strains = "0 12 ".end
+do for [k = 1:3] {
+  set xrange [-260:260]; set yrange [-60:60]; set xtics 100; set ytics 50
+  set cbrange [0:0.4]; set cbtics 0.1; set title sprintf("%s %%: deviatoric strain (mm)", word(strains, k))
+  plot sprintf("%s/section_%d.tsv", out, k) using 1:2:3:4 with circles lc palette, \
+    "" using (valid(4) ? NaN : column(1)):2:3 with circles lc rgb "#808080"
+  set yrange [-260:260]; set xtics 200; set ytics 100
+  set cbrange [0:*]; set cbtics autofreq; set title sprintf("%s %%: tension of the upper yarns (N), red: broken", word(strains, k))
+  plot sprintf("%s/face_%d.tsv", out, k) using 1:2:(column(6) == 1 ? NaN : column(3)):4:5 with vectors nohead lc palette, \
+    "" using (column(6) == 1 ? column(1) + 0.5 * column(3) : NaN):(column(2) + 0.5 * column(4)) with points pt 7 ps 0.4 lc rgb "#e31a1c"
+}
+unset multiplot
+}

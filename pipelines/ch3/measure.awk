@@ -1,6 +1,6 @@
 # The numbers of chapter 3: generation, compression beside the recorded series of the same model, shear, strips.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -v loads='1330 ...' -v yarns=1 -f measure.awk uc_*.tsv uc_*_fabric.tsv uc_PE_groups.tsv ss_*.tsv strip_*.tsv generation.tsv soilbag_uniaxial_*.tsv > measured.tsv
+# usage: awk -v loads='1330 ...' -v yarns=1 -f measure.awk uc_*.tsv uc_*_fabric.tsv uc_PE_groups.tsv ss_*.tsv strip_*.tsv box_*.tsv generation.tsv soilbag_uniaxial_*.tsv > measured.tsv
 # value[file, column, row] in SI; rows[file]. Files are named by their last part without the ending. yarns: how many of the record's
 # yarns one of these stands for.
 function name_of(path) { sub(/.*\//, "", path); sub(/\.tsv$/, "", path); return path }
@@ -115,6 +115,14 @@ function shear(k, f, first, i, peak, lowest) {
   sides[k] = 0.5 * (value[f, "yarn_tension_side_horizontal", peak] + value[f, "yarn_tension_side_vertical", peak]) / \
     value[f, "yarn_tension_face", peak]
 }
+# Friction angle of the interface in a shear box, deg: walls push by what the sheet holds back; mean of the second half of the way.
+function interface(f, i, across, normal) {
+  for (i = int(rows[f] / 2) + 1; i <= rows[f]; ++i) {
+    across += size(value[f, "force_left_x", i] + value[f, "force_right_x", i])
+    normal += size(value[f, "force_lid_z", i])
+  }
+  return atan2(across, normal) * 180 / 3.14159265358979
+}
 function note(at, g, what, measured, recorded, d, key) {
   d = 100 * (measured / recorded - 1)
   key = "equal_" at "_" what "_" g
@@ -160,6 +168,9 @@ END {
     put("strip_stiffness_" fabrics[k], size(value[f, "force_right_y", 2]) / 5 / initial[k])
     put("strip_strength_" fabrics[k], size(value[f, "force_right_y", greatest(f, "yarn_tension_face")]) / 5)
   }
+  put("box_friction_21", interface("box_21"))
+  put("box_friction_25", interface("box_25"))
+  put("box_friction_rises", interface("box_25") - interface("box_21"))
   m = split(loads, load, " ")
   for (k = 1; k <= m; ++k) shear(k, "ss_" load[k])
   f = "ss_" load[1]

@@ -86,16 +86,11 @@ $(C6O)/measured.tsv: $(C6)/measure.awk $(C6_SERIES) $(C6_TABLES) $(OUT)/profile
 $(C6O)/comparison.tsv: pipelines/compare.awk $(C6)/statements.tsv $(C6O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 
-# Series of runs at the thesis's size, kept for readers who have not the hours: RUN.tsv, and how RUN came to be in RUN.txt.
 C6_KEPT := $(C6)/kept
 C6_KEEP := time pull_end force_y_bottom length_bottom interface_shear interface_normal
 .PHONY: ch6-keep
 ch6-keep: $(BIN)/fem-dem $(BIN)/to-vtk ## put the series of finished thesis-size runs of ch6 among the kept ones (PROFILE=thesis)
-	$(if $(filter thesis,$(PROFILE)),,$(error ch6-keep: of PROFILE=thesis only))
-	@mkdir -p $(C6_KEPT)
-	@for run in $(notdir $(basename $(wildcard $(C6_RUNS:%=$(C6O)/%.h5)))); do \
-	  $(BIN)/fem-dem --table series $(C6O)/$$run.h5 | awk -v names='$(C6_KEEP)' -f $(C6)/keep.awk $(call whole,$(C6_KEPT)/$$run.tsv) && \
-	  $(BIN)/to-vtk --history $(C6O)/$$run.h5 $(call whole,$(C6_KEPT)/$$run.txt) && echo "  keep  $(C6_KEPT)/$$run.tsv"; done
+	@$(call keep_series,$(C6_KEPT),$(wildcard $(C6_RUNS:%=$(C6O)/%.h5)),$(BIN)/fem-dem --table series,$(C6_KEEP))
 kept_cases = $(patsubst $(C6_KEPT)/$(1)_%.tsv,%,$(wildcard $(C6_KEPT)/$(1)_*.tsv))
 
 # The last state of the main runs and the local responses, for the figures.

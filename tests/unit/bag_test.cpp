@@ -127,5 +127,43 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   EXPECT_THROW(tile(open, {1, 1, 1}), DataError);
 }
 
+// The mirror image across x = 0; contacts are found anew.
+io::Snapshot mirrored(io::Snapshot state) {
+  for (auto* rows : {&state.grains.position, &state.grains.velocity, &state.planes.point, &state.planes.normal,
+                     &state.planes.velocity})
+    for (Vec3& v : *rows) v.x() = 0.0 - v.x();
+  return state;
+}
+
+TEST(Bag, MirroredBagsMoveAsMirrorImages) {
+  const std::string bag =
+      "[container]\nshape = \"pillow\"\nwidth = 0.03\nhalf_height = 0.014\ncorner_radius = 0.005\ncopies = [4, 4, 2]\n"
+      "[geotextile_mesh]\ncells = [10, 10, 6]\n" +
+      materials;
+  const Plan plan = read_plan(bag, "plan", {});
+  io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
+  ASSERT_GT(state.grains.size(), 300U);
+  state.contacts = {};
+  for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
+    for (Vec3& v : *rows) v.setZero();
+  // Obliquely into the bag, so that all axes have their part.
+  const double from_middle = 0.0185;
+  state.planes.point = {Vec3(0, 0, -from_middle), Vec3(0, 0, from_middle)};
+  state.planes.normal = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  state.planes.velocity = {Vec3(0.02, 0.01, 0.05), Vec3(-0.02, -0.01, -0.05)};
+  state.planes.material_id = {1, 1};
+  dem::Simulation one(state, plan.model, plan.numerics), other(mirrored(state), plan.model, plan.numerics);
+  for (int k = 0; k < 300; ++k) one.step(), other.step();
+  const io::Snapshot moved = one.snapshot(), image = mirrored(other.snapshot());
+  double apart = 0, way = 0;
+  for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    apart = std::max(apart, (moved.grains.position[i] - image.grains.position[i]).norm());
+    way = std::max(way, (moved.grains.position[i] - state.grains.position[i]).norm());
+  }
+  EXPECT_GT(moved.contacts.size(), 200U);
+  EXPECT_GT(way, 1e-5);
+  EXPECT_LT(apart, 1e-9 * way) << "round-off, and what grows of it";
+}
+
 }  // namespace
 }  // namespace soilweave::packing

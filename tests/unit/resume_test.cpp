@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "core/archive.h"
 #include "dem/run.h"
+#include "io/files.h"
 #include "io/part.h"
+#include "packing/tile.h"
 #include "support/assemblies.h"
 #include "support/long_run.h"
 #include "support/same_state.h"
@@ -79,6 +82,38 @@ TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
         expect_same(whole, resumed);
       }
     }
+}
+
+TEST(Resume, OfAGrainInACornerKeepsAllItsPlanes) {
+  Moving moving(testing::sand(), 3);
+  io::Snapshot& start = moving.start;
+  // Two grains far from each other, one of them in the corner.
+  const auto by_sum = [](const Vec3& a, const Vec3& b) { return a.sum() < b.sum(); };
+  const auto& all = moving.start.grains.position;
+  const auto [low, high] = std::minmax_element(all.begin(), all.end(), by_sum);
+  const Vec3 corner = *low, far = *high;
+  start = packing::filter(start, [&](std::size_t i) { return all[i] == corner || all[i] == far; });
+  const std::int32_t grain = start.grains.position[0] == corner ? 0 : 1;
+  start.grains.velocity.assign(2, Vec3::Zero());
+  start.cell.periodic = {false, false, false};
+  start.planes = {};
+  for (int a = 0; a < 3; ++a) {
+    const double reach = 0.999 * start.grains.radius[static_cast<std::size_t>(grain)];
+    start.planes.point.emplace_back(corner - Vec3::Constant(reach));
+    start.planes.normal.emplace_back(Vec3::Unit(a)), start.planes.velocity.emplace_back(1e-2, 2e-2, 0);
+    start.planes.material_id.push_back(0);
+  }
+  Simulation first(start, moving.model, moving.numerics);
+  for (int k = 0; k < 4; ++k) first.step();
+  const io::Snapshot state = first.snapshot();
+  const auto touches = [&](std::int32_t plane) {
+    return std::count(state.contacts.bodies.begin(), state.contacts.bodies.end(), std::array{grain, -1 - plane});
+  };
+  ASSERT_EQ(touches(0) + touches(1) + touches(2), 3);
+  EXPECT_NO_THROW(io::check(state, "corner"));
+  Simulation second = copy(first, moving);
+  for (int k = 0; k < 20; ++k) first.step(), second.step();
+  expect_same(first, second);
 }
 
 TEST(Archive, GivesBackWhatItKept) {

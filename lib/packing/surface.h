@@ -1,0 +1,34 @@
+// Containers given as closed triangulated surfaces, read from a file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "packing/container.h"
+
+namespace soilweave::packing {
+
+/// What a closed surface of triangles encloses.
+class Surface final : public Container {
+ public:
+  /// Reads STL, OFF, PLY or OBJ, lengths in m. Throws DataError where it is no surface, or one that is open, cuts
+  /// itself or encloses nothing.
+  explicit Surface(const std::string& path);
+  ~Surface() override;
+  double depth(const Vec3& point) const override;
+  Vec3 low() const override { return low_; }
+  Vec3 high() const override { return high_; }
+  /// By counting the points of a grid that lie as deep; 0 means the enclosed volume itself, by its triangles.
+  double volume(double depth = 0) const override;
+
+ private:
+  struct Mesh;
+  std::unique_ptr<Mesh> mesh_;
+  Vec3 low_, high_;                     // m
+  double enclosed_ = 0;                 // m3
+  mutable std::vector<double> depths_;  // m, of the grid's points inside, ascending; made when asked for
+};
+
+}  // namespace soilweave::packing
