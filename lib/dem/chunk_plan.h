@@ -12,8 +12,9 @@ namespace soilweave::dem {
 /// pass after the other would fetch every grain three times from a memory that is slower than the arithmetic. So a
 /// thread moves, sweeps and collects chunk by chunk, while they lie in its cache: a chunk's pairs are swept when all
 /// chunks that they reach have moved, and its loads collected then, since pairs belong to the chunk of their first
-/// grain, the lower one. Each thread has a share of the chunks, one after the other. Those that another share's pairs
-/// reach, the border, are moved before anything is swept, and collected when everything is.
+/// grain, the lower one. Each thread has a share of the chunks, one after the other; the last of each share are left to
+/// be swept by who is done first. These, and chunks that another share's pairs reach, are moved before anything is
+/// swept, and collected when everything is.
 class ChunkPlan {
  public:
   ChunkPlan() = default;
@@ -28,11 +29,13 @@ class ChunkPlan {
 #pragma omp parallel num_threads(threads)
     {
 #pragma omp for schedule(static)
-      for (const std::uint32_t chunk : border_) move(chunk);
-#pragma omp for schedule(static, 1)
+      for (const std::uint32_t chunk : apart_) move(chunk);
+#pragma omp for schedule(static, 1) nowait
       for (const Share& share : shares_) run(share, move, sweep, collect);
+#pragma omp for schedule(dynamic, 1)
+      for (const std::uint32_t chunk : left_) sweep(chunk);
 #pragma omp for schedule(static)
-      for (const std::uint32_t chunk : border_) collect(chunk);
+      for (const std::uint32_t chunk : apart_) collect(chunk);
     }
   }
 
@@ -57,8 +60,8 @@ class ChunkPlan {
     }
   }
 
-  std::vector<std::uint32_t> border_;
-  std::vector<Share> shares_;  // one for each thread
+  std::vector<std::uint32_t> apart_, left_;  // moved and collected apart; those of them that no thread has as its own
+  std::vector<Share> shares_;                // one for each thread
 };
 
 }  // namespace soilweave::dem
