@@ -76,7 +76,7 @@ function compare(g, f, r, i, at, base, peak, recorded, tautest, densest, start, 
   }
   put("path_slope_" g, pq / pp)
   # Greatest differences up to the recorded peak: at equal tension of the yarns on the faces, or at the greatest where that is never
-  # reached, and from 3 % on at equal strain.
+  # reached; the same up to the first break, before strength has its part; and from 3 % on at equal strain.
   tautest = value[f, "tension", greatest(f, "tension")]
   for (i = 2; i <= recorded; ++i) {
     at = value[r, "tension_yarn_face", i]
@@ -84,6 +84,11 @@ function compare(g, f, r, i, at, base, peak, recorded, tautest, densest, start, 
     note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
     note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
     note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    if (at <= value[f, "tension", base]) {
+      note("unbroken", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+      note("unbroken", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+      note("unbroken", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    }
     if (value[r, "strain_axial", i] < 0.03) continue
     at = value[r, "strain_axial", i]
     note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
