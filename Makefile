@@ -173,7 +173,7 @@ $(B)/tests/bench: $(call object,$(BENCH) $(SUPPORT)) $(B)/libsoilweave.a
 	@echo '  link  $@'
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -lbenchmark -lbenchmark_main -o $@
 
-FUZZED := $(addprefix $(B)/tests/fuzz/,scenario table spheres file)
+FUZZED := $(addprefix $(B)/tests/fuzz/,scenario table spheres mesh surface file)
 $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilweave.a
 	@mkdir -p $(@D)
 	@echo '  link  $@'

@@ -27,6 +27,12 @@ double turning(const Vec2& bar, const Vec2& relative) {
 }  // namespace
 
 std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, double spacing, double overhang) {
+  constexpr double most = 1e5;
+  double length = overhang;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) length += (line[k + 1] - line[k]).norm();
+  if (!(length <= most * spacing))
+    throw DataError(fmt::format("a chain of {} m in bars of {} m: more than {} bars; raise geosynthetic.spacing",
+                                length, spacing, most));
   std::vector<Vec2> beside;
   for (std::size_t k = 0; k < line.size(); ++k) {
     const Vec2 into = (line[std::max<std::size_t>(k, 1)] - line[std::max<std::size_t>(k, 1) - 1]).normalized();

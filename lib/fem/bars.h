@@ -47,7 +47,7 @@ struct BarsSetup {
 };
 
 /// Chain nodes 2r outside the line, `spacing` apart at most along each of its edges; corners on their bisector;
-/// overhang: m, that the chain goes on straight before the start.
+/// overhang: m, that the chain goes on straight before the start. Throws DataError beyond 100,000 bars.
 std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, double spacing, double overhang);
 
 struct BarEnergies {

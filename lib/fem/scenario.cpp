@@ -29,7 +29,10 @@ Mesh read_mesh(Settings& table) {
   const double w = table.number(width), h = table.number(height);
   const auto nx = static_cast<Index>(table.integer(columns)), ny = static_cast<Index>(table.integer(rows));
   const bool quadrilaterals = table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
-  if (!(w > 0 && h > 0) || nx < 1 || ny < 1) return rectangle(1, 1, 1, 1, Shape::triangle3);
+  constexpr Index most = 100'000;  // each of which is to be computed, and most to hold grains
+  const bool too_many = nx > most || ny > most / std::max<Index>(nx, 1);
+  if (too_many) table.mistake("rows", fmt::format("makes, times columns, more than {} squares", most));
+  if (!(w > 0 && h > 0) || nx < 1 || ny < 1 || too_many) return rectangle(1, 1, 1, 1, Shape::triangle3);
   return rectangle(w, h, nx, ny, quadrilaterals ? Shape::quadrilateral8 : Shape::triangle3);
 }
 

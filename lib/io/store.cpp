@@ -320,7 +320,8 @@ std::vector<std::string> Reader::children(const std::string& path) const {
     static_cast<std::vector<std::string>*>(list)->push_back(name);
     return 0;
   };
-  // Asked for an order, HDF5 1.10 lists the links beforehand, and frees what it has not listed yet where one is damaged.
+  // Asked for an order, HDF5 1.10 lists the links beforehand, and frees what it has not listed yet where one is
+  // damaged.
   if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect, &names) < 0) fail(path, "is damaged");
   std::sort(names.begin(), names.end());
   return names;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/error.h"
 
@@ -30,17 +31,26 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 // Points of the grid that depths are counted on, along the longest side.
 constexpr int fineness = 60;
+constexpr double farthest = 1e3;  // m, corner of a surface
 
+// Of the forms CGAL reads, only these withstand damaged files.
 Triangles read(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension();
+  if (ending != ".stl" && ending != ".off")
+    throw DataError(fmt::format("'{}': a surface is read from .stl and .off; convert it", path));
   Triangles triangles;
   bool known = false;
   try {
-    known = pmp::IO::read_polygon_mesh(path, triangles);
+    known = pmp::IO::read_polygon_mesh(path, triangles, CGAL::parameters::verbose(false));
   } catch (const std::exception&) {
     known = false;  // what CGAL says of it names its own sources
   }
   if (!known || triangles.is_empty())
-    throw DataError(fmt::format("'{}' is no surface in STL, OFF, PLY or OBJ whose triangles meet edge to edge", path));
+    throw DataError(fmt::format("'{}' is no surface in STL or OFF whose triangles meet edge to edge", path));
+  for (const auto vertex : triangles.vertices())
+    for (int a = 0; a < 3; ++a)
+      if (!(std::abs(triangles.point(vertex)[a]) <= farthest))
+        throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
   if (!CGAL::is_triangle_mesh(triangles))
     throw DataError(fmt::format("'{}' has faces of more than three corners: cut them into triangles", path));
   std::size_t border = 0;

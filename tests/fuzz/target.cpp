@@ -1,4 +1,4 @@
-// libFuzzer on one reader, chosen when this is compiled: -DREADER=scenario, table, spheres or file.
+// libFuzzer on one reader, chosen when this is compiled: -DREADER=scenario and so on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
 #include <cstdint>

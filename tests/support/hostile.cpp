@@ -16,11 +16,14 @@
 #include "dem/path.h"
 #include "dem/scenario.h"
 #include "dem/simulation.h"
+#include "fem/scenario.h"
 #include "gws/geotextile.h"
 #include "gws/soil.h"
 #include "io/files.h"
 #include "io/table.h"
 #include "packing/grading.h"
+#include "packing/plan.h"
+#include "packing/surface.h"
 
 namespace soilweave::hostile {
 namespace {
@@ -36,8 +39,9 @@ void expect_error_of_ours(F f) {
 // A file of the process's own, where readers want a path.
 class Bytes {
  public:
-  explicit Bytes(std::string_view bytes) {
-    const int number = mkstemp(path_.data());
+  explicit Bytes(std::string_view bytes, const std::string& ending = "") {
+    path_ += ending;
+    const int number = mkstemps(path_.data(), static_cast<int>(ending.size()));
     if (number < 0 || ::write(number, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
     ::close(number);
   }
@@ -64,6 +68,8 @@ void scenario(std::string_view bytes) {
     const dem::PathState state{3, Mat3::Identity(), Vec3::Zero()};
     for (const dem::Stage& stage : read.stages) stage.path->goals(stage.path->stations() - 1, state);
   });
+  expect_error_of_ours([&] { fem::read_scenario(bytes, "scenario", {}, std::nullopt); });
+  expect_error_of_ours([&] { packing::read_plan(bytes, "plan", {}); });
   expect_error_of_ours([&] { gws::read_geotextile(std::string(bytes), "geotextile"); });
   for (const auto read :
        {+[](Settings& s) { (void)calibration::read_prior(s); }, +[](Settings& s) { (void)gws::read_soil(s); },
@@ -92,6 +98,20 @@ void spheres(std::string_view bytes) {
     });
 }
 
+void mesh(std::string_view bytes) {
+  expect_error_of_ours([&] { fem::read_gmsh(bytes, "mesh"); });
+}
+
+void surface(std::string_view bytes) {
+  for (const char* ending : {".stl", ".off"}) {
+    const Bytes file(bytes, ending);
+    expect_error_of_ours([&] {
+      const packing::Surface read(file.path());
+      (void)read.depth(0.5 * (read.low() + read.high()));
+    });
+  }
+}
+
 void file(std::string_view bytes) {
   const Bytes file(bytes);
   expect_error_of_ours([&] { io::read_kind(file.path()); });
@@ -106,6 +126,8 @@ Reader reader(std::string_view name) {
   if (name == "scenario") return scenario;
   if (name == "table") return table;
   if (name == "spheres") return spheres;
+  if (name == "mesh") return mesh;
+  if (name == "surface") return surface;
   if (name == "file") return file;
   return nullptr;
 }

@@ -8,9 +8,11 @@ namespace soilweave::hostile {
 
 /// Each reads the bytes in every way tools do, and uses what it got a little. Errors of ours are the right answer;
 /// anything else leaves as it came.
-void scenario(std::string_view bytes);  // TOML: scenarios, materials, priors, soils, geotextiles
+void scenario(std::string_view bytes);  // TOML: scenarios, plans, materials, priors, soils, geotextiles
 void table(std::string_view bytes);     // tab-separated text: series, gradings, observations
 void spheres(std::string_view bytes);   // x y z r
+void mesh(std::string_view bytes);      // of finite elements, by gmsh
+void surface(std::string_view bytes);   // of triangles, STL and OFF
 void file(std::string_view bytes);      // HDF5 of every kind
 
 using Reader = void (*)(std::string_view);

@@ -165,6 +165,7 @@ TEST(Bars, goes_on_bit_by_bit) {
 TEST(Bars, chains_lie_a_diameter_outside_with_corners_on_the_bisector) {
   const std::vector<Vec2> line = {{1, 0}, {1, 1}, {0, 1}};
   const std::vector<Vec2> chain = chain_beside(line, 5e-3, 0.1, 0);
+  EXPECT_THROW(chain_beside(line, 5e-3, 1e-9, 0), DataError);
   ASSERT_EQ(chain.size(), 21U);
   EXPECT_NEAR((chain.front() - Vec2(1.01, 0)).norm(), 0, 1e-15);
   EXPECT_NEAR((chain[10] - Vec2(1.01, 1.01)).norm(), 0, 1e-15);

@@ -71,6 +71,8 @@ void feed(const std::string& name, const std::vector<std::string>& from, int cha
 
 TEST(HostileInput, Scenarios) { feed("scenario", seeds("pipelines", ".toml"), 400); }
 TEST(HostileInput, Tables) { feed("table", seeds("data/gradings", ".tsv"), 400); }
+TEST(HostileInput, Meshes) { feed("mesh", seeds("tests/fuzz/corpus/mesh", ".msh"), 400); }
+TEST(HostileInput, Surfaces) { feed("surface", seeds("tests/fuzz/corpus/surface", ""), 400); }
 TEST(HostileInput, Files) { feed("file", seeds("tests/fuzz/corpus/file", ".h5"), 100); }
 TEST(HostileInput, Spheres) { feed("spheres", seeds("tests/tools/examples", ".txt"), 400); }
 
