@@ -42,8 +42,7 @@ hid_t native() {
 
 Id string_type(std::size_t size) {
   const hid_t type = H5Tcopy(H5T_C_S1);
-  H5Tset_size(type, size);
-  H5Tset_cset(type, H5T_CSET_UTF8);
+  H5Tset_size(type, size), H5Tset_cset(type, H5T_CSET_UTF8);
   return {type, H5Tclose};
 }
 
@@ -317,11 +316,9 @@ std::vector<std::string> Reader::children(const std::string& path) const {
   const Id group(has(path) ? H5Gopen2(file_, path.c_str(), H5P_DEFAULT) : -1, H5Gclose);
   if (group < 0) fail(path, "is missing or no group; make the file again");
   const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->push_back(name);
-    return 0;
+    return static_cast<std::vector<std::string>*>(list)->push_back(name), 0;
   };
-  // Asked for an order, HDF5 1.10 lists the links beforehand, and frees what it has not listed yet where one is
-  // damaged.
+  // In a given order HDF5 1.10 would list the links first, and where one is damaged free what it has not listed.
   if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect, &names) < 0) fail(path, "is damaged");
   std::sort(names.begin(), names.end());
   return names;
