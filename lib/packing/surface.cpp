@@ -33,20 +33,22 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 constexpr int fineness = 60;
 constexpr double farthest = 1e3;  // m, corner of a surface
 
-// Of the forms CGAL reads, only these withstand damaged files.
+void say_nothing(const char*, const char*, const char*, int, const char*) {}
+
+// Of the forms CGAL reads, only STL withstands damaged files.
 Triangles read(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension();
-  if (ending != ".stl" && ending != ".off")
-    throw DataError(fmt::format("'{}': a surface is read from .stl and .off; convert it", path));
+  if (std::filesystem::path(path).extension() != ".stl")
+    throw DataError(fmt::format("'{}': a surface is read from .stl; convert it", path));
+  CGAL::set_error_handler(say_nothing);  // or it would print what it also throws, in terms of its own sources
   Triangles triangles;
   bool known = false;
   try {
     known = pmp::IO::read_polygon_mesh(path, triangles, CGAL::parameters::verbose(false));
   } catch (const std::exception&) {
-    known = false;  // what CGAL says of it names its own sources
+    known = false;
   }
   if (!known || triangles.is_empty())
-    throw DataError(fmt::format("'{}' is no surface in STL or OFF whose triangles meet edge to edge", path));
+    throw DataError(fmt::format("'{}' is no surface in STL whose triangles meet edge to edge", path));
   for (const auto vertex : triangles.vertices())
     for (int a = 0; a < 3; ++a)
       if (!(std::abs(triangles.point(vertex)[a]) <= farthest))

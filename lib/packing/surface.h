@@ -13,7 +13,7 @@ namespace soilweave::packing {
 /// What a closed surface of triangles encloses.
 class Surface final : public Container {
  public:
-  /// Reads STL or OFF, lengths in m. Throws DataError where it is no surface, or one that is open, cuts
+  /// Reads STL, lengths in m. Throws DataError where it is no surface, or one that is open, cuts
   /// itself or encloses nothing.
   explicit Surface(const std::string& path);
   ~Surface() override;

@@ -12,7 +12,7 @@ void scenario(std::string_view bytes);  // TOML: scenarios, plans, materials, pr
 void table(std::string_view bytes);     // tab-separated text: series, gradings, observations
 void spheres(std::string_view bytes);   // x y z r
 void mesh(std::string_view bytes);      // of finite elements, by gmsh
-void surface(std::string_view bytes);   // of triangles, STL and OFF
+void surface(std::string_view bytes);   // of triangles, in STL
 void file(std::string_view bytes);      // HDF5 of every kind
 
 using Reader = void (*)(std::string_view);

@@ -166,6 +166,7 @@ TOML
   refuses 65 filter-expand "is open: 3 edges" packing.h5 cut.toml --set container.file=open.stl -o out.h5
   refuses 65 filter-expand "cuts itself" packing.h5 cut.toml --set container.file=twice.stl -o out.h5
   refuses 65 filter-expand "is no surface" packing.h5 cut.toml --set container.file=not.stl -o out.h5
+  refuses 65 filter-expand "convert it" packing.h5 cut.toml --set container.file=cut.toml -o out.h5
   refuses 66 filter-expand "none.stl" packing.h5 cut.toml --set container.file=none.stl -o out.h5
 }
 
