@@ -63,6 +63,7 @@ class Words {
   Index count() {
     const auto n = number<std::int64_t>();
     if (n < 0) fail("has a negative count");
+    if (static_cast<std::size_t>(n) > text_.size()) fail("counts more than the file can hold");
     return static_cast<Index>(n);
   }
   // "a name" in quotes, on the rest of the line.
