@@ -27,7 +27,10 @@ packing() {
     1000) zcat "$reference/hm31_0.2MPa_N1000.txt.gz" > 1000.txt ;;
     70000) zcat "$reference/hm31_eta0.13_0.2MPa_N70000_tiled7x10x1.txt.gz" > 70000.txt ;;
     disks)
-      pack-generate --quiet --dimension 2 --grains 400 --aspect 1 --mean-radius 0.003 --density 2650 --pressure 1e5 -o disks.h5
+      # By the law it is loaded with: at rest from the first step on, in whatever engine.
+      scenario disks 0 | sed '/^\[equilibrium\]/,$d' > disks_material.toml
+      pack-generate --quiet --material disks_material.toml --dimension 2 --grains 400 --aspect 1 --mean-radius 0.003 \
+        --density 2650 --pressure 1e5 -o disks.h5
       { h5dump -m '%.17g' -d /particles/grains/box/edges/value -y disks.h5 | tr -d ' {}' | awk -F , '/^[-0-9]/ {
           for (i = 1; i <= NF; ++i) if ($i != "" && $i + 0 > 0) edge[++n] = $i }
           END { printf "##PERIODIC:: %s %s 0.03\n", edge[1], edge[2] }'
