@@ -21,8 +21,8 @@ namespace soilweave::dem {
 namespace {
 
 // Steps between two looks at the stiffness: it changes slowly against the step it limits, but a cloud that is pressed
-// together blew up with 16. Where hardly any contacts are added, none is pressed
-// much deeper, and no yarns hold light nodes to heavy grains, rarer looks do.
+// together blew up with 16. Where hardly any contacts are added, none is pressed much deeper, and no yarns hold light
+// nodes to heavy grains, rarer looks do.
 constexpr std::int64_t stiffness_interval = 8, calm_stiffness_interval = 32;
 constexpr double calm_contact_growth = 1.01, calm_overlap_growth = 1.05;
 // Steps between two passes over the grains by the guards.
