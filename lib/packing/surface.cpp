@@ -53,8 +53,6 @@ Triangles read(const std::string& path) {
     for (int a = 0; a < 3; ++a)
       if (!(std::abs(triangles.point(vertex)[a]) <= farthest))
         throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
-  if (!CGAL::is_triangle_mesh(triangles))
-    throw DataError(fmt::format("'{}' has faces of more than three corners: cut them into triangles", path));
   std::size_t border = 0;
   for (const auto edge : triangles.edges()) border += triangles.is_border(edge);
   if (border > 0)
