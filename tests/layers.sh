@@ -32,7 +32,8 @@ only() {
     [[ " $files " == *" ${line%%:*} "* ]] || fault "$line: only ${files:-the library} may include this"
   done < <(grep -rnE "^ *#include [<\"]$pattern" "${folders[@]}" --include='*.cpp' --include='*.h' 2>/dev/null)
 }
-only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/store.cpp'
+only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/hdf5_id.h'
+only 'io/hdf5_' 'lib tools' 'lib/io/hdf5_memory.h lib/io/hdf5_memory.cpp lib/io/store_read.cpp lib/io/store_write.cpp'
 only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp lib/packing/surface.cpp'
 only 'vtk' 'lib tools' 'lib/io/vtk.cpp'
 only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'

@@ -1,4 +1,4 @@
-// HDF5 behind two plain classes: build a file in memory, read one from memory. store.cpp alone includes HDF5.
+// HDF5 behind two plain classes: build a file in memory, read one from memory. Others know HDF5 by these alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,0 +1,37 @@
+// HDF5's identifiers, closed as they go, and its names for our types. The only file that includes HDF5.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace soilweave::io::hdf5 {
+
+/// An HDF5 identifier, closed by the function that fits its kind.
+class Id {
+ public:
+  Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Id(const Id&) = delete;
+  Id& operator=(const Id&) = delete;
+  ~Id() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// How HDF5 calls a number in memory. T: double, int64, uint64, int32, uint8.
+template <class T>
+hid_t native() {
+  if (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+  if (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+  return std::is_same_v<T, std::int32_t> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT8;
+}
+
+}  // namespace soilweave::io::hdf5
