@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/bag.h"
@@ -17,11 +19,26 @@ namespace {
 
 using namespace soilweave;
 
+using Group = io::FieldsFile::Group;
+
+/// The tables that a file has and --table names, in the file's order; those without rows are left out of it.
+struct Tables {
+  Group cell{"cell", "whole cell, one row per state", {}};
+  Group volumes{"volumes", "volumes of interest, one row per volume and state", {}};
+  Group grains{"grains", "one row per grain and state", {}};
+  Group bag{"bag", "soil in geotextile as a whole, one row per state", {}};
+  Group yarns{"yarns", "one row per yarn and state", {}};
+  Group broken{"broken", "broken yarns of the last state", {}};
+  Group series{"series", "the run's own series", {}};
+
+  std::array<Group*, 7> all() { return {&cell, &volumes, &grains, &bag, &yarns, &broken, &series}; }
+};
+
 struct Homogenize {
   std::filesystem::path input, output;
   std::string state = "all", table = "cell";
   std::vector<std::string> boxes;
-  bool tsv = false, copies = false, groups = false, grains = false, tessellation = false;
+  bool tsv = false, copies = false, groups = false, grains = false, yarns = false, tessellation = false;
 
   void options(tool::Table& t) {
     t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
@@ -29,13 +46,15 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing or run, - for standard input");
-    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"}, "what --tsv prints");
+    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"},
+             "what --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
     t.flag(groups, "groups", "four copies each along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9");
     t.flag(grains, "grains", "one row per grain");
+    t.flag(yarns, "yarns", "one row per yarn of a geotextile");
     t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
     t.optional_output(output, "fields file to write");
   }
@@ -53,56 +72,66 @@ struct Homogenize {
     }
     if (table == "volumes" && boxes.empty() && !copies && !groups)
       wrong.emplace_back("--table volumes needs --box, --copies or --groups");
-    if (table == "grains" && !grains) wrong.emplace_back("--table grains needs --grains");
     if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
   }
 
   void run(const tool::Invocation& invocation) const {
     const io::RunFile file = io::read_states(input);
-    io::FieldsFile fields;
-    fields.groups = {{"cell", "whole cell, one row per state", {}},
-                     {"volumes", "volumes of interest, one row per volume and state", {}},
-                     {"grains", "one row per grain and state", {}},
-                     {"bag", "soil in geotextile as a whole, one row per state", {}},
-                     {"yarns", "one row per yarn and state", {}},
-                     {"broken", "broken yarns of the last state", {}}};
+    Tables tables;
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
-      add(file.snapshots.front(), file.snapshots[n], fields);
-    if (file.snapshots.back().yarns.size() > 0) analysis::put_broken(fields.groups[5].table, file.snapshots.back());
-    if (file.series.rows() > 0) fields.groups.push_back({"series", "the run's own series", file.series});
-    if (tsv) print(fields);
-    if (!output.empty()) {
-      std::erase_if(fields.groups, [](const auto& group) { return group.table.rows() == 0; });
-      io::write_fields(output, fields, io::extend({file.source}, invocation));
-    }
+      add(file.snapshots.front(), file.snapshots[n], tables);
+    analysis::put_broken(tables.broken.table, file.snapshots.back());
+    tables.series.table = file.series;
+    if (tsv) print(tables);
+    if (!output.empty()) write(tables, file.source, invocation);
   }
 
-  void add(const io::Snapshot& first, const io::Snapshot& s, io::FieldsFile& fields) const {
-    analysis::put_cell(fields.groups[0].table, s, tessellation);
-    if (s.yarns.size() > 0) analysis::put_bag(fields.groups[3].table, s);
-    if (table == "yarns") analysis::put_yarns(fields.groups[4].table, s);
-    if (boxes.empty() && !copies && !groups && !grains) return;
+  void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables) const {
+    analysis::put_cell(tables.cell.table, s, tessellation);
+    if (s.yarns.size() > 0) analysis::put_bag(tables.bag.table, s);
+    if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
+    const std::vector<analysis::Volume> volumes = volumes_of_interest(s);
+    const bool each_grain = grains || table == "grains";
+    if (volumes.empty() && !each_grain) return;
     const analysis::Local local = analysis::local(first, s);
-    std::vector<analysis::Volume> parts;
-    if (copies) parts = analysis::copies(s);
+    for (std::size_t k = 0; k < volumes.size(); ++k)
+      analysis::put_volume(tables.volumes.table, first, s, static_cast<double>(k), volumes[k], local);
+    if (each_grain) analysis::put_grains(tables.grains.table, s, local);
+  }
+
+  std::vector<analysis::Volume> volumes_of_interest(const io::Snapshot& s) const {
+    std::vector<analysis::Volume> volumes;
+    if (copies) volumes = analysis::copies(s);
     if (groups)
-      for (analysis::Volume& group : analysis::groups(s)) parts.push_back(std::move(group));
+      for (analysis::Volume& group : analysis::groups(s)) volumes.push_back(std::move(group));
     for (const std::string& text : boxes) {
       const std::vector<double> b = parse(text);
-      parts.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
+      volumes.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
     }
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      analysis::put_volume(fields.groups[1].table, first, s, static_cast<double>(k), parts[k], local);
-    if (grains) analysis::put_grains(fields.groups[2].table, s, local);
+    return volumes;
   }
 
-  void print(const io::FieldsFile& fields) const {
-    for (const auto& group : fields.groups)
-      if (group.name == table) {
-        std::fputs(io::to_tsv(group.table).c_str(), stdout);
-        return;
+  void print(Tables& tables) const {
+    for (const Group* group : tables.all())
+      if (group->name == table) {
+        if (group->table.rows() == 0) explain_absence();
+        std::fputs(io::to_tsv(group->table).c_str(), stdout);
       }
-    throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));
+  }
+
+  // A table that has no rows because the input is of another kind; that no yarn is broken is no fault.
+  void explain_absence() const {
+    if (table == "series")
+      throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));
+    if (table == "bag" || table == "yarns")
+      throw DataError(fmt::format("{}: has no yarns: there is no geotextile in it", input.string()));
+  }
+
+  void write(Tables& tables, const io::Source& source, const tool::Invocation& invocation) const {
+    io::FieldsFile fields;
+    for (Group* group : tables.all())
+      if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
+    io::write_fields(output, fields, io::extend({source}, invocation));
   }
 
   static std::vector<double> parse(const std::string& text) {

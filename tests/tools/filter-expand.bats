@@ -106,6 +106,18 @@ setup() {
   [[ $(wc -l < yarns.tsv) -eq $((1 + 2 * 2 * 12 * 13 + 4 * 12 * 5 + 4 * 12 * 6)) ]] || show "$(wc -l < yarns.tsv) rows"
   near "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
     $at["family"] == 0 { sum += $at["tension"]; ++n } END { printf "%.15g", sum / n }' yarns.tsv)" "$(value series.tsv yarn_tension_face last)" 1e-9
+  # Asked for, they are in a file, too.
+  homogenize --quiet run.h5 --state last --yarns -o fields.h5
+  exits 0 "$PYTHON" - << 'PY'
+import h5py
+lines = [line.rstrip("\n").split("\t") for line in open("yarns.tsv")]
+with h5py.File("fields.h5") as file:
+    for place, head in enumerate(lines[0]):
+        column = file["fields/yarns/" + head.split(" [")[0]]
+        assert column[()].tolist() == [float(line[place]) for line in lines[1:]], head
+PY
+  homogenize --quiet run.h5 -o fields.h5 --force
+  exits 0 "$PYTHON" -c 'import h5py; assert "yarns" not in h5py.File("fields.h5")["fields"]'
   [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
 }
 

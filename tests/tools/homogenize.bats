@@ -47,7 +47,7 @@ setup() {
 
 @test "grains: their stress, weighted by their cells, is the cell's; their strain is the motion's" {
   homogenize --quiet --tsv --state last "$IN/sheared.h5" > cell.tsv
-  homogenize --quiet --tsv --state last --grains --table grains "$IN/sheared.h5" > grains.tsv
+  homogenize --quiet --tsv --state last --table grains "$IN/sheared.h5" > grains.tsv
   [[ $(wc -l < grains.tsv) -eq 121 ]] || show "rows"
   near "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[substr($i, 1, index($i, " [") - 1)] = i }
     NR > 1 { v = $at["cell_volume"]; sum += v * $at["stress_zz"]; all += v } END { printf "%.15g", sum / all }' grains.tsv)" \
@@ -117,7 +117,6 @@ PY
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,x,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "needs --box, --copies or --groups" --tsv --table volumes "$IN/sheared.h5"
-  mentions 64 homogenize "needs --grains" --tsv --table grains "$IN/sheared.h5"
   mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"
 }
 
@@ -129,6 +128,8 @@ PY
   mentions 65 homogenize "words.h5" --tsv words.h5
   mentions 65 homogenize "fields" --tsv "$IN/fields.h5"
   mentions 65 homogenize "series" --tsv --table series "$IN/bare.h5"
+  mentions 65 homogenize "no yarns" --tsv --table yarns "$IN/sheared.h5"
+  mentions 65 homogenize "no yarns" --tsv --table bag "$IN/sheared.h5"
   mentions 65 homogenize "no grain lies in box" --box 5,6,5,6,5,6 -o out.h5 "$IN/sheared.h5"
   [[ ! -e out.h5 ]]
 }
