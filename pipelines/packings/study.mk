@@ -27,14 +27,15 @@ $(PKO)/packing_%.h5: $(BIN)/pack-generate
 $(PK_CELLS): $(PKO)/packing_%.tsv: $(PKO)/packing_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv $(call whole,$@)
 
-# Loaded at 0.2 MPa from the loose end, 1 kPa; twin 0 is the packing itself, the others are moved by 1e-6 r.
+# Loaded at 0.2 MPa from the loose end, 1 kPa, as fast as the packing that they are compared with; twin 0 is the packing itself, the
+# others are moved by 1e-6 r.
 PK_CURVES := $(PK_TESTS:%=$(PKO)/triaxial_%.tsv)
 define packing_test
 $(PKO)/triaxial_$(1).tsv: $(PKO)/packing_$(word 1,$(subst _, ,$(1)))_1e3_$(word 2,$(subst _, ,$(1))).h5 $(PK_SCENARIO) \
   $(BIN)/run-dem $(BIN)/homogenize
 	@echo '  run   $$@'
-	@pipelines/resume.sh $(PKO)/triaxial_$(1).h5 $(BIN)/run-dem $$< $(PK_SCENARIO) --set stage.1.axial_strain=0.08 --perturb $(if $(filter %_0,$(1)),0,1e-6) \
-	  --seed $(word 3,$(subst _, ,$(1)))
+	@pipelines/resume.sh $(PKO)/triaxial_$(1).h5 $(BIN)/run-dem $$< $(PK_SCENARIO) --set stage.1.axial_strain=0.08 --set stage.1.rate=0.1 \
+	  --perturb $(if $(filter %_0,$(1)),0,1e-6) --seed $(word 3,$(subst _, ,$(1)))
 	@$(BIN)/homogenize $(PKO)/triaxial_$(1).h5 --tsv --table series $$(call whole,$$@)
 endef
 $(foreach t,$(PK_TESTS),$(eval $(call packing_test,$(t))))

@@ -1,4 +1,4 @@
-# Mean and standard deviation over twin runs, station by station of the shear stage.
+# Mean and standard deviation over the packings of a pressure, station by station of the shear stage.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: awk -f ensemble.awk runs/0.2MPa_*/series.tsv
 BEGIN {

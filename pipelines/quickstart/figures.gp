@@ -6,7 +6,7 @@ set datafile commentschars "#"
 set encoding utf8
 lab(p) = sprintf("data/laboratory/toyoura_drained_triaxial_%sMPa.tsv", p)
 ensemble(p) = sprintf("%s/ensemble_%sMPa.tsv", out, p)
-run(p, table) = sprintf("%s/runs/%sMPa_0/%s.tsv", out, p, table)
+run(p, table) = sprintf("%s/runs/%sMPa_1/%s.tsv", out, p, table)
 pressures = "0.2 0.5 1.0"
 blue = "#1f6fb2"; orange = "#d9772b"; green = "#2f8f6b"; grey = "#667080"; red = "#b5394e"; violet = "#7458a6"
 colour(k) = word(blue . " " . orange . " " . green, k)

@@ -36,7 +36,7 @@ scaled 5000 0.046171 0.046258 0.092015
 one() {
   local perturb=1e-6
   [[ $2 -eq 0 ]] && perturb=0
-  run-dem --quiet "$1.h5" "$scenario" --set stage.1.axial_strain=0.08 --perturb "$perturb" --seed "$2" -o "$1.$2.run.h5"
+  run-dem --quiet "$1.h5" "$scenario" --set stage.1.axial_strain=0.08 --set stage.1.rate=0.1 --perturb "$perturb" --seed "$2" -o "$1.$2.run.h5"
   homogenize --quiet --tsv --table series "$1.$2.run.h5" | awk -F '\t' -v OFS='\t' -v grains="$1" '
     NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, " "); at[part[1]] = i } next }
     $at["stage"] == 1 && $at["strain_axial"] > 0.0499 && $at["strain_axial"] < 0.0801 { sum += $at["stress_ratio"]; ++n }
