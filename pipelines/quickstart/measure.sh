@@ -1,6 +1,6 @@
 #!/bin/sh
-# The quickstart's numbers, from its packings and runs alone: name, mean over the packings, their standard
-# deviation, the standard error of the mean; or one value of all.
+# The quickstart's numbers, from its packings and runs alone: name, mean over the packings and their standard
+# deviation, or one value of all.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/quickstart measure.sh SEED... > measured.tsv
 set -eu
@@ -25,11 +25,11 @@ packing() { # SEED
   done
 }
 
-printf 'name\tvalue\tdeviation\terror\n'
+printf 'name\tvalue\tdeviation\n'
 
 for seed in "$@"; do packing "$seed"; done | awk -F '\t' '
   { d = $2 - mean[$1]; mean[$1] += d / ++n[$1]; squares[$1] += d * ($2 - mean[$1]) }
-  END { for (k in n) { s = n[k] > 1 ? sqrt(squares[k] / (n[k] - 1)) : 0; printf "%s\t%.6g\t%.3g\t%.3g\n", k, mean[k], s, s / sqrt(n[k]) } }'
+  END { for (k in n) { s = n[k] > 1 ? sqrt(squares[k] / (n[k] - 1)) : 0; printf "%s\t%.6g\t%.3g\n", k, mean[k], s } }'
 
 # Root mean square of the relative difference from the laboratory's stress ratio, at its own strains.
 awk -F '\t' '/^#/ || /^strain_axial/ { next }

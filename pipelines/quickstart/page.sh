@@ -16,8 +16,7 @@ cat <<PAGE
 isotropically to 0.2, 0.5 and 1.0 MPa and sheared in drained triaxial compression with the Hertz–Mindlin parameters of thesis
 Table 3.1, at 3 % a second instead of 10, which is slow enough for the rate not to matter: $runs runs of $packings packings, made alike
 from the seeds 1 to $packings, for so few grains carry more in one packing than in the next. Numbers are means of what each packing has,
-curves means at equal strain, ± and bands the standard deviation over the packings. A mean is known to within its standard error:
-one that is beyond the tolerance by less than twice that counts as met.</p>
+curves means at equal strain, ± and bands the standard deviation over the packings.</p>
 <h3>Measured beside published</h3>
 PAGE
 awk -f pipelines/table.awk "$OUT/comparison.tsv"
