@@ -23,6 +23,8 @@ struct BlockLanes {
 
   static constexpr unsigned full = (1u << width<T>)-1;
   unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
+  /// Which reach across the cell's faces.
+  unsigned folded() const { return (unsigned{block->folded} >> lane) & full; }
   void set_masks(unsigned touching, unsigned sliding) const {
     const unsigned others = ~(full << lane);
     block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
@@ -65,7 +67,7 @@ struct BlockLanes {
   template <class Space, bool moving>
   PairRows<T, Space> read(const std::byte* grains, const Lane4* shifts) const {
     const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
-    return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded, shift, Space());
+    return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded != 0, shift, Space());
   }
   template <class Space>
   void masses(const std::byte* grains, Kinematics<T, Space>& kinematics) const {

@@ -58,7 +58,7 @@ class LawSweep final : public ContactSweep {
                                 : step<Spatial>(scene, affine, dt, affine_stiffness != nullptr, contacts, around);
     SweepSums total;
     for (const StepSums<Lanes>& s : step_sums_) s.put_into(total);
-    total.force_branch += force_branch_across(scene.bodies.dimension == 2);
+    total.force_branch += force_branch_across();
     StepSums<Lanes> with_planes;
     for (PlanePair& pair : contacts.planes) {
       planes_.act(scene, dt, pair, with_planes, total);
@@ -274,13 +274,12 @@ class LawSweep final : public ContactSweep {
   }
 
   // The part of f (x) l that comes from pairs across the cell's faces.
-  Mat3 force_branch_across(bool planar) const {
+  Mat3 force_branch_across() const {
     const std::size_t images = shifts_.size();
     Mat3 force_branch = Mat3::Zero();
     for (std::size_t image = 1; image + 1 < images; ++image) {
       Lane4 force{};
       for (std::size_t at = image; at < across_.size(); at += images) force += across_[at];
-      if (planar) force[2] = 0;  // a torque (sweep_groups.h)
       force_branch += vector_of(force) * vector_of(shifts_[image]).transpose();
     }
     return force_branch;

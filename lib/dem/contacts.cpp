@@ -113,7 +113,7 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
   std::fill(block.second + k, block.second + ContactBlock::size, grain_distance(grain));
   std::fill(block.load_second + k, block.load_second + ContactBlock::size, load_distance(grain));
   std::fill(block.image + k, block.image + ContactBlock::size, static_cast<std::uint16_t>(far));
-  block.folded = true;
+  block.folded = static_cast<std::uint8_t>(block.folded | (~0u << k));
 }
 
 // Blocks of a chunk's pairs, with what is known of them. Pairs with grains of other chunks have loads from `load` on.
@@ -130,7 +130,7 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
       const bool far = is_far(*at, chunk);
       block.load_second[k] = load_distance(far ? load++ : second);
       block.image[k] = place(at->image, images);
-      block.folded = block.folded || block.image[k] != 0;
+      block.folded = with_bit(block.folded, k, block.image[k] != 0);
       block.far = block.far || far;
       known.pass_on(*at, block, k);
     }

@@ -39,11 +39,11 @@ struct alignas(64) ContactBlock {
   // Distances from the first grain, in bytes, first < second; in loads, that of the load that takes what acts on the
   // second grain.
   std::uint32_t first[size], second[size], load_second[size];
-  std::uint16_t image[size];               // cell offset of the second grain, among Contacts::images
-  std::uint8_t touching = 0, sliding = 0;  // bit k is pair k
+  std::uint16_t image[size];  // cell offset of the second grain, among Contacts::images
+  // Bit k is pair k; folded: it reaches across the cell's faces.
+  std::uint8_t touching = 0, sliding = 0, folded = 0;
   std::uint8_t count = 0;
-  bool folded = false;  // some pair reaches across the cell's faces
-  bool far = false;     // some second grain is of another chunk
+  bool far = false;  // some second grain is of another chunk
 
   static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / sizeof(Grain)); }
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -61,16 +62,24 @@ using Batch = std::span<Group<Lanes, Space>>;
 inline void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
 inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
 
-/// Adds the forces of pairs that reach across the cell's faces to the sums by image.
+/// Adds the forces of pairs that reach across the cell's faces to the sums by image; they alone: each waits for the one
+/// before it to be stored.
 template <class Lanes>
-void add_across(const std::array<Lane4, width<Lanes>>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
-  if (!lanes.block->folded) return;
-  for (std::size_t lane = 0; lane < force.size(); ++lane) add(s.across + width<Lane4> * lanes.image(lane), force[lane]);
+void add_across(const V3<Lanes>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  unsigned folded = lanes.folded();
+  if (!folded) return;
+  double x[width<Lanes>], y[width<Lanes>], z[width<Lanes>];
+  store(x, force.x), store(y, force.y), store(z, force.z);
+  for (; folded; folded &= folded - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(folded));
+    add(s.across + width<Lane4> * lanes.image(lane), Lane4{x[lane], y[lane], z[lane], 0});
+  }
 }
 
 /// To the loads of the grains, pair by pair.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  double* const loads = s.loads;  // by reference it would be read anew after every store
   std::array<Lane4, width<Lanes>> force, torque;
   const auto& f = act.force;
   const auto &t1 = act.torque_first, &t2 = act.torque_second;
@@ -79,25 +88,26 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
   to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
     const auto k = static_cast<std::size_t>(lane);
-    double *one = lanes.load_first(k, s.loads), *two = lanes.load_second(k, s.loads);
+    double *one = lanes.load_first(k, loads), *two = lanes.load_second(k, loads);
     take(one, force[k]), take(one + width<Lane4>, torque[k]);
     add(two, force[k]), add(two + width<Lane4>, row);
   });
-  add_across(force, lanes, s);
+  add_across(f, lanes, s);
 }
 /// In the plane the torque comes as the third part of the force.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  double* const loads = s.loads;
   const auto& f = act.force;
   std::array<Lane4, width<Lanes>> first;
   to_rows(f.x, f.y, act.torque_first, Lanes{},
           [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
   to_rows(f.x, f.y, act.torque_second, Lanes{}, [&](int lane, const Lane4& row) {
     const auto k = static_cast<std::size_t>(lane);
-    take(lanes.load_first(k, s.loads), first[k]);
-    add(lanes.load_second(k, s.loads), row);
+    take(lanes.load_first(k, loads), first[k]);
+    add(lanes.load_second(k, loads), row);
   });
-  add_across(first, lanes, s);
+  add_across(V3<Lanes>{f.x, f.y, Lanes{}}, lanes, s);
 }
 
 /// Stiffness against translation and rotation, at place(lane), laid out as the loads are.
