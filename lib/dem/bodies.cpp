@@ -18,15 +18,28 @@ Bodies::Bodies(const io::GrainsRecord& record)
   for (std::size_t i = 0; i < record.size(); ++i) {
     const Vec4& q = record.orientation[i];
     grains.push_back({row(record.position[i], record.radius[i]), row(record.velocity[i], record.mass[i]),
-                      row(record.angular_velocity[i], record.radius[i]), Lane4{q[0], q[1], q[2], q[3]}});
+                      row(Vec3::Zero(), record.radius[i]), Lane4{q[0], q[1], q[2], q[3]}});
+    set_spin(i, record.angular_velocity[i]);
     if (dimension == 2) angle.push_back(2 * std::atan2(q[3], q[0]));
   }
+}
+
+void Bodies::set_velocity(std::size_t i, const Vec3& v) {
+  Lane4& to = grains[i].velocity;
+  to = dimension == 2 ? Lane4{v[0], v[1], to[2], to[3]} : row(v, to[3]);
+}
+
+void Bodies::set_spin(std::size_t i, const Vec3& spin) {
+  if (dimension == 2)
+    grains[i].velocity[2] = spin[2];
+  else
+    grains[i].spin = row(spin, radius(i));
 }
 
 void Bodies::set_fabric(std::vector<std::int32_t> fabric_of) {
   fabric = std::move(fabric_of);
   for (std::size_t i = 0; i < size(); ++i)
-    if (is_node(i)) grains[i].spin = row(Vec3::Zero(), radius(i));
+    if (is_node(i)) set_spin(i, Vec3::Zero());
 }
 
 void Bodies::scale_radii(double factor, const Vec3& stretch) {
@@ -87,8 +100,8 @@ void Bodies::store(io::GrainsRecord& record) const {
   for (std::size_t i = 0; i < size(); ++i) {
     const Grain& grain = grains[i];
     record.position[i] = vector_of(grain.position);
-    record.velocity[i] = vector_of(grain.velocity);
-    record.angular_velocity[i] = vector_of(grain.spin);
+    record.velocity[i] = vector_of(velocity(i));
+    record.angular_velocity[i] = vector_of(spin(i));
     const Lane4& q = grain.orientation;
     record.orientation[i] =
         dimension == 2 ? Vec4(std::cos(0.5 * angle[i]), 0, 0, std::sin(0.5 * angle[i])) : Vec4(q[0], q[1], q[2], q[3]);

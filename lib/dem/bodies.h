@@ -13,7 +13,7 @@
 
 namespace soilweave::dem {
 
-/// Two cache lines.
+/// Two cache lines. In the plane the spin is the third part of the velocity: all that moves a disk lies in the first.
 struct alignas(64) Grain {
   Lane4 position;     // x, y, z, m; radius, m
   Lane4 velocity;     // m/s; mass, kg
@@ -53,6 +53,17 @@ struct Bodies {
   double inertia(std::size_t i) const {
     return is_node(i) ? std::numeric_limits<double>::infinity() : gyration * mass(i) * radius(i) * radius(i);
   }
+
+  /// Fluctuation of a grain, m/s, and its mass; rad/s, and its radius.
+  Lane4 velocity(std::size_t i) const {
+    const Lane4& v = grains[i].velocity;
+    return dimension == 2 ? Lane4{v[0], v[1], 0, v[3]} : v;
+  }
+  Lane4 spin(std::size_t i) const {
+    return dimension == 2 ? Lane4{0, 0, grains[i].velocity[2], radius(i)} : grains[i].spin;
+  }
+  void set_velocity(std::size_t i, const Vec3& v);
+  void set_spin(std::size_t i, const Vec3& spin);
 
   /// Of what acts on a grain: N, and N m.
   Lane4 force(std::size_t i) const {

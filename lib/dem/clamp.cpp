@@ -25,9 +25,9 @@ double Clamps::set_velocity(std::size_t k, const Vec3& velocity, Bodies& bodies)
   double given = 0;
   for (const std::int32_t g : clamp.grains) {
     const auto i = static_cast<std::size_t>(g);
-    const Vec3 before = vector_of(bodies.grains[i].velocity);
+    const Vec3 before = vector_of(bodies.velocity(i));
     given += 0.5 * bodies.mass(i) * (velocity.squaredNorm() - before.squaredNorm());
-    bodies.grains[i].velocity = row(velocity, bodies.mass(i));
+    bodies.set_velocity(i, velocity);
   }
   clamp.velocity = velocity;
   return given;

@@ -53,6 +53,23 @@ Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes&
   return {scale * a, scale * b, scale * c, scale * d};
 }
 
+// What pushes and turns grains, and how they move.
+template <class Vector, class Turn>
+struct Acting {
+  Vector force;
+  Turn torque;
+};
+template <class Vector, class Turn>
+struct Moving {
+  Vector velocity;
+  Turn spin;
+  Lanes mass, radius;
+};
+
+Columns<Lanes> read_rows(const auto& row) {
+  return columns({rows<Lanes>(row, 0), rows<Lanes>(row, 1), rows<Lanes>(row, 2), rows<Lanes>(row, 3)});
+}
+
 // Rows of grains, read as columns and written back.
 struct InSpace {
   using Vector = V3<Lanes>;
@@ -62,39 +79,31 @@ struct InSpace {
   InSpace(const MovedGrains& of, std::size_t i) : grains(of.grains + i), loads(of.loads + i) {}
 
   static Vector part(const V3<Lanes>& of_space) { return of_space; }
-  static Columns<Lanes> read(const auto& row) {
-    return columns({rows<Lanes>(row, 0), rows<Lanes>(row, 1), rows<Lanes>(row, 2), rows<Lanes>(row, 3)});
+  Acting<Vector, Vector> acting() const {
+    const Columns<Lanes> f = read_rows([this](int k) -> const Lane4& { return loads[k].force; });
+    const Columns<Lanes> t = read_rows([this](int k) -> const Lane4& { return loads[k].torque; });
+    return {{f.a, f.b, f.c}, {t.a, t.b, t.c}};
   }
-  template <Lane4 Grain::*row>
-  std::pair<Vector, Lanes> read() const {
-    const Columns<Lanes> c = read([this](int k) -> const Lane4& { return grains[k].*row; });
-    return {{c.a, c.b, c.c}, c.d};
-  }
-  template <Lane4 Load::*row>
-  Vector of_loads() const {
-    const Columns<Lanes> c = read([this](int k) -> const Lane4& { return loads[k].*row; });
-    return {c.a, c.b, c.c};
-  }
-  template <Lane4 Grain::*row>
-  void put(const Vector& v, const Lanes& scalar) const {
-    to_rows(v.x, v.y, v.z, scalar, [this](int k, const Lane4& value) { grains[k].*row = value; });
-  }
-  Vector force() const { return of_loads<&Load::force>(); }
-  Vector torque() const { return of_loads<&Load::torque>(); }
   void use_up() const {
     // Not `loads[k] = {}`, of which the compiler would make one string instruction, slower than all before it.
     for (int k = 0; k < at_once; ++k) loads[k].force = loads[k].torque = Lane4{};
   }
-  std::pair<Vector, Lanes> velocity_and_mass() const { return read<&Grain::velocity>(); }
-  void put_velocity(const Vector& v, const Lanes& mass) const { put<&Grain::velocity>(v, mass); }
-  std::pair<Vector, Lanes> spin_and_radius() const { return read<&Grain::spin>(); }
-  void put_spin(const Vector& spin, const Lanes& radius) const { put<&Grain::spin>(spin, radius); }
-  std::pair<Vector, Lanes> position_and_radius() const { return read<&Grain::position>(); }
-  void put_position(const Vector& x, const Lanes& radius) const { put<&Grain::position>(x, radius); }
+  Moving<Vector, Vector> moving() const {
+    const Columns<Lanes> v = read<&Grain::velocity>(), w = read<&Grain::spin>();
+    return {{v.a, v.b, v.c}, {w.a, w.b, w.c}, v.d, w.d};
+  }
+  void put(const Moving<Vector, Vector>& m) const {
+    put<&Grain::velocity>(m.velocity, m.mass), put<&Grain::spin>(m.spin, m.radius);
+  }
+  Vector place() const {
+    const Columns<Lanes> x = read<&Grain::position>();
+    return {x.a, x.b, x.c};
+  }
+  void put_place(const Vector& x, const Lanes& radius) const { put<&Grain::position>(x, radius); }
   // q <- (1, half the turn) q.
   void turn(const Vector& by) const {
     const Vector half = all<Lanes>(0.5) * by;
-    const Columns<Lanes> q = read([this](int k) -> const Lane4& { return grains[k].orientation; });
+    const Columns<Lanes> q = read<&Grain::orientation>();
     const Lanes a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
     const Lanes b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
     const Lanes c = fused(half.z, q.b, fused(half.y, q.a, fused_less(half.x, q.d, q.c)));
@@ -102,9 +111,19 @@ struct InSpace {
     const Columns<Lanes> turned = unit(a, b, c, d);
     to_rows(turned.a, turned.b, turned.c, turned.d, [this](int k, const Lane4& row) { grains[k].orientation = row; });
   }
+
+ private:
+  template <Lane4 Grain::*row>
+  Columns<Lanes> read() const {
+    return read_rows([this](int k) -> const Lane4& { return grains[k].*row; });
+  }
+  template <Lane4 Grain::*row>
+  void put(const Vector& v, const Lanes& scalar) const {
+    to_rows(v.x, v.y, v.z, scalar, [this](int k, const Lane4& value) { grains[k].*row = value; });
+  }
 };
 
-// Disks have halves of rows to read and write: they are not pushed out of their plane, nor turned out of it.
+// Disks have rows of three parts to push and turn them: what is third turns.
 struct InPlane {
   using Vector = V2<Lanes>;
   Grain* grains;
@@ -114,47 +133,33 @@ struct InPlane {
   InPlane(const MovedGrains& of, std::size_t i) : grains(of.grains + i), loads(of.loads + i), angle(of.angle + i) {}
 
   static Vector part(const V3<Lanes>& of_space) { return {of_space.x, of_space.y}; }
-  static Halves<Lanes> read(const auto& half) {
-    Lane4 piece[at_once / 2];
-    for (int i = 0; i < at_once / 2; ++i) piece[i] = halves<Lanes>(half, i);
-    return columns_of_halves<Lanes>(piece);
+  Acting<Vector, Lanes> acting() const {
+    const Columns<Lanes> f = read_rows([this](int k) -> const Lane4& { return loads[k].force; });
+    return {{f.a, f.b}, f.c};
   }
-  template <int from>
-  Halves<Lanes> of_forces() const {
-    return read([this](int k) { return reinterpret_cast<const double*>(&loads[k].force) + from; });
-  }
-  template <Lane4 Grain::*row, int from>
-  Halves<Lanes> read() const {
-    return read([this](int k) { return reinterpret_cast<const double*>(&(grains[k].*row)) + from; });
-  }
-  template <Lane4 Grain::*row, int from>
-  void put(const Lanes& a, const Lanes& b) const {
-    to_halves(a, b, [this](int k) { return reinterpret_cast<double*>(&(grains[k].*row)) + from; });
-  }
-  Vector force() const {
-    const auto f = of_forces<0>();
-    return {f.a, f.b};
-  }
-  Lanes torque() const { return of_forces<2>().a; }
   void use_up() const {
     for (int k = 0; k < at_once; ++k) loads[k].force = Lane4{};
   }
-  std::pair<Vector, Lanes> velocity_and_mass() const {
-    const auto v = read<&Grain::velocity, 0>();
-    return {{v.a, v.b}, read<&Grain::velocity, 2>().b};
+  Moving<Vector, Lanes> moving() const {
+    const Columns<Lanes> v = read_rows([this](int k) -> const Lane4& { return grains[k].velocity; });
+    return {{v.a, v.b}, v.c, v.d, position().d};
   }
-  void put_velocity(const Vector& v, const Lanes&) const { put<&Grain::velocity, 0>(v.x, v.y); }
-  std::pair<Lanes, Lanes> spin_and_radius() const {
-    const auto s = read<&Grain::spin, 2>();
-    return {s.a, s.b};
+  void put(const Moving<Vector, Lanes>& m) const {
+    to_rows(m.velocity.x, m.velocity.y, m.spin, m.mass, [this](int k, const Lane4& row) { grains[k].velocity = row; });
   }
-  void put_spin(const Lanes& spin, const Lanes& radius) const { put<&Grain::spin, 2>(spin, radius); }
-  std::pair<Vector, Lanes> position_and_radius() const {
-    const auto x = read<&Grain::position, 0>();
-    return {{x.a, x.b}, Lanes{}};
+  Vector place() const {
+    const Columns<Lanes> x = position();
+    return {x.a, x.b};
   }
-  void put_position(const Vector& x, const Lanes&) const { put<&Grain::position, 0>(x.x, x.y); }
+  void put_place(const Vector& x, const Lanes&) const {
+    to_halves(x.x, x.y, [this](int k) { return reinterpret_cast<double*>(&grains[k].position); });
+  }
   void turn(const Lanes& by) const { store(angle, Lanes(load<Lanes>(angle) + by)); }
+
+ private:
+  Columns<Lanes> position() const {
+    return read_rows([this](int k) -> const Lane4& { return grains[k].position; });
+  }
 };
 
 double largest_of(const Lane4& x) { return std::max({x[0], x[1], x[2], x[3]}); }
@@ -190,11 +195,9 @@ template <class Rows>
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
     call_for(at, i);
-    Vector force = of.force();
-    const auto torque = of.torque();
+    auto [force, torque] = of.acting();
     of.use_up();
-    const auto [before, mass] = of.velocity_and_mass();
-    const auto [spin, radius] = of.spin_and_radius();
+    const auto [before, spin, mass, radius] = of.moving();
     // One division for both.
     const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
     const Vector pull = mass * gravity;
@@ -204,15 +207,13 @@ template <class Rows>
     if (heavy) add_up(gravity_work, dot(pull, before + v));
     const Lanes speed2 = norm2(v);
     fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(at.per_leeway2 + i)));
-    of.put_velocity(v, mass);
-
     const auto w = kick(torque, spin_ratio, damping, spin, lost);
-    of.put_spin(w, radius);
+    of.put({v, w, mass, radius});
     of.turn(dt * w);
     add_up(all_lost, lost);
 
-    const auto [x, r] = of.position_and_radius();
-    of.put_position(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), r);
+    const Vector x = of.place();
+    of.put_place(fused(dt, deforming ? affine(push.gradient, x, v) : v, x), radius);
   }
   tally.damping = all_lost, tally.gravity_work = gravity_work;
   tally.fastest2 = std::max(tally.fastest2, largest(fastest));

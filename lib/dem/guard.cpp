@@ -20,8 +20,8 @@ bool finite(const Lane4& r) { return std::isfinite(r[0]) && std::isfinite(r[1]) 
 
 const char* wrong_part(const Bodies& bodies, std::size_t i) {
   if (!finite(bodies.grains[i].position)) return "position";
-  if (!finite(bodies.grains[i].velocity)) return "velocity";
-  if (!finite(bodies.grains[i].spin)) return "spin";
+  if (!finite(bodies.velocity(i))) return "velocity";
+  if (!finite(bodies.spin(i))) return "spin";
   if (!finite(bodies.loads[i].force)) return "force";
   return finite(bodies.loads[i].torque) ? nullptr : "torque";
 }

@@ -38,8 +38,8 @@ double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
 double kinetic_energy_of(std::size_t i, const Bodies& bodies, const Lane4& gravity, double dt) {
   const double m = bodies.mass(i), inertia = bodies.inertia(i);
-  const Lane4 v = bodies.grains[i].velocity + (0.5 * dt / m) * resultant(bodies, i, gravity);
-  const Lane4 w = bodies.grains[i].spin + (0.5 * dt / inertia) * bodies.torque(i);
+  const Lane4 v = bodies.velocity(i) + (0.5 * dt / m) * resultant(bodies, i, gravity);
+  const Lane4 w = bodies.spin(i) + (0.5 * dt / inertia) * bodies.torque(i);
   const double turning = std::isfinite(inertia) ? 0.5 * inertia * length2(w) : 0;
   return 0.5 * m * length2(v) + turning;
 }

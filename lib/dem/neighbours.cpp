@@ -45,7 +45,7 @@ double largest_over_grains(const Bodies& bodies, int threads, const Value& value
   return largest;
 }
 
-double speed(const Grain& grain) { return vector_of(grain.velocity).norm(); }
+double speed(const Bodies& bodies, std::size_t i) { return vector_of(bodies.velocity(i)).norm(); }
 
 }  // namespace
 
@@ -95,7 +95,7 @@ void Neighbours::set_leeways(const Bodies& bodies) {
   const double at_rest = relative_rest * radius_, most = 0.25 * outer_skin_;
   const double time = (bodies.dimension == 2 ? horizon_of_disks : horizon_of_spheres) * pace_.dt;
   leeway_.resize(bodies.size());
-  over_grains(bodies, threads_, [&](std::size_t i) { leeway_[i] = speed(bodies.grains[i]); });
+  over_grains(bodies, threads_, [&](std::size_t i) { leeway_[i] = speed(bodies, i); });
   const double mean = std::accumulate(leeway_.begin(), leeway_.end(), 0.0) / static_cast<double>(bodies.size());
   over_grains(bodies, threads_,
               [&](std::size_t i) { leeway_[i] = std::min(at_rest + time * (leeway_[i] + mean), most); });
@@ -188,7 +188,7 @@ void Neighbours::begin_list(Bodies& bodies) {
   bodies.per_leeway2.resize(bodies.size());
   haste_ = largest_over_grains(bodies, threads_, [&](std::size_t i) {
     bodies.per_leeway2[i] = 1 / (leeway_[i] * leeway_[i]);
-    return speed(bodies.grains[i]) / leeway_[i];
+    return speed(bodies, i) / leeway_[i];
   });
 }
 

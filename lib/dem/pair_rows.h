@@ -45,24 +45,25 @@ PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, co
   return {{d.a, d.b, d.c}, {v.a, v.b, v.c}, {w1.a, w1.b, w1.c}, {w2.a, w2.b, w2.c}, w1.d, w2.d};
 }
 
+/// Of disks, whose rows are two. Places come first, and what reaches across: then roots and divisions begin while the
+/// velocities are read.
 template <class T, bool moving, class Shift>
 PairRows<T, Planar> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Planar) {
-  constexpr int pieces = width<T> / 2;
-  const auto of = [](const Side& side, Lane4 Grain::*row, int from, int piece) {
-    return halves<T>([&](int k) { return reinterpret_cast<const double*>(&(side[k].*row)) + from; }, piece);
+  constexpr int quarter = 4;
+  const auto columns_of = [](const Side& side, Lane4 Grain::*row) {
+    T piece[quarter];
+    for (int i = 0; i < quarter; ++i) piece[i] = rows<T>([&](int k) -> const Lane4& { return side[k].*row; }, i);
+    return columns(piece);
   };
-  Lane4 branch[pieces], velocity[pieces], spin_1[pieces], spin_2[pieces];
-  for (int i = 0; i < pieces; ++i) {
-    branch[i] = of(two, &Grain::position, 0, i) - of(one, &Grain::position, 0, i);
-    velocity[i] = moving ? Lane4(of(two, &Grain::velocity, 0, i) - of(one, &Grain::velocity, 0, i)) : Lane4{};
-    spin_1[i] = of(one, &Grain::spin, 2, i), spin_2[i] = of(two, &Grain::spin, 2, i);
+  const Columns<T> x1 = columns_of(one, &Grain::position), x2 = columns_of(two, &Grain::position);
+  V2<T> branch{x2.a - x1.a, x2.b - x1.b};
+  if (folded) {
+    const Columns<T> s = columns({rows<T>(shift, 0), rows<T>(shift, 1), rows<T>(shift, 2), rows<T>(shift, 3)});
+    branch = branch + V2<T>{s.a, s.b};
   }
-  if (folded)
-    for (int i = 0; i < pieces; ++i)
-      branch[i] += halves<T>([&](int k) { return reinterpret_cast<const double*>(&shift(k)); }, i);
-  const Halves<T> d = columns_of_halves<T>(branch), v = columns_of_halves<T>(velocity);
-  const Halves<T> w1 = columns_of_halves<T>(spin_1), w2 = columns_of_halves<T>(spin_2);
-  return {{d.a, d.b}, {v.a, v.b}, w1.a, w2.a, w1.b, w2.b};
+  if constexpr (!moving) return {branch, {T{}, T{}}, T{}, T{}, x1.d, x2.d};
+  const Columns<T> v1 = columns_of(one, &Grain::velocity), v2 = columns_of(two, &Grain::velocity);
+  return {branch, {v2.a - v1.a, v2.b - v1.b}, v1.c, v2.c, x1.d, x2.d};
 }
 
 }  // namespace soilweave::dem

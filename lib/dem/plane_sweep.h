@@ -82,13 +82,14 @@ class PlaneSweep {
   }
 
   static PairGeometry<double> geometry(const Scene& scene, double dt, const PlanePair& pair) {
-    const Grain& grain = scene.bodies.grains[static_cast<std::size_t>(pair.grain)];
+    const auto i = static_cast<std::size_t>(pair.grain);
+    const Bodies& bodies = scene.bodies;
     const Plane& p = scene.planes.all[static_cast<std::size_t>(pair.plane)];
     const auto v3 = [](const Lane4& row) { return V3<double>{row[0], row[1], row[2]}; };
     const V3<double> inward = from_eigen(p.normal);
-    const double height = dot(v3(grain.position) - from_eigen(p.point), inward);
-    return plane_geometry(from_eigen(p.velocity) - v3(grain.velocity), v3(grain.spin), grain.position[3],
-                          grain.velocity[3], height, inward, pair.normal, dt);
+    const double height = dot(v3(bodies.grains[i].position) - from_eigen(p.point), inward);
+    return plane_geometry(from_eigen(p.velocity) - v3(bodies.velocity(i)), v3(bodies.spin(i)), bodies.radius(i),
+                          bodies.mass(i), height, inward, pair.normal, dt);
   }
 
   const typename Law::Couple& couple(const Scene& scene, const PlanePair& pair) const {

@@ -369,8 +369,9 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
 
 void Simulation::stop_motion() {
   const double moving = kinetic_energy();
-  const auto stopped = [](const Lane4& r) { return row(Vec3::Zero(), r[3]); };
-  for (Grain& g : impl_->bodies.grains) g.velocity = stopped(g.velocity), g.spin = stopped(g.spin);
+  Bodies& bodies = impl_->bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    bodies.set_velocity(i, Vec3::Zero()), bodies.set_spin(i, Vec3::Zero());
   impl_->energies.damping += moving - kinetic_energy();
 }
 

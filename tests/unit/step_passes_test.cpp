@@ -57,7 +57,7 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
 
 double fastest(const Bodies& bodies) {
   double v = 0;
-  for (const Grain& g : bodies.grains) v = std::max(v, vector_of(g.velocity).norm());
+  for (std::size_t i = 0; i < bodies.size(); ++i) v = std::max(v, vector_of(bodies.velocity(i)).norm());
   return v;
 }
 
