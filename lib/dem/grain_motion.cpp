@@ -15,20 +15,30 @@ namespace {
 
 constexpr int at_once = width<Lanes>;
 
+// What local damping takes of a force that speeds a grain up, or adds to one that slows it down, and what then is left.
+struct Damping {
+  explicit Damping(double part)
+      : taken(all<Lanes>(part)), added(all<Lanes>(-part)), less(1.0 - taken), more(1.0 - added) {}
+  Lanes taken, added, less, more;
+};
+
 // Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.
-Lanes kick(const Lanes& force, const Lanes& ratio, const Lanes& damping, const Lanes& velocity, Lanes& lost) {
+Lanes kick(const Lanes& force, const Lanes& ratio, const Damping& damping, const Lanes& velocity, Lanes& lost) {
   const Lanes zero{}, change = ratio * force;
   const Lanes power = force * fused(all<Lanes>(0.5), change, velocity);
-  const Lanes side = keep(power > zero, damping) - keep(power < zero, damping);
-  const Lanes after = fused(change, 1.0 - side, velocity);
-  lost = fused(Lanes(side * force), velocity + after, lost);
+  // Without power there is hardly ever a force: to ask for that, too, would be one comparison more.
+  const Mask<Lanes> slower = power < zero;
+  const Lanes share = select<Lanes>(slower, damping.more, damping.less);
+  const Lanes taken = select<Lanes>(slower, damping.added, damping.taken);
+  const Lanes after = fused(change, share, velocity);
+  lost = fused(Lanes(taken * force), velocity + after, lost);
   return after;
 }
-V3<Lanes> kick(const V3<Lanes>& f, const Lanes& ratio, const Lanes& damping, const V3<Lanes>& v, Lanes& lost) {
+V3<Lanes> kick(const V3<Lanes>& f, const Lanes& ratio, const Damping& damping, const V3<Lanes>& v, Lanes& lost) {
   const Lanes x = kick(f.x, ratio, damping, v.x, lost), y = kick(f.y, ratio, damping, v.y, lost);
   return {x, y, kick(f.z, ratio, damping, v.z, lost)};
 }
-V2<Lanes> kick(const V2<Lanes>& f, const Lanes& ratio, const Lanes& damping, const V2<Lanes>& v, Lanes& lost) {
+V2<Lanes> kick(const V2<Lanes>& f, const Lanes& ratio, const Damping& damping, const V2<Lanes>& v, Lanes& lost) {
   const Lanes x = kick(f.x, ratio, damping, v.x, lost);
   return {x, kick(f.y, ratio, damping, v.y, lost)};
 }
@@ -66,6 +76,11 @@ struct Moving {
   Lanes mass, radius;
 };
 
+// The step over mass, and over moment of inertia.
+struct Ratios {
+  Lanes move, turn;
+};
+
 Columns<Lanes> read_rows(const auto& row) {
   return columns({rows<Lanes>(row, 0), rows<Lanes>(row, 1), rows<Lanes>(row, 2), rows<Lanes>(row, 3)});
 }
@@ -95,6 +110,7 @@ struct InSpace {
   void put(const Moving<Vector, Vector>& m) const {
     put<&Grain::velocity>(m.velocity, m.mass), put<&Grain::spin>(m.spin, m.radius);
   }
+  std::pair<Lanes, Lanes> mass_and_radius() const { return {read<&Grain::velocity>().d, read<&Grain::spin>().d}; }
   Vector place() const {
     const Columns<Lanes> x = read<&Grain::position>();
     return {x.a, x.b, x.c};
@@ -141,9 +157,10 @@ struct InPlane {
     for (int k = 0; k < at_once; ++k) loads[k].force = Lane4{};
   }
   Moving<Vector, Lanes> moving() const {
-    const Columns<Lanes> v = read_rows([this](int k) -> const Lane4& { return grains[k].velocity; });
+    const Columns<Lanes> v = velocity();
     return {{v.a, v.b}, v.c, v.d, position().d};
   }
+  std::pair<Lanes, Lanes> mass_and_radius() const { return {velocity().d, position().d}; }
   void put(const Moving<Vector, Lanes>& m) const {
     to_rows(m.velocity.x, m.velocity.y, m.spin, m.mass, [this](int k, const Lane4& row) { grains[k].velocity = row; });
   }
@@ -157,6 +174,9 @@ struct InPlane {
   void turn(const Lanes& by) const { store(angle, Lanes(load<Lanes>(angle) + by)); }
 
  private:
+  Columns<Lanes> velocity() const {
+    return read_rows([this](int k) -> const Lane4& { return grains[k].velocity; });
+  }
   Columns<Lanes> position() const {
     return read_rows([this](int k) -> const Lane4& { return grains[k].position; });
   }
@@ -186,28 +206,35 @@ template <class Rows>
 [[gnu::flatten]] void move(const Push& push, const MovedGrains at, std::size_t begin, std::size_t end,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
-  const Lanes dt = all<Lanes>(push.dt), damping = all<Lanes>(push.damping), gyration = all<Lanes>(push.gyration);
+  const Lanes dt = all<Lanes>(push.dt), gyration = all<Lanes>(push.gyration);
+  const Damping damping(push.damping);
+  // One division for both.
+  const auto ratios_of = [&](const Rows& of) -> Ratios {
+    const auto [mass, radius] = of.mass_and_radius();
+    const Lanes shape = gyration * radius * radius, turn = dt / (mass * shape);
+    return {turn * shape, turn};
+  };
   const Vector gravity = Rows::part(
       {load<Lanes>(push.gravity[0].data()), load<Lanes>(push.gravity[1].data()), load<Lanes>(push.gravity[2].data())});
-  const bool heavy = push.heavy, deforming = push.deforming;
+  const bool heavy = push.heavy, deforming = push.deforming, in_cache = push.in_cache;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
   Lanes fastest{}, haste{};
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
-    call_for(at, i);
+    if (!in_cache) call_for(at, i);
+    // First, though the rows are read once more below: what follows waits for the division.
+    const Ratios ratio = ratios_of(of);
     auto [force, torque] = of.acting();
     of.use_up();
     const auto [before, spin, mass, radius] = of.moving();
-    // One division for both.
-    const Lanes shape = gyration * radius * radius, spin_ratio = dt / (mass * shape), ratio = spin_ratio * shape;
     const Vector pull = mass * gravity;
     if (heavy) force = force + pull;
     Lanes lost{};
-    const Vector v = kick(force, ratio, damping, before, lost);
+    const Vector v = kick(force, ratio.move, damping, before, lost);
     if (heavy) add_up(gravity_work, dot(pull, before + v));
     const Lanes speed2 = norm2(v);
     fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(at.per_leeway2 + i)));
-    const auto w = kick(torque, spin_ratio, damping, spin, lost);
+    const auto w = kick(torque, ratio.turn, damping, spin, lost);
     of.put({v, w, mass, radius});
     of.turn(dt * w);
     add_up(all_lost, lost);

@@ -14,6 +14,7 @@ struct Push {
   std::array<std::array<double, 8>, 3> gravity;  // along each axis, for each of the grains taken at a time, m/s2
   Mat3 gradient;                                 // of the cell, 1/s
   bool heavy, deforming;
+  bool in_cache;  // all grains are from step to step
 };
 
 /// What moving grains sums up: four sums side by side, grain k adds to number k modulo 4.

@@ -116,7 +116,8 @@ void Motion::set_out(const Cell& cell, const Vec3& gravity, double damping, doub
            {},
            cell.velocity_gradient(),
            !gravity.isZero(0.0),
-           !cell.velocity_gradient().isZero(0.0)};
+           !cell.velocity_gradient().isZero(0.0),
+           moved_.size() == 1};
   for (std::size_t a = 0; a < push_.gravity.size(); ++a) push_.gravity[a].fill(gravity[static_cast<Eigen::Index>(a)]);
 }
 
