@@ -24,6 +24,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -224,6 +225,10 @@ class LawSweep final : public ContactSweep {
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] void answer(Batch<Lanes, Space> batch, const Surroundings& s,
                                               StepSums<Lanes>& sums) const {
+    // In registers: what is held by reference is read anew after every store, and spread over the lanes anew.
+    const std::optional<typename Law::Couple> lone = couples_.lone();
+    const Lanes dt = all<Lanes>(s.dt);
+    const bool at_rest = s.dt == 0;
     Lanes overlap = sums.overlap;
     std::int64_t contacts = sums.contacts;
     for (Group<Lanes, Space>& group : batch) {
@@ -239,8 +244,9 @@ class LawSweep final : public ContactSweep {
       }
       Memory<Lanes, Space> memory = before;
       Books<Lanes> books;
-      const auto response = couples_.respond(s.bodies, lanes, g.kinematics, all<Lanes>(s.dt), memory, books);
-      if (s.dt == 0) memory = before;  // the first sweep of a restored state changes no history
+      const auto response = lone ? Law::respond(*lone, g.kinematics, dt, memory, books)
+                                 : couples_.respond(s.bodies, lanes, g.kinematics, dt, memory, books);
+      if (at_rest) memory = before;  // the first sweep of a restored state changes no history
       lanes.remember_shear(memory.shear);
       if (moments) lanes.remember_moments(memory);
       lanes.remember_normal_force(response.normal_force);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ class Couples {
 
   const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
   const std::vector<typename Law::Couple>& all() const { return all_; }
+  /// The only one, where there is one material.
+  std::optional<typename Law::Couple> lone() const {
+    return all_.size() == 1 ? std::optional(all_.front()) : std::nullopt;
+  }
   /// Those of the first n materials with any.
   std::span<const typename Law::Couple> of_first(std::int32_t n) const {
     return std::span(all_).first(std::min(count_, static_cast<std::size_t>(n)) * count_);
