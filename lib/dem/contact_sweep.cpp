@@ -197,7 +197,9 @@ class LawSweep final : public ContactSweep {
         const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);
-        const bool live = (touching | lanes.touching()) != 0;
+        // A branch that is hardly ever taken: where the next group goes must not wait for what this one finds.
+        if ((touching | lanes.touching()) == 0) [[unlikely]]
+          continue;
         // Part by part: copied whole, it would be read back from the two halves that were just stored, and wait for
         // them.
         group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
@@ -210,7 +212,7 @@ class LawSweep final : public ContactSweep {
         kinematics.R_star = place.R_star, kinematics.per_reach = place.per_reach;
         kinematics.r1 = rows.radius_1, kinematics.r2 = rows.radius_2;
         if (use_masses) lanes.masses(grains, kinematics);
-        group += live;
+        ++group;
       }
     }
     next = block;
