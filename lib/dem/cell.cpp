@@ -23,7 +23,10 @@ void Cell::advance(double dt) {
   deformation_gradient_ = (step * deformation_gradient_).eval();
 }
 
-double Cell::volume() const { return matrix_.topLeftCorner(dimension_, dimension_).determinant(); }
+double Cell::volume() const {
+  if (dimension_ == 2) return matrix_.topLeftCorner<2, 2>().determinant();
+  return matrix_.topLeftCorner(dimension_, dimension_).determinant();
+}
 
 Vec3 Cell::widths() const {
   const Mat3 inverse = matrix_.inverse();

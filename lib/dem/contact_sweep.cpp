@@ -288,7 +288,7 @@ class LawSweep final : public ContactSweep {
     for (std::size_t image = 1; image + 1 < images; ++image) {
       Lane4 force{};
       for (std::size_t at = image; at < across_.size(); at += images) force += across_[at];
-      force_branch += vector_of(force) * vector_of(shifts_[image]).transpose();
+      for (int a = 0; a < 3; ++a) force_branch.col(a) += shifts_[image][a] * vector_of(force);
     }
     return force_branch;
   }
