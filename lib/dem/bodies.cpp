@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -14,7 +15,8 @@ Bodies::Bodies(const io::GrainsRecord& record)
     : dimension(record.dimension),
       gyration(dimension == 3 ? 0.4 : 0.5),  // solid sphere; disk about its axis
       loads(record.size()),
-      material(record.material_id.begin(), record.material_id.end()) {
+      material(record.material_id.begin(), record.material_id.end()),
+      of_one_material(std::adjacent_find(material.begin(), material.end(), std::not_equal_to<>()) == material.end()) {
   for (std::size_t i = 0; i < record.size(); ++i) {
     const Vec4& q = record.orientation[i];
     grains.push_back({row(record.position[i], record.radius[i]), row(record.velocity[i], record.mass[i]),

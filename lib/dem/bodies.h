@@ -30,6 +30,10 @@ struct alignas(64) Load {
 /// Of a sphere, m3; of a disk, m2.
 double grain_volume(int dimension, double radius);
 
+/// From the first grain, in bytes; from its load.
+inline std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
+inline std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
+
 struct Bodies {
   int dimension = 3;
   double gyration;  // moment of inertia over mass and squared radius
@@ -43,6 +47,7 @@ struct Bodies {
   // Of how far each may move before pairs are listed anew (Neighbours), 1/m2.
   LargeVector<double> per_leeway2;
   std::vector<std::int32_t> material;
+  bool of_one_material;
   std::vector<std::int32_t> fabric;  // of a node of a geotextile, -1 of soil; empty where all are soil
 
   explicit Bodies(const io::GrainsRecord& record);

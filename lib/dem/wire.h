@@ -1,11 +1,13 @@
-// A yarn as a tension-only spring along a piecewise-linear curve: it yields, unloads, breaks. Geometry and forces of
-// one yarn; it knows nothing of nodes and lists.
+// Yarns as tension-only springs along a piecewise-linear curve: they yield, unload, break. Strains and tensions alone;
+// it knows nothing of nodes and lists.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <vector>
+
+#include "core/lanes.h"
 
 namespace soilweave::dem {
 
@@ -14,45 +16,56 @@ namespace soilweave::dem {
 struct WireCurve {
   std::string name;
   std::vector<double> strain;   // ascending, 1
-  std::vector<double> tension;  // N
+  std::vector<double> tension;  // N, not negative
   double unloading = 0;         // N per unit of strain
 
   double breaking_strain() const { return strain.back(); }
-  /// N, on the curve of first loading, 0 to breaking_strain().
-  double loading(double e) const {
-    const auto k = static_cast<std::size_t>(std::upper_bound(strain.begin(), strain.end() - 1, e) - strain.begin());
-    const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
-    return t0 + (e - e0) * (tension[k] - t0) / (strain[k] - e0);
+  /// N, on the curve of first loading, 0 to breaking_strain(). T is double or lanes.
+  template <class T>
+  T loading(const T& e) const {
+    std::size_t k = strain.size() - 1;
+    T t = on_piece(k, e);
+    while (k-- > 0) t = select<T>(e < all<T>(strain[k]), on_piece(k, e), t);
+    return t;
   }
   /// N per unit of strain, the steepest that the curve ever is.
   double stiffest() const {
     double most = unloading;
-    for (std::size_t k = 0; k < strain.size(); ++k) {
-      const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
-      most = std::max(most, (tension[k] - t0) / (strain[k] - e0));
-    }
+    for (std::size_t k = 0; k < strain.size(); ++k) most = std::max(most, piece(k).slope);
     return most;
+  }
+
+ private:
+  struct Piece {
+    double strain, tension, slope;  // at its beginning
+  };
+  /// That which ends at point k.
+  Piece piece(std::size_t k) const {
+    const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
+    return {e0, t0, (tension[k] - t0) / (strain[k] - e0)};
+  }
+  template <class T>
+  T on_piece(std::size_t k, const T& e) const {
+    const Piece p = piece(k);
+    return p.tension + (e - p.strain) * p.slope;
   }
 };
 
-/// What a yarn remembers.
+/// What yarns remember.
+template <class T = double>
 struct WireMemory {
-  double largest_strain = 0;
-  bool broken = false;
+  T largest_strain{};
+  Mask<T> broken{};
 };
 
 /// Tension at a strain, N; moves the memory along. Compression carries nothing.
-inline double pull(const WireCurve& curve, double strain, WireMemory& memory) {
-  if (memory.broken) return 0;
-  if (strain > curve.breaking_strain()) {
-    memory.broken = true;
-    return 0;
-  }
-  if (strain >= memory.largest_strain) {
-    memory.largest_strain = strain;
-    return curve.loading(strain);
-  }
-  return std::max(0.0, curve.loading(memory.largest_strain) - curve.unloading * (memory.largest_strain - strain));
+template <class T>
+T pull(const WireCurve& curve, const T& strain, WireMemory<T>& memory) {
+  memory.broken = memory.broken | (strain > all<T>(curve.breaking_strain()));
+  const Mask<T> whole = !memory.broken;
+  memory.largest_strain = select<T>(whole & (strain > memory.largest_strain), strain, memory.largest_strain);
+  const T tension = curve.loading(memory.largest_strain) - curve.unloading * (memory.largest_strain - strain);
+  return keep(whole, maximum(all<T>(0), tension));
 }
 
 }  // namespace soilweave::dem

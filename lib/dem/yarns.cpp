@@ -5,54 +5,90 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
+#include "core/columns.h"
 #include "core/error.h"
+#include "dem/pair_rows.h"
 
 namespace soilweave::dem {
 namespace {
 
-// Yarns that one thread takes in one go; sums are made chunk by chunk.
-constexpr std::size_t yarns_per_chunk = 512;
+// Blocks of yarns that one thread takes in one go; sums are made chunk by chunk.
+constexpr std::size_t blocks_per_chunk = 128;
+
+double sum_of(const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; }
+
+/// J, what unloading gives back; per_unloading: 1/N.
+Lane4 elastic(const Lane4& tension, const Lane4& rest_length, double per_unloading) {
+  return 0.5 * per_unloading * rest_length * tension * tension;
+}
 
 }  // namespace
 
 Yarns::Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves)
     : curves_(std::move(curves)), identity_(record), grains_(grains) {
   if (record.size() == 0) return;
-  std::vector<std::uint32_t> count(grains, 0);
-  for (std::size_t k = 0; k < record.size(); ++k) {
-    if (static_cast<std::size_t>(record.geotextile_id[k]) >= curves_.size())
+  lay_out(record);
+  list_ends(record);
+  partial_.resize((blocks_.size() + blocks_per_chunk - 1) / blocks_per_chunk);
+  fabric_of();
+}
+
+void Yarns::lay_out(const io::YarnsRecord& record) {
+  std::vector<std::size_t> order(record.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&record](std::size_t a, std::size_t b) {
+    return record.geotextile_id[a] < record.geotextile_id[b];
+  });
+  slot_.resize(record.size());
+  for (const std::size_t k : order) {
+    const std::int32_t geotextile = record.geotextile_id[k];
+    if (static_cast<std::size_t>(geotextile) >= curves_.size())
       throw DataError(
           fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add [[geotextile]]",
-                      record.geotextile_id[k], curves_.size()));
-    Yarn yarn{record.nodes[k][0], record.nodes[k][1], record.geotextile_id[k], record.rest_length[k], {}};
-    yarn.memory = {record.largest_strain[k], record.broken[k] != 0};
-    yarn.tension = record.tension[k];
-    yarn.break_time = record.break_time[k], yarn.break_position = record.break_position[k];
-    yarns_.push_back(yarn);
-    for (const std::int32_t node : record.nodes[k]) ++count[static_cast<std::size_t>(node)];
+                      geotextile, curves_.size()));
+    if (blocks_.empty() || blocks_.back().count == Block::size || blocks_.back().geotextile != geotextile)
+      blocks_.push_back(Block(geotextile));
+    Block& block = blocks_.back();
+    const auto lane = static_cast<std::size_t>(block.count++);
+    slot_[k] = (blocks_.size() - 1) * Block::size + lane;
+    block.first[lane] = grain_distance(static_cast<std::size_t>(record.nodes[k][0])),
+    block.second[lane] = grain_distance(static_cast<std::size_t>(record.nodes[k][1]));
+    block.rest_length[lane] = record.rest_length[k];
+    block.tension[lane] = record.tension[k];
+    block.memory.largest_strain[lane] = record.largest_strain[k];
+    block.memory.broken[lane] = record.broken[k] ? -1 : 0;
   }
-  std::vector<std::uint32_t> place(grains, 0);
+  pulls_.resize(blocks_.size() * Block::size);
+  breakage_.resize(pulls_.size());
+  for (std::size_t k = 0; k < record.size(); ++k)
+    breakage_[slot_[k]] = {record.break_time[k], record.break_position[k]};
+}
+
+void Yarns::list_ends(const io::YarnsRecord& record) {
+  std::vector<std::uint32_t> count(grains_, 0), place(grains_, 0);
+  for (const auto& nodes : record.nodes)
+    for (const std::int32_t node : nodes) ++count[static_cast<std::size_t>(node)];
   start_.assign(1, 0);
-  for (std::size_t i = 0; i < grains; ++i) {
+  for (std::size_t i = 0; i < grains_; ++i) {
     if (count[i] == 0) continue;
     place[i] = start_.back();
     node_.push_back(static_cast<std::int32_t>(i));
     start_.push_back(start_.back() + count[i]);
   }
   ends_.resize(start_.back());
-  for (std::size_t k = 0; k < yarns_.size(); ++k)
+  for (std::size_t k = 0; k < record.size(); ++k)
     for (std::uint32_t side = 0; side < 2; ++side)
-      ends_[place[static_cast<std::size_t>(record.nodes[k][side])]++] = 2 * static_cast<std::uint32_t>(k) + side;
-  partial_.resize((yarns_.size() + yarns_per_chunk - 1) / yarns_per_chunk);
-  fabric_of();
+      ends_[place[static_cast<std::size_t>(record.nodes[k][side])]++] = 2 * static_cast<std::uint32_t>(slot_[k]) + side;
 }
 
 std::vector<std::int32_t> Yarns::fabric_of() const {
-  if (yarns_.empty()) return {};
+  if (!any()) return {};
   std::vector<std::int32_t> fabric(grains_, -1);
-  for (std::size_t k = 0; k < yarns_.size(); ++k)
+  for (std::size_t k = 0; k < identity_.size(); ++k)
     for (const std::int32_t node : identity_.nodes[k]) {
       std::int32_t& of = fabric[static_cast<std::size_t>(node)];
       if (of >= 0 && of != identity_.fabric[k])
@@ -62,60 +98,68 @@ std::vector<std::int32_t> Yarns::fabric_of() const {
   return fabric;
 }
 
-double Yarns::elastic(const Yarn& yarn) const {
-  const double k = curves_[static_cast<std::size_t>(yarn.geotextile)].unloading / yarn.rest_length;
-  return 0.5 * yarn.tension * yarn.tension / k;
+YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
+  Block& block = blocks_[number];
+  const auto* const grains = reinterpret_cast<const std::byte*>(bodies.grains.data());
+  const Side one{grains, block.first}, two{grains, block.second};
+  const auto along = [&](int k) -> Lane4 { return two[k].position - one[k].position; };
+  const Columns<Lane4> c = columns({along(0), along(1), along(2), along(3)});
+  const V3<Lane4> reach{c.a, c.b, c.c};
+  const WireCurve& curve = curves_[static_cast<std::size_t>(block.geotextile)];
+  const double per_unloading = 1 / curve.unloading;
+
+  const Lane4 length = square_root(norm2(reach)), before = block.tension, length_before = block.length;
+  const Mask<Lane4> broken_before = block.memory.broken;
+  const Lane4 tension = pull<Lane4>(curve, length / block.rest_length - 1, block.memory);
+  block.tension = tension, block.length = length;
+  Lane4* const pulls = pulls_.data() + number * Block::size;
+  const Lane4 inverse = 1 / length;
+  to_rows(inverse * reach.x, inverse * reach.y, inverse * reach.z, tension,
+          [pulls](int lane, const Lane4& row) { pulls[lane] = row; });
+  if (const unsigned breaking = bits(block.memory.broken & ~broken_before)) [[unlikely]]
+    for (std::size_t lane = 0; lane < Block::size; ++lane)
+      if ((breaking >> lane) & 1) note_breakage(time, bodies, number * Block::size + lane);
+
+  const Lane4 stored = elastic(tension, block.rest_length, per_unloading);
+  const Lane4 gained = stored - elastic(before, block.rest_length, per_unloading);
+  const Lane4 work = 0.5 * (before + tension) * (length - length_before);
+  const Mask<Lane4> known = ~broken_before & (length_before > 0);
+  const auto in = [](const Mask<Lane4>& mask) { return std::popcount(bits(mask)); };
+  YarnSums s;
+  s.elastic = sum_of(stored);
+  s.dissipated = sum_of(keep(known, Lane4(work - gained)));
+  s.tension = sum_of(tension);
+  s.taut = in(tension > 0);
+  s.broken = in(block.memory.broken) - static_cast<std::int64_t>(Block::size) + block.count;
+  return s;
 }
 
-YarnSums Yarns::stretch(double time, const Bodies& bodies, Yarn& yarn) const {
-  if (yarn.memory.broken) return {.broken = 1};
-  const Lane4& a = bodies.grains[static_cast<std::size_t>(yarn.first)].position;
-  const Lane4& b = bodies.grains[static_cast<std::size_t>(yarn.second)].position;
-  const Vec3 reach = vector_of(b) - vector_of(a);
-  const double length = reach.norm(), before = yarn.tension, stored = elastic(yarn);
-  const double stretched = yarn.length > 0 ? length - yarn.length : 0;
-  yarn.tension = pull(curves_[static_cast<std::size_t>(yarn.geotextile)], length / yarn.rest_length - 1, yarn.memory);
-  yarn.length = length;
-  yarn.direction = row((1 / length) * reach, 0);
-  if (yarn.memory.broken) {
-    yarn.break_time = time;
-    yarn.break_position = 0.5 * (vector_of(a) + vector_of(b));
-  }
-  YarnSums s;
-  s.elastic = elastic(yarn);
-  s.dissipated = stretched == 0 ? 0 : 0.5 * (before + yarn.tension) * stretched - (s.elastic - stored);
-  s.tension = yarn.tension;
-  s.taut = yarn.tension > 0, s.broken = yarn.memory.broken;
-  return s;
+void Yarns::note_breakage(double time, const Bodies& bodies, std::size_t slot) {
+  const Block& block = blocks_[slot / Block::size];
+  const auto at = [&](const std::uint32_t* end) {
+    return vector_of(Side{reinterpret_cast<const std::byte*>(bodies.grains.data()), end}[slot % Block::size].position);
+  };
+  breakage_[slot] = {time, 0.5 * (at(block.first) + at(block.second))};
 }
 
 void Yarns::run(double time, int threads, Bodies& bodies) {
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t c = 0; c < partial_.size(); ++c) {
-    YarnSums sum;
-    const std::size_t end = std::min(yarns_.size(), (c + 1) * yarns_per_chunk);
-    for (std::size_t k = c * yarns_per_chunk; k < end; ++k) {
-      const YarnSums one = stretch(time, bodies, yarns_[k]);
-      sum.elastic += one.elastic, sum.dissipated += one.dissipated, sum.tension += one.tension;
-      sum.taut += one.taut, sum.broken += one.broken;
-    }
-    partial_[c] = sum;
+  for (std::size_t chunk = 0; chunk < partial_.size(); ++chunk) {
+    const std::size_t end = std::min(blocks_.size(), (chunk + 1) * blocks_per_chunk);
+    partial_[chunk] = {};
+    for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b) partial_[chunk] += stretch(time, bodies, b);
   }
   sums_ = {};
-  for (const YarnSums& p : partial_) {
-    sums_.elastic += p.elastic, sums_.dissipated += p.dissipated, sums_.tension += p.tension;
-    sums_.taut += p.taut, sums_.broken += p.broken;
-  }
+  for (const YarnSums& p : partial_) sums_ += p;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
   for (std::size_t n = 0; n < node_.size(); ++n) {
     Lane4 force{};
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
-      const Yarn& yarn = yarns_[ends_[e] / 2];
-      force += (ends_[e] % 2 == 0 ? yarn.tension : -yarn.tension) * yarn.direction;
+      const Lane4& pull = pulls_[ends_[e] / 2];
+      force += (ends_[e] % 2 == 0 ? pull[3] : -pull[3]) * pull;
     }
-    const auto i = static_cast<std::size_t>(node_[n]);
-    bodies.loads[i].force += force;
-    bodies.loads[i].torque = Lane4{};
+    force[3] = 0;
+    bodies.loads[static_cast<std::size_t>(node_[n])].force += force;
   }
 }
 
@@ -123,17 +167,20 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   std::vector<double> stiffest;
   for (const WireCurve& curve : curves_) stiffest.push_back(curve.stiffest());
   double largest = 0;
+#pragma omp parallel for schedule(static) num_threads(contacts.threads) if (contacts.threads > 1) reduction(max \
+                                                                                                            : largest)
   for (std::size_t n = 0; n < node_.size(); ++n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = bodies.stiffness[i].force;
     for (std::uint32_t s = contacts.singles_start[i]; s < contacts.singles_start[i + 1]; ++s)
       along += bodies.stiffness[contacts.singles[s].load].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
-      const Yarn& yarn = yarns_[ends_[e] / 2];
-      if (yarn.memory.broken) continue;
-      const double k = stiffest[static_cast<std::size_t>(yarn.geotextile)] / yarn.rest_length;
-      const double sideways = yarn.tension / yarn.length;  // a taut string's
-      const Lane4 n2 = yarn.direction * yarn.direction;
+      const std::size_t slot = ends_[e] / 2, lane = slot % Block::size;
+      const Block& block = blocks_[slot / Block::size];
+      if (block.memory.broken[lane]) continue;
+      const double k = stiffest[static_cast<std::size_t>(block.geotextile)] / block.rest_length[lane];
+      const double sideways = block.tension[lane] / block.length[lane];  // a taut string's
+      const Lane4 n2 = pulls_[slot] * pulls_[slot];
       along += k * n2 + sideways * (1.0 - n2);
     }
     largest = std::max(largest, std::max({along[0], along[1], along[2]}) / bodies.mass(i));
@@ -143,12 +190,13 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
 
 io::YarnsRecord Yarns::record() const {
   io::YarnsRecord r = identity_;
-  for (std::size_t k = 0; k < yarns_.size(); ++k) {
-    const Yarn& yarn = yarns_[k];
-    r.largest_strain[k] = yarn.memory.largest_strain;
-    r.broken[k] = yarn.memory.broken;
-    r.tension[k] = yarn.tension;
-    r.break_time[k] = yarn.break_time, r.break_position[k] = yarn.break_position;
+  for (std::size_t k = 0; k < slot_.size(); ++k) {
+    const Block& block = blocks_[slot_[k] / Block::size];
+    const std::size_t lane = slot_[k] % Block::size;
+    r.largest_strain[k] = block.memory.largest_strain[lane];
+    r.broken[k] = block.memory.broken[lane] != 0;
+    r.tension[k] = block.tension[lane];
+    r.break_time[k] = breakage_[slot_[k]].time, r.break_position[k] = breakage_[slot_[k]].position;
   }
   return r;
 }

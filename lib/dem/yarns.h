@@ -19,6 +19,12 @@ struct YarnSums {
   double tension = 0;     // N, sum of the tensions
   std::int64_t taut = 0;  // yarns under tension
   std::int64_t broken = 0;
+
+  YarnSums& operator+=(const YarnSums& s) {
+    elastic += s.elastic, dissipated += s.dissipated, tension += s.tension;
+    taut += s.taut, broken += s.broken;
+    return *this;
+  }
 };
 
 class Yarns {
@@ -28,7 +34,7 @@ class Yarns {
   /// shares a node with another fabric.
   Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
 
-  bool any() const { return !yarns_.empty(); }
+  bool any() const { return !blocks_.empty(); }
   /// Fabric of every grain, -1 of soil; empty without yarns.
   std::vector<std::int32_t> fabric_of() const;
   void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
@@ -44,24 +50,35 @@ class Yarns {
   io::YarnsRecord record() const;
 
  private:
-  struct Yarn {
-    std::int32_t first, second, geotextile;
-    double rest_length;  // m
-    WireMemory memory;
-    double tension = 0;                  // N
-    double length = 0;                   // m, of the last look; 0: none yet
-    Lane4 direction = Lane4{};           // unit, from first to second
-    double break_time = 0;               // s
-    Vec3 break_position = Vec3::Zero();  // m
-  };
-  YarnSums stretch(double time, const Bodies& bodies, Yarn& yarn) const;
-  double elastic(const Yarn& yarn) const;
+  /// Yarns of one geotextile. Lanes from `count` on are empty: broken from the start.
+  struct Block {
+    static constexpr std::size_t size = width<Lane4>;
+    std::uint32_t first[size]{}, second[size]{};  // distances of the nodes from the first grain, in bytes
+    Lane4 rest_length = all<Lane4>(1);            // m
+    Lane4 tension{}, length{};                    // N, and m, of the last look; 0: none yet
+    WireMemory<Lane4> memory{{}, ~Mask<Lane4>{}};
+    std::int32_t geotextile, count = 0;
 
-  std::vector<Yarn> yarns_;
+    explicit Block(std::int32_t of) : geotextile(of) {}
+  };
+  struct Breakage {
+    double time = 0;               // s
+    Vec3 position = Vec3::Zero();  // m
+  };
+  void lay_out(const io::YarnsRecord& record);
+  void list_ends(const io::YarnsRecord& record);
+  YarnSums stretch(double time, const Bodies& bodies, std::size_t block);
+  void note_breakage(double time, const Bodies& bodies, std::size_t slot);
+
+  LargeVector<Block> blocks_;
+  // Of each lane of each block, a slot: unit vector from its first node to the second, and its tension, N.
+  LargeVector<Lane4> pulls_;
+  std::vector<std::size_t> slot_;   // of each yarn of the record
+  std::vector<Breakage> breakage_;  // by slot
   std::vector<WireCurve> curves_;
   std::vector<std::int32_t> node_;  // grains that are nodes, ascending
   std::vector<std::uint32_t> start_,
-      ends_;  // of node k: ends_[start_[k]] .. : twice the yarn, plus one at its second end
+      ends_;  // of node k: ends_[start_[k]] .. : twice the slot, plus one at its second end
   std::vector<YarnSums> partial_;
   YarnSums sums_;
   io::YarnsRecord identity_;  // what does not change
