@@ -41,13 +41,14 @@ Progress::~Progress() {
 
 void Progress::update(double fraction, std::string_view detail) {
   if (quiet_) return;
+  first_ = std::min(first_, fraction);
   const Clock::time_point now = Clock::now();
   if (Seconds(now - last_).count() < (terminal_ ? terminal_interval : line_interval)) return;
   last_ = now;
   const double elapsed = Seconds(now - start_).count();
-  const double done = std::clamp(fraction, 0.0, 1.0);
+  const double done = std::clamp(fraction, 0.0, 1.0), gone = done - first_;
   // Below a hundredth the time left is a guess not worth printing.
-  const std::string left = done > 0.01 ? fmt::format(", {} left", span_text(elapsed * (1 - done) / done)) : "";
+  const std::string left = gone > 0.01 ? fmt::format(", {} left", span_text(elapsed * (1 - done) / gone)) : "";
   const std::string line =
       fmt::format("{} {:3.0f} %{}{}{}", name_, 100 * done, left, detail.empty() ? "" : ", ", detail);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");

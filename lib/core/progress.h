@@ -16,8 +16,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// fraction: 0 to 1 of a quantity that really advances; detail: free text ("step 1200, unbalanced 2e-3").
-  /// Rate-limited here (10 Hz on a terminal, every 30 s otherwise), so call it as often as convenient.
+  /// fraction: 0 to 1 of a quantity that really advances, from the first call on, since work may be resumed; detail:
+  /// free text ("step 1200, unbalanced 2e-3"). Rate-limited here (10 Hz on a terminal, every 30 s otherwise), so call
+  /// it as often as convenient.
   void update(double fraction, std::string_view detail = "");
   /// A note on its own line ("isotropic: done, e = 0.664").
   void note(std::string_view line);
@@ -27,6 +28,7 @@ class Progress {
   bool quiet_;
   bool terminal_;
   bool shown_ = false;
+  double first_ = 1;
   std::chrono::steady_clock::time_point start_, last_;
 };
 
