@@ -13,7 +13,7 @@
 namespace soilweave::dem {
 
 /// Steps between two reports, and between two looks at whether what is waited for has come to rest.
-inline constexpr std::int64_t report_interval = 512, look_interval = 4;
+inline constexpr std::int64_t report_interval = 512, look_interval = 16;
 
 /// Where and when a run is kept.
 struct Safekeeping {

@@ -26,6 +26,10 @@ std::size_t Rig::index(const std::string& name) const {
   throw DataError(fmt::format("no [[plane]] or [[clamp]] is called \"{}\"", name));
 }
 
+bool Rig::loaded() const {
+  return std::any_of(states_.begin(), states_.end(), [](const State& s) { return s.loaded; });
+}
+
 void Rig::begin_stage() {
   for (State& s : states_) s.at_start = s.displacement;
 }
@@ -58,7 +62,9 @@ double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates
 void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation) {
   if (!any()) return;
   const double dt = simulation.time_step();
-  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  const bool loads = loaded() || std::any_of(goals.begin(), goals.end(),
+                                             [](const DriveGoal& goal) { return goal.kind == DriveGoal::Kind::load; });
+  const std::vector<PlateLoad> plates = loads ? simulation.plate_loads() : std::vector<PlateLoad>();
   std::vector<Vec3> velocity(parts_.size(), Vec3::Zero());
   for (const DriveGoal& goal : goals) {
     const std::size_t p = index(goal.part);
@@ -98,6 +104,7 @@ bool Rig::moved(const std::vector<DriveGoal>& goals) const {
 
 bool Rig::arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const {
   if (!moved(goals)) return false;
+  if (!loaded()) return true;
   const std::vector<PlateLoad> plates = simulation.plate_loads();
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const State& s = states_[p];

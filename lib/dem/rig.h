@@ -56,6 +56,7 @@ class Rig {
     double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load
   };
   std::size_t index(const std::string& name) const;
+  bool loaded() const;  // whether some part carries a load
   Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
   double load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
                        const Simulation& simulation);
