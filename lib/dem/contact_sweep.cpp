@@ -55,33 +55,25 @@ class LawSweep final : public ContactSweep {
     across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
     if (!use_moments_ && dt > 0) let_moments_go(contacts);
+    Lane4 stiffness{};
+    // Before the sweep, in which the loads of a chunk are collected.
+    SweepSums total = planes_.run(scene, dt, contacts, affine_stiffness ? &stiffness : nullptr);
     scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, affine_stiffness != nullptr, contacts, around)
                                 : step<Spatial>(scene, affine, dt, affine_stiffness != nullptr, contacts, around);
-    SweepSums total;
     for (const StepSums<Lanes>& s : step_sums_) s.put_into(total);
     total.force_branch += force_branch_across();
-    StepSums<Lanes> with_planes;
-    for (PlanePair& pair : contacts.planes) {
-      planes_.act(scene, dt, pair, with_planes, total);
-      if (affine_stiffness) planes_.stiffen(scene, pair, with_planes.affine_stiffness);
-    }
-    with_planes.put_into(total);
     if (affine_stiffness) {
-      Lane4 affine = with_planes.affine_stiffness;
-      for (const StepSums<Lanes>& s : step_sums_) affine += s.affine_stiffness;
-      *affine_stiffness = vector_of(affine);
+      for (const StepSums<Lanes>& s : step_sums_) stiffness += s.affine_stiffness;
+      *affine_stiffness = vector_of(stiffness);
     }
-    if (!contacts.planes.empty())
-      contacts.plan.run(nothing, nothing, [&around](std::size_t chunk) { around.after(chunk); });
     return total;
   }
 
   Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
     set_shifts(scene.cell, contacts);
     scene.bodies.dimension == 2 ? look<Planar>(scene, contacts) : look<Spatial>(scene, contacts);
-    Lane4 total{};
+    Lane4 total = planes_.stiffen(scene, contacts);
     for (const Lane4& sum : row_sums_) total += sum;
-    for (const PlanePair& pair : contacts.planes) planes_.stiffen(scene, pair, total);
     return vector_of(total);
   }
 
@@ -90,9 +82,8 @@ class LawSweep final : public ContactSweep {
     sweep<Spatial, false>(
         scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
         [this](Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
-    Lane4 total{};
+    Lane4 total = planes_.stored(scene, contacts);
     for (const Lane4& sum : row_sums_) total += sum;
-    for (const PlanePair& pair : contacts.planes) planes_.store_up(scene, pair, total);
     return {total[0], total[1], total[2], total[3]};
   }
 
@@ -137,13 +128,9 @@ class LawSweep final : public ContactSweep {
         answer<Space, false>(batch, s, sums), act<Space, false>(batch, s, sums.work);
       if (with_stiffness) stiffen<Space>(batch, s, sums.affine_stiffness);
     };
-    const bool with_planes = !contacts.planes.empty();  // which act when all is swept
     sweep<Space, true>(
         scene, affine, dt, contacts, step_sums_, [&around](std::size_t chunk) { around.before(chunk); },
-        [&around, with_planes](std::size_t chunk) {
-          if (!with_planes) around.after(chunk);
-        },
-        through);
+        [&around](std::size_t chunk) { around.after(chunk); }, through);
   }
 
   template <class Space>
@@ -247,7 +234,7 @@ class LawSweep final : public ContactSweep {
       Memory<Lanes, Space> memory = before;
       Books<Lanes> books;
       const auto response = lone ? Law::respond(*lone, g.kinematics, dt, memory, books)
-                                 : couples_.respond(s.bodies, lanes, g.kinematics, dt, memory, books);
+                                 : Law::respond(couples_.of(*lanes.block, s.bodies), g.kinematics, dt, memory, books);
       if (at_rest) memory = before;  // the first sweep of a restored state changes no history
       lanes.remember_shear(memory.shear);
       if (moments) lanes.remember_moments(memory);
@@ -329,12 +316,12 @@ class LawSweep final : public ContactSweep {
     k.approach_speed = k.twist = Lanes{};
     k.slip = Vector<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
     Books<Lanes> books;
-    const auto r = couples_.respond(s.bodies, group.lanes, k, Lanes{}, memory, books);
+    const auto r = Law::respond(couples_.of(*group.lanes.block, s.bodies), k, Lanes{}, memory, books);
     return {r, books};
   }
 
   Couples<Law> couples_;
-  PlaneSweep<Law> planes_;
+  PlaneSweep<Law, Lanes> planes_;
   bool use_masses_, use_moments_, moments_gone_ = false;
   std::vector<Lane4> shifts_, across_;
   std::vector<StepSums<Lanes>> step_sums_;

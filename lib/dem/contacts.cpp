@@ -31,9 +31,6 @@ std::vector<CellOffset> images_of(const std::vector<Pair>& pairs) {
   return found;
 }
 
-std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
-std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
-
 std::uint16_t place(CellOffset image, const std::vector<CellOffset>& images) {
   if (image == 0) return 0;
   return static_cast<std::uint16_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image) - images.begin());
@@ -43,21 +40,7 @@ Pair pair_of(const ContactBlock& b, int k, const std::vector<CellOffset>& images
   return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
 }
 
-std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
-  return static_cast<std::uint8_t>((bits & ~(1u << k)) | (static_cast<unsigned>(on) << k));
-}
-
-void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
-  if (!((from.touching >> k) & 1)) return;  // it holds zeros
-  const double* source = from.shear[0] + k;
-  double* target = to.shear[0] + l;
-  for (int array = 0; array < ContactBlock::arrays; ++array)
-    target[array * ContactBlock::size] = source[array * ContactBlock::size];
-  to.touching = with_bit(to.touching, l, true);
-  to.sliding = with_bit(to.sliding, l, (from.sliding >> k) & 1);
-}
-
-// The pairs of a chunk; all are sorted.
+// The pairs of a chunk, of all in order.
 std::span<const Pair> of_chunk(const std::vector<Pair>& pairs, std::size_t chunk) {
   const auto from = [&](std::size_t c) {
     return std::partition_point(pairs.begin(), pairs.end(), [c](const Pair& p) { return chunk_of(p.first) < c; });
@@ -73,14 +56,14 @@ bool is_far(const Pair& pair, std::size_t chunk) {
 // Pairs that a chunk knew, in order.
 class Known {
  public:
-  Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images)
-      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images) {
+  Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images, const PairOrder& before)
+      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images), before_(before) {
     settle();
   }
   /// What it knows of a pair, into a lane; pairs are asked for in order.
   void pass_on(const Pair& pair, ContactBlock& to, int lane) {
-    while (block_ != end_ && before(pair_, pair)) next();
-    if (block_ != end_ && !before(pair, pair_)) copy_history(*block_, lane_, to, lane);
+    while (block_ != end_ && before_(pair_, pair)) next();
+    if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, lane_, to, lane);
   }
 
  private:
@@ -95,17 +78,9 @@ class Known {
   const ContactBlock *block_, *end_;
   int lane_ = 0;
   const std::vector<CellOffset>& images_;
+  PairOrder before_;
   Pair pair_{};
 };
-
-void inherit(const std::vector<PlanePair>& old, std::vector<PlanePair>& planes) {
-  auto known = old.begin();
-  const auto place = [](const PlanePair& p) { return std::tuple(p.grain, p.plane); };
-  for (PlanePair& p : planes) {
-    while (known != old.end() && place(*known) < place(p)) ++known;
-    if (known != old.end() && place(*known) == place(p)) p.normal = known->normal, p.history = known->history;
-  }
-}
 
 // Lanes from k on name a grain and itself, far away.
 void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far) {
@@ -118,19 +93,20 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
 
 // Blocks of a chunk's pairs, with what is known of them. Pairs with grains of other chunks have loads from `load` on.
 void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs, std::size_t load,
-          const std::vector<CellOffset>& images, Known known) {
+          const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
   const std::size_t begin = chunk * grains_per_chunk;
   blocks.clear();
   for (auto at = pairs.begin(); at != pairs.end();) {
     ContactBlock& block = blocks.emplace_back();
-    for (; block.count < ContactBlock::size && at != pairs.end(); ++at, ++block.count) {
+    const Pair& like = *at;
+    for (; block.count < ContactBlock::size && at != pairs.end() && order.same_couple(*at, like); ++at, ++block.count) {
       const int k = block.count;
       const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
       block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
       const bool far = is_far(*at, chunk);
       block.load_second[k] = load_distance(far ? load++ : second);
       block.image[k] = place(at->image, images);
-      block.folded = with_bit(block.folded, k, block.image[k] != 0);
+      block.folded = ContactBlock::with_bit(block.folded, k, block.image[k] != 0);
       block.far = block.far || far;
       known.pass_on(*at, block, k);
     }
@@ -161,7 +137,9 @@ void Contacts::name_singles(Bodies& bodies) {
   const auto each = [this](const auto& visit) {
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
       for (const std::int32_t grain : across_[chunk]) visit(static_cast<std::size_t>(grain));
-    for (const PlanePair& p : planes) visit(static_cast<std::size_t>(p.grain));
+    for (const PlaneBlock& block : planes.blocks())
+      for (int k = 0; k < block.pairs.count; ++k)
+        visit(static_cast<std::size_t>(ContactBlock::index(block.pairs.first[k])));
   };
   singles_start.assign(grains + 1, 0);
   each([this](std::size_t grain) { ++singles_start[grain + 1]; });
@@ -175,18 +153,18 @@ void Contacts::name_singles(Bodies& bodies) {
   bodies.loads.resize(loads);
   bodies.stiffness.resize(loads);
   next_.assign(singles_start.begin(), singles_start.end() - 1);
+  const std::size_t first_of_planes = std::transform_reduce(across_.begin(), across_.end(), grains, std::plus<>(),
+                                                            [](const auto& across) { return across.size(); });
   auto load = static_cast<std::uint32_t>(grains);
   each([&](std::size_t grain) { singles[next_[grain]++] = {load++, static_cast<std::int32_t>(grain)}; });
-  for (std::size_t k = 0; k < planes.size(); ++k)
-    planes[k].load = static_cast<std::uint32_t>(loads - planes.size() + k);
+  planes.set_loads(first_of_planes);
 }
 
 void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
   const std::vector<CellOffset> known_images = std::exchange(images, images_of(pairs));
   if (images.size() > std::numeric_limits<std::uint16_t>::max())
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
-  inherit(planes, with_planes);
-  planes = std::move(with_planes);
+  planes.list(std::move(with_planes), bodies);
   chunks.resize(chunks_of(bodies.size()));
   look_across(pairs);
   name_singles(bodies);
@@ -195,53 +173,36 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),
                                 [](const auto& grains) { return grains.size(); });
   known_.resize(static_cast<std::size_t>(threads));
+  const PairOrder order(bodies);
 #pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
   for (std::size_t share = 0; share < known_.size(); ++share) {
     LargeVector<ContactBlock>& known = known_[share];
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
       known.swap(chunks[chunk]);
-      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), first_load[chunk], images, Known(known, known_images));
+      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), first_load[chunk], images, order,
+           Known(known, known_images, order));
     }
   }
 }
 
 Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }
 
-History Contacts::history(const ContactBlock& b, int k) {
-  History h;
-  h.memory.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
-  h.memory.rolling = {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]};
-  h.memory.twisting = b.twisting[k];
-  h.normal_force = b.normal_force[k];
-  h.touching = (b.touching >> k) & 1;
-  h.sliding = (b.sliding >> k) & 1;
-  return h;
-}
-
-void Contacts::set_history(ContactBlock& b, int k, const History& h) {
-  b.shear[0][k] = h.memory.shear.x, b.shear[1][k] = h.memory.shear.y, b.shear[2][k] = h.memory.shear.z;
-  b.rolling[0][k] = h.memory.rolling.x, b.rolling[1][k] = h.memory.rolling.y, b.rolling[2][k] = h.memory.rolling.z;
-  b.twisting[k] = h.memory.twisting;
-  b.normal_force[k] = h.normal_force;
-  b.touching = with_bit(b.touching, k, h.touching);
-  b.sliding = with_bit(b.sliding, k, h.sliding);
-}
-
 double force_sum(const Contacts& contacts) {
   double sum = 0;
   // What does not touch holds zeros.
+  const auto add = [&sum](const ContactBlock& block) {
+    for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
+      const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
+                            load<Lane4>(block.shear[2] + k)};
+      const Lane4 normal = load<Lane4>(block.normal_force + k);
+      const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
+      for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
+    }
+  };
   for (const auto& chunk : contacts.chunks)
-    for (const ContactBlock& block : chunk)
-      for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
-        const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
-                              load<Lane4>(block.shear[2] + k)};
-        const Lane4 normal = load<Lane4>(block.normal_force + k);
-        const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
-        for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
-      }
-  for (const PlanePair& pair : contacts.planes)
-    sum += std::sqrt(pair.history.normal_force * pair.history.normal_force + norm2(pair.history.memory.shear));
+    for (const ContactBlock& block : chunk) add(block);
+  for (const PlaneBlock& block : contacts.planes.blocks()) add(block.pairs);
   return sum;
 }
 

@@ -157,12 +157,12 @@ bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) 
 std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Planes& planes) const {
   std::vector<PlanePair> near;
   if (planes.all.empty()) return near;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    for (std::size_t p = 0; p < planes.all.size(); ++p) {
+  for (std::size_t p = 0; p < planes.all.size(); ++p)
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Plane& plane = planes.all[p];
       const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
       if (plane.touches(bodies.is_node(i)) && height - bodies.radius(i) < leeway_[i] + plane_leeway_)
-        near.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p), 0, {0, 0, 0}, {}});
+        near.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p)});
     }
   return near;
 }

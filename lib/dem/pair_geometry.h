@@ -80,24 +80,27 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
   k.approach_speed = keep(g.touching, k.approach_speed);
 }
 
-/// A grain and a plane, its inward normal, which the contact's was before; velocity is the plane's relative to the
-/// grain's. Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the
-/// benchmarks.
-inline PairGeometry<double> plane_geometry(const V3<double>& velocity, const V3<double>& spin, double radius,
-                                           double mass, double height, const V3<double>& inward,
-                                           const V3<double>& old_normal, double dt) {
-  const PairMotion<double> motion{velocity, spin, {0, 0, 0}, radius, 0, 1 / radius};
-  PairGeometry<double> g;
-  Kinematics<double>& k = g.kinematics;
-  k.normal = -1.0 * inward;
-  set_increments(motion, dt, k);
-  k.overlap = radius - height;
+/// A grain and a plane, by its inward normal, which stays as it is; velocity is the plane's relative to the grain's.
+/// Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the benchmarks.
+/// listed: where there is such a pair.
+template <class T>
+PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
+                               const T& height, const V3<T>& inward, const Mask<T>& listed, double dt) {
+  const V3<T> zero{};
+  const PairMotion<T> motion{velocity, spin, zero, radius, T{}, 1.0 / radius};
+  PairGeometry<T> g;
+  Kinematics<T>& k = g.kinematics;
+  g.touching = listed & (radius >= height);
+  const T time = keep(g.touching, all<T>(dt));
+  k.normal = -inward;
+  set_increments(motion, time, k);
+  k.approach_speed = keep(g.touching, k.approach_speed);
+  k.overlap = keep(g.touching, radius - height);
   k.r1 = k.r2 = k.R_star = radius;
   k.per_reach = 0.5 / radius;
-  k.m1 = mass, k.m2 = std::numeric_limits<double>::infinity();
+  k.m1 = mass, k.m2 = all<T>(std::numeric_limits<double>::infinity());
   g.surface_slip = k.slip;
-  g.turn = then_spin(between(old_normal, k.normal), k.normal, 0.5 * dt * dot(k.normal, spin));
-  g.touching = k.overlap >= 0;
+  g.turn = then_spin(zero, k.normal, T(0.5 * time * dot(k.normal, spin)));
   return g;
 }
 

@@ -147,6 +147,7 @@ void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double long
     for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, skin, mine);
   }
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
+  if (const PairOrder order(bodies); !order.is_that_of_grains()) std::sort(found.begin(), found.end(), order);
 }
 
 }  // namespace soilweave::dem

@@ -10,8 +10,8 @@
 
 namespace soilweave::dem {
 
-/// Replaces `found` by all pairs whose gap is below the skin (m), sorted; nodes of one fabric are no pairs. longest: no
-/// such pair's branch is longer, m.
+/// Replaces `found` by all pairs whose gap is below the skin (m), in the order of lists; nodes of one fabric are no
+/// pairs. longest: no such pair's branch is longer, m.
 void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
                 std::vector<Pair>& found);
 

@@ -1,104 +1,132 @@
-// What a sweep does with pairs of a grain and a plane, one after the other.
+// What a sweep does with pairs of grains and planes, a register of them at a time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dem/contact_action.h"
-#include "dem/contact_sweep.h"
-#include "dem/contact_work.h"
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
 #include "dem/couples.h"
+#include "dem/plane_lanes.h"
 #include "dem/transport.h"
 
 namespace soilweave::dem {
 
-template <class Law>
+template <class Law, class T>
 class PlaneSweep {
  public:
   explicit PlaneSweep(const Couples<Law>& couples) : couples_(couples), moments_(couples.use_moments()) {}
 
-  /// Updates the contact over a step dt and sets its load; work and dissipation go to `sums`, the rest to `total`.
-  template <class Sums>
-  void act(const Scene& scene, double dt, PlanePair& pair, Sums& sums, SweepSums& total) const {
-    const PairGeometry<double> g = geometry(scene, dt, pair);
-    const Kinematics<double>& k = g.kinematics;
-    History& history = pair.history;
-    if (!g.touching) {
-      history = {};
-      return;
+  /// Updates the contacts over a step dt and sets their loads, and their stiffness where its affine part is asked for
+  /// (ContactSweep).
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts, Lane4* affine_stiffness) {
+    over(scene, contacts, sums_, [&](const PlaneLanes<T>& lanes, PlaneSums<T>& sums) {
+      act(lanes, dt, scene.bodies.loads, sums);
+      if (affine_stiffness) stiffen(lanes, scene.bodies.stiffness, sums.step.affine_stiffness);
+    });
+    SweepSums total;
+    for (const PlaneSums<T>& s : sums_) {
+      s.put_into(total);
+      if (affine_stiffness) *affine_stiffness += s.step.affine_stiffness;
     }
-    const V3<double> n = k.normal, force_before = history.normal_force * pair.normal + history.memory.shear;
-    Memory<double>& memory = history.memory;
-    if (dt > 0 && history.touching) {
-      const Rotation<double> turn(g.turn);
-      memory.shear = turn(memory.shear), memory.rolling = turn(memory.rolling);
-    }
-    const Memory<double> before = memory;
-    Books<double> books;
-    const auto response = Law::respond(couple(scene, pair), k, dt, memory, books);
-    if (dt == 0) memory = before;
-    const Action<double> act = action(n, k.r1, 0.0, memory, response.normal_force);
-    pair.normal = n;
-    history.normal_force = response.normal_force;
-    history.touching = true, history.sliding = response.sliding;
-    put(-act.force, -act.torque_first, scene.bodies.dimension == 2, scene.bodies.loads[pair.load]);
-    add_to(sums.work, work_of(g, before, memory, moments_, books));
-    sums.overlap = maximum(sums.overlap, k.overlap + decltype(sums.overlap){});
-    ++sums.contacts;
-    // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
-    const double height = k.r1 - k.overlap;
-    const Vec3 foot =
-        vector_of(scene.bodies.grains[static_cast<std::size_t>(pair.grain)].position) + to_eigen(height * n);
-    total.force_branch += to_eigen(act.force) * foot.transpose();
-    const Vec3& velocity = scene.planes.all[static_cast<std::size_t>(pair.plane)].velocity;
-    total.plane_work -= 0.5 * dt * dot(force_before + act.force, from_eigen(velocity));
+    return total;
   }
 
-  /// Sets the pair's stiffness; the affine one is added to `total` (ContactSweep).
-  void stiffen(const Scene& scene, const PlanePair& pair, Lane4& total) const {
-    const PairGeometry<double> g = geometry(scene, 0, pair);
-    if (!g.touching) return;
-    const Kinematics<double>& k = g.kinematics;
-    Memory<double> memory = pair.history.memory;
-    Books<double> books;
-    const auto r = Law::respond(couple(scene, pair), k, 0.0, memory, books);
-    add_to(total, affine_stiffness(k.normal, k.r1 - k.overlap, r));
-    const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
-    put(translation, rotation, scene.bodies.dimension == 2, scene.bodies.stiffness[pair.load]);
+  /// Sets the pairs' stiffness and returns the affine one (ContactSweep).
+  Lane4 stiffen(const Scene& scene, Contacts& contacts) {
+    return total(scene, contacts,
+                 [&](const PlaneLanes<T>& lanes, Lane4& sum) { stiffen(lanes, scene.bodies.stiffness, sum); });
   }
 
-  /// Adds normal, shear, rolling and twisting energy, J.
-  void store_up(const Scene& scene, const PlanePair& pair, Lane4& total) const {
-    if (!pair.history.touching) return;
-    Memory<double> memory = pair.history.memory;
-    Books<double> b;
-    Law::respond(couple(scene, pair), geometry(scene, 0, pair).kinematics, 0.0, memory, b);
-    add_to(total, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
+  /// Normal, shear, rolling and twisting energy, J.
+  Lane4 stored(const Scene& scene, Contacts& contacts) {
+    return total(scene, contacts, [this](const PlaneLanes<T>& lanes, Lane4& sum) {
+      const PairGeometry<T> g = lanes.geometry(0);
+      const Books<T> b = at_rest(lanes, g, lanes.memory(g.touching)).second;
+      add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
+    });
   }
 
  private:
-  // As the sweep puts it, in the plane too.
-  static void put(const V3<double>& force, const V3<double>& torque, bool planar, Load& load) {
-    load.force = Lane4{force.x, force.y, planar ? torque.z : force.z, 0};
-    load.torque = planar ? Lane4{} : Lane4{torque.x, torque.y, torque.z, 0};
+  // Blocks that one thread takes in one go.
+  static constexpr std::size_t blocks_per_chunk = 64;
+
+  template <class Sum, class Use>
+  static void over(const Scene& scene, Contacts& contacts, std::vector<Sum>& sums, const Use& use) {
+    LargeVector<PlaneBlock>& blocks = contacts.planes.blocks();
+    sums.assign((blocks.size() + blocks_per_chunk - 1) / blocks_per_chunk, Sum{});
+#pragma omp parallel for schedule(static) num_threads(contacts.threads) if (contacts.threads > 1 && sums.size() > 1)
+    for (std::size_t chunk = 0; chunk < sums.size(); ++chunk) {
+      const std::size_t end = std::min(blocks.size(), (chunk + 1) * blocks_per_chunk);
+      for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
+        for (std::size_t k = 0; k < blocks[b].pairs.count; k += width<T>)
+          use(PlaneLanes<T>(scene, blocks[b], k), sums[chunk]);
+    }
+  }
+  template <class Use>
+  Lane4 total(const Scene& scene, Contacts& contacts, const Use& use) {
+    over(scene, contacts, row_sums_, use);
+    Lane4 sum{};
+    for (const Lane4& s : row_sums_) sum += s;
+    return sum;
   }
 
-  static PairGeometry<double> geometry(const Scene& scene, double dt, const PlanePair& pair) {
-    const auto i = static_cast<std::size_t>(pair.grain);
-    const Bodies& bodies = scene.bodies;
-    const Plane& p = scene.planes.all[static_cast<std::size_t>(pair.plane)];
-    const auto v3 = [](const Lane4& row) { return V3<double>{row[0], row[1], row[2]}; };
-    const V3<double> inward = from_eigen(p.normal);
-    const double height = dot(v3(bodies.grains[i].position) - from_eigen(p.point), inward);
-    return plane_geometry(from_eigen(p.velocity) - v3(bodies.velocity(i)), v3(bodies.spin(i)), bodies.radius(i),
-                          bodies.mass(i), height, inward, pair.normal, dt);
+  void act(const PlaneLanes<T>& lanes, double dt, LargeVector<Load>& loads, PlaneSums<T>& sums) const {
+    const PairGeometry<T> g = lanes.geometry(dt);
+    const Kinematics<T>& k = g.kinematics;
+    const unsigned touching = bits(g.touching);
+    if (!(touching | lanes.pairs.touching())) return;
+    const Memory<T> known = lanes.memory(g.touching);
+    const V3<T> force_before = fused(lanes.pairs.normal_force(), k.normal, known.shear);
+    const Rotation<T> turn(g.turn);
+    const Memory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
+    Memory<T> memory = before;
+    Books<T> books;
+    const Response<T> response = Law::respond(couple(lanes), k, all<T>(dt), memory, books);
+    if (dt == 0) memory = before;  // as in the sweep
+    lanes.pairs.remember_shear(memory.shear);
+    lanes.pairs.remember_moments(memory);
+    lanes.pairs.remember_normal_force(response.normal_force);
+    lanes.pairs.set_masks(touching, touching & bits(response.sliding));
+
+    const Action<T> act = action(k.normal, k.r1, T{}, memory, response.normal_force);
+    lanes.put(-act.force, -act.torque_first, loads);
+    add_to(sums.step.work, work_of(g, before, memory, moments_, books));
+    sums.step.overlap = maximum(sums.step.overlap, k.overlap);
+    sums.step.contacts += std::popcount(touching);
+    // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
+    const V3<T> moved = T(all<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
+    sums.add(act.force, keep(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
   }
 
-  const typename Law::Couple& couple(const Scene& scene, const PlanePair& pair) const {
-    return couples_.of(scene.bodies.material[static_cast<std::size_t>(pair.grain)],
-                       scene.planes.all[static_cast<std::size_t>(pair.plane)].material);
+  void stiffen(const PlaneLanes<T>& lanes, LargeVector<Load>& stiffness, Lane4& sum) const {
+    const PairGeometry<T> g = lanes.geometry(0);
+    if (!any(g.touching)) return;
+    const Kinematics<T>& k = g.kinematics;
+    const Response<T> r = at_rest(lanes, g, Memory<T>{}).first;
+    add_to(sum, keep(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
+    const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
+    lanes.put(keep(g.touching, translation), keep(g.touching, rotation), stiffness);
+  }
+
+  std::pair<Response<T>, Books<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,
+                                           Memory<T> memory) const {
+    Kinematics<T> k = g.kinematics;
+    k.approach_speed = T{};
+    Books<T> books;
+    const Response<T> r = Law::respond(couple(lanes), k, T{}, memory, books);
+    return {r, books};
+  }
+
+  const typename Law::Couple& couple(const PlaneLanes<T>& lanes) const {
+    return couples_.of(lanes.material_of_grains(), lanes.plane.material);
   }
 
   const Couples<Law>& couples_;
   bool moments_;
+  std::vector<PlaneSums<T>> sums_;
+  std::vector<Lane4> row_sums_;
 };
 
 }  // namespace soilweave::dem

