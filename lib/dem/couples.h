@@ -22,7 +22,6 @@ class Couples {
   const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
   /// That of all pairs of a block.
   const typename Law::Couple& of(const ContactBlock& block, const Bodies& bodies) const {
-    if (all_.size() == 1) return all_[0];
     const auto material = [&](std::uint32_t grain) {
       return bodies.material[static_cast<std::size_t>(ContactBlock::index(grain))];
     };
