@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/in_parallel.h"
+
 namespace soilweave::dem {
 namespace {
 
@@ -57,8 +59,7 @@ Motion::Motion(std::size_t grains, int threads, const GrainMotion& how)
 
 template <class Pass>
 void Motion::pass(const Pass& over) const {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t chunk = 0; chunk < moved_.size(); ++chunk) over(chunk);
+  in_parallel(moved_.size(), threads_, over);
 }
 
 void Motion::collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/in_parallel.h"
 #include "dem/pair_search.h"
 
 namespace soilweave::dem {
@@ -34,15 +35,19 @@ void give_back_spare(std::vector<Pair>& pairs) {
 
 template <class Use>
 void over_grains(const Bodies& bodies, int threads, const Use& use) {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t i = 0; i < bodies.size(); ++i) use(i);
+  in_parallel(bodies.size(), threads, use);
 }
 template <class Value>
 double largest_over_grains(const Bodies& bodies, int threads, const Value& value) {
-  double largest = 0;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1) reduction(max : largest)
-  for (std::size_t i = 0; i < bodies.size(); ++i) largest = std::max(largest, value(i));
-  return largest;
+  const auto shares = static_cast<std::size_t>(threads);
+  std::vector<double> largest(shares, 0.0);
+  in_parallel(shares, threads, [&](std::size_t share) {
+    double most = 0;
+    const std::size_t end = (share + 1) * bodies.size() / shares;
+    for (std::size_t i = share * bodies.size() / shares; i < end; ++i) most = std::max(most, value(i));
+    largest[share] = most;
+  });
+  return *std::max_element(largest.begin(), largest.end());
 }
 
 double speed(const Bodies& bodies, std::size_t i) { return vector_of(bodies.velocity(i)).norm(); }
@@ -124,16 +129,14 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
   const auto shares = static_cast<std::size_t>(threads_);
   const auto begin = [&](std::size_t share) { return share * outer_.size() / shares; };
   listed_before_.assign(shares + 1, 0);
-#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t share = 0; share < shares; ++share) {
+  in_parallel(shares, threads_, [&](std::size_t share) {
     std::size_t count = 0;
     for (std::size_t k = begin(share); k < begin(share + 1); ++k) count += near_[k] = is_near(outer_[k], bodies, cell);
     listed_before_[share + 1] = count;
-  }
+  });
   std::partial_sum(listed_before_.begin(), listed_before_.end(), listed_before_.begin());
   listed_.resize(listed_before_.back());
-#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t share = 0; share < shares; ++share) {
+  in_parallel(shares, threads_, [&](std::size_t share) {
     // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
     Pair* const end = listed_.data() + listed_before_[share + 1];
     std::size_t k = begin(share);
@@ -141,7 +144,7 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
       *next = outer_[k];
       next += near_[k];
     }
-  }
+  });
   give_back_spare(listed_);
 }
 

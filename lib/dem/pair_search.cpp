@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/in_parallel.h"
+
 namespace soilweave::dem {
 namespace {
 
@@ -139,13 +141,12 @@ void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double long
   // Each thread finds those of some grains one after the other; what the first finds is where all come to be.
   std::vector<std::vector<Pair>> others(static_cast<std::size_t>(threads) - 1);
   const std::size_t shares = others.size() + 1;
-#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
-  for (std::size_t share = 0; share < shares; ++share) {
+  in_parallel(shares, threads, [&](std::size_t share) {
     std::vector<Pair>& mine = share == 0 ? found : others[share - 1];
     mine.clear();
     const std::size_t end = (share + 1) * bodies.size() / shares;
     for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, skin, mine);
-  }
+  });
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
   if (const PairOrder order(bodies); !order.is_that_of_grains()) std::sort(found.begin(), found.end(), order);
 }

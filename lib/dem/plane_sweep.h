@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/in_parallel.h"
 #include "dem/couples.h"
 #include "dem/plane_lanes.h"
 #include "dem/transport.h"
@@ -56,13 +57,13 @@ class PlaneSweep {
   static void over(const Scene& scene, Contacts& contacts, std::vector<Sum>& sums, const Use& use) {
     LargeVector<PlaneBlock>& blocks = contacts.planes.blocks();
     sums.assign((blocks.size() + blocks_per_chunk - 1) / blocks_per_chunk, Sum{});
-#pragma omp parallel for schedule(static) num_threads(contacts.threads) if (contacts.threads > 1 && sums.size() > 1)
-    for (std::size_t chunk = 0; chunk < sums.size(); ++chunk) {
+    if (blocks.empty()) return;
+    in_parallel(sums.size(), contacts.threads, [&](std::size_t chunk) {
       const std::size_t end = std::min(blocks.size(), (chunk + 1) * blocks_per_chunk);
       for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
         for (std::size_t k = 0; k < blocks[b].pairs.count; k += width<T>)
           use(PlaneLanes<T>(scene, blocks[b], k), sums[chunk]);
-    }
+    });
   }
   template <class Use>
   Lane4 total(const Scene& scene, Contacts& contacts, const Use& use) {

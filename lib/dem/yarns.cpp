@@ -11,6 +11,7 @@
 
 #include "core/columns.h"
 #include "core/error.h"
+#include "core/in_parallel.h"
 #include "dem/pair_rows.h"
 
 namespace soilweave::dem {
@@ -143,16 +144,14 @@ void Yarns::note_breakage(double time, const Bodies& bodies, std::size_t slot) {
 }
 
 void Yarns::run(double time, int threads, Bodies& bodies) {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t chunk = 0; chunk < partial_.size(); ++chunk) {
+  in_parallel(partial_.size(), threads, [&](std::size_t chunk) {
     const std::size_t end = std::min(blocks_.size(), (chunk + 1) * blocks_per_chunk);
     partial_[chunk] = {};
     for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b) partial_[chunk] += stretch(time, bodies, b);
-  }
+  });
   sums_ = {};
   for (const YarnSums& p : partial_) sums_ += p;
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t n = 0; n < node_.size(); ++n) {
+  in_parallel(node_.size(), threads, [&](std::size_t n) {
     Lane4 force{};
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const Lane4& pull = pulls_[ends_[e] / 2];
@@ -160,7 +159,7 @@ void Yarns::run(double time, int threads, Bodies& bodies) {
     }
     force[3] = 0;
     bodies.loads[static_cast<std::size_t>(node_[n])].force += force;
-  }
+  });
 }
 
 double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const {
