@@ -40,12 +40,12 @@ struct BlockLanes {
   std::size_t image(std::size_t k) const { return block->image[lane + k]; }
 
   template <class Space>
-  Vector<T, Space> shear() const {
-    return vector(at(shear_force), Vector<T, Space>());
+  Along<T, Space> shear() const {
+    return read(at(shear_force), Along<T, Space>());
   }
   template <class Space>
   Turn<T, Space> rolling() const {
-    return turn(at(rolling_moment), Turn<T, Space>());
+    return read(at(rolling_moment), Turn<T, Space>());
   }
   T twisting() const { return load<T>(at(twisting_moment)); }
   T normal_force() const { return load<T>(at(normal)); }
@@ -86,16 +86,16 @@ struct BlockLanes {
   static_assert(offsetof(ContactBlock, normal_force) == normal * ContactBlock::size * sizeof(double));
   double* at(Array array) const { return numbers + array * ContactBlock::size; }
 
-  // The last argument tells the kind. A turn in the plane is the third part.
-  static V3<T> vector(const double* from, const V3<T>&) {
+  // The last argument tells the kind. What is a number in the plane is the third part.
+  static V3<T> read(const double* from, const V3<T>&) {
     return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};
   }
-  static V2<T> vector(const double* from, const V2<T>&) { return {load<T>(from), load<T>(from + ContactBlock::size)}; }
-  static V3<T> turn(const double* from, const V3<T>& kind) { return vector(from, kind); }
-  static T turn(const double* from, const T&) { return load<T>(from + 2 * ContactBlock::size); }
-  static void put(const V3<T>& v, double* to) { put(V2<T>{v.x, v.y}, to), put(v.z, to); }
-  static void put(const V2<T>& v, double* to) { store(to, v.x), store(to + ContactBlock::size, v.y); }
-  static void put(const T& turn, double* to) { store(to + 2 * ContactBlock::size, turn); }
+  static T read(const double* from, const T&) { return load<T>(from + 2 * ContactBlock::size); }
+  static void put(const V3<T>& v, double* to) {
+    store(to, v.x), store(to + ContactBlock::size, v.y);
+    put(v.z, to);
+  }
+  static void put(const T& number, double* to) { store(to + 2 * ContactBlock::size, number); }
 };
 
 }  // namespace soilweave::dem

@@ -19,10 +19,10 @@ struct Action {
 template <class T, class Space>
 Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2, const Memory<T, Space>& memory,
                         const T& normal_force) {
-  Turn<T, Space> moment = memory.rolling;
-  if constexpr (Space::twists) moment = fused(memory.twisting, n, moment);
-  const Turn<T, Space> turn = cross(n, memory.shear);
-  return {fused(normal_force, n, memory.shear), fused(arm_1, turn, moment), fused_less(arm_2, turn, moment)};
+  Turn<T, Space> free = memory.rolling;
+  if constexpr (Space::twists) free = fused(memory.twisting, n, free);
+  const Turn<T, Space> of_shear = moment(n, memory.shear);
+  return {joined(normal_force, n, memory.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
 }
 
 /// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005), against translation and

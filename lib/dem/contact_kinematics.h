@@ -15,12 +15,6 @@ struct PairMotion {
   T inverse_distance;             // 1/m, of the centres; of the radius for a plane
 };
 
-/// The centres' relative velocity within the contact plane, m/s.
-template <class T, class Space>
-Vector<T, Space> transverse_velocity(const PairMotion<T, Space>& m, const Vector<T, Space>& normal) {
-  return fused_less(dot(m.velocity, normal), normal, m.velocity);
-}
-
 /// What both turn the surfaces by, lengthwise: levers times spins, over dt.
 template <class T, class Space>
 Turn<T, Space> turning(const PairMotion<T, Space>& m, const T& dt) {
@@ -36,7 +30,7 @@ void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Sp
   const T translation = dt * ((m.lever_1 + m.lever_2) * m.inverse_distance);
   const Turn<T, Space> turn = dt * (m.spin_2 - m.spin_1);
   k.approach_speed = -dot(m.velocity, k.normal);
-  k.slip = fused(translation, transverse_velocity(m, k.normal), cross(k.normal, turning(m, dt)));
+  k.slip = fused(translation, along(k.normal, m.velocity), turned(k.normal, turning(m, dt)));
   if constexpr (Space::twists) {
     k.twist = dot(turn, k.normal);
     k.roll = fused_less(k.twist, k.normal, turn);
@@ -48,11 +42,11 @@ void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Sp
 /// The slip of the grains' surfaces over dt at the contact point, which lies half the overlap inside each, m: what the
 /// shear force does work on. The law's slip above has longer levers.
 template <class T, class Space>
-Vector<T, Space> surface_slip(const PairMotion<T, Space>& m, const Kinematics<T, Space>& k, const T& dt) {
+Along<T, Space> surface_slip(const PairMotion<T, Space>& m, const Kinematics<T, Space>& k, const T& dt) {
   const T depth = 0.5 * dt * k.overlap;
   const Turn<T, Space> spins = m.spin_1 + m.spin_2;
-  return fused(dt, transverse_velocity(m, k.normal),
-               cross(k.normal, Turn<T, Space>(fused_less(depth, spins, turning(m, dt)))));
+  return fused(dt, along(k.normal, m.velocity),
+               turned(k.normal, Turn<T, Space>(fused_less(depth, spins, turning(m, dt)))));
 }
 
 }  // namespace soilweave::dem

@@ -24,6 +24,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -224,11 +225,11 @@ class LawSweep final : public ContactSweep {
       const BlockLanes<Lanes> lanes = group.lanes;
       const PairGeometry<Lanes, Space>& g = group.geometry;
       // What has parted has no memory; then its overlap and increments, zero, give no force.
-      const auto turn = rotation(g.turn);
+      const auto carried = carry(g);
       Memory<Lanes, Space> before{};
-      before.shear = turn(keep(g.touching, lanes.template shear<Space>()));
+      before.shear = carried(keep(g.touching, lanes.template shear<Space>()));
       if (moments) {
-        before.rolling = turn(keep(g.touching, lanes.template rolling<Space>()));
+        before.rolling = carried(keep(g.touching, lanes.template rolling<Space>()));
         if (Space::twists) before.twisting = keep(g.touching, lanes.twisting());
       }
       Memory<Lanes, Space> memory = before;
@@ -246,8 +247,9 @@ class LawSweep final : public ContactSweep {
     }
     sums.overlap = overlap, sums.contacts = contacts;
   }
-  static Rotation<Lanes> rotation(const V3<Lanes>& gibbs) { return Rotation<Lanes>::by_small(gibbs); }
-  static PlanarRotation<Lanes> rotation(const Lanes& gibbs) { return PlanarRotation<Lanes>::by_small(gibbs); }
+  // How what lies along a contact comes with it.
+  static Rotation<Lanes> carry(const PairGeometry<Lanes, Spatial>& g) { return Rotation<Lanes>::by_small(g.turn); }
+  static std::identity carry(const PairGeometry<Lanes, Planar>&) { return {}; }
 
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& work) {
@@ -314,7 +316,7 @@ class LawSweep final : public ContactSweep {
                                                     Memory<Lanes, Space> memory) const {
     Kinematics<Lanes, Space> k = group.geometry.kinematics;
     k.approach_speed = k.twist = Lanes{};
-    k.slip = Vector<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
+    k.slip = Along<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
     Books<Lanes> books;
     const auto r = Law::respond(couples_.of(*group.lanes.block, s.bodies), k, Lanes{}, memory, books);
     return {r, books};

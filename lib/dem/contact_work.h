@@ -16,7 +16,7 @@ struct Work {
 template <class T, class Space>
 Work<T> work_of(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after,
                 bool moments, const Books<T>& b) {
-  T twice = dot(before.shear + after.shear, g.surface_slip);
+  T twice = product(Along<T, Space>(before.shear + after.shear), g.surface_slip);
   if (moments) {
     twice += product(Turn<T, Space>(before.rolling + after.rolling), g.kinematics.roll);
     if constexpr (Space::twists) twice = fused(T(before.twisting + after.twisting), g.kinematics.twist, twice);

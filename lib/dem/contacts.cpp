@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/in_parallel.h"
 
 namespace soilweave::dem {
 namespace {
@@ -118,8 +119,7 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
 
 void Contacts::look_across(const std::vector<Pair>& pairs) {
   reached_.resize(chunks.size()), across_.resize(chunks.size());
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+  in_parallel(chunks.size(), threads, [&](std::size_t chunk) {
     std::vector<std::uint32_t>& reached = reached_[chunk];
     std::vector<std::int32_t>& grains = across_[chunk];
     reached.clear(), grains.clear();
@@ -129,7 +129,7 @@ void Contacts::look_across(const std::vector<Pair>& pairs) {
       const auto other = static_cast<std::uint32_t>(chunk_of(p.second));
       if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
     }
-  }
+  });
 }
 
 void Contacts::name_singles(Bodies& bodies) {
@@ -174,8 +174,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
                                 [](const auto& grains) { return grains.size(); });
   known_.resize(static_cast<std::size_t>(threads));
   const PairOrder order(bodies);
-#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
-  for (std::size_t share = 0; share < known_.size(); ++share) {
+  in_parallel(known_.size(), threads, [&](std::size_t share) {
     LargeVector<ContactBlock>& known = known_[share];
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
@@ -183,10 +182,31 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
       fill(chunks[chunk], chunk, of_chunk(pairs, chunk), first_load[chunk], images, order,
            Known(known, known_images, order));
     }
-  }
+  });
 }
 
 Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }
+
+std::vector<double> shear_forces_of_disks(const Contacts& contacts) {
+  std::vector<double> forces;
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k)
+        if ((block.touching >> k) & 1) forces.push_back(block.shear[2][k]);
+  return forces;
+}
+
+void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts) {
+  auto next = forces.begin();
+  for (auto& chunk : contacts.chunks)
+    for (ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        if (next == forces.end()) throw DataError("shear_force: is of fewer contacts; begin anew");
+        block.shear[2][k] = *next++;
+      }
+  if (next != forces.end()) throw DataError("shear_force: is of more contacts; begin anew");
+}
 
 double force_sum(const Contacts& contacts) {
   double sum = 0;

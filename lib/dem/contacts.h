@@ -55,6 +55,11 @@ struct Contacts {
   std::vector<std::uint32_t> next_;                  // place for another one in `singles`, of each grain
 };
 
+/// Shear forces of the contacts of disks, N, numbers as they are kept (space.h), in the order of lists.
+std::vector<double> shear_forces_of_disks(const Contacts& contacts);
+/// Gives them back. Throws DataError where there are not as many.
+void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts);
+
 /// Sum of the magnitudes of all contact forces, N, contact by contact.
 double force_sum(const Contacts& contacts);
 

@@ -19,6 +19,18 @@ std::vector<std::pair<Pair, History>> in_order_of_grains(const LargeVector<Conta
   return found;
 }
 
+// A contact of disks holds its shear force as a number along it (space.h), a file as a vector.
+History in_space(History h, const Vec3& normal) {
+  const V2<double> force = joined(0.0, V2<double>{normal[0], normal[1]}, h.memory.shear.z);
+  h.memory.shear = {force.x, force.y, 0};
+  return h;
+}
+History in_plane(History h, const Vec3& normal) {
+  const V3<double>& force = h.memory.shear;
+  h.memory.shear = {0, 0, along(V2<double>{normal[0], normal[1]}, V2<double>{force.x, force.y})};
+  return h;
+}
+
 // Of one grain the planes come last to first: in files, plane p is body -1 - p.
 std::vector<PlanePair> in_order_of_grains(const PlaneContacts& planes) {
   std::vector<PlanePair> found = planes.pairs();
@@ -67,7 +79,8 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
       const Vec3 branch =
           vector_of(bodies.grains[j].position) - vector_of(bodies.grains[i].position) + shift_of(image, cell.matrix());
       const double distance = branch.norm();
-      add(history, first, second, cells_of(image), branch / distance, branch,
+      const Vec3 normal = branch / distance;
+      add(bodies.dimension == 2 ? in_space(history, normal) : history, first, second, cells_of(image), normal, branch,
           bodies.radius(i) + bodies.radius(j) - distance);
     }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
@@ -86,7 +99,8 @@ void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contac
     if (second < 0)
       with_planes.push_back({first, -1 - second, history});
     else
-      known.push_back({{first, second, cell_offset(r.image[k])}, history});
+      known.push_back(
+          {{first, second, cell_offset(r.image[k])}, bodies.dimension == 2 ? in_plane(history, r.normal[k]) : history});
   }
   std::sort(known.begin(), known.end(),
             [in_order = PairOrder(bodies)](const auto& a, const auto& b) { return in_order(a.first, b.first); });

@@ -13,7 +13,7 @@ struct Kinematics {
   Vector<T, Space> normal;  // unit, from body 1 to body 2
   T overlap;                // m, > 0 in contact
   T approach_speed;         // m/s, rate of the overlap
-  Vector<T, Space> slip;    // m, shear displacement increment, normal to `normal`
+  Along<T, Space> slip;     // m, shear displacement increment
   Turn<T, Space> roll;      // rad, increment of the relative rotation, normal to `normal`
   T twist;                  // rad, increment of the relative rotation about `normal`; not in the plane
   T r1, r2;                 // m; against a plane r2 = r1

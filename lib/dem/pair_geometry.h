@@ -14,8 +14,9 @@ namespace soilweave::dem {
 template <class T, class Space = Spatial>
 struct PairGeometry {
   Kinematics<T, Space> kinematics;
-  Vector<T, Space> surface_slip;  // m, contact_kinematics.h
-  Turn<T, Space> turn;            // Gibbs vector that carries the memory (transport.h)
+  Along<T, Space> surface_slip;  // m, contact_kinematics.h
+  // Gibbs vector that carries the memory (transport.h); what lies along a contact in the plane is carried as it is.
+  Turn<T, Space> turn;
   Mask<T> touching;
 };
 
@@ -74,9 +75,10 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
   const T time = keep(g.touching, all<T>(dt));
   set_increments(motion, time, k);
   g.surface_slip = surface_slip(motion, k, time);
-  g.turn = between(motion.velocity, T(-k.approach_speed), motion.inverse_distance, k.normal, time);
-  if constexpr (Space::twists)
-    g.turn = then_spin(g.turn, k.normal, T(0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2)));
+  if constexpr (Space::twists) {
+    const auto turn = between(motion.velocity, T(-k.approach_speed), motion.inverse_distance, k.normal, time);
+    g.turn = then_spin(turn, k.normal, T(0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2)));
+  }
   k.approach_speed = keep(g.touching, k.approach_speed);
 }
 

@@ -100,6 +100,7 @@ struct Simulation::Impl {
 
   void archive(Archive& a) {
     dem::archive(a, bodies);
+    if (bodies.dimension == 2) archive_shear_forces(a);
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
     a.item("overlap_at_estimate", estimated_at), a.item("overlap_at_look", looked_at);
@@ -111,6 +112,13 @@ struct Simulation::Impl {
     guard.archive(a);
     for (Clamp& c : clamps.all) a.item(fmt::format("clamp_velocity_{}", &c - clamps.all.data()), c.velocity);
     for (Clamp& c : clamps.all) a.item(fmt::format("clamp_force_{}", &c - clamps.all.data()), c.force);
+  }
+
+  // Of disks: as vectors, as records have them, they would not come back bit by bit.
+  void archive_shear_forces(Archive& a) {
+    std::vector<double> forces = shear_forces_of_disks(contacts);
+    a.item("shear_force", forces);
+    if (a.giving_back()) set_shear_forces_of_disks(forces, contacts);
   }
 
   void step() {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/v2.h"
 #include "core/v3.h"
 
 namespace soilweave::dem {
@@ -35,26 +34,6 @@ class Rotation {
   }
 
   V3<T> gibbs_, scaled_;
-};
-
-/// A rotation in the plane, by the tangent of half its angle.
-template <class T>
-class PlanarRotation {
- public:
-  /// As Rotation::by_small.
-  static PlanarRotation by_small(const T& gibbs) { return {gibbs, small_scale(T(gibbs * gibbs)) * gibbs}; }
-
-  V2<T> operator()(const V2<T>& v) const {
-    const V2<T> half{fused_less(gibbs_, v.y, v.x), fused(gibbs_, v.x, v.y)};
-    return {fused_less(scaled_, half.y, v.x), fused(scaled_, half.x, v.y)};
-  }
-  /// Turns about the axis of the plane stay as they are.
-  const T& operator()(const T& turn) const { return turn; }
-
- private:
-  PlanarRotation(const T& gibbs, const T& scaled) : gibbs_(gibbs), scaled_(scaled) {}
-
-  T gibbs_, scaled_;
 };
 
 /// Gibbs vector of the smallest rotation from one unit vector to another, less than half a turn away.

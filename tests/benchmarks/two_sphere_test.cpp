@@ -240,13 +240,16 @@ TEST(Transport, FromTheVelocityOfThePairIsOfThirdOrderInWhatItMoved) {
   }
 }
 
-TEST(Transport, InThePlaneIsThatInSpace) {
-  for (const double gibbs : {1e-6, -1e-3, 0.05}) {
-    const V2<double> carried = PlanarRotation<double>::by_small(gibbs)(V2<double>{0.3, -0.8});
-    const V3<double> space = Rotation<double>::by_small({0, 0, gibbs})(V3<double>{0.3, -0.8, 0});
-    EXPECT_EQ(carried.x, space.x);
-    EXPECT_EQ(carried.y, space.y);
-  }
+TEST(Contact, LiesInThePlaneAsItDoesInSpace) {
+  const V2<double> n{0.6, -0.8}, v{0.3, 0.7};
+  const V3<double> normal{n.x, n.y, 0}, velocity{v.x, v.y, 0}, tangent{-n.y, n.x, 0};
+  const double turn = 0.37, force = 2.5, share = -1.3;
+  const auto expect_equal = [](const V3<double>& a, const V3<double>& b) { EXPECT_LT(norm(a - b), 1e-15); };
+  expect_equal(along(n, v) * tangent, along(normal, velocity));
+  expect_equal(turned(n, turn) * tangent, turned(normal, V3<double>{0, 0, turn}));
+  expect_equal({0, 0, moment(n, share)}, moment(normal, share * tangent));
+  const V2<double> whole = joined(force, n, share);
+  expect_equal({whole.x, whole.y, 0}, joined(force, normal, share * tangent));
 }
 
 TEST(Transport, KeepsLengthOverAHundredThousandSteps) {

@@ -9,7 +9,7 @@ namespace soilweave::dem {
 /// History of one contact, already carried to the present normal.
 template <class T, class Space = Spatial>
 struct Memory {
-  Vector<T, Space> shear;  // N
+  Along<T, Space> shear;   // N
   Turn<T, Space> rolling;  // N m, normal to the contact normal
   T twisting;              // N m, about the contact normal
 };
@@ -51,8 +51,12 @@ T squared(const V3<T>& a) {
   return norm2(a);
 }
 template <class T>
-T squared(const V2<T>& a) {
-  return norm2(a);
+T magnitude(const T& a) {
+  return absolute(a);
+}
+template <class T>
+T magnitude(const V3<T>& a) {
+  return norm(a);
 }
 template <class T>
 T product(const T& a, const T& b) {
@@ -62,10 +66,6 @@ template <class T>
 T product(const V3<T>& a, const V3<T>& b) {
   return dot(a, b);
 }
-template <class T>
-T product(const V2<T>& a, const V2<T>& b) {
-  return dot(a, b);
-}
 
 /// limit: the largest magnitude, not negative; 0 where there is no stiffness.
 template <class T, class Quantity>
@@ -73,7 +73,7 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
                                             const T& limit) {
   SpringStep<T, Quantity> s;
   const Quantity trial = fused_less(stiffness, increment, old);
-  const T force2 = squared(trial), force = square_root(force2);
+  const T force2 = squared(trial), force = magnitude(trial);
   s.limited = force > limit;
   // One division, beside the root and not after it, for what the force is scaled by and for the compliance. No branch:
   // a guess that fails costs more than both.

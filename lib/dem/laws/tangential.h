@@ -20,7 +20,7 @@ struct Tangential {
   /// Of what shear stiffness bears, where there is none.
   template <class T, class Space>
   void let_go(Memory<T, Space>& memory) const {
-    memory.shear = Vector<T, Space>{};
+    memory.shear = Along<T, Space>{};
     if (rolling.scale == Resistance::Scale::contact) memory.rolling = Turn<T, Space>{};
     if (twisting.scale == Resistance::Scale::contact) memory.twisting = T{};
   }
@@ -46,7 +46,7 @@ void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<
   const T pressing = maximum(r.normal_force, all<T>(0));
   r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
   r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
-  const auto shear = limited_spring_step<T, Vector<T, Space>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
+  const auto shear = limited_spring_step<T, Along<T, Space>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
   const auto roll =
       resistance_step<T, Turn<T, Space>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
   SpringStep<T, T> twist{};
