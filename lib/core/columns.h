@@ -29,20 +29,7 @@ void to_rows(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d, con
   put(0, r.a), put(1, r.b), put(2, r.c), put(3, r.d);
 }
 
-/// Two columns of the halves of rows; half(k) points to two numbers of row k. Half of the work of four columns.
-template <class T>
-struct Halves {
-  T a, b;
-};
-inline Lane4 pair_of(const double* low, const double* high) { return _mm256_loadu2_m128d(high, low); }
-/// Those that one piece of the argument of columns_of_halves holds.
-template <class T, class Half>
-requires(width<T> == 4) Lane4 halves(const Half& half, int piece) { return pair_of(half(piece), half(piece + 2)); }
-template <class T>
-requires(width<T> == 4) Halves<T> columns_of_halves(const Lane4 (&piece)[2]) {
-  return {__builtin_shufflevector(piece[0], piece[1], 0, 4, 2, 6),
-          __builtin_shufflevector(piece[0], piece[1], 1, 5, 3, 7)};
-}
+/// Two columns to the halves of rows; half(k) points to two numbers of row k.
 template <class Half>
 void to_halves(const Lane4& a, const Lane4& b, const Half& half) {
   const Lane4 t0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), t1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);

@@ -30,18 +30,6 @@ void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, con
   put(0, low(r02)), put(1, low(r13)), put(2, high(r02)), put(3, high(r13));
   put(4, low(r46)), put(5, low(r57)), put(6, high(r46)), put(7, high(r57));
 }
-template <class T, class Half>
-requires(width<T> == 8) Lane4 halves(const Half& half, int piece) {
-  const int k = 4 * (piece % 2) + piece / 2;  // 0 and 2, 4 and 6, 1 and 3, 5 and 7
-  return pair_of(half(k), half(k + 2));
-}
-template <class T>
-requires(width<T> == 8) Halves<T> columns_of_halves(const Lane4 (&piece)[4]) {
-  const Lane8 even = join(piece[0], piece[1]), odd = join(piece[2], piece[3]);
-  return {__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14),
-          __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)};
-}
-
 template <class Half>
 void to_halves(const Lane8& a, const Lane8& b, const Half& half) {
   const Lane8 even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);

@@ -29,21 +29,12 @@ V2<T> operator*(const T& s, const V2<T>& a) {
   return {s * a.x, s * a.y};
 }
 template <class T>
-V2<T> select(const Mask<T>& mask, const V2<T>& yes, const V2<T>& no) {
-  return {select<T>(mask, yes.x, no.x), select<T>(mask, yes.y, no.y)};
-}
-template <class T>
 T dot(const V2<T>& a, const V2<T>& b) {
   return fused(a.y, b.y, T(a.x * b.x));
 }
 template <class T>
 T cross(const V2<T>& a, const V2<T>& b) {
   return fused(a.x, b.y, T(-(a.y * b.x)));
-}
-/// A vector times a turn.
-template <class T>
-V2<T> cross(const V2<T>& a, const T& turn) {
-  return {a.y * turn, -(a.x * turn)};
 }
 /// s a + b.
 template <class T>
