@@ -8,6 +8,9 @@ uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 # A run and its record share a colour.
 hue(g) = g eq 'PE' ? 1 : 2
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
+# Of the full size, kept.
+full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\(.*\\)\\.tsv$/\\1/p'")
+kept(g) = sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 C(n) = column(n)
 # From the end of the preload, which is the first stage.
 start = 0
@@ -18,9 +21,11 @@ set multiplot layout 1,2
 set xlabel 'axial strain (%)'
 set ylabel 'load over 0.16 m² (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
@@ -28,19 +33,23 @@ set multiplot layout 1,2
 set xlabel 'p (kPa)'
 set ylabel 'q (kPa)'
 plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'
 set ylabel 'void ratio'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (strain(0)):(C("yarn_tension_face [N]")) with lines lc hue(g) dt 2 title g.' full size', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'broken yarns'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g
+plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [g in full] kept(g) using (strain(0)):"broken_yarns [1]" with lines lc hue(g) dt 2 title g.' full size'
 unset multiplot
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'

@@ -29,7 +29,8 @@ picture bag 'The bag of PE before it is compressed, near its greatest load and r
 its middle (Fig. 3.14), tension of the yarns on its upper face (Fig. 3.17).'
 figure growth 'Growth of the grains in the bag, this one and the one of full size (kept, pipelines/ch3/kept): friction is lowered and the
 grains relieved until the void ratio and the coordination number are met.'
-figure compression 'Uniaxial compression (thesis Figs. 3.6 and 3.7). Points: recorded series of the same model.'
+figure compression 'Uniaxial compression (thesis Figs. 3.6 and 3.7). Points: recorded series of the same model. Dashed: our
+full size (kept, pipelines/ch3/kept).'
 figure paths 'Stress paths and void ratio (Figs. 3.10 and 3.12).'
 figure yarns 'Tension of the yarns on the faces, and broken yarns.'
 figure shear 'Simple shear under dead loads (Fig. 3.8).'
