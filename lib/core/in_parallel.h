@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace soilweave {
 
-/// Calls use(i) once for every i below n; each thread takes some that follow one another. One thread needs no team:
-/// to make one costs as much as to step a hundred grains.
+/// Calls use(i) once for every i below n; each thread takes some that follow one another. One thread needs no team,
+/// which OpenMP would make anew each time.
 template <class Use>
 void in_parallel(std::size_t n, int threads, const Use& use) {
   if (threads == 1) {
@@ -16,6 +18,20 @@ void in_parallel(std::size_t n, int threads, const Use& use) {
   }
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < n; ++i) use(i);
+}
+
+/// The largest value(i) of every i below n, and 0.
+template <class Value>
+double largest_in_parallel(std::size_t n, int threads, const Value& value) {
+  const auto shares = static_cast<std::size_t>(threads);
+  std::vector<double> largest(shares, 0.0);
+  in_parallel(shares, threads, [&](std::size_t share) {
+    double most = 0;
+    const std::size_t end = (share + 1) * n / shares;
+    for (std::size_t i = share * n / shares; i < end; ++i) most = std::max(most, value(i));
+    largest[share] = most;
+  });
+  return *std::max_element(largest.begin(), largest.end());
 }
 
 }  // namespace soilweave

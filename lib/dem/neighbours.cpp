@@ -39,15 +39,7 @@ void over_grains(const Bodies& bodies, int threads, const Use& use) {
 }
 template <class Value>
 double largest_over_grains(const Bodies& bodies, int threads, const Value& value) {
-  const auto shares = static_cast<std::size_t>(threads);
-  std::vector<double> largest(shares, 0.0);
-  in_parallel(shares, threads, [&](std::size_t share) {
-    double most = 0;
-    const std::size_t end = (share + 1) * bodies.size() / shares;
-    for (std::size_t i = share * bodies.size() / shares; i < end; ++i) most = std::max(most, value(i));
-    largest[share] = most;
-  });
-  return *std::max_element(largest.begin(), largest.end());
+  return largest_in_parallel(bodies.size(), threads, value);
 }
 
 double speed(const Bodies& bodies, std::size_t i) { return vector_of(bodies.velocity(i)).norm(); }

@@ -37,7 +37,10 @@ class PlaneLanes {
  public:
   /// Those of a block from lane k on.
   PlaneLanes(const Scene& scene, PlaneBlock& block, std::size_t k)
-      : pairs(block.pairs, k), plane(scene.planes.all[static_cast<std::size_t>(block.plane)]), bodies_(scene.bodies) {}
+      : pairs(block.pairs, k),
+        plane(scene.planes.all[static_cast<std::size_t>(block.plane)]),
+        bodies_(scene.bodies),
+        places_(of_grains(&Grain::position)) {}
 
   BlockLanes<T> pairs;
   const Plane& plane;
@@ -47,21 +50,18 @@ class PlaneLanes {
   }
 
   PairGeometry<T> geometry(double dt) const {
-    const Columns<T> x = of_grains(&Grain::position), v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
+    const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
     const bool planar = bodies_.dimension == 2;  // then the spin comes with the velocity
     const V3<T> velocity{v.a, v.b, planar ? T{} : v.c}, spin = planar ? V3<T>{T{}, T{}, v.c} : V3<T>{w.a, w.b, w.c};
     const V3<T> inward = in_lanes(plane.normal);
-    const T height = dot(V3<T>{x.a, x.b, x.c} - in_lanes(plane.point), inward);
+    const T height = dot(centres() - in_lanes(plane.point), inward);
     T number;
     for (int lane = 0; lane < width<T>; ++lane) number[lane] = static_cast<double>(pairs.lane) + lane;
     const Mask<T> listed = number < all<T>(pairs.block->count);
-    return plane_geometry(in_lanes(plane.velocity) - velocity, spin, x.d, v.d, height, inward, listed, dt);
+    return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt);
   }
   /// Of the perpendicular from a grain's centre, m.
-  V3<T> foot(const Kinematics<T>& k) const {
-    const Columns<T> x = of_grains(&Grain::position);
-    return fused(T(k.r1 - k.overlap), k.normal, V3<T>{x.a, x.b, x.c});
-  }
+  V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
   /// What has parted has no memory.
   Memory<T> memory(const Mask<T>& touching) const {
     return {keep(touching, pairs.template shear<Spatial>()), keep(touching, pairs.template rolling<Spatial>()),
@@ -78,6 +78,7 @@ class PlaneLanes {
   static V3<T> in_lanes(const Vec3& v) { return {all<T>(v.x()), all<T>(v.y()), all<T>(v.z())}; }
 
  private:
+  V3<T> centres() const { return {places_.a, places_.b, places_.c}; }
   Columns<T> of_grains(Lane4 Grain::*row) const {
     const Side side = pairs.first_side(reinterpret_cast<const std::byte*>(bodies_.grains.data()));
     const auto of = [&](int k) -> const Lane4& { return side[k].*row; };
@@ -92,6 +93,7 @@ class PlaneLanes {
   }
 
   const Bodies& bodies_;
+  Columns<T> places_;
 };
 
 }  // namespace soilweave::dem

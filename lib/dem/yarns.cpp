@@ -165,10 +165,7 @@ void Yarns::run(double time, int threads, Bodies& bodies) {
 double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const {
   std::vector<double> stiffest;
   for (const WireCurve& curve : curves_) stiffest.push_back(curve.stiffest());
-  double largest = 0;
-#pragma omp parallel for schedule(static) num_threads(contacts.threads) if (contacts.threads > 1) reduction(max \
-                                                                                                            : largest)
-  for (std::size_t n = 0; n < node_.size(); ++n) {
+  return largest_in_parallel(node_.size(), contacts.threads, [&](std::size_t n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = bodies.stiffness[i].force;
     for (std::uint32_t s = contacts.singles_start[i]; s < contacts.singles_start[i + 1]; ++s)
@@ -182,9 +179,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
       const Lane4 n2 = pulls_[slot] * pulls_[slot];
       along += k * n2 + sideways * (1.0 - n2);
     }
-    largest = std::max(largest, std::max({along[0], along[1], along[2]}) / bodies.mass(i));
-  }
-  return largest;
+    return std::max({along[0], along[1], along[2]}) / bodies.mass(i);
+  });
 }
 
 io::YarnsRecord Yarns::record() const {

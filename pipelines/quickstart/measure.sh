@@ -1,6 +1,6 @@
 #!/bin/sh
 # The quickstart's numbers, from its packings and runs alone: name, mean over the packings and their standard
-# deviation, or one value of all.
+# deviation, or one value of all. Under load they are of the mean curve.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/quickstart measure.sh SEED... > measured.tsv
 set -eu
@@ -9,20 +9,12 @@ set -eu
 # shellcheck disable=SC2016 # awk's fields, not the shell's
 columns='FNR == 1 || /^strain_axial \[%\]/ { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }'
 
-# What one packing has before loading, and what it carries: a line a quantity.
+# What one packing has before loading: a line a quantity.
 packing() { # SEED
   awk -F '\t' "$columns"' { printf "void_ratio\t%s\n", $at["void_ratio"] }' "$OUT/cell_$1.tsv"
   awk -F '\t' "$columns"' { printf "coordination_number\t%s\n", $at["coordination_number"] }' "$OUT/fabric_$1.tsv"
   awk '/^##PERIODIC/ { printf "cell_width\t%s\ncell_height\t%s\n", 500 * ($2 + $3), 1000 * $4; next }
     /^#/ { next } { sum += $4; ++n } END { printf "mean_radius\t%.9g\n", 1000 * sum / n }' "$OUT/grains_$1.txt"
-  for pressure in 0.2 0.5 1.0; do
-    awk -F '\t' -v p="$pressure" "$columns"'
-      $at["stress_ratio"] > peak { peak = $at["stress_ratio"] }
-      $at["strain_volumetric"] > most { most = $at["strain_volumetric"] }
-      ($at["strain_axial"] - 0.085) ^ 2 < 1e-10 { at_8_5 = $at["strain_volumetric"] }
-      END { printf "peak_ratio_%s\t%s\ncontraction_%s\t%s\nvolumetric_%s\t%s\n", p, peak, p, 100 * most, p, 100 * at_8_5 }' \
-      "$OUT/runs/${pressure}MPa_$1/shear.tsv"
-  done
 }
 
 printf 'name\tvalue\tdeviation\n'
@@ -30,6 +22,15 @@ printf 'name\tvalue\tdeviation\n'
 for seed in "$@"; do packing "$seed"; done | awk -F '\t' '
   { d = $2 - mean[$1]; mean[$1] += d / ++n[$1]; squares[$1] += d * ($2 - mean[$1]) }
   END { for (k in n) { s = n[k] > 1 ? sqrt(squares[k] / (n[k] - 1)) : 0; printf "%s\t%.6g\t%.3g\n", k, mean[k], s } }'
+
+for pressure in 0.2 0.5 1.0; do
+  awk -F '\t' -v p="$pressure" "$columns"'
+    $at["stress_ratio"] > peak { peak = $at["stress_ratio"]; scatter = $at["stress_ratio_deviation"] }
+    $at["strain_volumetric"] > most { most = $at["strain_volumetric"]; spread = $at["strain_volumetric_deviation"] }
+    ($1 - 8.5) ^ 2 < 1e-6 { v = $at["strain_volumetric"]; d = $at["strain_volumetric_deviation"] }
+    END { printf "peak_ratio_%s\t%.6g\t%.3g\ncontraction_%s\t%.6g\t%.3g\nvolumetric_%s\t%.6g\t%.3g\n",
+      p, peak, scatter, p, most, spread, p, v, d }' "$OUT/ensemble_${pressure}MPa.tsv"
+done
 
 # Root mean square of the relative difference from the laboratory's stress ratio, at its own strains.
 awk -F '\t' '/^#/ || /^strain_axial/ { next }

@@ -1,4 +1,4 @@
-// Eight contacts and grains at a time give the bits of four, and what is done in the plane those of space.
+// Eight contacts and grains at a time give the bits of four, and what is done in the plane the numbers of space.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -45,11 +45,25 @@ struct Stepper : testing::EngineParts {
     motion.advance_all(bodies);
     bodies.dimension = dimension;
     cell.advance(dt);
-    if (neighbours.outdated(bodies, motion.advanced().haste, 0, cell.velocity_gradient(), dt))
+    planes.advance(dt);
+    const double fastest = planes.all.empty() ? 0 : planes.all.front().velocity.norm();
+    if (neighbours.outdated(bodies, motion.advanced().haste, fastest, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     if (in_space) bodies.dimension = 3;
     act(dt);
     bodies.dimension = dimension;
+  }
+
+  // A plane from below that lifts the lowest ten grains and drags them along.
+  void press() {
+    const int up = bodies.dimension - 1;
+    std::vector<double> lowest;
+    for (const Grain& g : bodies.grains) lowest.push_back(g.position[up] - g.position[3]);
+    std::nth_element(lowest.begin(), lowest.begin() + 10, lowest.end());
+    Vec3 velocity = 1e-2 * Vec3::Unit(up);
+    velocity[0] = 2e-2;
+    planes.all = {{lowest[10] * Vec3::Unit(up), Vec3::Unit(up), velocity, 0}};
+    neighbours.rebuild(bodies, cell, planes, contacts);
   }
 
   // Move disks as if they were grains.
@@ -61,8 +75,9 @@ struct Stepper : testing::EngineParts {
   bool in_space = false;
 };
 
-void expect_same_bits(const Model& model, const io::Snapshot& state) {
+void expect_same_bits(const Model& model, const io::Snapshot& state, bool with_plane = false) {
   Stepper four(state, model, of_four), eight(state, model, of_eight);
+  if (with_plane) four.press(), eight.press();
   double slid = 0;
   for (int k = 0; k < 150; ++k) {
     four.step(2e-5), eight.step(2e-5);
@@ -71,6 +86,8 @@ void expect_same_bits(const Model& model, const io::Snapshot& state) {
     ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0) << "step " << k;
   }
   EXPECT_GT(slid, 0);
+  EXPECT_EQ(four.sums.plane_work != 0, with_plane);
+  EXPECT_TRUE(std::isfinite(four.sums.force_branch.sum()));
   EXPECT_TRUE(same_bits(four.bodies.grains, eight.bodies.grains));
   EXPECT_TRUE(same_bits(four.bodies.angle, eight.bodies.angle));
   EXPECT_TRUE(same_bits(four.bodies.loads, eight.bodies.loads));
@@ -88,6 +105,11 @@ TEST(SweepWidth, GivesTheSameBits) {
   expect_same_bits(testing::sand(), testing::packed(testing::sand(), 1e5, 303));
   expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 301));
   expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 302, 2));
+}
+
+TEST(SweepWidth, GivesTheSameBitsWithAPlane) {
+  expect_same_bits(testing::sand(), testing::packed(testing::sand(), 1e5, 303), true);
+  expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 302, 2), true);
 }
 
 TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
