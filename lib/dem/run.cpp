@@ -47,15 +47,12 @@ struct Position {
   std::size_t stage = 0, station = 0;  // station: the one to be reached next
   bool begun = false;                  // the stage
   std::int64_t first = 0;              // step at which the way to the station began
-  std::int64_t rest = -1;              // step at which the wait for rest began, or was begun anew; -1: on the way
-  bool stopped = false;                // the motion, in this wait
   std::size_t done = 0;                // stations, of all stages
   Vec3 start_of_stage = Vec3::Zero();  // strain
 
   void archive(Archive& a) {
     a.whole("stage", stage), a.whole("station", station), a.whole("stage_begun", begun);
-    a.item("station_first_step", first), a.item("rest_first_step", rest), a.whole("rest_stopped", stopped),
-        a.whole("stations_done", done);
+    a.item("station_first_step", first), a.whole("stations_done", done);
     a.item("start_of_stage", start_of_stage);
   }
 };
@@ -161,28 +158,20 @@ class Runner {
       servo_.drive(goals, dimension_, simulation_);
       rig_.drive(drives, damping, simulation_);
       simulation_.step();
-      if (calm(stage, waiting) && settled(goals, drives)) break;
+      if (waiting) slow(stage);
+      if (settled(goals, drives)) break;
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
       if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
       keeper_.after_step([this] { return moment(); });
     }
-    at_.rest = -1, at_.stopped = false;
     tell(stage, station);
   }
 
-  // Stops the motion of a station that waits for rest, now and then: grains that sway with little to hold them swing on
-  // for tens of thousands of steps in balance already. Whether the criteria may be looked at: what was stopped must
-  // have had the time to move again.
-  bool calm(const Stage& stage, bool waiting) {
-    if (!waiting || stage.rest_stop == 0) return true;
-    const std::int64_t now = simulation_.steps();
-    if (at_.rest < 0) at_.rest = now;
-    const std::int64_t waited = now - at_.rest;
-    if (waited < stage.rest_stop) return !at_.stopped || 2 * waited >= stage.rest_stop;
-    simulation_.stop_motion();
-    at_.rest = now, at_.stopped = true;
-    return false;
+  // Local damping weakens as forces balance; what sways then with little to hold it needs a drag to come to rest.
+  void slow(const Stage& stage) {
+    if (stage.rest_drag > 0 && simulation_.steps() % look_interval == 0)
+      simulation_.slow_motion(std::exp(-stage.rest_drag * look_interval * simulation_.time_step()));
   }
 
   // Whether all that moves by a set way has arrived, and only rest is waited for.

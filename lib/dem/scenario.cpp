@@ -78,12 +78,8 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping during this stage"};
   static constexpr Parameter rest{"rest_damping", "1",   0,
                                   0.999,          false, "local non-viscous damping while a station waits for rest"};
-  static constexpr Parameter stop{"rest_stop_every",
-                                  "1",
-                                  0,
-                                  1e9,
-                                  false,
-                                  "steps of a station's wait for rest after which all motion is stopped; 0: never"};
+  static constexpr Parameter drag{
+      "rest_drag", "1/s", 0, 1e9, false, "drag on all motion, over the mass, while a station waits for rest"};
   Stage stage;
   const std::string path = table.kind("path", path_names());
   stage.name = table.text("name", path);
@@ -98,7 +94,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
   if (table.has("rest_damping")) stage.rest_damping = table.number(rest);
-  stage.rest_stop = table.integer(stop, stage.rest_stop);
+  if (table.has("rest_drag")) stage.rest_drag = table.number(drag);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() > 0)
     for (const DriveGoal& goal : stage.path->drives(0))

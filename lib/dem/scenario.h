@@ -21,7 +21,7 @@ struct Stage {
   std::optional<double> plate_friction;  // rad, of the materials of planes against any other
   std::optional<double> damping;         // local damping during this stage
   std::optional<double> rest_damping;    // the same while a station waits for rest
-  std::int64_t rest_stop = 0;            // steps of such a wait after which all motion is stopped; 0: never
+  double rest_drag = 0;                  // 1/s, of all motion, over the mass, while a station waits for rest
 };
 
 /// Which recorded stations get a full snapshot beside their row in the series.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/in_parallel.h"
 #include "dem/contact_sweep.h"
 #include "dem/contacts_record.h"
 #include "dem/guard.h"
@@ -375,11 +376,13 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   s.energies.tangential_work += before.law - after.law;
 }
 
-void Simulation::stop_motion() {
+void Simulation::slow_motion(double share) {
   const double moving = kinetic_energy();
   Bodies& bodies = impl_->bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    bodies.set_velocity(i, Vec3::Zero()), bodies.set_spin(i, Vec3::Zero());
+  in_parallel(bodies.size(), impl_->numerics.threads, [&](std::size_t i) {
+    bodies.set_velocity(i, share * vector_of(bodies.velocity(i)));
+    bodies.set_spin(i, share * vector_of(bodies.spin(i)));
+  });
   impl_->energies.damping += moving - kinetic_energy();
 }
 

@@ -97,7 +97,8 @@ class Simulation {
   /// Of soil; masses follow at constant density. stretch: soil is also moved, coordinate by coordinate, from the
   /// origin.
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
-  void stop_motion();  // zero fluctuation velocities and spins
+  /// Of fluctuation velocities and spins this share is left; what they lose counts as damped away.
+  void slow_motion(double share);
 
   /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.
   io::Snapshot snapshot() const;

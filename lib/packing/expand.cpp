@@ -154,7 +154,7 @@ class Grower {
     for (;;) {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
-      if (stop > 0 && steps % stop == 0) simulation_.stop_motion();
+      if (stop > 0 && steps % stop == 0) simulation_.slow_motion(0);
       if (steps % dem::look_interval == 0 && simulation_.unbalanced_force(least) <= growth_.unbalanced_force)
         return true;
       if (steps >= most) return false;

@@ -42,7 +42,7 @@ inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
   // What carries comes to rest; grains that carry nothing would fly on.
   for (int round = 0; round < 5; ++round) {
     for (int k = 0; k < 2000; ++k) resting.step();
-    resting.stop_motion();
+    resting.slow_motion(0);
   }
   const io::Snapshot start = resting.snapshot();
   dem::Numerics undamped;

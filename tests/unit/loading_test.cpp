@@ -124,17 +124,16 @@ TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
   EXPECT_GT(std::abs(last(held, "step") - last(calmed, "step")), 20);
 }
 
-TEST(Run, AStageMayStopTheMotionOfAStationThatWaitsForRest) {
+TEST(Run, AStageMayDragWhatWaitsForRest) {
   // Hardly damped, a packing swings on until it falls apart.
   const std::string swinging =
       "[equilibrium]\nkinetic_energy = 1e-8\nsteps = 20000\n[[stage]]\npath = \"constant-volume\"\n"
       "axial_strain = 0.001\nincrement = 0.001\ndamping = 0.02\n";
-  const io::RunFile run = loaded(swinging + "rest_stop_every = 100\n");
+  const io::RunFile run = loaded(swinging + "rest_drag = 200\n");
   EXPECT_LE(last(run, "unbalanced_force"), 1e-3);
   EXPECT_LT(last(run, "kinetic_energy"), 1e-6);
-  EXPECT_GT(last(run, "kinetic_energy"), 0) << "looked at right after a stop, any state would be at rest";
   EXPECT_GT(last(run, "mean_stress"), 1.5 * last(loaded(swinging), "mean_stress"));
-  EXPECT_NEAR(last(run, "energy_error"), 0, 1e-4) << "what was stopped counts as damped away";
+  EXPECT_NEAR(last(run, "energy_error"), 0, 1e-4) << "what was slowed counts as damped away";
 }
 
 TEST(Run, SaysWhichStationCannotBeReached) {
