@@ -50,24 +50,26 @@ struct FabricTool {
 
   void run(const tool::Invocation& invocation) const {
     const io::RunFile file = io::read_states(input);
-    io::FieldsFile fields;
-    fields.groups = {{"fabric", "fabric tensors and anisotropies, one row per state", {}},
-                     {"histogram", "grains by number of contacts", {}},
-                     {"rose", "contacts by orientation", {}},
-                     {"chains", "contacts of the force chains", {}}};
+    using Group = io::FieldsFile::Group;
+    Group fabric{"fabric", "fabric tensors and anisotropies, one row per state", {}};
+    Group histogram{"histogram", "grains by number of contacts", {}};
+    Group rose{"rose", "contacts by orientation", {}};
+    Group chains{"chains", "contacts of the force chains", {}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
       // Of a bag, the contacts of soil with soil, geotextile and plates.
       const io::Snapshot& all = file.snapshots[n];
       const io::Snapshot s = all.yarns.size() > 0 ? analysis::soil_contacts(all) : all;
-      analysis::put_fabric(fields.groups[0].table, s);
-      analysis::put_histogram(fields.groups[1].table, s);
-      analysis::put_rose(fields.groups[2].table, s, static_cast<std::size_t>(classes));
-      analysis::put_chains(fields.groups[3].table, s);
+      analysis::put_fabric(fabric.table, s);
+      analysis::put_histogram(histogram.table, s);
+      analysis::put_rose(rose.table, s, static_cast<std::size_t>(classes));
+      analysis::put_chains(chains.table, s);
     }
-    for (const auto& group : fields.groups)
-      if (tsv && group.name == table) std::fputs(io::to_tsv(group.table).c_str(), stdout);
+    io::FieldsFile fields;
+    for (Group* group : {&fabric, &histogram, &rose, &chains}) {
+      if (tsv && group->name == table) std::fputs(io::to_tsv(group->table).c_str(), stdout);
+      if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
+    }
     if (output.empty()) return;
-    std::erase_if(fields.groups, [](const auto& group) { return group.table.rows() == 0; });
     io::write_fields(output, fields, io::extend({file.source}, invocation));
   }
 };

@@ -136,6 +136,22 @@ TEST(Run, AStageMayDragWhatWaitsForRest) {
   EXPECT_NEAR(last(run, "energy_error"), 0, 1e-4) << "what was slowed counts as damped away";
 }
 
+TEST(Prepare, KeepsContactsWithPlanesOnlyWherePlanesAreParallel) {
+  const auto between = [](const std::string& normal) {
+    return "[[plane]]\npoint = [0, 0, -1]\nnormal = " + normal + "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n";
+  };
+  const Scenario upright = scenario(between("[0, 0, 1]")), leaning = scenario(between("[0, 0.1, 1]"));
+  io::Snapshot packing = testing::packed(upright.model, 1e5);
+  packing.planes = upright.planes;
+  const std::size_t pairs = packing.contacts.size();
+  // The last contact is with the plane.
+  packing.contacts.bodies.back()[1] = -1;
+  EXPECT_EQ(prepare(packing, upright).contacts.size(), pairs);
+  EXPECT_EQ(prepare(packing, leaning).contacts.size(), pairs - 1);
+  packing.planes = {};
+  EXPECT_EQ(prepare(packing, upright).contacts.size(), pairs - 1);
+}
+
 TEST(Run, SaysWhichStationCannotBeReached) {
   const Scenario plan =
       scenario("[equilibrium]\nsteps = 50\n[[stage]]\nname = \"far\"\npath = \"isotropic\"\npressure = 1e6\n");
