@@ -97,6 +97,8 @@ ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk ## put the series of finished thesis-s
 	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
 	@cp $(C3O)/generation.tsv $(C3_KEPT)/generation.tsv && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
 
+include $(C3)/variants.mk
+
 # Three states of the bag of PE for a picture: after the preload, at 12 %, the last.
 C3_STATES := 1 4 last
 C3_PICTURES := $(foreach k,1 2 3,$(C3O)/section_$(k).tsv $(C3O)/face_$(k).tsv)
