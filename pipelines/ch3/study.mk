@@ -15,7 +15,7 @@ C3_YARNS_thesis := 1
 C3_END_quick := 15
 C3_END_thesis := 20
 C3_UC_quick := --set stage.1.strain=0.15
-C3_SS_quick := --set stage.1.parts=15 --set stage.1.move.0.distance=0.012
+C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
 C3_GRAINS_quick := --set grains.scale=2 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] --set geotextile_mesh.node_radius=0.005
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
