@@ -136,19 +136,27 @@ function paths(g, f, r, start, base, i, obliquity, least, steps) {
   put("middle_evens_out_" g, last(f, "strain") > 0.19 ? \
     middle_over_edge(f "_groups", "mean_stress", last(f, "step")) - middle_over_edge(f "_groups", "mean_stress", step_at(g, 0.12)) : "none")
 }
-function yarns_and_faces(g, f, start, base, i, most, sides, before, after) {
+function yarns_and_faces(g, f, start, base, i, most, sides) {
   put("tension_families_" g, value[f, "yarn_tension_face", base] / value[f, "yarn_tension_side_horizontal", base])
   put("hoop_over_side_" g, value[f, "yarn_tension_side_horizontal", base] / value[f, "yarn_tension_side_vertical", base])
   for (i = start + 1; i <= rows[f]; ++i) {
-    most = larger(most, larger(value[f, "face_friction_x", i], larger(value[f, "face_friction_y", i], value[f, "face_friction_z", i])))
-    if (i <= base) before += value[f, "face_friction_z", i] / (base - start)
-    if (i > failure_row(f)) after += value[f, "face_friction_z", i] / (rows[f] - failure_row(f))
+    value[f, "face_friction_sides", i] = larger(value[f, "face_friction_x", i], value[f, "face_friction_y", i])
+    most = larger(most, larger(value[f, "face_friction_sides", i], value[f, "face_friction_z", i]))
   }
   put("face_friction_" g, most)
-  sides = larger(value[f, "face_friction_x", base], value[f, "face_friction_y", base])
-  put("face_friction_z_over_sides_" g, value[f, "face_friction_z", base] / sides)
-  put("face_friction_sides_over_z_" g, sides / value[f, "face_friction_z", base])
-  put("face_friction_z_rises_" g, failure_row(f) < rows[f] ? after - before : "none")
+  sides = value[f, "face_friction_sides", base] / value[f, "face_friction_z", base]
+  put("face_friction_z_over_sides_" g, 1 / sides)
+  put("face_friction_sides_over_z_" g, sides)
+  put("face_friction_z_rises_" g, rises(f, "face_friction_z", start, base))
+  put("face_friction_sides_rises_" g, rises(f, "face_friction_sides", start, base))
+}
+# Mean of a column after failure less that up to the first break.
+function rises(f, column, start, base, i, failed, before, after) {
+  failed = failure_row(f)
+  if (failed == rows[f]) return "none"
+  for (i = start + 1; i <= base; ++i) before += value[f, column, i] / (base - start)
+  for (i = failed + 1; i <= rows[f]; ++i) after += value[f, column, i] / (rows[f] - failed)
+  return after - before
 }
 # Anisotropies from 4 % over the first breaks at 8 to 10 % to the end.
 function anisotropies(g) {

@@ -9,7 +9,7 @@ uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 hue(g) = g eq 'PE' ? 1 : 2
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 # Of the full size, kept.
-full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\(.*\\)\\.tsv$/\\1/p'")
+full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
 kept(g) = sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 C(n) = column(n)
 # From the end of the preload, which is the first stage.
