@@ -23,7 +23,7 @@ struct FabricTool {
   std::filesystem::path input, output;
   std::string state = "all", table = "fabric";
   std::int64_t classes = 36;
-  bool tsv = false;
+  bool tsv = false, soil = false;
 
   void options(tool::Table& t) {
     t.about("fabric", "fabric tensors, anisotropies, coordination and contact orientation of a packing or a run",
@@ -36,6 +36,7 @@ struct FabricTool {
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(classes, classes_parameter);
+    t.flag(soil, "soil", "of a bag, contacts of soil with soil alone");
     t.optional_output(output, "fields file to write");
   }
 
@@ -56,9 +57,9 @@ struct FabricTool {
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
-      // Of a bag, the contacts of soil with soil, geotextile and plates.
+      // Of a bag, the contacts of soil: with soil, geotextile and plates, as the thesis counts them.
       const io::Snapshot& all = file.snapshots[n];
-      const io::Snapshot s = all.yarns.size() > 0 ? analysis::soil_contacts(all) : all;
+      const io::Snapshot s = all.yarns.size() > 0 ? analysis::soil_contacts(all, soil) : all;
       analysis::put_fabric(fabric.table, s);
       analysis::put_histogram(histogram.table, s);
       analysis::put_rose(rose.table, s, static_cast<std::size_t>(classes));

@@ -46,14 +46,16 @@ std::vector<bool> nodes(const io::Snapshot& state) {
   return node;
 }
 
-io::Snapshot soil_contacts(const io::Snapshot& state) {
+io::Snapshot soil_contacts(const io::Snapshot& state, bool alone) {
   const std::vector<bool> node = nodes(state);
   io::Snapshot left = state;
   io::ContactsRecord& c = left.contacts;
   std::size_t n = 0;
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto [first, second] = c.bodies[k];
-    if (node[static_cast<std::size_t>(first)] && (second < 0 || node[static_cast<std::size_t>(second)])) continue;
+    const bool from_node = node[static_cast<std::size_t>(first)];
+    const bool to_soil = second >= 0 && !node[static_cast<std::size_t>(second)];
+    if (alone ? from_node || !to_soil : from_node && !to_soil) continue;
     c.bodies[n] = c.bodies[k], c.image[n] = c.image[k], c.normal[n] = c.normal[k];
     c.branch_vector[n] = c.branch_vector[k], c.overlap[n] = c.overlap[k], c.normal_force[n] = c.normal_force[k];
     c.shear_force[n] = c.shear_force[k], c.rolling_moment[n] = c.rolling_moment[k];

@@ -11,8 +11,8 @@ namespace soilweave::analysis {
 
 /// Which grains are nodes of geotextiles.
 std::vector<bool> nodes(const io::Snapshot& state);
-/// The state with contacts of soil alone: with soil, with nodes, with planes.
-io::Snapshot soil_contacts(const io::Snapshot& state);
+/// The state with the contacts of soil: with soil and, unless alone, with nodes and planes.
+io::Snapshot soil_contacts(const io::Snapshot& state, bool alone = false);
 
 /// Mean over the whole yarns of a family.
 struct YarnMean {

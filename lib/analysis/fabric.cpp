@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/bag.h"
 #include "analysis/stress.h"
 
 namespace soilweave::analysis {
@@ -70,11 +71,16 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 Coordination coordination(const io::Snapshot& state) {
   Coordination z;
   std::vector<int> count = contacts_per_grain(state);
-  const int most = count.empty() ? 0 : *std::max_element(count.begin(), count.end());
-  z.histogram.assign(static_cast<std::size_t>(most) + 1, 0);
-  for (const int k : count) ++z.histogram[static_cast<std::size_t>(k)];
-  const double grains = static_cast<double>(count.size());
-  const double ends = std::accumulate(count.begin(), count.end(), 0.0);
+  // Nodes of a geotextile are no grains, and their yarns hold them.
+  const std::vector<bool> node = nodes(state);
+  double grains = 0, ends = 0;
+  z.histogram.assign(1, 0);
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    if (node[i]) continue;
+    const auto k = static_cast<std::size_t>(count[i]);
+    if (k >= z.histogram.size()) z.histogram.resize(k + 1, 0);
+    ++z.histogram[k], ++grains, ends += count[i];
+  }
   const double none = static_cast<double>(z.histogram[0]);
   const double one = z.histogram.size() > 1 ? static_cast<double>(z.histogram[1]) : 0;
   z.all = grains > 0 ? ends / grains : 0;
@@ -84,7 +90,7 @@ Coordination coordination(const io::Snapshot& state) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < count.size(); ++i)
-      if (!out[i] && count[i] < least_contacts) {
+      if (!out[i] && !node[i] && count[i] < least_contacts) {
         out[i] = 1;
         changed = true;
       }
@@ -99,6 +105,7 @@ Coordination coordination(const io::Snapshot& state) {
   }
   double left = 0, held = 0;
   for (std::size_t i = 0; i < count.size(); ++i) {
+    if (node[i]) continue;
     z.rattlers += out[i] ? 1 : 0;
     left += out[i] ? 0 : 1;
     held += out[i] ? 0 : count[i];
@@ -121,6 +128,7 @@ Rose polar_rose(const io::Snapshot& state, std::size_t classes) {
   for (std::size_t k = 0; k < classes; ++k) {
     const double low = static_cast<double>(k) * width;
     rose.angle.push_back(low + 0.5 * width);
+    rose.contacts.push_back(rose.density[k]);
     if (rose.density[k] > 0) rose.normal_force[k] /= rose.density[k];
     // The share of the half sphere between the two cones.
     rose.density[k] /= n > 0 ? n * (std::cos(low) - std::cos(low + width)) : 1;
@@ -148,6 +156,7 @@ Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes) {
   }
   for (std::size_t k = 0; k < classes; ++k) {
     rose.angle.push_back((static_cast<double>(k) + 0.5) * width);
+    rose.contacts.push_back(rose.density[k]);
     if (rose.density[k] > 0) rose.normal_force[k] /= rose.density[k];
     if (total > 0) rose.density[k] *= static_cast<double>(classes) / total;
   }

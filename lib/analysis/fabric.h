@@ -34,11 +34,13 @@ struct Coordination {
   std::size_t rattlers = 0;  // grains outside that backbone
   std::vector<std::size_t> histogram;  // grains with 0, 1, 2 ... contacts
 };
+/// Nodes of a geotextile are no grains: theirs are contacts of the soil only, and they never rattle.
 Coordination coordination(const io::Snapshot& state);
 
 /// Share of contacts, and mean normal force, per class of angle of the contact normal.
 struct Rose {
   std::vector<double> angle;         // rad, middle of each class
+  std::vector<double> contacts;      // in the class
   std::vector<double> density;       // contacts per unit of solid angle (or of angle), over the isotropic value
   std::vector<double> normal_force;  // N, mean; 0 in an empty class
 };

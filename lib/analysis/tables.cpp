@@ -167,6 +167,7 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
       put_step(table, state);
       put(table, "plane", "1", "0: angle from the loading axis; 1: in the xy plane; 2: in the xz plane", plane);
       put(table, "angle", "deg", "middle of the class", rose.angle[k] * 180 / std::numbers::pi);
+      put(table, "contacts", "1", "contacts in the class; in a plane both directions of each", rose.contacts[k]);
       put(table, "density", "1", "contacts in the class over those of an isotropic packing", rose.density[k]);
       put(table, "normal_force", "N", "mean normal force in the class", rose.normal_force[k]);
     }

@@ -1,4 +1,4 @@
-# Figures of chapter 3: compression, paths, yarns, shear, shear box, pictures. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'"
+# Figures of chapter 3: compression, paths, yarns, breaks, shear, strip, shear box, growth, contacts, pictures. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'"
 # SPDX-License-Identifier: GPL-3.0-or-later
 set datafile separator "\t"
 set key autotitle columnhead
@@ -9,7 +9,7 @@ uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 hue(g) = g eq 'PE' ? 1 : 2
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 # Of the full size, kept.
-full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\(.*\\)\\.tsv$/\\1/p'")
+full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
 kept(g) = sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 C(n) = column(n)
 # From the end of the preload, which is the first stage.
@@ -51,6 +51,18 @@ set ylabel 'broken yarns'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [g in full] kept(g) using (strain(0)):"broken_yarns [1]" with lines lc hue(g) dt 2 title g.' full size'
 unset multiplot
+set output sprintf("%s/breaks.%s", out, format)
+set multiplot layout 1,2
+set xlabel 'x (mm)'
+set ylabel 'y (mm)'
+set xrange [-260:260]; set yrange [-260:260]; set size ratio -1
+do for [run in "uc_PE uc_PE_rough"] {
+  set title run eq 'uc_PE' ? 'smooth plates' : 'rough plates'
+  plot sprintf("%s/%s_breaks.tsv", out, run) using "x [mm]":"y [mm]" with points lc hue('PE') pt 7 ps 0.3
+}
+unset multiplot
+unset title
+set autoscale; set size noratio
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
 set ylabel 'shear over normal force'
@@ -81,6 +93,31 @@ set key left top
 plot out."/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
   "pipelines/ch3/kept/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'full size'
 unset multiplot
+# Contacts of the bag beside those of the representative volume.
+contacts = "rv bag bag_soil"
+name(of) = of eq 'rv' ? 'representative volume' : of eq 'bag' ? 'bag' : 'bag, soil with soil'
+set output sprintf("%s/shape.%s", out, format)
+set multiplot layout 1,2
+set style fill solid 0.65 noborder
+set key right top
+set xlabel 'contacts of a grain'
+set ylabel 'grains (%)'
+set xrange [-0.6:10.6]; set yrange [0:35]
+array grains[3]
+do for [k = 1:3] {
+  stats sprintf("%s/%s_histogram.tsv", out, word(contacts, k)) using "grains [1]" nooutput
+  grains[k] = STATS_sum
+}
+plot for [k = 1:3] sprintf("%s/%s_histogram.tsv", out, word(contacts, k)) \
+  using (C("contacts [1]") + 0.27 * (k - 2)):(100 * C("grains [1]") / grains[k]):(0.25) with boxes lc k title name(word(contacts, k))
+set xlabel 'angle from the vertical (deg)'
+set ylabel 'contacts over those of an isotropic packing'
+set xrange [0:90]; set yrange [0:*]
+set key right bottom
+plot for [k = 1:3] sprintf("%s/%s_rose.tsv", out, word(contacts, k)) \
+  using (C("plane [1]") == 0 ? C("angle [deg]") : NaN):"density [1]" with linespoints lc k pt 7 ps 0.4 title name(word(contacts, k))
+unset multiplot
+set autoscale
 # The bag before it is compressed, near its greatest load, and ruptured: cut in the middle, and from above. Too many marks for SVG.
 if (format eq 'png') {
 set output sprintf("%s/bag.png", out)

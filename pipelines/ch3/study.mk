@@ -15,7 +15,7 @@ C3_YARNS_thesis := 1
 C3_END_quick := 15
 C3_END_thesis := 20
 C3_UC_quick := --set stage.1.strain=0.15
-C3_SS_quick := --set stage.1.parts=15 --set stage.1.move.0.distance=0.012
+C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
 C3_GRAINS_quick := --set grains.scale=2 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] --set geotextile_mesh.node_radius=0.005
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
@@ -49,6 +49,11 @@ $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter
 $(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(C3_UC_$(PROFILE)) --set geotextile.0.curve=$* --threads $(C3_THREADS) --quiet --resume --force -o $@
+# Rough plates instead of smooth ones.
+$(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(C3_UC_$(PROFILE)) --set geotextile.0.curve=$* --set stage.1.plate_friction_angle=89.9 \
+	  --threads $(C3_THREADS) --quiet --resume --force -o $@
 # % is the dead load in N.
 $(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem
 	@echo '  run   $@'
@@ -72,17 +77,32 @@ $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
+$(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.awk $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state last --table yarns --tsv | awk -f $(C3)/breaks.awk $(call whole,$@)
+
+# Contacts of the bag, those of its soil alone, and those of the representative volume it is made of.
+C3_ROSES := $(foreach of,rv bag bag_soil,$(C3O)/$(of)_histogram.tsv $(C3O)/$(of)_rose.tsv)
+$(C3O)/rv_%.tsv: $(C3O)/rv.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --table $* --tsv $(call whole,$@)
+$(C3O)/bag_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --table $* --tsv $(call whole,$@)
+$(C3O)/bag_soil_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --soil --table $* --tsv $(call whole,$@)
+$(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
+	@awk -f $^ $(call whole,$@)
 
 C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
-C3_FABRIC := $(foreach g,PE PP,$(C3O)/uc_$(g)_fabric.tsv)
-C3_GROUPS := $(C3O)/uc_PE_groups.tsv
 C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
+C3_STATES_OF := $(foreach run,uc_PE uc_PP $(C3_LOADS:%=ss_%),$(C3O)/$(run)_fabric.tsv $(C3O)/$(run)_groups.tsv)
+C3_BREAKS := $(C3O)/uc_PE_breaks.tsv $(C3O)/uc_PE_rough_breaks.tsv
 C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
 C3_BOXES := $(foreach a,21 25,$(C3O)/box_$(a).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
 
-$(C3O)/measured.tsv: $(C3)/measure.awk $(C3_UC) $(C3_FABRIC) $(C3_GROUPS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3_RECORDED)
-	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) -f $^ $(call whole,$@)
+C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
+$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_UC) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
+  $(C3_RECORDED)
+	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) $(C3_MEASURE:%=-f %) $(filter %.tsv,$^) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 $(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
@@ -107,12 +127,12 @@ $(C3O)/section_%.tsv: $(C3O)/uc_PE.h5 $(C3)/section.awk $(BIN)/homogenize
 $(C3O)/face_%.tsv: $(C3O)/uc_PE.h5 $(C3)/face.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --table yarns --tsv | awk -f $(C3)/face.awk $(call whole,$@)
 
-$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED) $(C3_PICTURES) $(C3O)/generation.tsv \
+$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED) $(C3_PICTURES) $(C3_BREAKS) $(C3_ROSES) $(C3O)/generation.tsv \
   $(wildcard $(C3_KEPT)/*.tsv)
 	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'; yarns=$(C3_YARNS_$(PROFILE)); \
 	  end='$(C3_END_$(PROFILE))'" $<; done
 	@touch $@
-$(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures
+$(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/figures
 	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)
 	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch3: %d published values and statements met, %d not met (make report)\n", \
 	  met, not }' $(C3O)/comparison.tsv $(C3O)/checklist.tsv

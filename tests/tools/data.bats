@@ -35,3 +35,10 @@ compare() {
   [ "$status" -eq 1 ]
   [[ "$output" == *"x is not in the measured values"* ]]
 }
+
+@test "one of a run that is not made at this size is left out" {
+  compare $'x\tat most\t1e-3\t\t1\texact\terror\ny\tat most\t1\t\t1\texact\tother' $'x\tnone\ny\t1\t'
+  [ "$status" -eq 0 ]
+  [ "${#lines[@]}" -eq 2 ]
+  [ "$(cut -f 1 <<< "${lines[1]}")" = "other" ]
+}

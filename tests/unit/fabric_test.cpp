@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "analysis/bag.h"
 #include "analysis/stress.h"
 #include "support/assembly.h"
 
@@ -156,6 +157,20 @@ TEST(Coordination, CountsAPlaneOnce) {
   test::add_direction(s, Vec3(0, 0, -1), 1, Vec3::Zero());
   s.contacts.bodies[0] = {0, -1};
   EXPECT_EQ(coordination(s).all, 1);
+}
+
+TEST(Coordination, NodesOfAGeotextileHoldGrainsButAreNone) {
+  // Grain 0 lies on both nodes and on grain 1, which touches nothing else.
+  io::Snapshot s;
+  for (int k = 0; k < 4; ++k) test::add_grain(s, Vec3(k, 0, 0), 1);
+  s.yarns = {{{2, 3}}, {0}, {0}, {0}, {5e-3}, {0.01}, {1.5}, {0}, {0}, {Vec3::Zero()}};
+  for (const std::int32_t other : {1, 2, 3}) test::add_contact(s, 0, other, Vec3i::Zero(), 1);
+  const Coordination z = coordination(s);
+  EXPECT_EQ(z.all, 2);
+  EXPECT_EQ(z.histogram, (std::vector<std::size_t>{0, 1, 0, 1}));
+  EXPECT_EQ(z.rattlers, 1U);
+  EXPECT_EQ(z.backbone, 2) << "on the two nodes";
+  EXPECT_EQ(coordination(soil_contacts(s, true)).histogram, (std::vector<std::size_t>{0, 2}));
 }
 
 TEST(Rose, OfEvenDirectionsIsOneEverywhere) {

@@ -1,0 +1,194 @@
+# Chapter 3, uniaxial compression: bags of PE and PP beside the recorded series of the same model; loaded after measure.awk.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Volume inside the surface at that distance from the flat core of the bag, which is 0.374 m wide with corners of 35.7 mm.
+function pillow(h) { return 2 * h * 0.13904 + 1.5707963 * h * h * 1.43606 + 4.1887902 * h * h * h }
+
+# Axial strain from the end of the preload, whose row it returns; load over 0.16 m2; surcharge, the stress of soil and geotextile as
+# one, which the plates balance.
+function compression(f, i, start, height, layer) {
+  for (start = 1; start < rows[f] && value[f, "stage", start + 1] == 0; ++start) { }
+  layer = pillow(0.04 + 0.005 * yarns) - pillow(0.04)
+  for (i = 1; i <= rows[f]; ++i) {
+    height = value[f, "displacement_top_z", i] - value[f, "displacement_bottom_z", i]
+    value[f, "strain", i] = (value[f, "displacement_top_z", start] - value[f, "displacement_bottom_z", start] - height) / 0.08
+    value[f, "pressure", i] = 0.5 * (size(value[f, "force_top_z", i]) + size(value[f, "force_bottom_z", i])) / 0.16
+    value[f, "surcharge", i] = value[f, "pressure", i] * 0.16 * (0.08 + 0.01 * yarns + height) / (value[f, "soil_volume", i] + layer)
+    value[f, "tension", i] = value[f, "yarn_tension_face", i] / yarns
+    value[f, "lateral", i] = 0.5 * (value[f, "soil_stress_xx", i] + value[f, "soil_stress_yy", i])
+  }
+  return start
+}
+# Its row of the first broken yarn, or the last.
+function broken_row(f, i) {
+  for (i = 1; i < rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
+  return i
+}
+# The last row whose load is within 2 % of the greatest: where the bag fails, unless it is the last of all.
+function failure_row(f, i) {
+  for (i = rows[f]; value[f, "pressure", i] < 0.98 * value[f, "pressure", greatest(f, "pressure")]; --i) { }
+  return i
+}
+# The path in p and q from row to row: slope through the origin, and the greatest distance from that line over the greatest q.
+function path_slope(f, p, q, from, to, i, pq, pp) {
+  for (i = from; i <= to; ++i) { pq += value[f, p, i] * value[f, q, i]; pp += value[f, p, i] ^ 2 }
+  return pq / pp
+}
+function path_deviation(f, p, q, from, to, slope, i, d) {
+  slope = path_slope(f, p, q, from, to)
+  for (i = from; i <= to; ++i) d = larger(d, size(value[f, q, i] - slope * value[f, p, i]))
+  return d / value[f, q, to]
+}
+# The same of the groups, the greatest: states after the preload up to that step.
+function groups_deviation(f, start, end, i, k, group) {
+  for (i = 1; i <= rows[f]; ++i) {
+    if (value[f, "step", i] < start || value[f, "step", i] > end) continue
+    k = f "_" value[f, "volume_of_interest", i]
+    ++rows[k]; group[k]
+    value[k, "p", rows[k]] = value[f, "mean_stress", i]
+    value[k, "q", rows[k]] = value[f, "deviatoric_stress", i]
+  }
+  for (k in group) i = larger(group[k], path_deviation(k, "p", "q", 1, rows[k]))
+  return i
+}
+
+# The step of the state recorded at that strain, and an anisotropy there.
+function step_at(g, strain, i) {
+  for (i = 1; i <= rows["uc_" g]; ++i) if (size(value["uc_" g, "strain", i] - strain) < 1e-3) return value["uc_" g, "step", i]
+}
+function anisotropy(g, kind, strain) { return at_step("uc_" g "_fabric", kind, step_at(g, strain)) }
+
+# Greatest differences up to the recorded peak: at equal tension of the yarns on the faces, or at the greatest where that is never
+# reached; the same up to the first break, before strength has its part; and from 3 % on at equal strain.
+function note(at, g, what, measured, recorded, d, key) {
+  d = 100 * (measured / recorded - 1)
+  key = "equal_" at "_" what "_" g
+  if (size(d) > size(misfit[key])) misfit[key] = d
+}
+function beside_record(g, f, r, base, i, at, recorded, tautest) {
+  recorded = greatest(r, "axial_stress")
+  tautest = value[f, "tension", greatest(f, "tension")]
+  for (i = 2; i <= recorded; ++i) {
+    at = smaller(value[r, "tension_yarn_face", i], tautest)
+    note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+    note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    if (at <= value[f, "tension", base]) {
+      note("unbroken", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+      note("unbroken", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+      note("unbroken", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+    }
+    if (value[r, "strain_axial", i] < 0.03) continue
+    at = value[r, "strain_axial", i]
+    note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
+    note("strain", g, "axial", where(f, "strain", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("strain", g, "pressure", where(f, "strain", "pressure", at), value[r, "plate_pressure", i])
+    note("strain", g, "tension", where(f, "strain", "tension", at), value[r, "tension_yarn_face", i])
+  }
+}
+# What is left of a stress at the last strain over what is left of the recorded one there, each of its greatest.
+function left_over(f, column, r, recorded) {
+  return last(f, column) / value[f, column, greatest(f, column)] / \
+    (where(r, "strain_axial", recorded, last(f, "strain")) / value[r, recorded, greatest(r, recorded)])
+}
+
+function loads_and_strains(g, f, r, base, peak) {
+  peak = greatest(f, "soil_stress_zz")
+  put("first_break_" g, 100 * value[f, "strain", base])
+  put("peak_strain_" g, 100 * value[f, "strain", peak])
+  put("peak_axial_" g, value[f, "soil_stress_zz", peak] / 1000)
+  put("peak_lateral_" g, value[f, "lateral", greatest(f, "lateral")] / 1000)
+  put("peak_pressure_" g, value[f, "pressure", greatest(f, "pressure")] / 1000)
+  put("peak_pressure_strain_" g, 100 * value[f, "strain", greatest(f, "pressure")])
+  put("failure_strain_" g, 100 * value[f, "strain", failure_row(f)])
+  # Energy that the balance leaves over, of the work of the plates.
+  put("energy_error_" g, 100 * size(last(f, "energy_error")) / size(last(f, "boundary_work")))
+  put("left_axial_" g, failure_row(f) < rows[f] ? left_over(f, "soil_stress_zz", r, "axial_stress") : "none")
+  put("left_pressure_" g, failure_row(f) < rows[f] ? left_over(f, "pressure", r, "plate_pressure") : "none")
+  put("left_lateral_" g, failure_row(f) < rows[f] ? left_over(f, "lateral", r, "radial_stress") : "none")
+}
+function volume_change(g, f, start, base, i, densest) {
+  densest = start
+  for (i = start; i <= rows[f]; ++i) if (value[f, "soil_void_ratio", i] < value[f, "soil_void_ratio", densest]) densest = i
+  put("contraction_" g, value[f, "soil_void_ratio", start] - value[f, "soil_void_ratio", densest])
+  put("densest_strain_" g, 100 * value[f, "strain", densest])
+  put("dilation_" g, where(f, "strain", "soil_void_ratio", 0.12) - value[f, "soil_void_ratio", densest])
+  put("void_ratio_at_break_" g, value[f, "soil_void_ratio", base] - value[f, "soil_void_ratio", start])
+}
+function paths(g, f, r, start, base, i, obliquity, least, steps) {
+  at_break[g] = value[f, "soil_obliquity", base]
+  put("obliquity_" g, at_break[g])
+  put("obliquity_ratio_" g, at_break[g] / \
+    (where(r, "strain_axial", "deviatoric_stress", value[f, "strain", base]) / where(r, "strain_axial", "mean_stress", value[f, "strain", base])))
+  put("path_slope_" g, path_slope(f, "soil_mean_stress", "soil_deviatoric_stress", start, base))
+  put("path_deviation_" g, path_deviation(f, "soil_mean_stress", "soil_deviatoric_stress", start, base))
+  put("groups_deviation_" g, groups_deviation(f "_groups", value[f, "step", start], value[f, "step", base]))
+  least = 1e9
+  for (i = start; i <= rows[f]; ++i) {
+    obliquity = larger(obliquity, value[f, "soil_obliquity", i])
+    least = smaller(least, value[f, "soil_stress_zz", i] / value[f, "surcharge", i])
+  }
+  put("greatest_obliquity_" g, obliquity)
+  put("axial_over_surcharge_" g, least)
+  put("middle_p_" g, middle_over_edge(f "_groups", "mean_stress", step_at(g, 0.08)))
+  put("middle_q_" g, middle_over_edge(f "_groups", "deviatoric_stress", step_at(g, 0.08)))
+  put("middle_at_peak_" g, middle_over_edge(f "_groups", "mean_stress", step_at(g, 0.12)))
+  put("middle_evens_out_" g, last(f, "strain") > 0.19 ? \
+    middle_over_edge(f "_groups", "mean_stress", last(f, "step")) - middle_over_edge(f "_groups", "mean_stress", step_at(g, 0.12)) : "none")
+}
+function yarns_and_faces(g, f, start, base, i, most, sides) {
+  put("tension_families_" g, value[f, "yarn_tension_face", base] / value[f, "yarn_tension_side_horizontal", base])
+  put("hoop_over_side_" g, value[f, "yarn_tension_side_horizontal", base] / value[f, "yarn_tension_side_vertical", base])
+  for (i = start + 1; i <= rows[f]; ++i) {
+    value[f, "face_friction_sides", i] = larger(value[f, "face_friction_x", i], value[f, "face_friction_y", i])
+    most = larger(most, larger(value[f, "face_friction_sides", i], value[f, "face_friction_z", i]))
+  }
+  put("face_friction_" g, most)
+  sides = value[f, "face_friction_sides", base] / value[f, "face_friction_z", base]
+  put("face_friction_z_over_sides_" g, 1 / sides)
+  put("face_friction_sides_over_z_" g, sides)
+  put("face_friction_z_rises_" g, rises(f, "face_friction_z", start, base))
+  put("face_friction_sides_rises_" g, rises(f, "face_friction_sides", start, base))
+}
+# Mean of a column after failure less that up to the first break.
+function rises(f, column, start, base, i, failed, before, after) {
+  failed = failure_row(f)
+  if (failed == rows[f]) return "none"
+  for (i = start + 1; i <= base; ++i) before += value[f, column, i] / (base - start)
+  for (i = failed + 1; i <= rows[f]; ++i) after += value[f, column, i] / (rows[f] - failed)
+  return after - before
+}
+# Anisotropies from 4 % over the first breaks at 8 to 10 % to the end.
+function anisotropies(g) {
+  put("anisotropy_c_rises_" g, anisotropy(g, "a_c", 0.08) - anisotropy(g, "a_c", 0.04))
+  put("anisotropy_c_stagnates_" g, anisotropy(g, "a_c", 0.12) - 2 * anisotropy(g, "a_c", 0.08) + anisotropy(g, "a_c", 0.04))
+  put("anisotropy_c_falls_later_" g, last("uc_" g, "strain") > 0.19 ? last("uc_" g "_fabric", "a_c") - anisotropy(g, "a_c", 0.12) : "none")
+  put("anisotropy_n_falls_" g, anisotropy(g, "a_n", 0.12) - anisotropy(g, "a_n", 0.04))
+  put("anisotropy_t_falls_" g, anisotropy(g, "a_t", 0.12) - anisotropy(g, "a_t", 0.04))
+}
+# Where yarns broke: mean nearness to the seam.
+function seam(file, i, sum) {
+  for (i = 1; i <= rows[file]; ++i) sum += value[file, "seam", i]
+  return rows[file] ? sum / rows[file] : "none"
+}
+
+END {
+  for (k = 1; k <= 2; ++k) {
+    g = fabrics[k]
+    f = "uc_" g; r = "soilbag_uniaxial_" g
+    start = compression(f)
+    base = broken_row(f)
+    loads_and_strains(g, f, r, base)
+    volume_change(g, f, start, base)
+    paths(g, f, r, start, base)
+    yarns_and_faces(g, f, start, base)
+    anisotropies(g)
+    beside_record(g, f, r, base)
+  }
+  for (key in misfit) put(key, misfit[key])
+  put("obliquity_PP_over_PE", at_break["PP"] / at_break["PE"])
+  for (k = 1; k <= split("c n t", kinds, " "); ++k)
+    put("anisotropy_" kinds[k] "_PP_over_PE", anisotropy("PP", "a_" kinds[k], 0.08) / anisotropy("PE", "a_" kinds[k], 0.08))
+  put("breaks_smooth", seam("uc_PE_breaks"))
+  put("breaks_rough", seam("uc_PE_rough_breaks"))
+}
