@@ -128,6 +128,15 @@ void Rig::record(const Simulation& simulation, io::Series& series) const {
   }
 }
 
+std::string Rig::text(const Simulation& simulation) const {
+  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  std::string all;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    all += fmt::format("{}{} at {:.3g} mm under {:.3g} N", p ? ", " : "", parts_[p].name,
+                       1e3 * states_[p].displacement.norm(), force(p, plates, simulation).norm());
+  return all;
+}
+
 void Rig::archive(Archive& a) {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     State& s = states_[p];

@@ -46,6 +46,8 @@ class Rig {
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
   /// Displacement and force of every part, appended to the series.
   void record(const Simulation& simulation, io::Series& series) const;
+  /// The same in brief, as progress shows it: how far each part is, and what the grains press it by.
+  std::string text(const Simulation& simulation) const;
   void archive(Archive& archive);
 
  private:

@@ -191,11 +191,16 @@ class Runner {
 
   void tell(const Stage& stage, std::size_t station) const {
     if (!report_) return;
-    const Measures& m = simulation_.measures();
     report_(static_cast<double>(at_.done) / static_cast<double>(total_),
-            fmt::format("{} {}/{}, step {}, p {:.4g} Pa, e {:.4f}, unbalanced {:.1e}", stage.name, station + 1,
-                        stage.path->stations(), simulation_.steps(), mean(m.stress, dimension_),
-                        simulation_.void_ratio(), simulation_.unbalanced_force()));
+            fmt::format("{} {}/{}, step {}, {}, unbalanced {:.1e}", stage.name, station + 1, stage.path->stations(),
+                        simulation_.steps(), state(), simulation_.unbalanced_force()));
+  }
+
+  // A cell around plates says nothing of what is between them.
+  std::string state() const {
+    if (rig_.any()) return rig_.text(simulation_);
+    return fmt::format("p {:.4g} Pa, e {:.4f}", mean(simulation_.measures().stress, dimension_),
+                       simulation_.void_ratio());
   }
 
   [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {

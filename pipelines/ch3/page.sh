@@ -38,6 +38,14 @@ that the shape is also compared with both means made equal, of grains that carry
 the geotextile; of soil with soil alone the bag has fewer along the vertical, since its upper and lower faces are near.</p>
 PAGE
 awk -f pipelines/table.awk "$OUT/shape.tsv"
+if [ -e pipelines/ch3/kept/variants.tsv ]; then
+  cat <<'PAGE'
+<h3>What differences come from</h3>
+<p>The quick bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
+uniaxial compression beside those of the bag itself. Other representative volumes tell how much of a difference is chance.</p>
+PAGE
+  awk -f pipelines/table.awk pipelines/ch3/kept/variants.tsv
+fi
 echo '<h3>Figures</h3>'
 picture bag 'The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains cut by the plane in
 its middle (Fig. 3.14), tension of the yarns on its upper face (Fig. 3.17).'
