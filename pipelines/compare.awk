@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: awk -f compare.awk expected.tsv measured.tsv
 # expected.tsv: name, relation (within, at most, at least), published, tolerance, unit, source, description.
-# measured.tsv: name, value, scatter. A published value that was not measured, or is no number, is an error; one of a run that is not made at this size
-# has the value "none" and is left out.
+# measured.tsv: name, value, scatter. A published value that was not measured, or is no number, is an error; one of a run that is not
+# made at this size has the value "none" and is left out.
 BEGIN {
   FS = OFS = "\t"
   print "description", "unit", "published", "tolerance", "measured", "difference", "verdict", "source"
