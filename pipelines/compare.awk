@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: awk -f compare.awk expected.tsv measured.tsv
 # expected.tsv: name, relation (within, at most, at least), published, tolerance, unit, source, description.
-# measured.tsv: name, value, scatter. A published value that was not measured is an error; one of a run that is not made at this size
-# has the value "none" and is left out.
+# measured.tsv: name, value, scatter. A published value that was not measured, or is no number, is an error; one of a run that is not
+# made at this size has the value "none" and is left out.
 BEGIN {
   FS = OFS = "\t"
   print "description", "unit", "published", "tolerance", "measured", "difference", "verdict", "source"
@@ -16,6 +16,7 @@ END {
     split(line[order[k]], e, FS)
     if (!(e[1] in value)) { print "compare: " e[1] " is not in the measured values" > "/dev/stderr"; exit 1 }
     if (value[e[1]] == "none") continue
+    if (value[e[1]] !~ /^[-+]?[0-9.]/) { print "compare: " e[1] " is " value[e[1]] ", not a number" > "/dev/stderr"; exit 1 }
     difference = value[e[1]] - e[3]
     size = difference < 0 ? -difference : difference
     ok = e[2] == "within" ? size <= e[4] : e[2] == "at most" ? difference <= 0 : difference >= 0

@@ -52,7 +52,9 @@ struct Homogenize {
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
-    t.flag(groups, "groups", "four copies each along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9");
+    t.flag(groups, "groups",
+           "along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one of five "
+           "by five");
     t.flag(grains, "grains", "one row per grain");
     t.flag(yarns, "yarns", "one row per yarn of a geotextile");
     t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");

@@ -47,13 +47,14 @@ std::vector<Volume> groups(const io::Snapshot& state) {
   std::int32_t last = 0;
   for (const std::int32_t id : state.grains.copy_id) last = std::max(last, id);
   const auto n = static_cast<std::int32_t>(std::lround(std::sqrt(last + 1.0)));
-  std::vector<Volume> all(static_cast<std::size_t>(n / 2));
+  if (n < 2) return {};
+  const std::int32_t wide = n % 2 == 0 ? 2 : 1;
+  std::vector<Volume> all(static_cast<std::size_t>(n / wide));
   for (std::size_t k = 0; k < all.size(); ++k) all[k].name = fmt::format("#{}", k + 1);
   const std::int32_t middle = (n - 1) / 2;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const std::int32_t id = state.grains.copy_id[i], x = id % n, y = id / n;
-    if (id >= 0 && (y == middle || y == n / 2) && x / 2 < n / 2)
-      all[static_cast<std::size_t>(x / 2)].grains.push_back(i);
+    if (id >= 0 && (y == middle || y == n / 2)) all[static_cast<std::size_t>(x / wide)].grains.push_back(i);
   }
   std::erase_if(all, [](const Volume& v) { return v.grains.empty(); });
   return all;

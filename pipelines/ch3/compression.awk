@@ -40,7 +40,7 @@ function path_deviation(f, p, q, from, to, slope, i, d) {
   return d / value[f, q, to]
 }
 # The same of the groups, the greatest: states after the preload up to that step.
-function groups_deviation(f, start, end, i, k, group) {
+function groups_deviation(f, start, end, i, k, group, d) {
   for (i = 1; i <= rows[f]; ++i) {
     if (value[f, "step", i] < start || value[f, "step", i] > end) continue
     k = f "_" value[f, "volume_of_interest", i]
@@ -48,8 +48,8 @@ function groups_deviation(f, start, end, i, k, group) {
     value[k, "p", rows[k]] = value[f, "mean_stress", i]
     value[k, "q", rows[k]] = value[f, "deviatoric_stress", i]
   }
-  for (k in group) i = larger(group[k], path_deviation(k, "p", "q", 1, rows[k]))
-  return i
+  for (k in group) d = larger(d, path_deviation(k, "p", "q", 1, rows[k]))
+  return d
 }
 
 # The step of the state recorded at that strain, and an anisotropy there.

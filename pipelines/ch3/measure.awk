@@ -30,13 +30,12 @@ function greatest(file, column, i, row) {
 function at_step(file, column, step, i) {
   for (i = 1; i <= rows[file]; ++i) if (value[file, "step", i] == step) return value[file, column, i]
 }
-# The column of groups of copies along x at that step, mean of the outermost, #1 and #5, or of those between: of the coarse bag, which
-# has two groups, of #1 or of #2.
+# The column of groups of copies along x at that step, mean of the outermost, #1 and #5, or of those between.
 function of_groups(file, column, step, middle, i, k, n, sum, count) {
   for (i = 1; i <= rows[file]; ++i) if (value[file, "step", i] == step) n = value[file, "volume_of_interest", i] + 1
   for (i = 1; i <= rows[file]; ++i) {
     k = value[file, "volume_of_interest", i]
-    if (value[file, "step", i] == step && (k > 0 && (n == 2 || k < n - 1)) == middle) { sum += value[file, column, i]; ++count }
+    if (value[file, "step", i] == step && (k > 0 && k < n - 1) == middle) { sum += value[file, column, i]; ++count }
   }
   return sum / count
 }

@@ -34,6 +34,8 @@ compare() {
   compare $'x\tat most\t1e-3\t\t1\texact\terror' $'y\t2e-3\t'
   [ "$status" -eq 1 ]
   [[ "$output" == *"x is not in the measured values"* ]]
+  compare $'x\tat most\t1e-3\t\t1\texact\terror' $'x\t-nan\t'
+  [ "$status" -eq 1 ]
 }
 
 @test "one of a run that is not made at this size is left out" {

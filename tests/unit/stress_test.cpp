@@ -101,5 +101,25 @@ TEST(VolumeOfInterest, CopiesComeInOrder) {
   EXPECT_EQ(v[2].grains, (std::vector<std::size_t>{7}));
 }
 
+TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
+  io::Snapshot s;
+  for (std::int32_t k = -1; k < 25; ++k) test::add_grain(s, Vec3(k, 0, 0), 0.5);
+  // A node of a geotextile, and one grain a copy of five by five.
+  for (std::int32_t k = -1; k < 25; ++k) s.grains.copy_id[static_cast<std::size_t>(k + 1)] = k;
+  const std::vector<Volume> odd = groups(s);
+  ASSERT_EQ(odd.size(), 5U);
+  EXPECT_EQ(odd[0].grains, (std::vector<std::size_t>{11}));
+  EXPECT_EQ(odd[4].grains, (std::vector<std::size_t>{15}));
+  // Of four by four.
+  for (std::size_t k = 17; k < 26; ++k) s.grains.copy_id[k] = -1;
+  const std::vector<Volume> even = groups(s);
+  ASSERT_EQ(even.size(), 2U);
+  EXPECT_EQ(even[1].name, "#2");
+  EXPECT_EQ(even[1].grains, (std::vector<std::size_t>{7, 8, 11, 12}));
+  // Not tiled.
+  for (std::int32_t& id : s.grains.copy_id) id = 0;
+  EXPECT_TRUE(groups(s).empty());
+}
+
 }  // namespace
 }  // namespace soilweave::analysis
