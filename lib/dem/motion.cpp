@@ -199,6 +199,13 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
   return largest > 0 ? std::numbers::sqrt2 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 
+void slow(Bodies& bodies, double share, int threads) {
+  in_parallel(bodies.size(), threads, [&](std::size_t i) {
+    bodies.set_velocity(i, share * vector_of(bodies.velocity(i)));
+    bodies.set_spin(i, share * vector_of(bodies.spin(i)));
+  });
+}
+
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
   const Lane4 g = row(gravity, 0);
   double sum = 0;

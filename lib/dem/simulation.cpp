@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/in_parallel.h"
 #include "dem/contact_sweep.h"
 #include "dem/contacts_record.h"
 #include "dem/guard.h"
@@ -378,11 +377,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
 
 void Simulation::slow_motion(double share) {
   const double moving = kinetic_energy();
-  Bodies& bodies = impl_->bodies;
-  in_parallel(bodies.size(), impl_->numerics.threads, [&](std::size_t i) {
-    bodies.set_velocity(i, share * vector_of(bodies.velocity(i)));
-    bodies.set_spin(i, share * vector_of(bodies.spin(i)));
-  });
+  slow(impl_->bodies, share, impl_->numerics.threads);
   impl_->energies.damping += moving - kinetic_energy();
 }
 
