@@ -72,7 +72,7 @@ END {
   put("delaunay_void_ratio", last("generation", "delaunay_void_ratio"))
   put("coordination_number", last("generation", "coordination_number"))
   put("spheres", yarns == 1 ? value["shape", "bag", 1] : "none")
-  m = split("contact_number contact_number_shape orientation soil_contact_number soil_contact_number_shape soil_orientation", what, " ")
+  m = split("contact_number orientation soil_contact_number soil_orientation", what, " ")
   for (k = 1; k <= m; ++k) put(what[k], value["shape", "distance", k] / value["shape", "distance of samples", k])
   # Strips: 5 yarns side by side, 100 mm long.
   split("PE PP", fabrics, " ")

@@ -12,30 +12,9 @@ function distance(one, other, k, a, b, d) {
   }
   return d
 }
-# The shape apart from the mean, of grains that carry, which have two contacts or more: bars of width 1, shifted to equal means.
-function carrying(file, k, n) { for (k = 2; k < classes[file]; ++k) n += count[file, k]; return n }
-function mean(file, k, sum) { for (k = 2; k < classes[file]; ++k) sum += k * count[file, k]; return sum / carrying(file) }
-function share_below(file, x, k, sum, part) {
-  for (k = 2; k < classes[file]; ++k) {
-    part = x - (k - 0.5)
-    sum += count[file, k] * (part < 0 ? 0 : part > 1 ? 1 : part)
-  }
-  return sum / carrying(file)
-}
-function shifted_distance(one, other, k, d, at, difference) {
-  for (k = 1; k < classes[one] + classes[other]; ++k) {
-    # At the edges of the bars of both; between them the shares are straight.
-    at = k < classes[one] ? k + 0.5 - mean(one) : k - classes[one] + 0.5 - mean(other)
-    difference = size(share_below(one, at + mean(one)) - share_below(other, at + mean(other)))
-    if (difference > d) d = difference
-  }
-  return d
-}
 function row(name, n, m, d) { print name, n, m, sprintf("%.4g", d), sprintf("%.4g", 1.358 * sqrt(1 / n + 1 / m)) }
 function compare(bag, of) {
   row("number of contacts" of, total[bag "_histogram"], total["rv_histogram"], distance(bag "_histogram", "rv_histogram"))
-  row("the same of grains with two or more, means made equal" of, carrying(bag "_histogram"), carrying("rv_histogram"),
-    shifted_distance(bag "_histogram", "rv_histogram"))
   row("angle of contacts from the vertical" of, total[bag "_rose"], total["rv_rose"], distance(bag "_rose", "rv_rose"))
 }
 BEGIN { FS = OFS = "\t" }

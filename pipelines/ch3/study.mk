@@ -80,10 +80,12 @@ $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 $(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state last --table yarns --tsv | awk -f $(C3)/breaks.awk $(call whole,$@)
 
-# Contacts of the bag, those of its soil alone, and those of the representative volume it is made of.
+# Contacts of the bag, those of its soil alone, and those of the representative volume it is made of, unloaded until it has as few.
 C3_ROSES := $(foreach of,rv bag bag_soil,$(C3O)/$(of)_histogram.tsv $(C3O)/$(of)_rose.tsv)
-$(C3O)/rv_%.tsv: $(C3O)/rv.h5 $(BIN)/fabric
-	@$(BIN)/fabric $< --table $* --tsv $(call whole,$@)
+$(C3O)/rv_unloaded.h5: $(C3O)/rv.h5 $(C3)/rv.toml $(BIN)/run-dem
+	@$(BIN)/run-dem $< $(C3)/rv.toml --threads 1 --quiet --force -o $@
+$(C3O)/rv_%.tsv: $(C3O)/rv_unloaded.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --state last --table $* --tsv $(call whole,$@)
 $(C3O)/bag_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --table $* --tsv $(call whole,$@)
 $(C3O)/bag_soil_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
