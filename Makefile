@@ -242,6 +242,15 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
 	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) tests/tools
 
+# Its pvpython cannot be installed beside libvtk9-dev, which needs python3-vtk9; beside it unpacked it can be, and needs no root.
+.PHONY: paraview
+paraview: build/paraview/pvpython ## ParaView, unpacked into build/paraview: its test is then no longer skipped
+build/paraview/pvpython:
+	@mkdir -p $(@D)/packages && cd $(@D)/packages && apt-get download paraview python3-paraview && \
+	  for p in *.deb; do dpkg-deb --extract $$p .. || exit; done
+	@printf '#!/bin/sh\nusr=$$(dirname "$$(readlink -f "$$0")")/usr\n%s exec "$$usr/bin/pvpython" "$$@"\n' \
+	  'LD_LIBRARY_PATH="$$usr/lib/$(shell dpkg-architecture -qDEB_HOST_MULTIARCH)"' > $@ && chmod +x $@
+
 .PHONY: soak
 soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on failing disks, and a million steps at rest (minutes)
 	@BIN=$(CURDIR)/$(B)/bin bash tests/soak/faults.sh

@@ -50,13 +50,16 @@ struct ToVtk {
   void options(tool::Table& table) {
     table.about(
         "to-vtk", "write packings, runs and fields as VTK files for ParaView",
-        "For each state of a packing or run: the grains, the contacts, the yarns, the cell and the rigid planes as VTK "
-        "XML "
-        "files, a .pvd a group with the physical times, and show.py, which shows them in ParaView at once. "
+        "For each state of a packing or run: the grains, the contacts, the yarns and where they broke, the cell and "
+        "the rigid planes as VTK XML files, a .pvd a group with the physical times, and show.py, which shows them in "
+        "ParaView at once: grains, force chains, yarns by tension and, with --fields, the strain of grains on a cut. "
         "Contacts through a periodic face are drawn half out at both sides. Of a run of fem-dem the mesh with what its "
-        "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows "
-        "have a place become points, the others .csv tables.");
+        "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows have a place become "
+        "points (yarns: lines), the others .csv tables.");
     table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
+    table.example("to-vtk run.h5 --fields fields.h5 -o run-vtk",
+                  "with strains, after: homogenize run.h5 --grains -o "
+                  "fields.h5");
     table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run, fields or multiscale file");
@@ -146,7 +149,10 @@ struct ToVtk {
       if (contacts > 0) folder.add("contacts", indices[s], io::show_contacts(*shown[s], unwrapped, scale));
       folder.add("cell", indices[s], io::show_cell(*shown[s]));
       if (!shown[s]->planes.point.empty()) folder.add("planes", indices[s], io::show_planes(*shown[s]));
-      if (shown[s]->yarns.size() > 0) folder.add("yarns", indices[s], io::show_yarns(*shown[s]));
+      if (shown[s]->yarns.size() > 0) {
+        folder.add("yarns", indices[s], io::show_yarns(*shown[s]));
+        folder.add("broken", indices[s], io::show_broken(*shown[s]));
+      }
       progress.update(static_cast<double>(s + 1) / static_cast<double>(shown.size()));
     }
     folder.finish();

@@ -123,7 +123,7 @@ void put_yarns(io::Series& table, const io::Snapshot& state) {
     const Vec3& first = state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
     const Vec3& second = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])];
     const double length = (second - first).norm();
-    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put_step(table, state);
     put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
     for (int a = 0; a < 3; ++a)
       put(table, fmt::format("position_{}", "xyz"[a]), "m", "middle of the yarn", 0.5 * (first[a] + second[a]));
@@ -140,7 +140,7 @@ void put_broken(io::Series& table, const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   for (std::size_t k = 0; k < y.size(); ++k) {
     if (!y.broken[k]) continue;
-    put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+    put_step(table, state);
     put(table, "yarn", "1", "number of the yarn", static_cast<double>(k));
     put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
     put(table, "break_time", "s", "when it broke", y.break_time[k]);

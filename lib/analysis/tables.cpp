@@ -35,11 +35,6 @@ void put_strain(io::Series& table, const Mat3& strain, int d) {
   put(table, "strain_deviatoric", "1", "deviatoric strain", deviatoric_strain(strain, d));
 }
 
-void put_step(io::Series& table, const io::Snapshot& state) {
-  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
-  put(table, "time", "s", "time since the start", state.time);
-}
-
 }  // namespace
 
 void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
@@ -57,6 +52,11 @@ void put(io::Series& table, const std::string& prefix, const std::string& unit, 
   for (int i = 0; i < dimension; ++i)
     for (int j = i; j < dimension; ++j)
       put(table, fmt::format("{}_{}{}", prefix, axes[i], axes[j]), unit, long_name, tensor(i, j));
+}
+
+void put_step(io::Series& table, const io::Snapshot& state) {
+  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
+  put(table, "time", "s", "time since the start", state.time);
 }
 
 void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
@@ -119,7 +119,11 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
     put(table, "radius", "m", "radius", state.grains.radius[i]);
     put(table, "copy", "1", "copy of the representative volume it is of, -1 for none", state.grains.copy_id[i]);
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
-    put_stress(table, local.dyads[i] / local.cell_volumes[i], d);
+    // The cell of a grain at the rim reaches outside: it has no volume to spread the forces over.
+    put_stress(table,
+               local.cell_volumes[i] > 0 ? Mat3(local.dyads[i] / local.cell_volumes[i])
+                                         : Mat3::Constant(std::numeric_limits<double>::quiet_NaN()),
+               d);
     put_strain(table, natural_strain(local.deformation[i]), d);
   }
 }

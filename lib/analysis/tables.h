@@ -28,10 +28,13 @@ struct Local {
 };
 /// `reference` is the state that strains count from; it may be `state` itself.
 Local local(const io::Snapshot& reference, const io::Snapshot& state);
+/// Step and time of the state, as every table of several states begins.
+void put_step(io::Series& table, const io::Snapshot& state);
 /// One volume of interest: number of grains, volume, void ratio, stress, p, q, strain by the best fit.
 void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
                 const Volume& volume, const Local& local);
-/// One row per grain: identity, position, power-cell volume, stress on it, strain of the tetrahedra around it.
+/// One row per grain: identity, position, power-cell volume, stress on it (none where it has no cell), strain of the
+/// tetrahedra around it.
 void put_grains(io::Series& table, const io::Snapshot& state, const Local& local);
 
 /// One row per state: fabric tensors, anisotropies, coordination, the stress-force-fabric relation, force chains.

@@ -308,4 +308,21 @@ VtkPicture show_yarns(const Snapshot& state) {
   return picture;
 }
 
+VtkPicture show_broken(const Snapshot& state) {
+  const YarnsRecord& y = state.yarns;
+  VtkPicture picture = picture_of(state, VtkShape::vertex);
+  std::vector<std::int64_t> yarn;
+  std::vector<std::int32_t> family;
+  std::vector<double> break_time;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (!y.broken[k]) continue;
+    picture.points.push_back(y.break_position[k]);
+    yarn.push_back(static_cast<std::int64_t>(k));
+    family.push_back(y.family[k]), break_time.push_back(y.break_time[k]);
+  }
+  picture.point_data = {
+      {"yarn", 1, std::move(yarn)}, {"family", 1, std::move(family)}, {"break_time", 1, std::move(break_time)}};
+  return picture;
+}
+
 }  // namespace soilweave::io

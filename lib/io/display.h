@@ -44,4 +44,7 @@ VtkPicture show_planes(const Snapshot& state);
 /// Yarns as lines between their nodes, broken ones left out. Cell data: tension (N), strain, family, fabric.
 VtkPicture show_yarns(const Snapshot& state);
 
+/// A vertex where each broken yarn broke; none before the first. Point data: yarn (its number), family, break_time (s).
+VtkPicture show_broken(const Snapshot& state);
+
 }  // namespace soilweave::io

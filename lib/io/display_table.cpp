@@ -112,10 +112,21 @@ VtkPicture show_rows(const Series& table, const TableState& state) {
   VtkPicture picture;
   picture.time = state.time;
   picture.step = state.step;
-  for (const std::size_t row : state.rows)
-    picture.points.emplace_back(places[0]->values[row], places[1]->values[row],
-                                places[2] ? places[2]->values[row] : 0.0);
-  picture.point_data = arrays_of(table, state.rows);
+  const auto vector = [](const std::array<const Column*, 3>& columns, std::size_t row) {
+    return Vec3(columns[0]->values[row], columns[1]->values[row], columns[2] ? columns[2]->values[row] : 0.0);
+  };
+  const Column* length = table.find("length");
+  const std::array<const Column*, 3> direction = {table.find("direction_x"), table.find("direction_y"),
+                                                  table.find("direction_z")};
+  const bool lines = length && direction[0] && direction[1];
+  for (const std::size_t row : state.rows) {
+    const Vec3 place = vector(places, row);
+    const Vec3 half = lines ? Vec3(0.5 * length->values[row] * vector(direction, row)) : Vec3(Vec3::Zero());
+    picture.points.push_back(place - half);
+    if (lines) picture.points.push_back(place + half);
+  }
+  if (lines) picture.shape = VtkShape::line;
+  (lines ? picture.cell_data : picture.point_data) = arrays_of(table, state.rows);
   return picture;
 }
 

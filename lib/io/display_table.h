@@ -26,7 +26,8 @@ bool has_positions(const Series& table);
 /// left out.
 std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size_t>& rows);
 
-/// One vertex a row, with arrays_of it. Throws DataError without positions.
+/// One vertex a row, with arrays_of it; a line a row, about its place, where the rows have a direction and a length
+/// (the arrays are cell data then). Throws DataError without positions.
 VtkPicture show_rows(const Series& table, const TableState& state);
 
 /// Adds the rows of the table that have the picture's step (all of them if it has no step) to the grains with the same

@@ -218,6 +218,38 @@ TEST(Display, PlanesAreDrawnInThePlaneAndCoverTheGrains) {
   EXPECT_GT((picture.points[2] - picture.points[0]).norm(), 3.0) << "shorter than the assembly";
 }
 
+TEST(Display, WholeYarnsAreLinesAndBrokenOnesPointsWhereTheyBroke) {
+  Snapshot state;
+  for (const double x : {0.0, 1.0, 3.0}) add_grain(state, {x, 0, 0}, 0.1);
+  YarnsRecord& y = state.yarns;
+  y.nodes = {{0, 1}, {1, 2}};
+  y.fabric = {0, 0}, y.geotextile_id = {0, 0}, y.family = {0, 2};
+  y.rest_length = {1, 1}, y.largest_strain = {0, 1}, y.tension = {7, 0}, y.broken = {0, 0};
+  y.break_time = {0, 0}, y.break_position = {Vec3::Zero(), Vec3::Zero()};
+  EXPECT_EQ(show_yarns(state).points.size(), 4u);
+  EXPECT_TRUE(show_broken(state).points.empty());
+  EXPECT_EQ(show_broken(state).point_data.size(), 3u) << "arrays without values: states differ in nothing else";
+  y.broken = {0, 1}, y.break_time = {0, 0.5}, y.break_position[1] = {1.9, 0, 0};
+  EXPECT_EQ(values_of<double>(show_yarns(state).cell_data, "tension"), (std::vector<double>{7}));
+  const VtkPicture broken = show_broken(state);
+  EXPECT_EQ(broken.points, (std::vector<Vec3>{{1.9, 0, 0}}));
+  EXPECT_EQ(values_of<std::int64_t>(broken.point_data, "yarn"), (std::vector<std::int64_t>{1}));
+  EXPECT_EQ(values_of<std::int32_t>(broken.point_data, "family"), (std::vector<std::int32_t>{2}));
+  EXPECT_EQ(values_of<double>(broken.point_data, "break_time"), (std::vector<double>{0.5}));
+}
+
+TEST(DisplayTable, RowsWithADirectionAndALengthAreLinesAboutTheirPlaces) {
+  Series table;
+  table.columns = {column("step", {4, 4}),        column("position_x", {1, 2}),  column("position_y", {3, 4}),
+                   column("position_z", {5, 6}),  column("direction_x", {1, 0}), column("direction_y", {0, 0}),
+                   column("direction_z", {0, 1}), column("length", {2, 4}),      column("tension", {7, 8})};
+  const VtkPicture picture = show_rows(table, states_of(table)[0]);
+  EXPECT_EQ(picture.shape, VtkShape::line);
+  EXPECT_EQ(picture.points, (std::vector<Vec3>{{0, 3, 5}, {2, 3, 5}, {2, 4, 4}, {2, 4, 8}}));
+  EXPECT_TRUE(picture.point_data.empty());
+  EXPECT_EQ(values_of<double>(picture.cell_data, "tension"), (std::vector<double>{7, 8}));
+}
+
 TEST(DisplayTable, ComponentsBecomeVectorsAndTensors) {
   Series table;
   table.columns = {column("step", {4, 4}),      column("time", {0.5, 0.5}),
