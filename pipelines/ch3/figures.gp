@@ -3,7 +3,7 @@
 set datafile separator "\t"
 set key autotitle columnhead
 if (format eq 'svg') { set terminal svg size 900,380 dynamic font 'sans,12' } else { set terminal pngcairo size 1800,760 font 'sans,22' }
-set key left top noautotitle
+set key left top Left reverse samplen 2 noautotitle
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 # A run and its record share a colour.
 hue(g) = g eq 'PE' ? 1 : 2
