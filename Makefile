@@ -49,7 +49,7 @@ VTK_LIBS := $(patsubst %,-lvtk%-$(VTK),IOXML IOXMLParser IOCore CommonExecutionM
 
 # ---- Sources --------------------------------------------------------------------------------------------------------
 LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
-VTK_ONLY := lib/io/vtk.cpp
+VTK_ONLY := lib/io/vtk.cpp lib/packing/triangles_vtk.cpp
 MPI_ONLY := lib/fem/ranks_mpi.cpp
 LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
@@ -146,10 +146,13 @@ $(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
 $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 	@mkdir -p $(@D)
 	@echo '  link  $@'
-	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
+	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 
-$(B)/bin/to-vtk: $(call object,$(VTK_ONLY))
-$(B)/bin/to-vtk: LDLIBS += -Wl,--as-needed $(VTK_LIBS)
+# Linked before the archive: they take the place of what does without VTK there.
+VTK_TOOLS := $(if $(NO_VTK),,to-vtk filter-expand)
+$(B)/bin/to-vtk: $(call object,lib/io/vtk.cpp)
+$(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/packing/triangles_vtk.cpp))
+$(VTK_TOOLS:%=$(B)/bin/%): LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
 # Linked before the archive: its ranks take the place of the one process there.
 $(call object,$(MPI_ONLY)): private CPPFLAGS += $(call system,$(shell pkg-config --cflags ompi-cxx 2>/dev/null))

@@ -1,10 +1,12 @@
-// The bag of the thesis.
+// The bag of the thesis, and an upright box.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/container.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "packing/chart.h"
 
 namespace soilweave::packing {
 namespace {
@@ -57,6 +59,12 @@ double Pillow::volume(double depth) const {
   return 2 * h * area + 0.5 * pi * h * h * perimeter + 4.0 / 3.0 * pi * h * h * h;
 }
 
+std::vector<Vec3> Pillow::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+  std::vector<Vec3> points;
+  for (const Vec3& b : box) points.push_back(at(b, cells_across(b, cells), cells[2], outside));
+  return points;
+}
+
 Vec3 Pillow::at(const Vec3& box, double face_cells, double side_cells, double outside) const {
   const double radius = half_height + outside;
   const double half_hoop = 0.5 * width + 0.5 * pi * radius;  // from the middle of the top to the middle of a side
@@ -85,6 +93,29 @@ Vec3 Pillow::nearest(const Vec3& point, double outside) const {
   core += reach > corner_radius ? Eigen::Array2d(beyond.array() * (corner_radius / reach)) : beyond.array();
   const Vec3 foot(std::copysign(core[0], point.x()), std::copysign(core[1], point.y()), 0);
   return foot + (point - foot).normalized() * (half_height + outside);
+}
+
+std::vector<Vec3> Box::spread(const std::vector<Vec3>& box, const std::array<int, 3>&, double outside) const {
+  std::vector<Vec3> points;
+  for (const Vec3& b : box) {
+    const Vec3 out = Vec3((b.array().abs() >= 1).select(b, Vec3::Zero())).normalized();
+    points.emplace_back(0.5 * (lower + upper) + 0.5 * b.cwiseProduct(upper - lower) + outside * out);
+  }
+  return points;
+}
+
+Vec3 Box::nearest(const Vec3& point, double outside) const {
+  const Vec3 foot = point.cwiseMax(lower).cwiseMin(upper);
+  const Vec3 beyond = point - foot;
+  if (const double distance = beyond.norm(); distance > 0) return foot + outside / distance * beyond;
+  Vec3 moved = point;
+  const Vec3 below = point - lower, above = upper - point;
+  Eigen::Index a = 0;
+  if (below.cwiseMin(above).minCoeff(&a); below[a] < above[a])
+    moved[a] = lower[a] - outside;
+  else
+    moved[a] = upper[a] + outside;
+  return moved;
 }
 
 }  // namespace soilweave::packing

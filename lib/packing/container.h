@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "core/settings.h"
 #include "core/tensor.h"
@@ -19,6 +21,12 @@ class Container {
   virtual Vec3 high() const = 0;
   /// m3, of what lies at least `depth` m inside.
   virtual double volume(double depth = 0) const = 0;
+  /// Where a mesh of the surface of a box of so many cells lies on the parallel surface `outside` m beyond, m, roughly
+  /// even. box: its nodes, u, v, w in [-1, 1], of which one at least is -1 or 1.
+  virtual std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
+                                   double outside) const = 0;
+  /// The point of that parallel surface nearest to one near it.
+  virtual Vec3 nearest(const Vec3& point, double outside) const = 0;
 };
 
 /// The filled bag: the surface at the distance half_height from a flat square in z = 0 with rounded corners.
@@ -33,12 +41,13 @@ struct Pillow final : Container {
   Vec3 high() const override { return {0.5 * width + half_height, 0.5 * width + half_height, half_height}; }
   /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
   double volume(double depth = 0) const override;
-  /// The point of the parallel surface `outside` m beyond, for u, v, w in [-1, 1] of which one at least is -1 or 1: a
-  /// point of the surface of a box, whose top and bottom reach as far down the sides as arcs of equal length ask for;
-  /// shares: the cells of a box's face and of its side, of which a hoop has twice each.
+  /// The top and bottom of the box reach as far down the sides as arcs of equal length ask for.
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
+                           double outside) const override;
+  Vec3 nearest(const Vec3& point, double outside) const override;
+
+ private:
   Vec3 at(const Vec3& box, double face_cells, double side_cells, double outside) const;
-  /// The point of that parallel surface nearest to one near it.
-  Vec3 nearest(const Vec3& point, double outside) const;
 };
 
 /// An upright box.
@@ -49,6 +58,9 @@ struct Box final : Container {
   Vec3 low() const override { return lower; }
   Vec3 high() const override { return upper; }
   double volume(double depth = 0) const override { return (upper - lower - Vec3::Constant(2 * depth)).prod(); }
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
+                           double outside) const override;
+  Vec3 nearest(const Vec3& point, double outside) const override;
 };
 
 }  // namespace soilweave::packing

@@ -168,7 +168,11 @@ class Grower {
     }
   }
 
-  double progress() const { return std::min(1.0, fill_.overlap / growth_.overlap); }
+  // Of the growth that fills the container; grains that are not stretched to it show by pressing alone that it is full.
+  double progress() const {
+    const double filling = std::log(growth_.stretch.prod()) / 3;
+    return std::min(1.0, filling > 0 ? std::log(at_.growth) / filling : fill_.overlap / growth_.overlap);
+  }
   std::string text() const {
     return fmt::format("radii x {:.5f}, Delaunay volume {:.6f} m3, e {:.4f}, mean overlap {:.2e}, Z {:.3f}", at_.growth,
                        fill_.volume, fill_.void_ratio, fill_.overlap, fill_.coordination_number);

@@ -3,8 +3,10 @@
 #include "packing/geotextile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "core/in_parallel.h"
 #include "dem/bodies.h"
 
 namespace soilweave::packing {
@@ -32,7 +34,7 @@ constexpr double evening_share = 0.25;  // of the differences in length, a sweep
 
 // Woven yarns are equally long wherever they lie: nodes slide on the bag until theirs are. Sums go in pairs, so that
 // mirrored nodes stay mirrored to the last bit.
-void even_out(const Pillow& bag, double outside, const Neighbours& neighbours, Fabric& fabric) {
+void even_out(const Container& bag, double outside, const Neighbours& neighbours, int threads, Fabric& fabric) {
   double length = 0;
   for (const Fabric::Yarn& y : fabric.yarns)
     length +=
@@ -40,7 +42,7 @@ void even_out(const Pillow& bag, double outside, const Neighbours& neighbours, F
   length /= static_cast<double>(fabric.yarns.size());
   std::vector<Vec3> moved(fabric.nodes.size());
   for (int sweep = 0; sweep < evening_sweeps; ++sweep) {
-    for (std::size_t n = 0; n < moved.size(); ++n) {
+    in_parallel(moved.size(), threads, [&](std::size_t n) {
       const Vec3& x = fabric.nodes[n];
       const auto pull = [&](std::int32_t other) -> Vec3 {
         if (other < 0) return Vec3::Zero();
@@ -51,15 +53,16 @@ void even_out(const Pillow& bag, double outside, const Neighbours& neighbours, F
       for (std::size_t axis = 0; axis < 3; ++axis)
         pulls[axis] = pull(neighbours[n][axis][0]) + pull(neighbours[n][axis][1]);
       moved[n] = bag.nearest(x + evening_share * (pulls[0] + pulls[1] + pulls[2]), outside);
-    }
+    });
     fabric.nodes.swap(moved);
   }
 }
 
 }  // namespace
 
-Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) {
+Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads) {
   Fabric fabric;
+  std::vector<Vec3> box;
   const auto [nx, ny, nz] = cells;
   std::map<std::array<int, 3>, std::int32_t> number;
   for (int k = 0; k <= nz; ++k)
@@ -67,12 +70,12 @@ Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) 
       for (int i = 0; i <= nx; ++i) {
         const bool face = k == 0 || k == nz, side = i == 0 || i == nx || j == 0 || j == ny;
         if (!face && !side) continue;
-        number[{i, j, k}] = static_cast<std::int32_t>(fabric.nodes.size());
+        number[{i, j, k}] = static_cast<std::int32_t>(box.size());
         // Whole numbers until the last division: mirrored nodes are mirrored to the last bit.
-        const Vec3 box(static_cast<double>(2 * i - nx) / nx, static_cast<double>(2 * j - ny) / ny,
-                       static_cast<double>(2 * k - nz) / nz);
-        fabric.nodes.push_back(bag.at(box, nx, nz, outside));
+        box.emplace_back(static_cast<double>(2 * i - nx) / nx, static_cast<double>(2 * j - ny) / ny,
+                         static_cast<double>(2 * k - nz) / nz);
       }
+  fabric.nodes = bag.spread(box, cells, outside);
   Neighbours neighbours(fabric.nodes.size(), {{{-1, -1}, {-1, -1}, {-1, -1}}});
   for (const auto& [at, one] : number)
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -86,8 +89,31 @@ Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside) 
       neighbours[static_cast<std::size_t>(one)][axis][1] = other->second;
       neighbours[static_cast<std::size_t>(other->second)][axis][0] = one;
     }
-  even_out(bag, outside, neighbours, fabric);
+  even_out(bag, outside, neighbours, threads, fabric);
   return fabric;
+}
+
+std::array<int, 3> cells_of(const Container& bag, double spacing, double outside) {
+  constexpr int pieces = 100;
+  // Around over the middles of four sides of the box.
+  const auto hoop = [&](Eigen::Index across) {
+    std::vector<Vec3> box;
+    Vec3 at = Vec3::UnitZ();
+    at[across] = -1;
+    for (const auto& [axis, way] : {std::pair(across, 1.0), {2, -1.0}, {across, -1.0}, {2, 1.0}})
+      for (int i = 1; i <= pieces; ++i) {
+        at[axis] = way * (2.0 * i / pieces - 1);
+        box.push_back(at);
+      }
+    const std::vector<Vec3> line = bag.spread(box, {pieces, pieces, pieces}, outside);
+    double length = (line.front() - line.back()).norm();
+    for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+    return length;
+  };
+  const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / spacing))); };
+  const int down = cells(bag.high().z() - bag.low().z() + 2 * outside);
+  const auto across = [&](Eigen::Index axis) { return cells(0.5 * hoop(axis) - down * spacing); };
+  return {across(0), across(1), down};
 }
 
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height) {

@@ -29,9 +29,11 @@ struct NodeRecipe {
   static NodeRecipe read(Settings& table);
 };
 
-/// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the bag with node centres `outside` m
-/// beyond it, its yarns as equally long as the shape allows. cells[0] and cells[1] are equal.
-Fabric wrap(const Pillow& bag, const std::array<int, 3>& cells, double outside);
+/// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the container with node centres
+/// `outside` m beyond it, its yarns as equally long as the shape allows.
+Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads = 1);
+/// The cells of such a mesh whose yarns are about `spacing` m apart.
+std::array<int, 3> cells_of(const Container& bag, double spacing, double outside);
 /// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m
 /// apart.
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);

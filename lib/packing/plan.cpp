@@ -32,9 +32,7 @@ void read_container(Settings& document, Plan& plan) {
   Settings table = document.table("container");
   const std::string shape = table.kind("shape", {"pillow", "box", "surface", "none"});
   if (shape == "pillow") {
-    auto pillow = std::make_unique<Pillow>(Pillow::read(table));
-    plan.pillow = pillow.get();
-    plan.container = std::move(pillow);
+    plan.container = std::make_unique<Pillow>(Pillow::read(table));
   } else if (shape == "box") {
     auto box = std::make_unique<Box>();
     box->lower = table.vector(low), box->upper = table.vector(high);
@@ -50,14 +48,17 @@ void read_container(Settings& document, Plan& plan) {
 
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
-  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns of a sheet"};
+  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns"};
   static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
-    plan.wrapping = whole_triple(table, cells, {91, 91, 20});
-    if ((*plan.wrapping)[0] != (*plan.wrapping)[1]) table.mistake("cells", "differ along x and y: the bag is square");
-    if (!plan.pillow) table.mistake("", "wraps a container of shape \"pillow\" only; use [[sheet]] for flat ones");
     plan.nodes = NodeRecipe::read(table);
+    const bool both = table.has("cells") && table.has("spacing");
+    const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
+    const double apart = table.has("spacing") ? table.number(spacing) : 0;
+    if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
+    if (!plan.container) return table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
+    plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.nodes.radius) : given;
   }
   for (Settings table : document.tables("sheet")) {
     Plan::Sheet sheet;
@@ -152,7 +153,8 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   }
   state.cell = {};
   state.cell.periodic = {false, false, false};
-  if (plan.wrapping) add(wrap(*plan.pillow, *plan.wrapping, plan.nodes.radius), plan.nodes, state);
+  if (plan.wrapping)
+    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.numerics.threads), plan.nodes, state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
   // Open along all axes, the cell only carries lengths.

@@ -17,8 +17,7 @@ namespace soilweave::packing {
 struct Plan {
   std::unique_ptr<Container> container;  // none: no soil
   std::optional<std::array<int, 3>> copies;
-  const Pillow* pillow = nullptr;              // the container, where it is one
-  std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the pillow
+  std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the container
   struct Sheet {
     std::array<int, 2> cells;
     double spacing, height;  // m

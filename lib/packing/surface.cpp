@@ -8,8 +8,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,8 +22,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "core/error.h"
+#include "packing/chart.h"
+#include "packing/triangles.h"
 
 namespace soilweave::packing {
 namespace {
@@ -35,24 +42,43 @@ constexpr double farthest = 1e3;  // m, corner of a surface
 
 void say_nothing(const char*, const char*, const char*, int, const char*) {}
 
-// Of the forms CGAL reads, only STL withstands damaged files.
+void demand_near(double coordinate, const std::string& path) {
+  if (!(std::abs(coordinate) <= farthest))
+    throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
+}
+
+// A surface whose triangles, of a VTK file, meet edge to edge.
+bool join(const TriangleSoup& soup, Triangles& triangles) {
+  std::vector<Kernel::Point_3> points;
+  for (const Vec3& x : soup.points) points.emplace_back(x.x(), x.y(), x.z());
+  std::vector<std::array<std::size_t, 3>> corners = soup.triangles;
+  pmp::repair_polygon_soup(points, corners);
+  if (!pmp::orient_polygon_soup(points, corners) || !pmp::is_polygon_soup_a_polygon_mesh(corners)) return false;
+  pmp::polygon_soup_to_polygon_mesh(points, corners, triangles);
+  return true;
+}
+
+// Of the forms CGAL reads by itself, only STL withstands damaged files.
 Triangles read(const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".stl")
-    throw DataError(fmt::format("'{}': a surface is read from .stl; convert it", path));
+  const std::string form = std::filesystem::path(path).extension();
+  if (form != ".stl" && form != ".vtp")
+    throw DataError(fmt::format("'{}': a surface is read from .stl or .vtp; convert it", path));
+  const TriangleSoup soup = form == ".vtp" ? read_vtp(path) : TriangleSoup();
+  for (const Vec3& x : soup.points)
+    for (const double coordinate : x) demand_near(coordinate, path);
   CGAL::set_error_handler(say_nothing);  // or it would print what it also throws, in terms of its own sources
   Triangles triangles;
   bool known = false;
   try {
-    known = pmp::IO::read_polygon_mesh(path, triangles, CGAL::parameters::verbose(false));
+    known = form == ".vtp" ? join(soup, triangles)
+                           : pmp::IO::read_polygon_mesh(path, triangles, CGAL::parameters::verbose(false));
   } catch (const std::exception&) {
     known = false;
   }
   if (!known || triangles.is_empty())
-    throw DataError(fmt::format("'{}' is no surface in STL whose triangles meet edge to edge", path));
+    throw DataError(fmt::format("'{}' is no surface whose triangles meet edge to edge", path));
   for (const auto vertex : triangles.vertices())
-    for (int a = 0; a < 3; ++a)
-      if (!(std::abs(triangles.point(vertex)[a]) <= farthest))
-        throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
+    for (int a = 0; a < 3; ++a) demand_near(triangles.point(vertex)[a], path);
   std::size_t border = 0;
   for (const auto edge : triangles.edges()) border += triangles.is_border(edge);
   if (border > 0)
@@ -75,7 +101,7 @@ struct Surface::Mesh {
   CGAL::Side_of_triangle_mesh<Triangles, Kernel> side;
 };
 
-Surface::Surface(const std::string& path) : mesh_(std::make_unique<Mesh>(path)) {
+Surface::Surface(const std::string& path) : path_(path), mesh_(std::make_unique<Mesh>(path)) {
   const CGAL::Bbox_3 box = pmp::bbox(mesh_->triangles);
   low_ = {box.xmin(), box.ymin(), box.zmin()}, high_ = {box.xmax(), box.ymax(), box.zmax()};
   enclosed_ = pmp::volume(mesh_->triangles);
@@ -102,6 +128,50 @@ double Surface::volume(double depth) const {
   }
   const auto deeper = static_cast<double>(depths_.end() - std::lower_bound(depths_.begin(), depths_.end(), depth));
   return depth <= 0 ? enclosed_ : enclosed_ * deeper / static_cast<double>(depths_.size());
+}
+
+std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+  const Kernel::Point_3 middle = pmp::centroid(mesh_->triangles);
+  const double rounding = 1e-6 * (high_ - low_).norm();
+  using Ray = Kernel::Ray_3;
+  const auto reach = [&](const Vec3& along) {
+    std::vector<Tree::Intersection_and_primitive_id<Ray>::Type> met;
+    mesh_->tree.all_intersections(Ray(middle, Kernel::Vector_3(along.x(), along.y(), along.z())),
+                                  std::back_inserter(met));
+    // Through an edge or a corner, two triangles or more are met at the same distance.
+    double nearest = 0, farthest = 0;
+    bool across = !met.empty();
+    for (const auto& [intersection, face] : met) {
+      const auto* point = boost::get<Kernel::Point_3>(&intersection);
+      if (!(across = across && point)) break;
+      const double distance = std::sqrt(CGAL::squared_distance(middle, *point));
+      nearest = nearest > 0 ? std::min(nearest, distance) : distance;
+      farthest = std::max(farthest, distance);
+    }
+    if (!across || farthest - nearest > rounding)
+      throw DataError(
+          fmt::format("'{}' is not seen whole from its middle, ({:.3g}, {:.3g}, {:.3g}) m: no geotextile can "
+                      "be laid on it; give a surface without hollows, or cut to it alone",
+                      path_, middle.x(), middle.y(), middle.z()));
+    return nearest;
+  };
+  const Chart chart(Vec3(middle.x(), middle.y(), middle.z()), 0.5 * (high_ - low_), reach);
+  std::vector<Vec3> points;
+  for (const Vec3& b : box) points.push_back(nearest(chart.at(b, cells), outside));
+  return points;
+}
+
+Vec3 Surface::nearest(const Vec3& point, double outside) const {
+  const Kernel::Point_3 at(point.x(), point.y(), point.z());
+  const auto [foot, face] = mesh_->tree.closest_point_and_primitive(at);
+  Kernel::Vector_3 out = at - foot;
+  // On the surface itself there is no direction to it.
+  if (const double distance = std::sqrt(out.squared_length()); distance > 1e-9 * (high_ - low_).norm())
+    out = out / (mesh_->side(at) == CGAL::ON_BOUNDED_SIDE ? -distance : distance);
+  else
+    out = pmp::compute_face_normal(face, mesh_->triangles);
+  const Kernel::Point_3 there = foot + outside * out;
+  return {there.x(), there.y(), there.z()};
 }
 
 }  // namespace soilweave::packing

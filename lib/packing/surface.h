@@ -13,8 +13,8 @@ namespace soilweave::packing {
 /// What a closed surface of triangles encloses.
 class Surface final : public Container {
  public:
-  /// Reads STL, lengths in m. Throws DataError where it is no surface, or one that is open, cuts
-  /// itself or encloses nothing.
+  /// Reads STL or VTP, lengths in m. Throws DataError where it is no surface, or one that is open, cuts itself or
+  /// encloses nothing.
   explicit Surface(const std::string& path);
   ~Surface() override;
   double depth(const Vec3& point) const override;
@@ -22,9 +22,14 @@ class Surface final : public Container {
   Vec3 high() const override { return high_; }
   /// By counting the points of a grid that lie as deep; 0 means the enclosed volume itself, by its triangles.
   double volume(double depth = 0) const override;
+  /// Throws DataError where not all of the surface is seen from the middle of what it encloses.
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
+                           double outside) const override;
+  Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:
   struct Mesh;
+  std::string path_;
   std::unique_ptr<Mesh> mesh_;
   Vec3 low_, high_;                     // m
   double enclosed_ = 0;                 // m3

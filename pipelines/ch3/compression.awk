@@ -1,8 +1,12 @@
 # Chapter 3, uniaxial compression: bags of PE and PP beside the recorded series of the same model; loaded after measure.awk.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Volume inside the surface at that distance from the flat core of the bag, which is 0.374 m wide with corners of 35.7 mm.
-function pillow(h) { return 2 * h * 0.13904 + 1.5707963 * h * h * 1.43606 + 4.1887902 * h * h * h }
+# Volume inside the surface at that distance from the flat core of the bag, a square with round corners (lib/packing/container.h).
+function pillow(h, width, corner, pi) {
+  width = 1e-3 * setting("pipelines/ch3/bag.toml", "width"); corner = 1e-3 * setting("pipelines/ch3/bag.toml", "corner_radius")
+  pi = atan2(0, -1)
+  return 2 * h * (width ^ 2 - (4 - pi) * corner ^ 2) + pi / 2 * h ^ 2 * (4 * width - (8 - 2 * pi) * corner) + 4 / 3 * pi * h ^ 3
+}
 
 # Axial strain from the end of the preload, whose row it returns; load over 0.16 m2; surcharge, the stress of soil and geotextile as
 # one, which the plates balance.
@@ -23,6 +27,15 @@ function compression(f, i, start, height, layer) {
 function broken_row(f, i) {
   for (i = 1; i < rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
   return i
+}
+# The strain at which its first yarn broke: towards each station plates move at their rate, then they wait for rest.
+function first_break(f, b, i, first) {
+  b = f "_broken"
+  if (!rows[b]) return "none"
+  first = value[b, "break_time", 1]
+  for (i = 2; i <= rows[b]; ++i) first = smaller(first, value[b, "break_time", i])
+  for (i = 2; value[f, "time", i] < first; ++i) { }
+  return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + setting("pipelines/ch3/uc.toml", "rate") * (first - value[f, "time", i - 1]))
 }
 # The last row whose load is within 2 % of the greatest: where the bag fails, unless it is the last of all.
 function failure_row(f, i) {
@@ -92,9 +105,9 @@ function left_over(f, column, r, recorded) {
     (where(r, "strain_axial", recorded, last(f, "strain")) / value[r, recorded, greatest(r, recorded)])
 }
 
-function loads_and_strains(g, f, r, base, peak) {
+function loads_and_strains(g, f, r, peak) {
   peak = greatest(f, "soil_stress_zz")
-  put("first_break_" g, 100 * value[f, "strain", base])
+  put("first_break_" g, first_break(f))
   put("peak_strain_" g, 100 * value[f, "strain", peak])
   put("peak_axial_" g, value[f, "soil_stress_zz", peak] / 1000)
   put("peak_lateral_" g, value[f, "lateral", greatest(f, "lateral")] / 1000)
@@ -178,7 +191,7 @@ END {
     f = "uc_" g; r = "soilbag_uniaxial_" g
     start = compression(f)
     base = broken_row(f)
-    loads_and_strains(g, f, r, base)
+    loads_and_strains(g, f, r)
     volume_change(g, f, start, base)
     paths(g, f, r, start, base)
     yarns_and_faces(g, f, start, base)

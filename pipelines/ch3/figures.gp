@@ -66,8 +66,14 @@ set autoscale; set size noratio
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
 set ylabel 'shear over normal force'
-plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (100 * C("displacement_top_x [m]") / 0.08):(abs(C("force_top_x [N]") / C("force_top_z [N]"))) \
-  with linespoints pt 7 ps 0.4 title p.' N'
+tint(p) = sum [k = 1:6] (word("1330 1870 2410 12050 24100 36150", k) eq p ? k : 0)
+full_loads = system("cd pipelines/ch3/kept && ls | sed -n 's/^ss_\\([0-9]*\\)\\.tsv$/\\1/p' | sort -n")
+way_of_shear(n) = 100 * C("displacement_top_x [m]") / 0.08
+shear_ratio(n) = abs(C("force_top_x [N]") / C("force_top_z [N]"))
+set key outside
+plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (way_of_shear(0)):(shear_ratio(0)) with linespoints lc tint(p) pt 7 ps 0.4 title p.' N', \
+  for [p in full_loads] sprintf("pipelines/ch3/kept/ss_%s.tsv", p) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(p) dt 2 title p.' N full size'
+set key inside left top
 set output sprintf("%s/strip.%s", out, format)
 set xlabel 'strain (%)'
 set ylabel 'tension of a yarn (N)'

@@ -12,6 +12,13 @@ function larger(x, y) { return x > y ? x : y }
 function smaller(x, y) { return x < y ? x : y }
 function put(name, number) { if (number == "none") print name, number; else printf "%s\t%.6g\t\n", name, number }
 function last(file, column) { return value[file, column, rows[file]] }
+# The number of a key of a TOML file, in its unit there; of a list the first.
+function setting(file, key, line) {
+  while ((getline line < file) > 0)
+    if (line ~ "^" key " *=") { close(file); sub(/^[^=]*= *["\[]*/, "", line); return line + 0 }
+  print "measure: no " key " in " file > "/dev/stderr"
+  exit 1
+}
 
 # The column y of a file where its column x first reaches `at`, straight between rows; its last value where it never does.
 function where(file, x, y, at, i) {
@@ -76,10 +83,10 @@ END {
   for (k = 1; k <= m; ++k) put(what[k], value["shape", "distance", k] / value["shape", "distance of samples", k])
   # Strips: 5 yarns side by side, 100 mm long.
   split("PE PP", fabrics, " ")
-  split("4.2 15", initial, " ")
   for (k = 1; k <= 2; ++k) {
     f = "strip_" fabrics[k]
-    put("strip_stiffness_" fabrics[k], size(value[f, "force_right_y", 2]) / 5 / initial[k])
+    curve = "data/geotextiles/" fabrics[k] ".toml"
+    put("strip_stiffness_" fabrics[k], size(value[f, "force_right_y", 2]) / 5 / (0.01 * setting(curve, "yarn_tension") / setting(curve, "yarn_strain")))
     put("strip_strength_" fabrics[k], size(value[f, "force_right_y", greatest(f, "yarn_tension_face")]) / 5)
   }
   put("box_friction_21", interface("box_21"))

@@ -38,13 +38,27 @@ thesis, with soil and with the geotextile; of soil with soil alone the bag has f
 lower faces are near.</p>
 PAGE
 awk -f pipelines/table.awk "$OUT/shape.tsv"
-if [ -e pipelines/ch3/kept/variants.tsv ]; then
+kept=pipelines/ch3/kept
+if ls "$kept"/variants_*.tsv > /dev/null 2>&1; then
   cat <<'PAGE'
 <h3>What differences come from</h3>
-<p>The quick bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
+<p>The bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
 uniaxial compression beside those of the bag itself. Other representative volumes tell how much of a difference is chance.</p>
 PAGE
-  awk -f pipelines/table.awk pipelines/ch3/kept/variants.tsv
+  for size in quick thesis; do
+    [ -e "$kept/variants_$size.tsv" ] || continue
+    echo "<p>PROFILE=$size:</p>"
+    awk -f pipelines/table.awk "$kept/variants_$size.tsv"
+  done
+fi
+if [ "$PROFILE" != thesis ] && [ -e "$kept/comparison.tsv" ]; then
+  cat <<'PAGE'
+<h3>The same at full size</h3>
+<p>Kept from the run whose series lie beside it (pipelines/ch3/kept; <code>make reproduce PROFILE=thesis</code> makes them anew).</p>
+PAGE
+  awk -f pipelines/table.awk "$kept/comparison.tsv"
+  awk -f pipelines/table.awk "$kept/checklist.tsv"
+  awk -f pipelines/table.awk "$kept/shape.tsv"
 fi
 echo '<h3>Figures</h3>'
 picture bag 'The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains cut by the plane in
@@ -59,7 +73,7 @@ figure paths 'Stress paths and void ratio (Figs. 3.10 and 3.12).'
 figure yarns 'Tension of the yarns on the faces, and broken yarns.'
 figure breaks 'Where yarns are broken at the end, seen from above: between smooth plates in the middle, between rough ones along the
 seams (Fig. 3.6). PE.'
-figure shear 'Simple shear under dead loads (Fig. 3.8).'
+figure shear 'Simple shear under dead loads (Fig. 3.8). Dashed: our full size.'
 figure strip 'Wide-width tension with unloading and reloading (Fig. 3.3).'
 figure box 'Shear box on a fixed sheet under 50 kPa, friction of 21 and 25 degrees between nodes and soil (Fig. 3.5): grains catch between
 nodes, so that the interface carries more than either.'

@@ -77,6 +77,8 @@ $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
+$(C3O)/%_broken.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state last --table broken --tsv $(call whole,$@)
 $(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state last --table yarns --tsv | awk -f $(C3)/breaks.awk $(call whole,$@)
 
@@ -94,6 +96,7 @@ $(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
 	@awk -f $^ $(call whole,$@)
 
 C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
+C3_BROKEN := $(foreach g,PE PP,$(C3O)/uc_$(g)_broken.tsv)
 C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
 C3_STATES_OF := $(foreach run,uc_PE uc_PP $(C3_LOADS:%=ss_%),$(C3O)/$(run)_fabric.tsv $(C3O)/$(run)_groups.tsv)
 C3_BREAKS := $(C3O)/uc_PE_breaks.tsv $(C3O)/uc_PE_rough_breaks.tsv
@@ -102,7 +105,9 @@ C3_BOXES := $(foreach a,21 25,$(C3O)/box_$(a).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
 
 C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
-$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_UC) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
+# Of these single settings are read.
+C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
+$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
   $(C3_RECORDED)
 	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) $(C3_MEASURE:%=-f %) $(filter %.tsv,$^) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
@@ -115,9 +120,9 @@ C3_KEEP := step stage displacement_top_x displacement_top_z displacement_bottom_
   yarn_tension_face yarn_tension_side_horizontal yarn_tension_side_vertical broken_yarns kinetic_energy unbalanced_force boundary_work \
   energy_error
 .PHONY: ch3-keep
-ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk ## put the series of finished thesis-size runs of ch3 among the kept ones (PROFILE=thesis)
+ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk $(C3O)/comparison.tsv $(C3O)/checklist.tsv ## keep the series and tables of the thesis-size runs of ch3 (PROFILE=thesis)
 	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
-	@cp $(C3O)/generation.tsv $(C3_KEPT)/generation.tsv && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
+	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_KEPT) && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
 
 include $(C3)/variants.mk
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -13,12 +14,18 @@ namespace soilweave::test {
 
 using Columns = std::map<std::string, std::vector<double>>;
 
+/// A file of the reference folder; empty where SOILWEAVE_REFERENCE names none, or there is no such file.
+inline std::filesystem::path reference_file(const std::string& name) {
+  const char* folder = std::getenv("SOILWEAVE_REFERENCE");
+  if (folder == nullptr || *folder == 0) return {};
+  const std::filesystem::path file = std::filesystem::path(folder) / name;
+  return std::filesystem::exists(file) ? file : std::filesystem::path();
+}
+
 /// A comma-separated table of the reference folder; empty where there is none.
 inline Columns reference_table(const std::string& name) {
   Columns table;
-  const char* folder = std::getenv("SOILWEAVE_REFERENCE");
-  if (folder == nullptr) return table;
-  std::ifstream file(std::string(folder) + "/" + name);
+  std::ifstream file(reference_file(name));
   std::string line;
   std::vector<std::string> names;
   while (std::getline(file, line)) {

@@ -7,59 +7,7 @@ load common
 setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR" || return
-  cp "$BATS_TEST_DIRNAME/examples/bag.toml" .
-  cat > press.toml << 'TOML'
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
-[contact.rolling]
-stiffness = 0.13
-limit = "none"
-[[material]]
-young_modulus = "8 GPa"
-poisson_ratio = 0.33
-friction_angle = 21
-[[material]]
-young_modulus = "200 GPa"
-poisson_ratio = 0.33
-friction_angle = 0
-[[geotextile]]
-yarn_strain = [0.02, 0.06, 0.17035]
-yarn_tension = [8.4, 20.6, 47.5]
-[[plane]]
-name = "top"
-point = [0, 0, 0.021]
-normal = [0, 0, -1]
-material = 2
-[[plane]]
-name = "bottom"
-point = [0, 0, -0.021]
-normal = [0, 0, 1]
-material = 2
-[equilibrium]
-unbalanced_force = 1e-2
-stress_tolerance = 0.05
-[[stage]]
-path = "drive"
-[[stage.load]]
-part = "top"
-along = [0, 0, -1]
-force = 20
-speed = "0.5 m/s"
-[[stage.load]]
-part = "bottom"
-along = [0, 0, 1]
-force = 20
-speed = "0.5 m/s"
-[[stage]]
-path = "uniaxial"
-height = "32 mm"
-strain = 0.02
-increment = 0.01
-rate = 0.5
-TOML
+  cp "$BATS_TEST_DIRNAME/examples/bag.toml" "$BATS_TEST_DIRNAME/examples/press.toml" .
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   filter-expand --quiet packing.h5 bag.toml -o bag.h5 --history growth.tsv
   run-dem --quiet bag.h5 press.toml -o run.h5
@@ -208,6 +156,69 @@ TOML
   refuses 65 filter-expand "is no surface" packing.h5 cut.toml --set container.file=not.stl -o out.h5
   refuses 65 filter-expand "convert it" packing.h5 cut.toml --set container.file=cut.toml -o out.h5
   refuses 66 filter-expand "none.stl" packing.h5 cut.toml --set container.file=none.stl -o out.h5
+}
+
+# surface FILE SHAPE: an egg, or a ring, of triangles, as STL or VTP.
+surface() {
+  "$PYTHON" - "$1" "$2" << 'PY'
+import sys
+from vtkmodules.vtkCommonComputationalGeometry import vtkParametricEllipsoid, vtkParametricTorus
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+path, shape = sys.argv[1:]
+if shape == "egg":
+    form = vtkParametricEllipsoid()
+    form.SetXRadius(0.03), form.SetYRadius(0.025), form.SetZRadius(0.016)
+else:
+    form = vtkParametricTorus()
+    form.SetRingRadius(0.02), form.SetCrossSectionRadius(0.008)
+source = vtkParametricFunctionSource()
+source.SetParametricFunction(form)
+source.SetUResolution(60), source.SetVResolution(40)
+clean = vtkCleanPolyData()
+clean.SetInputConnection(source.GetOutputPort())
+clean.SetTolerance(1e-6)
+triangles = vtkTriangleFilter()
+triangles.SetInputConnection(clean.GetOutputPort())
+writer = vtkSTLWriter() if path.endswith("stl") else vtkXMLPolyDataWriter()
+writer.SetInputConnection(triangles.GetOutputPort())
+writer.SetFileName(path)
+writer.Write()
+PY
+}
+
+@test "a geotextile is laid on any surface that is seen whole from its middle" {
+  [[ -z ${NO_VTK:-} ]] || skip "built without VTK"
+  sed '/^width/d; /^half_height/d; /^corner_radius/d; s/^shape.*/shape = "surface"\nfile = "egg.vtp"/; s/^cells.*/spacing = "4 mm"/' bag.toml > egg.toml
+  surface egg.vtp egg
+  filter-expand --quiet packing.h5 egg.toml -o egg.h5
+  filter-expand --quiet --threads 2 packing.h5 egg.toml -o again.h5
+  same_bytes egg.h5 again.h5
+  # Nodes half a node outside, yarns of one length, as many as the hoops of the egg ask for: 145 and 130 mm around.
+  "$PYTHON" - << 'PY'
+import h5py, numpy
+with h5py.File("egg.h5") as file:
+    nodes = file["particles/grains/position/value"][-1][file["particles/grains/copy_id"][()] < 0]
+    lengths = file["yarns/rest_length"][-1]
+ring = [(nodes[:, a] / r) ** 2 for a, r in enumerate((0.0325, 0.0275, 0.0185))]
+assert abs(sum(ring) - 1).max() < 0.02, abs(sum(ring) - 1).max()
+assert abs(lengths.mean() / 0.004 - 1) < 0.06 and lengths.std() / lengths.mean() < 0.1, (lengths.mean(), lengths.std())
+assert lengths.max() < 1.3 * lengths.mean() and lengths.min() > 0.7 * lengths.mean(), (lengths.min(), lengths.max())
+PY
+  run-dem --quiet egg.h5 press.toml -o egg_run.h5
+  homogenize --state last --table series --tsv egg_run.h5 > egg.tsv
+  awk -F '\t' -v tension="$(value egg.tsv yarn_tension_face 1)" 'BEGIN { exit !(tension > 0) }' || show "$(cat egg.tsv)"
+  surface egg.stl egg
+  filter-expand --quiet packing.h5 egg.toml --set container.file=egg.stl -o stl.h5
+  surface ring.stl ring
+  refuses 65 filter-expand "is not seen whole from its middle" packing.h5 egg.toml --set container.file=ring.stl -o out.h5
+  refuses 65 filter-expand "are given beside spacing" packing.h5 egg.toml --set 'geotextile_mesh.cells=[8,8,4]' -o out.h5
+  head -c 3000 egg.vtp > cut_off.vtp
+  refuses 65 filter-expand "is no VTK file of polygons" packing.h5 egg.toml --set container.file=cut_off.vtp -o out.h5
+  sed '/^\[growth\]/,$d; /^file/d; s/^shape.*/shape = "none"/' egg.toml > bare.toml
+  refuses 65 filter-expand "has no container to wrap" packing.h5 bare.toml -o out.h5
 }
 
 @test "what cannot be is refused" {

@@ -31,61 +31,9 @@ teardown_file() {
 
 # A bag that is pressed, three of whose yarns are said to be broken; its packing; a pull-out.
 make_runs() {
-  cat > press.toml << 'TOML'
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
-[contact.rolling]
-stiffness = 0.13
-limit = "none"
-[[material]]
-young_modulus = "8 GPa"
-poisson_ratio = 0.33
-friction_angle = 21
-[[material]]
-young_modulus = "200 GPa"
-poisson_ratio = 0.33
-friction_angle = 0
-[[geotextile]]
-yarn_strain = [0.02, 0.06, 0.17035]
-yarn_tension = [8.4, 20.6, 47.5]
-[[plane]]
-name = "top"
-point = [0, 0, 0.021]
-normal = [0, 0, -1]
-material = 2
-[[plane]]
-name = "bottom"
-point = [0, 0, -0.021]
-normal = [0, 0, 1]
-material = 2
-[equilibrium]
-unbalanced_force = 1e-2
-stress_tolerance = 0.05
-[[stage]]
-path = "drive"
-[[stage.load]]
-part = "top"
-along = [0, 0, -1]
-force = 20
-speed = "0.5 m/s"
-[[stage.load]]
-part = "bottom"
-along = [0, 0, 1]
-force = 20
-speed = "0.5 m/s"
-[[stage]]
-path = "uniaxial"
-height = "32 mm"
-strain = 0.02
-increment = 0.01
-rate = 0.5
-TOML
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   filter-expand --quiet packing.h5 "$BATS_TEST_DIRNAME/examples/bag.toml" -o bag.h5
-  run-dem --quiet bag.h5 press.toml -o run.h5
+  run-dem --quiet bag.h5 "$BATS_TEST_DIRNAME/examples/press.toml" -o run.h5
   "$PYTHON" - << 'PY'
 import h5py
 with h5py.File("run.h5", "r+") as file:

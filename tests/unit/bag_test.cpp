@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "dem/simulation.h"
+#include "packing/chart.h"
 #include "packing/plan.h"
 #include "packing/tile.h"
 #include "support/assemblies.h"
@@ -43,13 +44,11 @@ TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
 
 TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
   const io::Snapshot one = testing::packed(testing::sand(), 1e5);
-  std::array<std::size_t, 3> through = {0, 0, 0};
   const io::Snapshot closed = tile(one, {2, 2, 2}, {true, true, true}), open = tile(one, {2, 2, 2});
   std::size_t inside = 0;
   for (const Vec3i& image : closed.contacts.image) inside += image.isZero();
   EXPECT_EQ(open.contacts.size(), inside);
   EXPECT_LT(inside, closed.contacts.size());
-  (void)through;
 }
 
 TEST(Pillow, DepthAndVolumeAgree) {
@@ -109,6 +108,56 @@ TEST(Geotextile, IsMirroredBitByBit) {
     std::sort(mirrored.begin(), mirrored.end(), less);
     EXPECT_EQ(nodes, mirrored) << "axis " << axis;
   }
+}
+
+// Of a fabric: its shortest, mean and longest yarn, m.
+std::array<double, 3> lengths(const Fabric& fabric) {
+  std::array<double, 3> l = {1e9, 0, 0};
+  for (const Fabric::Yarn& y : fabric.yarns) {
+    const double length =
+        (fabric.nodes[static_cast<std::size_t>(y.second)] - fabric.nodes[static_cast<std::size_t>(y.first)]).norm();
+    l[0] = std::min(l[0], length), l[2] = std::max(l[2], length);
+    l[1] += length / static_cast<double>(fabric.yarns.size());
+  }
+  return l;
+}
+
+TEST(Geotextile, OfAGivenSpacingWrapsBagsAndBoxes) {
+  const Pillow bag;
+  const std::array<int, 3> around = cells_of(bag, 0.00457, 0.0025);
+  EXPECT_EQ(around[0], around[1]);
+  EXPECT_EQ(around[0] + around[2], 111) << "the hoop of the thesis' model has 222 yarns";
+  Box box;
+  box.lower = {-0.05, -0.03, 0}, box.upper = {0.05, 0.03, 0.04};
+  const std::array<int, 3> cells = cells_of(box, 0.005, 0.0025);
+  // Half a hoop has two straight sides and half a circle of 2.5 mm: 147.9 and 107.9 mm.
+  EXPECT_EQ(cells, (std::array<int, 3>{21, 13, 9}));
+  const Fabric fabric = wrap(box, cells, 0.0025);
+  for (const Vec3& x : fabric.nodes) {
+    const Vec3 beyond = (box.lower - x).cwiseMax(x - box.upper).cwiseMax(0);
+    EXPECT_NEAR(beyond.norm(), 0.0025, 1e-12);
+  }
+  const auto [shortest, mean, longest] = lengths(fabric);
+  EXPECT_NEAR(mean, 0.005, 0.0003);
+  EXPECT_GT(shortest, 0.8 * mean);
+  EXPECT_LT(longest, 1.2 * mean);
+}
+
+TEST(Chart, DividesASphereEvenlyAndAlikeOnAllSides) {
+  const Vec3 middle(0.1, 0.2, -0.3);
+  const Chart sphere(middle, Vec3::Constant(0.5), [](const Vec3&) { return 0.5; });
+  const std::array<int, 3> cells = {8, 8, 8};
+  const auto at = [&](double u, double v, double w) { return Vec3(sphere.at({u, v, w}, cells) - middle); };
+  // Chords of a section lie below the arc by less than a hundred thousandth.
+  EXPECT_LT((at(0, 0, 1) - Vec3(0, 0, 0.5)).norm(), 1e-5);
+  EXPECT_LT((at(1, 0, 0) - Vec3(0.5, 0, 0)).norm(), 1e-4);
+  EXPECT_LT((at(0, -1, 0) - Vec3(0, -0.5, 0)).norm(), 1e-4);
+  EXPECT_LT((at(1, 1, 0) - Vec3(0.5, 0.5, 0).normalized() * 0.5).norm(), 1e-4);
+  // The rim of the upper face is a quarter of the way from pole to pole; a quarter of the equator is one side's.
+  EXPECT_LT((at(1, 0, 1) - Vec3(0.5, 0, 0.5).normalized() * 0.5).norm(), 1e-4);
+  EXPECT_LT((at(1, 0.5, 0) - 0.5 * Vec3(std::cos(pi / 8), std::sin(pi / 8), 0)).norm(), 1e-4);
+  for (const double w : {-1.0, -0.5, 0.0, 0.5, 1.0})
+    EXPECT_LT((at(-1, 0.25, w) - Vec3(at(1, 0.25, w)).cwiseProduct(Vec3(-1, 1, 1))).norm(), 1e-4) << w;
 }
 
 const std::string sand =

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -14,6 +13,7 @@
 #include "dem/bodies.h"
 #include "packing/spatial_order.h"
 #include "support/assemblies.h"
+#include "support/reference.h"
 
 namespace soilweave::packing {
 namespace {
@@ -56,10 +56,8 @@ TEST(Grading, OneSizeIsACurve) {
 
 // Diameters over the median one, of the author's packing of 5000 grains at fractions of its mass.
 TEST(Grading, IsThatOfTheAuthorsPackings) {
-  const char* reference = std::getenv("SOILWEAVE_REFERENCE");
-  if (!reference) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
-  std::ifstream file(std::string(reference) + "/ch2/toyoura_rv_5000.csv");
-  ASSERT_TRUE(file);
+  std::ifstream file(soilweave::test::reference_file("ch2/toyoura_rv_5000.csv"));
+  if (!file) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
   std::vector<double> theirs;
   std::string line;
   std::getline(file, line);

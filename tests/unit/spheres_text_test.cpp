@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <numbers>
 
 #include "core/error.h"
 #include "io/files.h"
+#include "support/reference.h"
 #include "support/same_state.h"
 #include "support/states.h"
 
@@ -81,10 +81,8 @@ TEST_F(Spheres, come_back_exactly) {
 }
 
 TEST_F(Spheres, of_other_programs_are_read) {
-  const char* reference = std::getenv("SOILWEAVE_REFERENCE");
-  if (!reference) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
-  const auto table = std::filesystem::path(reference) / "ch2/toyoura_rv_1000.csv";
-  if (!std::filesystem::exists(table)) GTEST_SKIP() << "no " << table;
+  const std::filesystem::path table = soilweave::test::reference_file("ch2/toyoura_rv_1000.csv");
+  if (table.empty()) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
   const Snapshot state = import_spheres(table, 2640).state;
   EXPECT_EQ(state.grains.size(), 1000U);
   EXPECT_EQ(state.grains.radius[0], 0.00477857);
