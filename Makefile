@@ -49,7 +49,7 @@ VTK_LIBS := $(patsubst %,-lvtk%-$(VTK),IOXML IOXMLParser IOCore CommonExecutionM
 
 # ---- Sources --------------------------------------------------------------------------------------------------------
 LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
-VTK_ONLY := lib/io/vtk.cpp lib/packing/triangles_vtk.cpp
+VTK_ONLY := lib/io/vtk.cpp lib/io/vtk_read.cpp
 MPI_ONLY := lib/fem/ranks_mpi.cpp
 LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
@@ -146,12 +146,12 @@ $(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
 $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 	@mkdir -p $(@D)
 	@echo '  link  $@'
-	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
+	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
-# Linked before the archive: they take the place of what does without VTK there.
+# A weak symbol of the archive does not call for them.
 VTK_TOOLS := $(if $(NO_VTK),,to-vtk filter-expand)
 $(B)/bin/to-vtk: $(call object,lib/io/vtk.cpp)
-$(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/packing/triangles_vtk.cpp))
+$(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/io/vtk_read.cpp))
 $(VTK_TOOLS:%=$(B)/bin/%): LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
 # Linked before the archive: its ranks take the place of the one process there.

@@ -35,7 +35,7 @@ only() {
 only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/hdf5_id.h'
 only 'io/hdf5_' 'lib tools' 'lib/io/hdf5_memory.h lib/io/hdf5_memory.cpp lib/io/store_read.cpp lib/io/store_write.cpp'
 only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp lib/packing/surface.cpp'
-only 'vtk' 'lib tools' 'lib/io/vtk.cpp'
+only 'vtk' 'lib tools' 'lib/io/vtk.cpp lib/io/vtk_read.cpp'
 only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'
 only 'CLI/' 'lib tools' 'lib/core/tool_parse.cpp'
 only 'toml' 'lib tools' 'lib/core/settings.cpp'

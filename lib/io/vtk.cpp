@@ -1,4 +1,4 @@
-// VTK XML files as bytes. The only file that includes VTK.
+// VTK XML files as bytes. Only this file and vtk_read.cpp include VTK.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/vtk.h"
 

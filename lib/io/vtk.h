@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -37,5 +38,13 @@ struct VtkPicture {
 std::string to_vtp(const VtkPicture& picture, bool compress = false);
 /// UnstructuredGrid: any shape.
 std::string to_vtu(const VtkPicture& picture, bool compress = false);
+
+/// A surface as its file has it.
+struct TriangleSoup {
+  std::vector<Vec3> points;  // in the file's unit of length
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+/// The polygons of a .vtp file, cut into triangles. Throws DataError where it is none. Null in programs without VTK.
+[[gnu::weak]] TriangleSoup read_vtp(const std::string& path);
 
 }  // namespace soilweave::io

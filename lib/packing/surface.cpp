@@ -25,8 +25,8 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "io/vtk.h"
 #include "packing/chart.h"
-#include "packing/triangles.h"
 
 namespace soilweave::packing {
 namespace {
@@ -48,7 +48,7 @@ void demand_near(double coordinate, const std::string& path) {
 }
 
 // A surface whose triangles, of a VTK file, meet edge to edge.
-bool join(const TriangleSoup& soup, Triangles& triangles) {
+bool join(const io::TriangleSoup& soup, Triangles& triangles) {
   std::vector<Kernel::Point_3> points;
   for (const Vec3& x : soup.points) points.emplace_back(x.x(), x.y(), x.z());
   std::vector<std::array<std::size_t, 3>> corners = soup.triangles;
@@ -63,7 +63,9 @@ Triangles read(const std::string& path) {
   const std::string form = std::filesystem::path(path).extension();
   if (form != ".stl" && form != ".vtp")
     throw DataError(fmt::format("'{}': a surface is read from .stl or .vtp; convert it", path));
-  const TriangleSoup soup = form == ".vtp" ? read_vtp(path) : TriangleSoup();
+  if (form == ".vtp" && io::read_vtp == nullptr)
+    throw DataError(fmt::format("'{}': this program was built without VTK; convert the surface to .stl", path));
+  const io::TriangleSoup soup = form == ".vtp" ? io::read_vtp(path) : io::TriangleSoup();
   for (const Vec3& x : soup.points)
     for (const double coordinate : x) demand_near(coordinate, path);
   CGAL::set_error_handler(say_nothing);  // or it would print what it also throws, in terms of its own sources

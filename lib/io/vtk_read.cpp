@@ -1,4 +1,4 @@
-// Triangles of a VTK file, by VTK.
+// Surfaces of triangles from VTK files. Only this file and vtk.cpp include VTK.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -11,9 +11,9 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "core/error.h"
-#include "packing/triangles.h"
+#include "io/vtk.h"
 
-namespace soilweave::packing {
+namespace soilweave::io {
 
 TriangleSoup read_vtp(const std::string& path) {
   vtkObject::GlobalWarningDisplayOff();  // or it would print, in terms of its own sources, what is told below
@@ -45,4 +45,4 @@ TriangleSoup read_vtp(const std::string& path) {
   return soup;
 }
 
-}  // namespace soilweave::packing
+}  // namespace soilweave::io
