@@ -1,8 +1,8 @@
-# What each variant of the bag carries at 4 and 8 % and where its first yarn breaks, as differences from the bag itself.
+# What each variant of the bag carries at 1, 4 and 8 % and where its first yarn breaks, as differences from the bag itself.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: awk -v yarns=2 -f variants.awk variants.tsv uc_PE.tsv VARIANT/uc.tsv... > table
 # Files of runs are named by their folder; the bag itself comes first.
-BEGIN { FS = "\t"; split("0.04 0.08", strains, " ") }
+BEGIN { FS = "\t"; split("0.01 0.04 0.08", strains, " ") }
 FNR == 1 { ++file; head = 0 }
 /^#/ { next }
 !head {
@@ -30,12 +30,12 @@ function round(x) { return int(1000 * x + 0.5) / 1000 }
 function difference(values, run, k) { return run == "bag" ? 0 : 100 * (values[run, k] / values["bag", k] - 1) }
 END {
   printf "variant\twhat is varied\tvoid ratio under the preload"
-  for (k = 1; k <= 2; ++k) { s = 100 * strains[k]; printf "\tload at %d %% [kPa]\tload [%%]\ttension [%%]\tq/p at %d %%\tq/p [%%]", s, s }
+  for (k = 1; k <= 3; ++k) { s = 100 * strains[k]; printf "\tload at %d %% [kPa]\tload [%%]\ttension [%%]\tq/p at %d %%\tq/p [%%]", s, s }
   print "\tfirst break by [%]"
   for (n = 1; n <= runs; ++n) {
     run = order[n]
     printf "%s\t%s\t%.4f", run, run == "bag" ? "the bag itself" : description[run], loose[run]
-    for (k = 1; k <= 2; ++k)
+    for (k = 1; k <= 3; ++k)
       printf "\t%.1f\t%+.1f\t%+.1f\t%.3f\t%+.1f", load[run, k], difference(load, run, k), difference(tension, run, k), obliquity[run, k],
         difference(obliquity, run, k)
     printf "\t%s\n", run in broken ? sprintf("%.0f", broken[run]) : "none"
