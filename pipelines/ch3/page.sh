@@ -11,8 +11,8 @@ cat <<'PAGE'
 <h2>The soilbag</h2>
 <p>Copies of a representative volume of Toyoura sand, cut to the pillow of a filled bag, wrapped in a woven geotextile of nodes and
 yarns and grown until they press (<code>filter-expand</code>); compressed between smooth plates and sheared by rough ones under a dead
-load (<code>run-dem</code>). Plates move at 2 %/s, not the thesis's 10 %/s, whose blow, running as a wave through grains of a thousandfold
-density, is of the size of the stresses at the toe; speed times the root of density counts, so that these are its 10 %/s at fortyfold
+load (<code>run-dem</code>). Plates move at 2 %/s, not the thesis's 10 %/s: a bag of thousandfold density widens too slowly to follow those, and
+its soil, held by its own inertia, contracts more. Speed times the root of density counts, so that these are its 10 %/s at fortyfold
 density. A drag stills all while a station waits for rest.</p>
 PAGE
 [ "$PROFILE" = thesis ] || cat <<'PAGE'

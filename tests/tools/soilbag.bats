@@ -11,9 +11,9 @@ study() {
   env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s -C "$ROOT" BIN="$BIN" OUT="$BATS_FILE_TMPDIR" PROFILE=quick "$@" >&2
 }
 
-# The plates' blow runs through grains of scaled density as a wave; what counts is speed times the root of density, so that the study's
-# 2 %/s at a thousandfold density are the thesis's 10 %/s at fortyfold, and this is its 1 %/s. Grains meet otherwise each time: single
-# stations differ by 2 to 3 %.
+# A bag must widen as it is compressed, against the inertia of its scaled density. What counts is speed times the root of density, so
+# that the study's 2 %/s at a thousandfold density are the thesis's 10 %/s at fortyfold, and this is its 1 %/s. Grains meet otherwise
+# each time: single stations differ by 2 to 3 %.
 @test "loaded ten times slower, a bag carries the same" {
   study C3_UC_quick='--set stage.1.strain=0.06' C3V_STRAIN=0.06 "$BATS_FILE_TMPDIR/ch3/uc_PE.tsv" "$BATS_FILE_TMPDIR/ch3/variants/slower/uc.tsv"
   awk -F '\t' 'FNR == 1 { for (i = 1; i <= NF; ++i) { sub(/ \[.*/, "", $i); at[$i] = i } station = 0; next }
