@@ -5,7 +5,7 @@ C3V := $(C3O)/variants
 C3V_STRAIN := 0.1
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
-C3_VARIANTS_thesis := fast slow
+C3_VARIANTS_thesis := fast slow undragged
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 # $(call of_variant,NAME,COLUMN): its seed; its settings as options
 of_variant = $(shell awk -F '\t' '$$1 == "$(1)" { n = split($$$(2), s, " "); for (i = 1; i <= n; ++i) print $(3) s[i] }' $(C3)/variants.tsv)
