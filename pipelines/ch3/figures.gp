@@ -70,7 +70,7 @@ tint(p) = sum [k = 1:6] (word("1330 1870 2410 12050 24100 36150", k) eq p ? k : 
 full_loads = system("cd pipelines/ch3/kept && ls | sed -n 's/^ss_\\([0-9]*\\)\\.tsv$/\\1/p' | sort -n")
 way_of_shear(n) = 100 * C("displacement_top_x [m]") / 0.08
 shear_ratio(n) = abs(C("force_top_x [N]") / C("force_top_z [N]"))
-set key outside
+set key outside right top
 plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (way_of_shear(0)):(shear_ratio(0)) with linespoints lc tint(p) pt 7 ps 0.4 title p.' N', \
   for [p in full_loads] sprintf("pipelines/ch3/kept/ss_%s.tsv", p) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(p) dt 2 title p.' N full size'
 set key inside left top
@@ -83,7 +83,7 @@ set xlabel 'displacement (mm)'
 set ylabel 'shear over normal force'
 set key right bottom
 plot for [a in "21 25"] sprintf("%s/box_%s.tsv", out, a) using (1000 * C("displacement_left_x [m]")): \
-  (abs((C("force_left_x [N]") + C("force_right_x [N]")) / C("force_lid_z [N]"))) with linespoints pt 7 ps 0.4 title a.'°'
+  (abs((C("force_left_x [N]") + C("force_right_x [N]")) / C("force_lid_z [N]"))) with linespoints pt 7 ps 0.4 title a.(a eq '21' ? '° (PP)' : '° (PE)')
 set key left top
 # Growth of the grains, beside that of the full size, which is kept.
 set output sprintf("%s/growth.%s", out, format)
