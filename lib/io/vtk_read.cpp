@@ -10,6 +10,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <new>
+
 #include "core/error.h"
 #include "io/vtk.h"
 
@@ -19,7 +21,11 @@ TriangleSoup read_vtp(const std::string& path) {
   vtkObject::GlobalWarningDisplayOff();  // or it would print, in terms of its own sources, what is told below
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
-  reader->Update();
+  try {
+    reader->Update();
+  } catch (const std::bad_alloc&) {
+    throw DataError(fmt::format("'{}' claims more than fits into memory: it is damaged, or no VTK file", path));
+  }
   vtkPolyData* data = reader->GetOutput();
   TriangleSoup soup;
   if (reader->GetErrorCode() != 0 || data == nullptr || data->GetPoints() == nullptr || data->GetPolys() == nullptr)
