@@ -72,25 +72,34 @@ function step_at(g, strain, i) {
 function anisotropy(g, kind, strain) { return at_step("uc_" g "_fabric", kind, step_at(g, strain)) }
 
 # Greatest differences up to the recorded peak: at equal tension of the yarns on the faces, or at the greatest where that is never
-# reached; the same up to the first break, before strength has its part; and from 3 % on at equal strain.
+# reached; the same up to the first break, before strength has its part; and from 3 % on at equal strain. What was recorded before the
+# bag's own first station is left out: between the preload and that station stresses are no straight line.
 function note(at, g, what, measured, recorded, d, key) {
   d = 100 * (measured / recorded - 1)
   key = "equal_" at "_" what "_" g
   if (size(d) > size(misfit[key])) misfit[key] = d
 }
-function beside_record(g, f, r, base, i, at, recorded, tautest) {
+function first_beside_record(f, r, i, first) {
+  for (first = 1; value[f, "stage", first] == 0; ++first) { }
+  for (i = 1; value[r, "tension_yarn_face", i] < value[f, "tension", first]; ++i) { }
+  return i
+}
+function unbroken_beside_record(g, f, r, base, i, at) {
+  for (i = first_beside_record(f, r); i <= rows[r] && value[r, "tension_yarn_face", i] <= value[f, "tension", base]; ++i) {
+    at = value[r, "tension_yarn_face", i]
+    note("unbroken", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
+    note("unbroken", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
+    note("unbroken", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
+  }
+}
+function beside_record(g, f, r, i, at, recorded, tautest) {
   recorded = greatest(r, "axial_stress")
   tautest = value[f, "tension", greatest(f, "tension")]
-  for (i = 2; i <= recorded; ++i) {
+  for (i = first_beside_record(f, r); i <= recorded; ++i) {
     at = smaller(value[r, "tension_yarn_face", i], tautest)
     note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
     note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
     note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
-    if (at <= value[f, "tension", base]) {
-      note("unbroken", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
-      note("unbroken", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
-      note("unbroken", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
-    }
     if (value[r, "strain_axial", i] < 0.03) continue
     at = value[r, "strain_axial", i]
     note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
@@ -196,8 +205,16 @@ END {
     paths(g, f, r, start, base)
     yarns_and_faces(g, f, start, base)
     anisotropies(g)
-    beside_record(g, f, r, base)
+    beside_record(g, f, r)
+    unbroken_beside_record(g, f, r, base)
   }
+  # The same bag, left to swing at its stations as the recorded one was.
+  f = "uc_PE_undragged"
+  compression(f)
+  base = broken_row(f)
+  unbroken_beside_record("PE_undragged", f, "soilbag_uniaxial_PE", base)
+  put("obliquity_ratio_PE_undragged", where(f, "strain", "soil_obliquity", 0.0165) / \
+    (where("soilbag_uniaxial_PE", "strain_axial", "deviatoric_stress", 0.0165) / where("soilbag_uniaxial_PE", "strain_axial", "mean_stress", 0.0165)))
   for (key in misfit) put(key, misfit[key])
   put("obliquity_PP_over_PE", at_break["PP"] / at_break["PE"])
   for (k = 1; k <= split("c n t", kinds, " "); ++k)

@@ -96,6 +96,9 @@ $(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
 	@awk -f $^ $(call whole,$@)
 
 C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
+C3_UNDRAGGED := $(C3O)/uc_PE_undragged.tsv
+$(C3_UNDRAGGED): $(C3O)/variants/undragged/uc.tsv
+	@cp $< $@
 C3_BROKEN := $(foreach g,PE PP,$(C3O)/uc_$(g)_broken.tsv)
 C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
 C3_STATES_OF := $(foreach run,uc_PE uc_PP $(C3_LOADS:%=ss_%),$(C3O)/$(run)_fabric.tsv $(C3O)/$(run)_groups.tsv)
@@ -107,7 +110,7 @@ C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv
 C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
 # Of these single settings are read.
 C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
-$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
+$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_UNDRAGGED) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
   $(C3_RECORDED)
 	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) $(C3_MEASURE:%=-f %) $(filter %.tsv,$^) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
