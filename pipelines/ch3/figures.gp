@@ -6,11 +6,12 @@ if (format eq 'svg') { set terminal svg size 900,380 dynamic font 'sans,12' } el
 set key left top Left reverse samplen 2 noautotitle
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
 # A run and its record share a colour.
-hue(g) = g eq 'PE' ? 1 : 2
+hue(g) = g eq 'PP' ? 2 : 1
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
-# Of the full size, kept.
-full = system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
-kept(g) = sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
+# Of the full size, kept. Where this is it, one run is drawn over itself: a loop over no words would still go round once.
+full = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
+kept(g) = g eq '' ? uc('PE') : sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
+named(g, unit) = g eq '' ? '' : g.unit.' full size'
 C(n) = column(n)
 # From the end of the preload, which is the first stage.
 start = 0
@@ -21,11 +22,11 @@ set multiplot layout 1,2
 set xlabel 'axial strain (%)'
 set ylabel 'load over 0.16 m² (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(g) dt 2 title g.' full size', \
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
@@ -33,23 +34,23 @@ set multiplot layout 1,2
 set xlabel 'p (kPa)'
 set ylabel 'q (kPa)'
 plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(g) dt 2 title g.' full size', \
+  for [k = 1:words(full)] kept(word(full, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'
 set ylabel 'void ratio'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(g) dt 2 title g.' full size', \
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (strain(0)):(C("yarn_tension_face [N]")) with lines lc hue(g) dt 2 title g.' full size', \
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("yarn_tension_face [N]")) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'broken yarns'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [g in full] kept(g) using (strain(0)):"broken_yarns [1]" with lines lc hue(g) dt 2 title g.' full size'
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"broken_yarns [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), '')
 unset multiplot
 set output sprintf("%s/breaks.%s", out, format)
 set multiplot layout 1,2
@@ -66,13 +67,14 @@ set autoscale; set size noratio
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
 set ylabel 'shear over normal force'
-tint(p) = sum [k = 1:6] (word("1330 1870 2410 12050 24100 36150", k) eq p ? k : 0)
-full_loads = system("cd pipelines/ch3/kept && ls | sed -n 's/^ss_\\([0-9]*\\)\\.tsv$/\\1/p' | sort -n")
+tint(p) = sum [n = 1:6] (word("1330 1870 2410 12050 24100 36150", n) eq p ? n : 0)
+full_loads = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^ss_\\([0-9]*\\)\\.tsv$/\\1/p' | sort -n")
+kept_shear(p) = p eq '' ? sprintf("%s/ss_%s.tsv", out, word(loads, 1)) : sprintf("pipelines/ch3/kept/ss_%s.tsv", p)
 way_of_shear(n) = 100 * C("displacement_top_x [m]") / 0.08
 shear_ratio(n) = abs(C("force_top_x [N]") / C("force_top_z [N]"))
 set key outside right top
 plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (way_of_shear(0)):(shear_ratio(0)) with linespoints lc tint(p) pt 7 ps 0.4 title p.' N', \
-  for [p in full_loads] sprintf("pipelines/ch3/kept/ss_%s.tsv", p) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(p) dt 2 title p.' N full size'
+  for [k = 1:words(full_loads)] kept_shear(word(full_loads, k)) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(word(full_loads.' '.loads, k)) dt 2 title named(word(full_loads, k), ' N')
 set key inside left top
 set output sprintf("%s/strip.%s", out, format)
 set xlabel 'strain (%)'

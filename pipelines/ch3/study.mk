@@ -122,10 +122,11 @@ C3_KEEP := step stage displacement_top_x displacement_top_z displacement_bottom_
   soil_stress_xx soil_stress_yy soil_stress_zz soil_stress_xz soil_mean_stress soil_deviatoric_stress soil_coordination_number \
   yarn_tension_face yarn_tension_side_horizontal yarn_tension_side_vertical broken_yarns kinetic_energy unbalanced_force boundary_work \
   energy_error
+C3_FIGURES := compression paths yarns shear growth shape
 .PHONY: ch3-keep
-ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk $(C3O)/comparison.tsv $(C3O)/checklist.tsv ## keep the series and tables of the thesis-size runs of ch3 (PROFILE=thesis)
+ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures ## keep the series, tables and figures of the thesis-size runs of ch3 (PROFILE=thesis)
 	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
-	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_KEPT) && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
+	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_FIGURES:%=$(C3O)/%.svg) $(C3_KEPT) && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
 
 include $(C3)/variants.mk
 
