@@ -11,9 +11,9 @@ cat <<'PAGE'
 <h2>The soilbag</h2>
 <p>Copies of a representative volume of Toyoura sand, cut to the pillow of a filled bag, wrapped in a woven geotextile of nodes and
 yarns and grown until they press (<code>filter-expand</code>); compressed between smooth plates and sheared by rough ones under a dead
-load (<code>run-dem</code>). Plates move at 2 %/s, not the thesis's 10 %/s: a bag of thousandfold density widens too slowly to follow those, and
-its soil, held by its own inertia, contracts more. Speed times the root of density counts, so that these are its 10 %/s at fortyfold
-density. A drag stills all while a station waits for rest.</p>
+load (<code>run-dem</code>). Plates move at 2 %/s, not the thesis's 10 %/s: a bag of thousandfold density widens too slowly to follow
+those, and its soil, held by its own inertia, contracts more. Speed times the root of density counts, so that these are its 10 %/s at
+fortyfold density. A drag stills all while a station waits for rest.</p>
 PAGE
 [ "$PROFILE" = thesis ] || cat <<'PAGE'
 <p>Quick profile: grains and yarns are twice as large as the thesis's. Along the walls they leave twice the room, so that the bag is made
@@ -45,11 +45,12 @@ if ls "$kept"/variants_*.tsv > /dev/null 2>&1; then
 <h3>What differences come from</h3>
 <p>The bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
 uniaxial compression beside those of the bag itself. Other representative volumes tell how much of a difference is chance.</p>
-<p>The recorded bag is softer at first than ours, its stress ratio rises from 1.36 to 1.56, and it contracts before it dilates; ours has
-its full ratio from the first station on. That is what rest is worth. Left to swing without drag at each station (<code>undragged</code>),
-grains of a thousandfold density fall short of it at the toe as the recorded ones do, and catch up: at full size such a bag follows the
-record, in load and stress ratio. At 10 %/s (<code>swinging</code>), the rate of the thesis, they are thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest.
-The bend of the yarn's curve, which is an estimate, and the density of the packing are worth as much over the whole range.</p>
+<p>The recorded bag is softer at first than ours of full size, its stress ratio rises from 1.36 to 1.56, and it contracts before it
+dilates; ours has its full ratio from the first station on. That is what rest is worth. Left to swing without drag at each station
+(<code>undragged</code>), grains of a thousandfold density fall short of it at the toe as the recorded ones do, and catch up: at full
+size such a bag follows the record, in load and stress ratio. At 10 %/s (<code>swinging</code>), the rate of the thesis, they are
+thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest. The bend of the yarn's
+curve, which is an estimate, and the density of the packing are worth as much over the whole range.</p>
 PAGE
   for size in quick thesis; do
     [ -e "$kept/variants_$size.tsv" ] || continue
