@@ -21,13 +21,22 @@ void Chart::Line::add(const Vec3& point) {
   points.push_back(point);
 }
 
-Vec3 Chart::Line::at_share(double share) const {
+Chart::Place Chart::Line::at_share(double share) const {
   const double length = share * lengths.back();
   const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
   const auto k = static_cast<std::size_t>(next - lengths.begin());
   const double piece = lengths[k] - lengths[k - 1];
-  const double part = piece > 0 ? std::clamp((length - lengths[k - 1]) / piece, 0.0, 1.0) : 0;
-  return points[k - 1] + part * (points[k] - points[k - 1]);
+  return {k - 1, piece > 0 ? std::clamp((length - lengths[k - 1]) / piece, 0.0, 1.0) : 0};
+}
+
+Vec3 Chart::Line::point(const Place& place) const {
+  return points[place.first] + place.part * (points[place.first + 1] - points[place.first]);
+}
+
+Chart::Place Chart::section(double azimuth) {
+  const double turns = azimuth / (2 * pi), place = (turns - std::floor(turns)) * sections;
+  const auto k = std::min(static_cast<std::size_t>(place), sections - 1);
+  return {k, place - static_cast<double>(k)};
 }
 
 Chart::Chart(const Vec3& middle, const Vec3& half, const std::function<double(const Vec3&)>& reach)
@@ -45,13 +54,11 @@ Chart::Chart(const Vec3& middle, const Vec3& half, const std::function<double(co
   equator_.add(equator_.points.front());
 }
 
+// In turns, so that it goes on growing past a whole one.
 double Chart::along_equator(double azimuth) const {
-  const double turns = azimuth / (2 * pi), whole = std::floor(turns);
-  const double place = (turns - whole) * sections;
-  const auto k = std::min(static_cast<std::size_t>(place), sections - 1);
-  const double part = place - static_cast<double>(k);
-  return whole +
-         (equator_.lengths[k] + part * (equator_.lengths[k + 1] - equator_.lengths[k])) / equator_.lengths.back();
+  const auto [k, part] = section(azimuth);
+  const std::vector<double>& up_to = equator_.lengths;
+  return std::floor(azimuth / (2 * pi)) + (up_to[k] + part * (up_to[k + 1] - up_to[k])) / up_to.back();
 }
 
 // Sides in turn: x+, y+, x-, y-; t from -1 to 1 along each.
@@ -64,19 +71,15 @@ double Chart::azimuth(double u, double v) const {
   const double last = across_x ? first + 2 * corner_ : first + pi - 2 * corner_;
   const double start = along_equator(first);
   const double share = start + 0.5 * (1 + t) * (along_equator(last) - start);
-  const double whole = std::floor(share), length = (share - whole) * equator_.lengths.back();
-  const auto next = std::upper_bound(equator_.lengths.begin() + 1, equator_.lengths.end() - 1, length);
-  const auto k = static_cast<std::size_t>(next - equator_.lengths.begin());
-  const double piece = equator_.lengths[k] - equator_.lengths[k - 1];
-  const double part = piece > 0 ? (length - equator_.lengths[k - 1]) / piece : 0;
-  return 2 * pi * (whole + (static_cast<double>(k - 1) + part) / sections);
+  const double whole = std::floor(share);
+  const auto [k, part] = equator_.at_share(share - whole);
+  return 2 * pi * (whole + (static_cast<double>(k) + part) / sections);
 }
 
 Vec3 Chart::at(double azimuth, double share) const {
-  const double turns = azimuth / (2 * pi), place = (turns - std::floor(turns)) * sections;
-  const auto k = std::min(static_cast<std::size_t>(place), sections - 1);
-  const double part = place - static_cast<double>(k);
-  return (1 - part) * sections_[k].at_share(share) + part * sections_[(k + 1) % sections].at_share(share);
+  const auto [k, part] = section(azimuth);
+  const Line &one = sections_[k], &next = sections_[(k + 1) % sections];
+  return (1 - part) * one.point(one.at_share(share)) + part * next.point(next.at_share(share));
 }
 
 double cells_across(const Vec3& box, const std::array<int, 3>& cells) {

@@ -25,13 +25,20 @@ class Chart {
   Vec3 at(const Vec3& box, const std::array<int, 3>& cells) const;
 
  private:
+  /// Between one of a row and the next: the first of the two, and the part of the way from it.
+  struct Place {
+    std::size_t first;
+    double part;
+  };
   /// A line of points and the length up to each.
   struct Line {
     std::vector<Vec3> points;
     std::vector<double> lengths;
     void add(const Vec3& point);
-    Vec3 at_share(double share) const;
+    Place at_share(double share) const;  // of its length
+    Vec3 point(const Place& place) const;
   };
+  static Place section(double azimuth);  // the ones that an azimuth lies between
   double azimuth(double u, double v) const;
   double along_equator(double azimuth) const;
   Vec3 at(double azimuth, double share) const;

@@ -57,8 +57,10 @@ void read_fabrics(Settings& document, Plan& plan) {
     const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
-    if (!plan.container) return table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
-    plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.nodes.radius) : given;
+    if (plan.container)
+      plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.nodes.radius) : given;
+    else
+      table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
   }
   for (Settings table : document.tables("sheet")) {
     Plan::Sheet sheet;

@@ -23,10 +23,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 #include "core/error.h"
 #include "io/vtk.h"
-#include "packing/chart.h"
 
 namespace soilweave::packing {
 namespace {
@@ -132,7 +132,7 @@ double Surface::volume(double depth) const {
   return depth <= 0 ? enclosed_ : enclosed_ * deeper / static_cast<double>(depths_.size());
 }
 
-std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+Chart Surface::chart() const {
   const Kernel::Point_3 middle = pmp::centroid(mesh_->triangles);
   const double rounding = 1e-6 * (high_ - low_).norm();
   using Ray = Kernel::Ray_3;
@@ -141,25 +141,26 @@ std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array
     mesh_->tree.all_intersections(Ray(middle, Kernel::Vector_3(along.x(), along.y(), along.z())),
                                   std::back_inserter(met));
     // Through an edge or a corner, two triangles or more are met at the same distance.
-    double nearest = 0, farthest = 0;
-    bool across = !met.empty();
+    double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto& [intersection, face] : met) {
       const auto* point = boost::get<Kernel::Point_3>(&intersection);
-      if (!(across = across && point)) break;
-      const double distance = std::sqrt(CGAL::squared_distance(middle, *point));
-      nearest = nearest > 0 ? std::min(nearest, distance) : distance;
-      farthest = std::max(farthest, distance);
+      const double distance = point ? std::sqrt(CGAL::squared_distance(middle, *point)) : 0;
+      least = std::min(least, distance), most = std::max(most, distance);
     }
-    if (!across || farthest - nearest > rounding)
+    if (met.empty() || least == 0 || most - least > rounding)
       throw DataError(
           fmt::format("'{}' is not seen whole from its middle, ({:.3g}, {:.3g}, {:.3g}) m: no geotextile can "
                       "be laid on it; give a surface without hollows, or cut to it alone",
                       path_, middle.x(), middle.y(), middle.z()));
-    return nearest;
+    return least;
   };
-  const Chart chart(Vec3(middle.x(), middle.y(), middle.z()), 0.5 * (high_ - low_), reach);
+  return {Vec3(middle.x(), middle.y(), middle.z()), 0.5 * (high_ - low_), reach};
+}
+
+std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+  if (!chart_) chart_ = std::make_unique<Chart>(chart());
   std::vector<Vec3> points;
-  for (const Vec3& b : box) points.push_back(nearest(chart.at(b, cells), outside));
+  for (const Vec3& b : box) points.push_back(nearest(chart_->at(b, cells), outside));
   return points;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "packing/chart.h"
 #include "packing/container.h"
 
 namespace soilweave::packing {
@@ -29,11 +30,15 @@ class Surface final : public Container {
 
  private:
   struct Mesh;
+  Chart chart() const;
+
   std::string path_;
   std::unique_ptr<Mesh> mesh_;
-  Vec3 low_, high_;                     // m
-  double enclosed_ = 0;                 // m3
-  mutable std::vector<double> depths_;  // m, of the grid's points inside, ascending; made when asked for
+  Vec3 low_, high_;      // m
+  double enclosed_ = 0;  // m3
+  // Made when asked for.
+  mutable std::vector<double> depths_;  // m, of the grid's points inside, ascending
+  mutable std::unique_ptr<Chart> chart_;
 };
 
 }  // namespace soilweave::packing
