@@ -34,7 +34,7 @@ function first_break(f, b, i, first) {
   if (!rows[b]) return "none"
   first = value[b, "break_time", 1]
   for (i = 2; i <= rows[b]; ++i) first = smaller(first, value[b, "break_time", i])
-  for (i = 2; value[f, "time", i] < first; ++i) { }
+  for (i = 2; i < rows[f] && value[f, "time", i] < first; ++i) { }
   return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + setting("pipelines/ch3/uc.toml", "rate") * (first - value[f, "time", i - 1]))
 }
 # The last row whose load is within 2 % of the greatest: where the bag fails, unless it is the last of all.
@@ -79,32 +79,29 @@ function note(at, g, what, measured, recorded, d, key) {
   key = "equal_" at "_" what "_" g
   if (size(d) > size(misfit[key])) misfit[key] = d
 }
+# Those of the stresses where a column of ours is as large as at that row of the record.
+function note_stresses(at, g, f, column, here, r, i) {
+  note(at, g, "lateral", where(f, column, "lateral", here), value[r, "radial_stress", i])
+  note(at, g, "axial", where(f, column, "soil_stress_zz", here), value[r, "axial_stress", i])
+  note(at, g, "pressure", where(f, column, "pressure", here), value[r, "plate_pressure", i])
+}
 function first_beside_record(f, r, i, first) {
-  for (first = 1; value[f, "stage", first] == 0; ++first) { }
-  for (i = 1; value[r, "tension_yarn_face", i] < value[f, "tension", first]; ++i) { }
+  for (first = 1; first < rows[f] && value[f, "stage", first] == 0; ++first) { }
+  for (i = 1; i < rows[r] && value[r, "tension_yarn_face", i] < value[f, "tension", first]; ++i) { }
   return i
 }
-function unbroken_beside_record(g, f, r, base, i, at) {
-  for (i = first_beside_record(f, r); i <= rows[r] && value[r, "tension_yarn_face", i] <= value[f, "tension", base]; ++i) {
-    at = value[r, "tension_yarn_face", i]
-    note("unbroken", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
-    note("unbroken", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
-    note("unbroken", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
-  }
+function unbroken_beside_record(g, f, r, base, i) {
+  for (i = first_beside_record(f, r); i <= rows[r] && value[r, "tension_yarn_face", i] <= value[f, "tension", base]; ++i)
+    note_stresses("unbroken", g, f, "tension", value[r, "tension_yarn_face", i], r, i)
 }
 function beside_record(g, f, r, i, at, recorded, tautest) {
   recorded = greatest(r, "axial_stress")
   tautest = value[f, "tension", greatest(f, "tension")]
   for (i = first_beside_record(f, r); i <= recorded; ++i) {
-    at = smaller(value[r, "tension_yarn_face", i], tautest)
-    note("tension", g, "lateral", where(f, "tension", "lateral", at), value[r, "radial_stress", i])
-    note("tension", g, "axial", where(f, "tension", "soil_stress_zz", at), value[r, "axial_stress", i])
-    note("tension", g, "pressure", where(f, "tension", "pressure", at), value[r, "plate_pressure", i])
-    if (value[r, "strain_axial", i] < 0.03) continue
+    note_stresses("tension", g, f, "tension", smaller(value[r, "tension_yarn_face", i], tautest), r, i)
     at = value[r, "strain_axial", i]
-    note("strain", g, "lateral", where(f, "strain", "lateral", at), value[r, "radial_stress", i])
-    note("strain", g, "axial", where(f, "strain", "soil_stress_zz", at), value[r, "axial_stress", i])
-    note("strain", g, "pressure", where(f, "strain", "pressure", at), value[r, "plate_pressure", i])
+    if (at < 0.03) continue
+    note_stresses("strain", g, f, "strain", at, r, i)
     note("strain", g, "tension", where(f, "strain", "tension", at), value[r, "tension_yarn_face", i])
   }
 }
@@ -208,7 +205,7 @@ END {
     beside_record(g, f, r)
     unbroken_beside_record(g, f, r, base)
   }
-  # The same bag, left to swing at its stations as the recorded one was.
+  # The same bag, left to swing at its stations, as the recorded one seems to have been.
   f = "uc_PE_undragged"
   compression(f)
   base = broken_row(f)

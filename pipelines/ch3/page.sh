@@ -45,8 +45,8 @@ if ls "$kept"/variants_*.tsv > /dev/null 2>&1; then
 <h3>What differences come from</h3>
 <p>The bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
 uniaxial compression beside those of the bag itself. Other representative volumes tell how much of a difference is chance.</p>
-<p>The recorded bag is softer at first than ours of full size, its stress ratio rises from 1.36 to 1.56, and it contracts before it
-dilates; ours has its full ratio from the first station on. That is what rest is worth. Left to swing without drag at each station
+<p>The recorded bag is softer at first than ours of full size, its stress ratio rises over the first few per cent, and it contracts
+before it dilates; ours has its full ratio from the first station on. That is what rest is worth. Left to swing without drag at each station
 (<code>undragged</code>), grains of a thousandfold density fall short of it at the toe as the recorded ones do, and catch up: at full
 size such a bag follows the record, in load and stress ratio. At 10 %/s (<code>swinging</code>), the rate of the thesis, they are
 thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest. The bend of the yarn's

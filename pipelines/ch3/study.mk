@@ -110,8 +110,8 @@ C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv
 C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
 # Of these single settings are read.
 C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
-$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_UNDRAGGED) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv \
-  $(C3_RECORDED)
+$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_UNDRAGGED) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) \
+  $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv $(C3_RECORDED)
 	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) $(C3_MEASURE:%=-f %) $(filter %.tsv,$^) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
@@ -126,7 +126,8 @@ C3_FIGURES := compression paths yarns shear growth shape
 .PHONY: ch3-keep
 ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures ## keep the series, tables and figures of the thesis-size runs of ch3 (PROFILE=thesis)
 	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
-	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_FIGURES:%=$(C3O)/%.svg) $(C3_KEPT) && $(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
+	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_FIGURES:%=$(C3O)/%.svg) $(C3_KEPT)
+	@$(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
 
 include $(C3)/variants.mk
 
