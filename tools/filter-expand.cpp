@@ -48,7 +48,10 @@ struct FilterExpand {
     packing::Plan what = packing::read_plan(text.text, plan.string(), overrides);
     what.numerics.threads = invocation.threads;
     const io::PackingFile volume = io::read_state(packing);
-    const io::Snapshot start = packing::assemble(volume.state, what);
+    const io::Snapshot start = [&] {
+      Progress laying("filter-expand", invocation.quiet);
+      return packing::assemble(volume.state, what, [&](double done) { laying.update(done, "geotextile laid"); });
+    }();
     Progress progress("filter-expand", invocation.quiet);
     const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {volume.source, text.source};

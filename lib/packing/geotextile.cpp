@@ -34,7 +34,8 @@ constexpr double evening_share = 0.25;  // of the differences in length, a sweep
 
 // Woven yarns are equally long wherever they lie: nodes slide on the bag until theirs are. Sums go in pairs, so that
 // mirrored nodes stay mirrored to the last bit.
-void even_out(const Container& bag, double outside, const Neighbours& neighbours, int threads, Fabric& fabric) {
+void even_out(const Container& bag, double outside, const Neighbours& neighbours, int threads, Fabric& fabric,
+              const std::function<void(double)>& done) {
   double length = 0;
   for (const Fabric::Yarn& y : fabric.yarns)
     length +=
@@ -55,12 +56,14 @@ void even_out(const Container& bag, double outside, const Neighbours& neighbours
       moved[n] = bag.nearest(x + evening_share * (pulls[0] + pulls[1] + pulls[2]), outside);
     });
     fabric.nodes.swap(moved);
+    if (done) done((sweep + 1.0) / evening_sweeps);
   }
 }
 
 }  // namespace
 
-Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads) {
+Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads,
+            const std::function<void(double)>& done) {
   Fabric fabric;
   std::vector<Vec3> box;
   const auto [nx, ny, nz] = cells;
@@ -89,7 +92,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
       neighbours[static_cast<std::size_t>(one)][axis][1] = other->second;
       neighbours[static_cast<std::size_t>(other->second)][axis][0] = one;
     }
-  even_out(bag, outside, neighbours, threads, fabric);
+  even_out(bag, outside, neighbours, threads, fabric, done);
   return fabric;
 }
 

@@ -138,7 +138,8 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
   return plan;
 }
 
-io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan) {
+io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
+                      const std::function<void(double)>& laid) {
   io::Snapshot state;
   if (plan.container) {
     io::Snapshot volume = representative_volume;
@@ -156,7 +157,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   state.cell = {};
   state.cell.periodic = {false, false, false};
   if (plan.wrapping)
-    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.numerics.threads), plan.nodes, state);
+    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.numerics.threads, laid), plan.nodes, state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
   // Open along all axes, the cell only carries lengths.

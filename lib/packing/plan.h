@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,9 @@ struct Plan {
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 
 /// Copies cut to the container, its geotextile around them, not yet grown. Throws DataError where the representative
-/// volume, copied as often as the plan says, is too small for the container.
-io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan);
+/// volume, copied as often as the plan says, is too small for the container. laid: told the share of the geotextile.
+io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
+                      const std::function<void(double)>& laid = {});
 
 /// By how much the soil cut to the container must be stretched to fill it as densely as the representative volume:
 /// the cut leaves a gap of a grain's size along the surface.
