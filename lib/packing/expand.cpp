@@ -23,8 +23,6 @@ namespace {
 
 // Steps of a round before a measurement, over those of others: what presses then is held by the container.
 constexpr std::int64_t patience = 10;
-// Motion is stopped so much more rarely while grains come to rest: what sways as a whole takes its time.
-constexpr std::int64_t rest = 4;
 
 // Radii that give way do so by this share of the mean overlap at a time: half of it would part grains that stay in
 // place.
@@ -150,7 +148,8 @@ class Grower {
 
   // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
   bool settle(std::int64_t most, double least) {
-    const std::int64_t stop = (at_.stage == Stage::growing ? 1 : rest) * growth_.stop_every;
+    // At rest grains that carry nothing fly apart; stopped, they would go on touching what they no longer lean on.
+    const std::int64_t stop = at_.stage == Stage::growing ? growth_.stop_every : 0;
     for (;;) {
       simulation_.step();
       const std::int64_t steps = simulation_.steps() - at_.first;
@@ -285,7 +284,7 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter steps{"steps", "1",   1,
                                    1e9,     false, "of a round at most, ten times that before a measurement"};
   static constexpr Parameter stop{"stop_every", "1",   0,
-                                  1e9,          false, "steps after which all motion is stopped; 0: never"};
+                                  1e9,          false, "steps of growth after which all motion is stopped; 0: never"};
   static constexpr Parameter volume{
       "volume_tolerance",
       "1",

@@ -34,7 +34,7 @@ in §3.4 that it is higher on the sides: one of the two is not met.</p>
 <p>The thesis finds the same shapes in its diagrams. Here the greatest difference of cumulative shares (Kolmogorov and Smirnov's distance)
 is set beside the one that two samples of these sizes, drawn from the same soil, exceed with a chance of 5 %; for classes, as these
 are, the chance is smaller still. Samples are grains for the number of contacts, contacts for their angle. The representative volume,
-made at 1 kPa, is unloaded to 0.17 kPa, where it has about as many contacts a grain as the bag is made to. Contacts count as in the
+made at 1 kPa, is unloaded to 0.16 kPa, where it has about as many contacts a grain as the bag is made to. Contacts count as in the
 thesis, with soil and with the geotextile; of soil with soil alone the bag has fewer, and fewer along the vertical, since its upper and
 lower faces are near.</p>
 PAGE
