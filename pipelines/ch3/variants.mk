@@ -2,7 +2,9 @@
 # one packing differs from the next by. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3V := $(C3O)/variants
-C3V_STRAIN := 0.1
+# Past the greatest load.
+C3V_STRAIN_quick := 0.16
+C3V_STRAIN_thesis := 0.14
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
 C3_VARIANTS_thesis := fast slow undragged
@@ -26,7 +28,7 @@ $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expan
 	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $(call as_options,$*,3) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
 $(C3V)/%/uc.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN) --set geotextile.0.curve=PE $(call as_options,$*,4) \
+	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN_$(PROFILE)) --set geotextile.0.curve=PE $(call as_options,$*,4) \
 	  --threads $(C3_THREADS) --quiet --resume --force -o $@
 $(C3V)/%/uc.tsv: $(C3V)/%/uc.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
