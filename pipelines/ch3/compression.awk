@@ -134,13 +134,20 @@ function volume_change(g, f, start, base, i, densest) {
   put("dilation_" g, where(f, "strain", "soil_void_ratio", 0.12) - value[f, "soil_void_ratio", densest])
   put("void_ratio_at_break_" g, value[f, "soil_void_ratio", base] - value[f, "soil_void_ratio", start])
 }
-function paths(g, f, r, start, base, i, obliquity, least, steps) {
+# q/p over the recorded one at that strain.
+function obliquity_ratio(f, r, strain) {
+  return where(f, "strain", "soil_obliquity", strain) / \
+    (where(r, "strain_axial", "deviatoric_stress", strain) / where(r, "strain_axial", "mean_stress", strain))
+}
+function slopes(g, f, r, start, base) {
   at_break[g] = value[f, "soil_obliquity", base]
   put("obliquity_" g, at_break[g])
-  put("obliquity_ratio_" g, at_break[g] / \
-    (where(r, "strain_axial", "deviatoric_stress", value[f, "strain", base]) / where(r, "strain_axial", "mean_stress", value[f, "strain", base])))
+  put("obliquity_ratio_" g, obliquity_ratio(f, r, value[f, "strain", base]))
+  put("toe_obliquity_ratio_" g, obliquity_ratio(f, r, 0.02))
   put("path_slope_" g, path_slope(f, "soil_mean_stress", "soil_deviatoric_stress", start, base))
   put("path_deviation_" g, path_deviation(f, "soil_mean_stress", "soil_deviatoric_stress", start, base))
+}
+function paths(g, f, start, base, i, obliquity, least) {
   put("groups_deviation_" g, groups_deviation(f "_groups", value[f, "step", start], value[f, "step", base]))
   least = 1e9
   for (i = start; i <= rows[f]; ++i) {
@@ -192,26 +199,22 @@ function seam(file, i, sum) {
 }
 
 END {
-  for (k = 1; k <= 2; ++k) {
-    g = fabrics[k]
-    f = "uc_" g; r = "soilbag_uniaxial_" g
+  # Undragged: the same bags, left to swing at their stations, as the recorded ones seem to have been.
+  for (k = 1; k <= split("PE PP PE_undragged PP_undragged", bags, " "); ++k) {
+    g = bags[k]
+    f = "uc_" g; r = "soilbag_uniaxial_" substr(g, 1, 2)
     start = compression(f)
     base = broken_row(f)
     loads_and_strains(g, f, r)
     volume_change(g, f, start, base)
-    paths(g, f, r, start, base)
-    yarns_and_faces(g, f, start, base)
-    anisotropies(g)
+    slopes(g, f, r, start, base)
     beside_record(g, f, r)
     unbroken_beside_record(g, f, r, base)
+    if (g ~ /undragged/) continue
+    paths(g, f, start, base)
+    yarns_and_faces(g, f, start, base)
+    anisotropies(g)
   }
-  # The same bag, left to swing at its stations, as the recorded one seems to have been.
-  f = "uc_PE_undragged"
-  compression(f)
-  base = broken_row(f)
-  unbroken_beside_record("PE_undragged", f, "soilbag_uniaxial_PE", base)
-  put("obliquity_ratio_PE_undragged", where(f, "strain", "soil_obliquity", 0.0165) / \
-    (where("soilbag_uniaxial_PE", "strain_axial", "deviatoric_stress", 0.0165) / where("soilbag_uniaxial_PE", "strain_axial", "mean_stress", 0.0165)))
   for (key in misfit) put(key, misfit[key])
   put("obliquity_PP_over_PE", at_break["PP"] / at_break["PE"])
   for (k = 1; k <= split("c n t", kinds, " "); ++k)

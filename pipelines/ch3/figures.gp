@@ -13,33 +13,41 @@ full = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\(
 kept(g) = g eq '' ? uc('PE') : sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 named(g, unit) = g eq '' ? '' : g.unit.' full size'
 C(n) = column(n)
+# Of full size, and left to swing at each station: this run's, or the kept one's.
+swinging(g) = sprintf("%s/uc_%s_undragged.tsv", yarns == 1 ? out : "pipelines/ch3/kept", g)
+swings = system(sprintf("for g in PE PP; do test ! -e %s/uc_${g}_undragged.tsv || echo $g; done", yarns == 1 ? out : "pipelines/ch3/kept"))
+swung(g) = g eq '' ? uc('PE') : swinging(g)
 # From the end of the preload, which is the first stage.
 start = 0
 way(n) = C("displacement_bottom_z [m]") - C("displacement_top_z [m]")
 strain(n) = C("stage [1]") == 0 ? (start = way(0), 0) : 100 * (way(0) - start) / 0.08
 set output sprintf("%s/compression.%s", out, format)
 set multiplot layout 1,2
-set xlabel 'axial strain (%)'
+set xlabel 'axial strain (%)'; set xrange [0:20]
 set ylabel 'load over 0.16 m² (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
+  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
 plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
+  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
 set multiplot layout 1,2
-set xlabel 'p (kPa)'
+set xlabel 'p (kPa)'; set xrange [0:*]; set xtics 200
 set ylabel 'q (kPa)'
 plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
+  for [k = 1:words(swings)] swung(word(swings, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
-set xlabel 'axial strain (%)'
+set xlabel 'axial strain (%)'; set xrange [0:20]; set xtics autofreq
 set ylabel 'void ratio'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
+  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
@@ -130,16 +138,20 @@ set autoscale
 if (format eq 'png') {
 set output sprintf("%s/bag.png", out)
 set terminal pngcairo size 1000,850 font 'sans,11'
-set multiplot layout 3,2 margins 0.05,0.93,0.05,0.96 spacing 0.15,0.09
+set multiplot
 set key off; set size ratio -1; set autoscale; set style fill solid noborder; unset xlabel; unset ylabel
+set xrange [-280:280]
 set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
 strains = "0 12 ".end
 do for [k = 1:3] {
-  set xrange [-260:260]; set yrange [-60:60]; set xtics 100; set ytics 50
+  middle = 1 - (k - 0.5) / 3
+  set lmargin at screen 0.05; set rmargin at screen 0.49; set bmargin at screen middle - 0.06; set tmargin at screen middle + 0.06
+  set yrange [-65:65]; set xtics 100; set ytics 50
   set cbrange [0:0.4]; set cbtics 0.1; set title sprintf("%s %%: deviatoric strain", word(strains, k))
   plot sprintf("%s/section_%d.tsv", out, k) using 1:2:3:4 with circles lc palette, \
     "" using (valid(4) ? NaN : column(1)):2:3 with circles lc rgb "#808080"
-  set yrange [-260:260]; set xtics 200; set ytics 100
+  set lmargin at screen 0.66; set rmargin at screen 0.864; set bmargin at screen middle - 0.125; set tmargin at screen middle + 0.115
+  set yrange [-280:280]; set xtics 200; set ytics 100
   set cbrange [0:*]; set cbtics autofreq; set title sprintf("%s %%: tension of the upper yarns (N), red: broken", word(strains, k))
   plot sprintf("%s/face_%d.tsv", out, k) using 1:2:(column(6) == 1 ? NaN : column(3)):4:5 with vectors nohead lc palette, \
     "" using (column(6) == 1 ? column(1) + 0.5 * column(3) : NaN):(column(2) + 0.5 * column(4)) with points pt 7 ps 0.4 lc rgb "#e31a1c"

@@ -75,7 +75,7 @@ alike): the bag as it is made and the representative volume (Figs. 3.2 and 3.4).
 figure growth 'Growth of the grains in the bag, this one and the one of full size (kept, pipelines/ch3/kept): friction is lowered and the
 grains relieved until the void ratio and the coordination number are met.'
 figure compression 'Uniaxial compression (thesis Figs. 3.6 and 3.7). Points: recorded series of the same model. Dashed: our
-full size (kept, pipelines/ch3/kept).'
+full size (kept, pipelines/ch3/kept); dotted: the same, left to swing at each station.'
 figure paths 'Stress paths and void ratio (Figs. 3.10 and 3.12).'
 figure yarns 'Tension of the yarns on the faces, and broken yarns.'
 figure breaks 'Where yarns are broken at the end, seen from above: between smooth plates in the middle, between rough ones along the

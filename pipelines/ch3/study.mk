@@ -54,6 +54,11 @@ $(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(C3_UC_$(PROFILE)) --set geotextile.0.curve=$* --set stage.1.plate_friction_angle=89.9 \
 	  --threads $(C3_THREADS) --quiet --resume --force -o $@
+# Without the drag that stills a bag where it rests.
+$(C3O)/uc_%_undragged.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN_$(PROFILE)) --set geotextile.0.curve=$* \
+	  $(call as_options,undragged,4) --threads $(C3_THREADS) --quiet --resume --force -o $@
 # % is the dead load in N.
 $(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem
 	@echo '  run   $@'
@@ -96,10 +101,8 @@ $(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
 	@awk -f $^ $(call whole,$@)
 
 C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
-C3_UNDRAGGED := $(C3O)/uc_PE_undragged.tsv
-$(C3_UNDRAGGED): $(C3O)/variants/undragged/uc.tsv
-	@cp $< $@
-C3_BROKEN := $(foreach g,PE PP,$(C3O)/uc_$(g)_broken.tsv)
+C3_UNDRAGGED := $(C3_UC:.tsv=_undragged.tsv)
+C3_BROKEN := $(patsubst %.tsv,%_broken.tsv,$(C3_UC) $(C3_UNDRAGGED))
 C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
 C3_STATES_OF := $(foreach run,uc_PE uc_PP $(C3_LOADS:%=ss_%),$(C3O)/$(run)_fabric.tsv $(C3O)/$(run)_groups.tsv)
 C3_BREAKS := $(C3O)/uc_PE_breaks.tsv $(C3O)/uc_PE_rough_breaks.tsv

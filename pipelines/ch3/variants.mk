@@ -30,6 +30,10 @@ $(C3V)/%/uc.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN_$(PROFILE)) --set geotextile.0.curve=PE $(call as_options,$*,4) \
 	  --threads $(C3_THREADS) --quiet --resume --force -o $@
+# Which the study itself has.
+$(C3V)/undragged/uc.h5: $(C3O)/uc_PE_undragged.h5
+	@mkdir -p $(@D)
+	@ln -f $< $@
 $(C3V)/%/uc.tsv: $(C3V)/%/uc.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 
