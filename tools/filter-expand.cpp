@@ -61,7 +61,7 @@ struct FilterExpand {
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;
     if (what.growth && what.container)
-      what.growth->stretch = packing::stretch_to_fill(start, analysis::void_ratio(volume.state), *what.container);
+      packing::aim(*what.growth, start, analysis::void_ratio(volume.state), *what.container);
     if (!what.growth) return void(safe.write([&] { io::write_packing(output, start, past); }));
     packing::Grown grown =
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});

@@ -59,18 +59,21 @@ double Pillow::volume(double depth) const {
   return 2 * h * area + 0.5 * pi * h * h * perimeter + 4.0 / 3.0 * pi * h * h * h;
 }
 
-std::vector<Vec3> Pillow::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+std::vector<Vec3> Pillow::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                                 bool even) const {
+  const double arc = 0.5 * pi * (half_height + outside);
   std::vector<Vec3> points;
-  for (const Vec3& b : box) points.push_back(at(b, cells_across(b, cells), cells[2], outside));
+  for (const Vec3& b : box)
+    points.push_back(at(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : arc / (0.5 * width + arc), outside));
   return points;
 }
 
-Vec3 Pillow::at(const Vec3& box, double face_cells, double side_cells, double outside) const {
+Vec3 Pillow::at(const Vec3& box, double side, double outside) const {
   const double radius = half_height + outside;
   const double half_hoop = 0.5 * width + 0.5 * pi * radius;  // from the middle of the top to the middle of a side
   const bool top = std::abs(box.z()) >= 1;
   const double ring = std::max(std::abs(box.x()), std::abs(box.y()));
-  const double from_side = side_cells / (face_cells + side_cells) * half_hoop;
+  const double from_side = side * half_hoop;
   const double s = top ? ring * (half_hoop - from_side) : half_hoop - std::abs(box.z()) * from_side;
   const double up = box.z() < 0 ? -1 : 1;
   if (s <= 0.5 * width) {
@@ -95,7 +98,7 @@ Vec3 Pillow::nearest(const Vec3& point, double outside) const {
   return foot + (point - foot).normalized() * (half_height + outside);
 }
 
-std::vector<Vec3> Box::spread(const std::vector<Vec3>& box, const std::array<int, 3>&, double outside) const {
+std::vector<Vec3> Box::spread(const std::vector<Vec3>& box, const std::array<int, 3>&, double outside, bool) const {
   std::vector<Vec3> points;
   for (const Vec3& b : box) {
     const Vec3 out = Vec3((b.array().abs() >= 1).select(b, Vec3::Zero())).normalized();

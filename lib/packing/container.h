@@ -21,10 +21,11 @@ class Container {
   virtual Vec3 high() const = 0;
   /// m3, of what lies at least `depth` m inside.
   virtual double volume(double depth = 0) const = 0;
-  /// Where a mesh of the surface of a box of so many cells lies on the parallel surface `outside` m beyond, m, roughly
-  /// even. box: its nodes, u, v, w in [-1, 1], of which one at least is -1 or 1.
-  virtual std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
-                                   double outside) const = 0;
+  /// Where a mesh of the surface of a box of so many cells lies on the parallel surface `outside` m beyond, m. box: its
+  /// nodes, u, v, w in [-1, 1], of which one at least is -1 or 1. even: cells roughly of one size; else each face of
+  /// the container is divided by itself, where it has any.
+  virtual std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                                   bool even) const = 0;
   /// The point of that parallel surface nearest to one near it.
   virtual Vec3 nearest(const Vec3& point, double outside) const = 0;
 };
@@ -41,13 +42,15 @@ struct Pillow final : Container {
   Vec3 high() const override { return {0.5 * width + half_height, 0.5 * width + half_height, half_height}; }
   /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
   double volume(double depth = 0) const override;
-  /// The top and bottom of the box reach as far down the sides as arcs of equal length ask for.
-  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
-                           double outside) const override;
+  /// The top and bottom of the box reach as far down the sides as arcs of equal length ask for; or, each by itself, to
+  /// where the faces cease to be flat.
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                           bool even) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:
-  Vec3 at(const Vec3& box, double face_cells, double side_cells, double outside) const;
+  /// side: share of the way from the middle of the top to the middle of a side that belongs to the box's side.
+  Vec3 at(const Vec3& box, double side, double outside) const;
 };
 
 /// An upright box.
@@ -58,8 +61,8 @@ struct Box final : Container {
   Vec3 low() const override { return lower; }
   Vec3 high() const override { return upper; }
   double volume(double depth = 0) const override { return (upper - lower - Vec3::Constant(2 * depth)).prod(); }
-  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
-                           double outside) const override;
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                           bool even) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
 };
 

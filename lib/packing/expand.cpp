@@ -138,9 +138,8 @@ class Grower {
 
   // Grains of another size, and the stage that goes on with them.
   void scale(double factor, Stage stage) {
-    const double filling = std::cbrt(growth_.stretch.prod());
     // The part of the way to the full container that this round goes.
-    const double share = factor > 1 && at_.growth < filling ? std::log(factor) / std::log(filling) : 0;
+    const double share = factor > 1 && at_.growth < growth_.filling ? std::log(factor) / std::log(growth_.filling) : 0;
     at_.growth *= factor;
     simulation_.scale_radii(factor, growth_.stretch.array().pow(share).matrix());
     enter(stage);
@@ -167,9 +166,9 @@ class Grower {
     }
   }
 
-  // Of the growth that fills the container; grains that are not stretched to it show by pressing alone that it is full.
+  // Of the growth that fills the container; where that is not told, grains show by pressing alone that it is full.
   double progress() const {
-    const double filling = std::log(growth_.stretch.prod()) / 3;
+    const double filling = std::log(growth_.filling);
     return std::min(1.0, filling > 0 ? std::log(at_.growth) / filling : fill_.overlap / growth_.overlap);
   }
   std::string text() const {
@@ -305,6 +304,7 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
   Growth g;
   g.factor = table.number(factor, g.factor);
+  g.stretched = table.flag("stretch", g.stretched);
   g.unbalanced_force = table.number(unbalanced, g.unbalanced_force);
   g.negligible = table.number(negligible, g.negligible);
   g.damping = table.number(damping, g.damping);

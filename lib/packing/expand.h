@@ -17,8 +17,10 @@ namespace soilweave::packing {
 
 struct Growth {
   double factor = 1.0002;  // of the radii, a round
-  /// Between the grains as they are cut and the container that they fill: coordinates are stretched by this while the
-  /// radii grow by the cube root of its product, so that nothing need travel far.
+  double filling = 1;      // growth of the radii that fills the container
+  bool stretched = true;
+  /// Between the grains as they are cut and the container that they fill: where they are stretched to it, coordinates
+  /// are by this while the radii grow by `filling`, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
   double unbalanced_force = 1e-3;  // of an equilibrium: mean resultant over mean contact force
   double negligible = 1e-4;        // overlap over radius whose force counts instead, while contacts carry less

@@ -62,7 +62,7 @@ void even_out(const Container& bag, double outside, const Neighbours& neighbours
 
 }  // namespace
 
-Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads,
+Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, bool even, int threads,
             const std::function<void(double)>& done) {
   Fabric fabric;
   std::vector<Vec3> box;
@@ -78,7 +78,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
         box.emplace_back(static_cast<double>(2 * i - nx) / nx, static_cast<double>(2 * j - ny) / ny,
                          static_cast<double>(2 * k - nz) / nz);
       }
-  fabric.nodes = bag.spread(box, cells, outside);
+  fabric.nodes = bag.spread(box, cells, outside, even);
   Neighbours neighbours(fabric.nodes.size(), {{{-1, -1}, {-1, -1}, {-1, -1}}});
   for (const auto& [at, one] : number)
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -92,7 +92,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
       neighbours[static_cast<std::size_t>(one)][axis][1] = other->second;
       neighbours[static_cast<std::size_t>(other->second)][axis][0] = one;
     }
-  even_out(bag, outside, neighbours, threads, fabric, done);
+  if (even) even_out(bag, outside, neighbours, threads, fabric, done);
   return fabric;
 }
 
@@ -108,7 +108,7 @@ std::array<int, 3> cells_of(const Container& bag, double spacing, double outside
         at[axis] = way * (2.0 * i / pieces - 1);
         box.push_back(at);
       }
-    const std::vector<Vec3> line = bag.spread(box, {pieces, pieces, pieces}, outside);
+    const std::vector<Vec3> line = bag.spread(box, {pieces, pieces, pieces}, outside, true);
     double length = (line.front() - line.back()).norm();
     for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
     return length;

@@ -31,8 +31,9 @@ struct NodeRecipe {
 };
 
 /// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the container with node centres
-/// `outside` m beyond it, its yarns as equally long as the shape allows. done: told the share of the work, 0 to 1.
-Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, int threads = 1,
+/// `outside` m beyond it: even, its yarns as equally long as the shape allows, or each face of the container divided by
+/// itself. done: told the share of the work, 0 to 1.
+Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, bool even = true, int threads = 1,
             const std::function<void(double)>& done = {});
 /// The cells of such a mesh whose yarns are about `spacing` m apart.
 std::array<int, 3> cells_of(const Container& bag, double spacing, double outside);

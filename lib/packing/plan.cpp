@@ -56,6 +56,7 @@ void read_fabrics(Settings& document, Plan& plan) {
     const bool both = table.has("cells") && table.has("spacing");
     const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
+    plan.even = table.flag("even", plan.even);
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container)
       plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.nodes.radius) : given;
@@ -157,7 +158,8 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   state.cell = {};
   state.cell.periodic = {false, false, false};
   if (plan.wrapping)
-    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.numerics.threads, laid), plan.nodes, state);
+    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.even, plan.numerics.threads, laid), plan.nodes,
+        state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
   // Open along all axes, the cell only carries lengths.
@@ -172,7 +174,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   return state;
 }
 
-Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container) {
+void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container) {
   double filled = 0;
   for (std::size_t i = 0; i < assembled.grains.size(); ++i)
     if (assembled.grains.copy_id[i] >= 0) filled += (1 + void_ratio) * dem::grain_volume(3, assembled.grains.radius[i]);
@@ -183,7 +185,9 @@ Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Con
     const double middle = 0.5 * (low + high);
     (container.volume(middle) > filled ? low : high) = middle;
   }
-  return half.cwiseQuotient(half - Vec3::Constant(low));
+  const Vec3 stretch = half.cwiseQuotient(half - Vec3::Constant(low));
+  growth.filling = std::cbrt(stretch.prod());
+  if (growth.stretched) growth.stretch = stretch;
 }
 
 }  // namespace soilweave::packing

@@ -19,6 +19,7 @@ struct Plan {
   std::unique_ptr<Container> container;  // none: no soil
   std::optional<std::array<int, 3>> copies;
   std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the container
+  bool even = true;                            // yarns of one length, not each face divided by itself
   struct Sheet {
     std::array<int, 2> cells;
     double spacing, height;  // m
@@ -43,8 +44,9 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
                       const std::function<void(double)>& laid = {});
 
-/// By how much the soil cut to the container must be stretched to fill it as densely as the representative volume:
-/// the cut leaves a gap of a grain's size along the surface.
-Vec3 stretch_to_fill(const io::Snapshot& assembled, double void_ratio, const Container& container);
+/// How far the soil cut to the container is from filling it as densely as the representative volume, whose void ratio
+/// this is: the cut leaves a gap of a grain's size along the surface. For growth.filling and, where it is asked for,
+/// growth.stretch.
+void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container);
 
 }  // namespace soilweave::packing

@@ -157,7 +157,8 @@ Chart Surface::chart() const {
   return {Vec3(middle.x(), middle.y(), middle.z()), 0.5 * (high_ - low_), reach};
 }
 
-std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside) const {
+std::vector<Vec3> Surface::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                                  bool) const {
   if (!chart_) chart_ = std::make_unique<Chart>(chart());
   std::vector<Vec3> points;
   for (const Vec3& b : box) points.push_back(nearest(chart_->at(b, cells), outside));

@@ -24,8 +24,8 @@ class Surface final : public Container {
   /// By counting the points of a grid that lie as deep; 0 means the enclosed volume itself, by its triangles.
   double volume(double depth = 0) const override;
   /// Throws DataError where not all of the surface is seen from the middle of what it encloses.
-  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells,
-                           double outside) const override;
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                           bool even) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:

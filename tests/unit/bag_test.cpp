@@ -95,6 +95,26 @@ TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
   EXPECT_NEAR(hoop, 2 * bag.width + 2 * pi * 0.0425, 1e-3 * hoop);
 }
 
+TEST(Geotextile, CanBeMeshedFaceByFace) {
+  const Pillow bag;
+  const Fabric fabric = wrap(bag, {91, 91, 20}, 0.0025, false);
+  const double radius = bag.half_height + 0.0025;
+  for (const Fabric::Yarn& yarn : fabric.yarns) {
+    const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)],
+               b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
+    if (yarn.family == 0) {
+      EXPECT_NEAR(std::abs(a.z()), radius, 1e-12) << "faces end where they cease to be flat";
+    } else if (yarn.family == 2 && std::abs(a.y()) < 0.003) {
+      // A twentieth of half a circle, by its chord.
+      EXPECT_NEAR((b - a).norm(), 2 * radius * std::sin(pi / 40), 1e-5);
+    }
+    if (a.norm() < radius + 0.001) {
+      EXPECT_NEAR((b - a).norm(), bag.width / 91, 0.01 * bag.width / 91) << "in the middle the grid is regular";
+    }
+  }
+  for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
+}
+
 TEST(Geotextile, IsMirroredBitByBit) {
   const Fabric fabric = wrap(Pillow(), {9, 9, 4}, 0.0025);
   const auto less = [](const Vec3& a, const Vec3& b) {
