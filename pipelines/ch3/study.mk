@@ -45,20 +45,21 @@ $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter
 	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_FILL_THREADS) --quiet --resume --force \
 	  --history $(C3O)/generation.tsv -o $(C3O)/bag.h5
 
+# $(call compress,GEOTEXTILE,HOW FAR,OPTIONS): the bag that is named first, between plates
+compress = $(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(2) --set geotextile.0.curve=$(1) $(3) \
+  --threads $(C3_THREADS) --quiet --resume --force -o $@
 # % is the geotextile.
 $(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(C3_UC_$(PROFILE)) --set geotextile.0.curve=$* --threads $(C3_THREADS) --quiet --resume --force -o $@
+	@$(call compress,$*,$(C3_UC_$(PROFILE)))
 # Rough plates instead of smooth ones.
 $(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(C3_UC_$(PROFILE)) --set geotextile.0.curve=$* --set stage.1.plate_friction_angle=89.9 \
-	  --threads $(C3_THREADS) --quiet --resume --force -o $@
+	@$(call compress,$*,$(C3_UC_$(PROFILE)),--set stage.1.plate_friction_angle=89.9)
 # Without the drag that stills a bag where it rests.
 $(C3O)/uc_%_undragged.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN_$(PROFILE)) --set geotextile.0.curve=$* \
-	  $(call as_options,undragged,4) --threads $(C3_THREADS) --quiet --resume --force -o $@
+	@$(call compress,$*,$(C3V_UC),$(call as_options,undragged,4))
 # % is the dead load in N.
 $(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem
 	@echo '  run   $@'

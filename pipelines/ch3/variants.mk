@@ -5,6 +5,7 @@ C3V := $(C3O)/variants
 # Past the greatest load.
 C3V_STRAIN_quick := 0.16
 C3V_STRAIN_thesis := 0.14
+C3V_UC = --set stage.1.strain=$(C3V_STRAIN_$(PROFILE))
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
 C3_VARIANTS_thesis := fast slow undragged
@@ -28,8 +29,7 @@ $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expan
 	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $(call as_options,$*,3) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
 $(C3V)/%/uc.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) --set stage.1.strain=$(C3V_STRAIN_$(PROFILE)) --set geotextile.0.curve=PE $(call as_options,$*,4) \
-	  --threads $(C3_THREADS) --quiet --resume --force -o $@
+	@$(call compress,PE,$(C3V_UC),$(call as_options,$*,4))
 # Which the study itself has.
 $(C3V)/undragged/uc.h5: $(C3O)/uc_PE_undragged.h5
 	@mkdir -p $(@D)
