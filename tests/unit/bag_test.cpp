@@ -196,6 +196,26 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   EXPECT_THROW(tile(open, {1, 1, 1}), DataError);
 }
 
+TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
+  const Pillow bag;
+  // Soil that fills nine tenths of the bag, cut equally far from all of its surface.
+  io::Snapshot soil;
+  soil.grains.copy_id = {0, -1};
+  soil.grains.radius = {std::cbrt(0.9 * bag.volume() / 1.7 / (4.0 / 3.0 * pi)), 1};
+  soil.grains.position.resize(2);
+  Growth stretched, alone;
+  alone.stretched = false;
+  aim(stretched, soil, 0.7, bag);
+  aim(alone, soil, 0.7, bag);
+  EXPECT_NEAR(std::cbrt(stretched.stretch.prod()), stretched.filling, 1e-12);
+  EXPECT_GT(stretched.stretch.z(), stretched.stretch.x()) << "the same gap is more of the height";
+  const Vec3 half = bag.high();
+  EXPECT_NEAR(half.x() - half.x() / stretched.stretch.x(), half.z() - half.z() / stretched.stretch.z(), 1e-12);
+  EXPECT_NEAR(bag.volume(half.z() - half.z() / stretched.stretch.z()), 0.9 * bag.volume(), 1e-9 * bag.volume());
+  EXPECT_EQ(alone.stretch, Vec3::Ones());
+  EXPECT_EQ(alone.filling, stretched.filling);
+}
+
 // The mirror image across x = 0; contacts are found anew.
 io::Snapshot mirrored(io::Snapshot state) {
   for (auto* rows : {&state.grains.position, &state.grains.velocity, &state.planes.point, &state.planes.normal,
