@@ -22,13 +22,13 @@ struct Growth {
   /// Between the grains as they are cut and the container that they fill: where they are stretched to it, coordinates
   /// are by this while the radii grow by `filling`, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
-  double unbalanced_force = 1e-3;  // of an equilibrium: mean resultant over mean contact force
-  double negligible = 1e-4;        // overlap over radius whose force counts instead, while contacts carry less
-  double damping = 0.5;            // Cundall's
-  std::int64_t steps = 100;        // of a round at most; ten times that before a measurement
-  std::int64_t stop_every = 50;    // steps of growth after which motion is stopped, 0: never; damping takes none of it
-  double volume_tolerance = 0.9;   // growth of the Delaunay volume over that of free grains: less is standing still
-  double overlap = 1e-4;           // mean overlap over the mean radius at which the grains are full, at rest
+  double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
+  double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less
+  double damping = 0.5;              // Cundall's
+  std::int64_t steps = 100;          // of a round at most; ten times that before a measurement
+  std::int64_t stop_every = 50;      // steps of growth after which motion is stopped, 0: never; flight is not damped
+  double volume_tolerance = 0.9;     // growth of the Delaunay volume over that of free grains: less is standing still
+  double overlap = 1e-4;             // mean overlap over the mean radius at which the grains are full, at rest
   double coordination_number = 2.5;  // and their least coordination number
   /// Their largest one: radii give way at rest until they have no more contacts. None: as many as they have.
   std::optional<double> largest_coordination_number;

@@ -46,9 +46,10 @@ if ls "$kept"/variants_*.tsv > /dev/null 2>&1; then
 <p>The bag of PE varied in one thing at a time (<code>make ch3-variants</code>; kept, pipelines/ch3/kept): load and stress path under
 uniaxial compression beside those of the bag itself. Other representative volumes tell how much of a difference is chance.</p>
 <p>The recorded bag is softer at first than ours of full size, its stress ratio rises over the first few per cent, and it contracts
-before it dilates; ours has its full ratio from the first station on. That is what rest is worth. Left to swing without drag at each station
-(<code>undragged</code>), grains of a thousandfold density fall short of it at the toe as the recorded ones do, and catch up: at full
-size such a bag follows the record, in load and stress ratio. At 10 %/s (<code>swinging</code>), the rate of the thesis, they are
+before it dilates; ours has its full ratio from the first station on. Part of it is what rest is worth: left to swing without drag at
+each station (<code>undragged</code>), grains of a thousandfold density fall short of it at the toe as the recorded ones do. At full
+size such a bag follows the record at equal tension of its yarns, and lags behind it in strain. Another part is how the bag is filled
+and meshed (<code>unstretched</code>, <code>meshed_by_face</code>). At 10 %/s (<code>swinging</code>), the rate of the thesis, they are
 thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest. The bend of the yarn's
 curve, which is an estimate, and the density of the packing are worth as much over the whole range.</p>
 PAGE
