@@ -66,6 +66,16 @@ void link_observables(Writer& file, const Series& series) {
   }
 }
 
+/// What a run of either kind went through: its series, the scenario, the work it took.
+void write_course(Writer& file, const Series& series, const std::string& scenario, Work work) {
+  write_columns(file, series_group, series);
+  link_observables(file, series);
+  file.write_text("/scenario", scenario, label_of("/scenario"));
+  if (work.steps > 0)
+    for (const auto& [place, number] : numbers_of(work))
+      file.write<std::int64_t>(place, {number, 1}, {}, label_of(place));
+}
+
 /// Failures of a writer's input name the file that was to be written.
 template <class Build>
 void write_file(const std::filesystem::path& path, const std::string& kind, const History& history,
@@ -134,26 +144,14 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
   }
   write_file(path, "run", history, [&](Writer& file) {
     write_states(file, states, history);
-    write_columns(file, series_group, run.series);
-    link_observables(file, run.series);
-    file.write_text("/scenario", run.scenario, label_of("/scenario"));
-    Work work = run.work;
-    if (work.steps > 0)
-      for (const auto& [path, number] : numbers_of(work))
-        file.write<std::int64_t>(path, {number, 1}, {}, label_of(path));
+    write_course(file, run.series, run.scenario, run.work);
   });
 }
 
 void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history) {
   write_file(path, "multiscale", history, [&](Writer& file) {
     write_recorded(file, run.groups, run.frames, history);
-    write_columns(file, series_group, run.series);
-    link_observables(file, run.series);
-    file.write_text("/scenario", run.scenario, label_of("/scenario"));
-    Work work = run.work;
-    if (work.steps > 0)
-      for (const auto& [path, number] : numbers_of(work))
-        file.write<std::int64_t>(path, {number, 1}, {}, label_of(path));
+    write_course(file, run.series, run.scenario, run.work);
   });
 }
 
