@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -138,8 +139,11 @@ void put_yarns(io::Series& table, const io::Snapshot& state) {
 
 void put_broken(io::Series& table, const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    if (!y.broken[k]) continue;
+  std::vector<std::size_t> broken;
+  for (std::size_t k = 0; k < y.size(); ++k)
+    if (y.broken[k]) broken.push_back(k);
+  std::ranges::stable_sort(broken, {}, [&y](std::size_t k) { return y.break_time[k]; });
+  for (const std::size_t k : broken) {
     put_step(table, state);
     put(table, "yarn", "1", "number of the yarn", static_cast<double>(k));
     put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);

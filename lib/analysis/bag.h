@@ -27,7 +27,7 @@ std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
 void put_bag(io::Series& table, const io::Snapshot& state);
 /// One row a yarn: its family, middle and length (m), direction, tension (N), strain, whether it is broken.
 void put_yarns(io::Series& table, const io::Snapshot& state);
-/// One row a broken yarn: when and where it broke.
+/// One row a broken yarn, in the order they broke: when and where.
 void put_broken(io::Series& table, const io::Snapshot& state);
 
 }  // namespace soilweave::analysis

@@ -228,5 +228,17 @@ TEST(ForceChains, EndWhereTheForceTurns) {
   EXPECT_EQ(chains.chain, (std::vector<std::int32_t>{-1, -1, 0, 0, -1, -1, -1, -1}));
 }
 
+TEST(BrokenYarns, AreToldInTheOrderTheyBroke) {
+  io::Snapshot s;
+  io::YarnsRecord& y = s.yarns;
+  y.nodes.resize(4);
+  y.family = {0, 1, 2, 0}, y.broken = {1, 1, 0, 1}, y.break_time = {3, 1, 0, 2};
+  y.break_position.assign(4, Vec3::Zero());
+  io::Series table;
+  put_broken(table, s);
+  EXPECT_EQ(table.at("yarn").values, (std::vector<double>{1, 3, 0}));
+  EXPECT_EQ(table.at("break_time").values, (std::vector<double>{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace soilweave::analysis
