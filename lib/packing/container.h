@@ -30,25 +30,35 @@ class Container {
   virtual Vec3 nearest(const Vec3& point, double outside) const = 0;
 };
 
-/// The filled bag: the surface at the distance half_height from a flat square in z = 0 with rounded corners.
+/// The filled bag: flat square faces with rounded corners, round sides between them. What lies no farther than
+/// side_radius from a flat core in z = 0, cut at half_height; sides as round as half_height meet the faces without an
+/// edge.
 struct Pillow final : Container {
-  double width = 0.374336;        // m, of the flat square
+  double width = 0.374336;        // m, of the flat faces
   double half_height = 0.04;      // m
-  double corner_radius = 0.0357;  // m
+  double corner_radius = 0.0357;  // m, of the faces
+  double side_radius = 0.04;      // m, at least half_height
 
   static Pillow read(Settings& table);
   double depth(const Vec3& point) const override;
   Vec3 low() const override { return -high(); }
-  Vec3 high() const override { return {0.5 * width + half_height, 0.5 * width + half_height, half_height}; }
-  /// 2 h A + pi/2 h^2 P + 4/3 pi h^3 for a flat core of area A and perimeter P (Steiner).
+  Vec3 high() const override;
+  /// Areas A + P t + pi t^2 at the distance t around a flat core of area A and perimeter P (Steiner), over the height.
   double volume(double depth = 0) const override;
-  /// The top and bottom of the box reach as far down the sides as arcs of equal length ask for; or, each by itself, to
+  /// The top and bottom of the box reach as far down the sides as lines of equal length ask for; or, each by itself, to
   /// where the faces cease to be flat.
   std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                            bool even) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:
+  /// How far the flat faces reach beyond the core, m, and the angle from the vertical at which their sides begin.
+  double overhang() const;
+  double first_angle() const;
+  /// From the middle of the top to the middle of a side, on the surface so far outside, m.
+  double half_hoop(double outside) const;
+  /// The core's point nearest to this one.
+  Vec3 foot(const Vec3& point) const;
   /// side: share of the way from the middle of the top to the middle of a side that belongs to the box's side.
   Vec3 at(const Vec3& box, double side, double outside) const;
 };

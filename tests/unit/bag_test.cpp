@@ -51,22 +51,47 @@ TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
   EXPECT_LT(inside, closed.contacts.size());
 }
 
-TEST(Pillow, DepthAndVolumeAgree) {
+// Flat faces 400 mm wide, and sides whose arcs are 100 mm long between them: the hoop of the empty bag, 400 by 100 mm.
+Pillow inextensible() {
   Pillow bag;
-  EXPECT_NEAR(bag.volume(), 0.0150, 1e-6) << "parameters of the reference";
-  std::mt19937_64 engine(1);
-  const Vec3 high = bag.high();
-  std::uniform_real_distribution<double> share(-1, 1);
-  const int n = 400'000;
-  int inside = 0;
-  for (int k = 0; k < n; ++k) {
-    const double x = share(engine), y = share(engine), z = share(engine);
-    inside += bag.depth(Vec3(x, y, z).cwiseProduct(high)) > 0;
+  bag.width = 0.4, bag.side_radius = 0.044205, bag.corner_radius = 0.042;
+  return bag;
+}
+
+TEST(Pillow, DepthAndVolumeAgree) {
+  for (const Pillow& bag : {Pillow(), inextensible()}) {
+    EXPECT_NEAR(bag.volume(), 0.0150, 1e-5) << "parameters of the reference";
+    std::mt19937_64 engine(1);
+    const Vec3 high = bag.high();
+    std::uniform_real_distribution<double> share(-1, 1);
+    const int n = 400'000;
+    int inside = 0, deep = 0;
+    for (int k = 0; k < n; ++k) {
+      const double x = share(engine), y = share(engine), z = share(engine);
+      const double depth = bag.depth(Vec3(x, y, z).cwiseProduct(high));
+      inside += depth > 0;
+      deep += depth > 0.01;
+    }
+    const double box = 8 * high.prod();
+    const double sampling = 4 * box * std::sqrt(0.25 / n);  // four standard deviations at most
+    EXPECT_NEAR(box * inside / n, bag.volume(), sampling);
+    EXPECT_NEAR(box * deep / n, bag.volume(0.01), sampling);
+    EXPECT_NEAR(bag.depth(Vec3(0, 0, 0.03)), 0.01, 1e-15);
+    EXPECT_NEAR(bag.depth(Vec3(high.x() - 0.01, 0, 0)), 0.01, 1e-15);
+    EXPECT_NEAR(bag.depth(Vec3(0.1, high.y() + 0.01, 0)), -0.01, 1e-15);
   }
-  const double box = 8 * high.prod(), found = box * inside / n;
-  EXPECT_NEAR(found, bag.volume(), 4 * box * std::sqrt(0.1 / n)) << "four standard deviations of the sampling";
-  EXPECT_NEAR(bag.depth(Vec3(0, 0, 0.03)), 0.01, 1e-15);
-  EXPECT_NEAR(bag.depth(Vec3(0.5 * bag.width + 0.01, 0, 0)), 0.03, 1e-15);
+}
+
+TEST(Pillow, SidesFlatterThanHalfCirclesMeetTheFacesAtAnEdge) {
+  const Pillow bag = inextensible();
+  EXPECT_NEAR(2 * bag.side_radius * std::asin(bag.half_height / bag.side_radius), 0.1, 1e-5) << "arc of a side";
+  const Vec3 edge(0.2, 0.05, 0.04);
+  EXPECT_NEAR(bag.depth(edge), 0, 1e-15);
+  EXPECT_NEAR(bag.depth(edge + Vec3(0.0003, 0, 0.002)), -std::hypot(0.0003, 0.002), 1e-15) << "beyond, by its edge";
+  for (const Vec3& towards : {Vec3(-0.01, 0, 0.003), Vec3(0.0003, 0, 0.002), Vec3(0.003, 0, 0.001)}) {
+    const Vec3 on = bag.nearest(edge + towards, 0.0025);
+    EXPECT_NEAR(bag.depth(on), -0.0025, 1e-15);
+  }
 }
 
 TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
@@ -113,6 +138,22 @@ TEST(Geotextile, CanBeMeshedFaceByFace) {
     }
   }
   for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
+}
+
+TEST(Geotextile, FacesOfAnInextensibleBagAreAsWideAsTheEmptyOne) {
+  const Pillow bag = inextensible();
+  double hoop = 0;
+  const Fabric fabric = wrap(bag, {91, 91, 20}, 0.0025, false);
+  for (const Fabric::Yarn& yarn : fabric.yarns) {
+    const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)],
+               b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
+    if (yarn.family == 0) {
+      EXPECT_NEAR(std::abs(a.z()), bag.half_height + 0.0025, 1e-12);
+    }
+    if (std::abs(a.y()) < 0.003 && a.y() > 0 && std::abs(a.y() - b.y()) < 1e-4) hoop += (b - a).norm();
+  }
+  for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
+  EXPECT_NEAR(hoop, 2 * (0.4 + 0.1) + 2 * pi * 0.0025, 1e-3) << "that of the surface 2.5 mm outside";
 }
 
 TEST(Geotextile, IsMirroredBitByBit) {
