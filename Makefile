@@ -384,5 +384,5 @@ clean: ## remove build/ and what was generated beside it
 
 .PHONY: help
 help: ## this list
-	@grep -hE '^[a-z_.-]+:.*## ' $(MAKEFILE_LIST) | grep -v '\.d:' | sort -u | \
+	@grep -hE '^[a-z0-9_.-]+:.*## ' $(MAKEFILE_LIST) | grep -v '\.d:' | sort -u | \
 	  awk -F ':.*## ' '{ printf "  %-22s %s\n", $$1, $$2 }'
