@@ -11,6 +11,7 @@ function pillow(h, width, corner, pi) {
 # Axial strain from the end of the preload, whose row it returns; load over 0.16 m2; surcharge, the stress of soil and geotextile as
 # one, which the plates balance.
 function compression(f, i, start, height, layer) {
+  need(f, "soil_volume")
   for (start = 1; start < rows[f] && value[f, "stage", start + 1] == 0; ++start) { }
   layer = pillow(0.04 + 0.005 * yarns) - pillow(0.04)
   for (i = 1; i <= rows[f]; ++i) {
@@ -29,11 +30,9 @@ function broken_row(f, i) {
   return i
 }
 # The strain at which its first yarn broke: towards each station plates move at their rate, then they wait for rest.
-function first_break(f, b, i, first) {
-  b = f "_broken"
-  if (!rows[b]) return "none"
-  first = value[b, "break_time", 1]
-  for (i = 2; i <= rows[b]; ++i) first = smaller(first, value[b, "break_time", i])
+function first_break(f, i, first) {
+  if (!rows[f "_first_break"]) return "none"
+  first = value[f "_first_break", "break_time", 1]
   for (i = 2; i < rows[f] && value[f, "time", i] < first; ++i) { }
   return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + setting("pipelines/ch3/uc.toml", "rate") * (first - value[f, "time", i - 1]))
 }
@@ -203,6 +202,7 @@ END {
   for (k = 1; k <= split("PE PP PE_undragged PP_undragged", bags, " "); ++k) {
     g = bags[k]
     f = "uc_" g; r = "soilbag_uniaxial_" substr(g, 1, 2)
+    if (!rows[f]) continue
     start = compression(f)
     base = broken_row(f)
     loads_and_strains(g, f, r)
@@ -216,8 +216,9 @@ END {
     anisotropies(g)
   }
   for (key in misfit) put(key, misfit[key])
-  put("obliquity_PP_over_PE", at_break["PP"] / at_break["PE"])
-  for (k = 1; k <= split("c n t", kinds, " "); ++k)
+  both = rows["uc_PE"] && rows["uc_PP"]
+  if (both) put("obliquity_PP_over_PE", at_break["PP"] / at_break["PE"])
+  for (k = 1; both && k <= split("c n t", kinds, " "); ++k)
     put("anisotropy_" kinds[k] "_PP_over_PE", anisotropy("PP", "a_" kinds[k], 0.08) / anisotropy("PE", "a_" kinds[k], 0.08))
   put("breaks_smooth", seam("uc_PE_breaks"))
   put("breaks_rough", seam("uc_PE_rough_breaks"))

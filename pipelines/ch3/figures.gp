@@ -1,18 +1,11 @@
-# Figures of chapter 3: compression, paths, yarns, breaks, shear, strip, shear box, growth, contacts, pictures. gnuplot -e "out='DIR'; format='svg'; loads='1330 ...'; yarns=1; end='20'"
+# Figures of chapter 3 that are drawn of tables the full size keeps, too: compression, paths, yarns, shear, growth, contacts. After style.gp.
 # SPDX-License-Identifier: GPL-3.0-or-later
-set datafile separator "\t"
-set key autotitle columnhead
-if (format eq 'svg') { set terminal svg size 900,380 dynamic font 'sans,12' } else { set terminal pngcairo size 1800,760 font 'sans,22' }
-set key left top Left reverse samplen 2 noautotitle
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
-# A run and its record share a colour.
-hue(g) = g eq 'PP' ? 2 : 1
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 # Of the full size, kept. Where this is it, one run is drawn over itself: a loop over no words would still go round once.
 full = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
 kept(g) = g eq '' ? uc('PE') : sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 named(g, unit) = g eq '' ? '' : g.unit.' full size'
-C(n) = column(n)
 # Of full size, and left to swing at each station: this run's, or the kept one's.
 swinging(g) = sprintf("%s/uc_%s_undragged.tsv", yarns == 1 ? out : "pipelines/ch3/kept", g)
 swings = system(sprintf("for g in PE PP; do test ! -e %s/uc_${g}_undragged.tsv || echo $g; done", yarns == 1 ? out : "pipelines/ch3/kept"))
@@ -60,18 +53,7 @@ set ylabel 'broken yarns'
 plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"broken_yarns [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), '')
 unset multiplot
-set output sprintf("%s/breaks.%s", out, format)
-set multiplot layout 1,2
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
-set xrange [-260:260]; set yrange [-260:260]; set size ratio -1
-do for [run in "uc_PE uc_PE_rough"] {
-  set title run eq 'uc_PE' ? 'smooth plates' : 'rough plates'
-  plot sprintf("%s/%s_breaks.tsv", out, run) using "x [mm]":"y [mm]" with points lc hue('PE') pt 7 ps 0.3
-}
-unset multiplot
-unset title
-set autoscale; set size noratio
+set autoscale
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
 set ylabel 'shear over normal force'
@@ -84,17 +66,6 @@ set key outside right top
 plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (way_of_shear(0)):(shear_ratio(0)) with linespoints lc tint(p) pt 7 ps 0.4 title p.' N', \
   for [k = 1:words(full_loads)] kept_shear(word(full_loads, k)) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(word(full_loads.' '.loads, k)) dt 2 title named(word(full_loads, k), ' N')
 set key inside left top
-set output sprintf("%s/strip.%s", out, format)
-set xlabel 'strain (%)'
-set ylabel 'tension of a yarn (N)'
-plot for [g in "PE PP"] sprintf("%s/strip_%s.tsv", out, g) using (C("displacement_right_y [m]") * 1000):(abs(C("force_right_y [N]")) / 5) with linespoints lc hue(g) pt 7 ps 0.4 title g
-set output sprintf("%s/box.%s", out, format)
-set xlabel 'displacement (mm)'
-set ylabel 'shear over normal force'
-set key right bottom
-plot for [a in "21 25"] sprintf("%s/box_%s.tsv", out, a) using (1000 * C("displacement_left_x [m]")): \
-  (abs((C("force_left_x [N]") + C("force_right_x [N]")) / C("force_lid_z [N]"))) with linespoints pt 7 ps 0.4 title a.(a eq '21' ? '° (PP)' : '° (PE)')
-set key left top
 # Growth of the grains, beside that of the full size, which is kept.
 set output sprintf("%s/growth.%s", out, format)
 set multiplot layout 1,2
@@ -134,27 +105,3 @@ plot for [k = 1:3] sprintf("%s/%s_rose.tsv", out, word(contacts, k)) \
   using (C("plane [1]") == 0 ? C("angle [deg]") : NaN):"density [1]" with linespoints lc k pt 7 ps 0.4 title name(word(contacts, k))
 unset multiplot
 set autoscale
-# The bag before it is compressed, near its greatest load, and ruptured: cut in the middle, and from above. Too many marks for SVG.
-if (format eq 'png') {
-set output sprintf("%s/bag.png", out)
-set terminal pngcairo size 1000,850 font 'sans,11'
-set multiplot
-set key off; set size ratio -1; set autoscale; set style fill solid noborder; unset xlabel; unset ylabel
-set xrange [-280:280]
-set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
-strains = "0 12 ".end
-do for [k = 1:3] {
-  middle = 1 - (k - 0.5) / 3
-  set lmargin at screen 0.05; set rmargin at screen 0.49; set bmargin at screen middle - 0.06; set tmargin at screen middle + 0.06
-  set yrange [-65:65]; set xtics 100; set ytics 50
-  set cbrange [0:0.4]; set cbtics 0.1; set title sprintf("%s %%: deviatoric strain", word(strains, k))
-  plot sprintf("%s/section_%d.tsv", out, k) using 1:2:3:4 with circles lc palette, \
-    "" using (valid(4) ? NaN : column(1)):2:3 with circles lc rgb "#808080"
-  set lmargin at screen 0.66; set rmargin at screen 0.864; set bmargin at screen middle - 0.125; set tmargin at screen middle + 0.115
-  set yrange [-280:280]; set xtics 200; set ytics 100
-  set cbrange [0:*]; set cbtics autofreq; set title sprintf("%s %%: tension of the upper yarns (N), red: broken", word(strains, k))
-  plot sprintf("%s/face_%d.tsv", out, k) using 1:2:(column(6) == 1 ? NaN : column(3)):4:5 with vectors nohead lc palette, \
-    "" using (column(6) == 1 ? column(1) + 0.5 * column(3) : NaN):(column(2) + 0.5 * column(4)) with points pt 7 ps 0.4 lc rgb "#e31a1c"
-}
-unset multiplot
-}

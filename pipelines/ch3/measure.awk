@@ -4,7 +4,7 @@
 # usage: awk -v loads='1330 ...' -v yarns=1 -f measure.awk -f compression.awk -f shear.awk uc_*.tsv ss_*.tsv strip_*.tsv box_*.tsv
 #   generation.tsv shape.tsv soilbag_uniaxial_*.tsv > measured.tsv
 # value[file, column, row] in SI; rows[file]. Files are named by their last part without the ending. yarns: how many of the record's
-# yarns one of these stands for.
+# yarns one of these stands for. What a run that is missing would tell is left out.
 function name_of(path) { sub(/.*\//, "", path); sub(/\.tsv$/, "", path); return path }
 function factor(unit) { return unit == "%" ? 0.01 : unit ~ /^k/ ? 1000 : 1 }
 function size(x) { return x < 0 ? -x : x }
@@ -12,6 +12,12 @@ function larger(x, y) { return x > y ? x : y }
 function smaller(x, y) { return x < y ? x : y }
 function put(name, number) { if (number == "none") print name, number; else printf "%s\t%.6g\t\n", name, number }
 function last(file, column) { return value[file, column, rows[file]] }
+# Of a run whose tables are there in part alone, nothing is told.
+function need(file, column) {
+  if ((file, column, 1) in value) return
+  print "measure: no " column " of " file ": make its tables anew" > "/dev/stderr"
+  exit 1
+}
 # The number of a key of a TOML file, in its unit there; of a list the first.
 function setting(file, key, line) {
   while ((getline line < file) > 0)
@@ -85,11 +91,14 @@ END {
   split("PE PP", fabrics, " ")
   for (k = 1; k <= 2; ++k) {
     f = "strip_" fabrics[k]
+    if (!rows[f]) continue
     curve = "data/geotextiles/" fabrics[k] ".toml"
     put("strip_stiffness_" fabrics[k], size(value[f, "force_right_y", 2]) / 5 / (0.01 * setting(curve, "yarn_tension") / setting(curve, "yarn_strain")))
     put("strip_strength_" fabrics[k], size(value[f, "force_right_y", greatest(f, "yarn_tension_face")]) / 5)
   }
-  put("box_friction_21", interface("box_21"))
-  put("box_friction_25", interface("box_25"))
-  put("box_friction_rises", interface("box_25") - interface("box_21"))
+  if (rows["box_21"] && rows["box_25"]) {
+    put("box_friction_21", interface("box_21"))
+    put("box_friction_25", interface("box_25"))
+    put("box_friction_rises", interface("box_25") - interface("box_21"))
+  }
 }

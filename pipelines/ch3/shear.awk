@@ -5,6 +5,8 @@
 # 5 %, when every bag dilates and its whole state is recorded.
 function shear(p, f, i, before, peak, lowest, state, half) {
   f = "ss_" p
+  need(f, "soil_obliquity")
+  need(f "_fabric", "a_n")
   for (before = 1; value[f, "stage", before + 1] == 0; ++before) { }
   peak = lowest = before
   for (i = before; i <= rows[f]; ++i) {
@@ -65,6 +67,7 @@ function fewest(of, k, x) { x = 1e9; for (k = 1; k <= m; ++k) if (load[k] >= 241
 
 END {
   m = split(loads, load, " ")
+  if (!m) exit
   for (k = 1; k <= m; ++k) shear(load[k])
   least = load[1]; greatest_load = load[m]
   put("shear_ratio_first", ratio[least])
@@ -76,17 +79,19 @@ END {
   put("shear_contraction", contracted[least])
   put("shear_dilation", dilated[least])
   put("shear_dilation_falls", dilated[greatest_load] - dilated[least])
-  put("shear_unrest", least == 1330 ? unrest[1330] / unrest[2410] : "none")
+  put("shear_unrest", least == 1330 && 2410 in unrest ? unrest[1330] / unrest[2410] : "none")
   put("shear_path_nears", fewest(nears))
   put("shear_path_leaves", most(leaves))
-  put("shear_slope_falls", slope[greatest_load] - slope[2410])
   put("shear_slope", most(slope))
   put("shear_middle_p", most(unloads_p))
   put("shear_middle_q", most(unloads_q))
   put("shear_edge_p", fewest(compresses))
-  put("shear_lateral", lateral[2410])
-  put("shear_axial", axial[2410])
-  put("shear_softening", softening[2410])
+  if (2410 in lateral) {
+    put("shear_lateral", lateral[2410])
+    put("shear_axial", axial[2410])
+    put("shear_slope_falls", slope[greatest_load] - slope[2410])
+    put("shear_softening", softening[2410])
+  }
   put("shear_sides_over_faces", sides[greatest_load])
   put("shear_hoop", hoop[greatest_load])
   put("shear_normal_falls", most(normal_falls))

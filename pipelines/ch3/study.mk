@@ -83,8 +83,8 @@ $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
-$(C3O)/%_broken.tsv: $(C3O)/%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --state last --table broken --tsv $(call whole,$@)
+$(C3O)/%_first_break.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state last --table broken --tsv | awk 'NR <= 2' $(call whole,$@)
 $(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state last --table yarns --tsv | awk -f $(C3)/breaks.awk $(call whole,$@)
 
@@ -101,12 +101,14 @@ $(C3O)/bag_soil_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
 $(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
 	@awk -f $^ $(call whole,$@)
 
-C3_UC := $(foreach g,PE PP,$(C3O)/uc_$(g).tsv)
-C3_UNDRAGGED := $(C3_UC:.tsv=_undragged.tsv)
-C3_BROKEN := $(patsubst %.tsv,%_broken.tsv,$(C3_UC) $(C3_UNDRAGGED))
-C3_SS := $(C3_LOADS:%=$(C3O)/ss_%.tsv)
-C3_STATES_OF := $(foreach run,uc_PE uc_PP $(C3_LOADS:%=ss_%),$(C3O)/$(run)_fabric.tsv $(C3O)/$(run)_groups.tsv)
-C3_BREAKS := $(C3O)/uc_PE_breaks.tsv $(C3O)/uc_PE_rough_breaks.tsv
+# What is measured, of each run: so little that what runs of full size leave can be kept, and compared without them.
+C3_UC := uc_PE uc_PP
+C3_UNDRAGGED := $(C3_UC:%=%_undragged)
+C3_SS := $(C3_LOADS:%=ss_%)
+C3_BREAKS := uc_PE_breaks uc_PE_rough_breaks
+C3_OF_RUNS := $(C3_UC) $(C3_UNDRAGGED) $(C3_SS) $(patsubst %,%_first_break,$(C3_UC) $(C3_UNDRAGGED)) \
+  $(foreach run,$(C3_UC) $(C3_SS),$(run)_fabric $(run)_groups) $(C3_BREAKS)
+C3_OF_BAG := $(C3O)/generation.tsv $(C3O)/shape.tsv
 C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
 C3_BOXES := $(foreach a,21 25,$(C3O)/box_$(a).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
@@ -114,25 +116,16 @@ C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv
 C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
 # Of these single settings are read.
 C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
-$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_UC) $(C3_UNDRAGGED) $(C3_BROKEN) $(C3_STATES_OF) $(C3_BREAKS) $(C3_SS) $(C3_STRIPS) \
-  $(C3_BOXES) $(C3O)/generation.tsv $(C3O)/shape.tsv $(C3_RECORDED)
-	@awk -v loads='$(C3_LOADS)' -v yarns=$(C3_YARNS_$(PROFILE)) $(C3_MEASURE:%=-f %) $(filter %.tsv,$^) $(call whole,$@)
+# $(call measure,LOADS,YARNS,TABLES)
+measure = awk -v loads='$(1)' -v yarns=$(2) $(C3_MEASURE:%=-f %) $(3) $(C3_RECORDED)
+$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED)
+	@$(call measure,$(C3_LOADS),$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^)) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 $(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
-C3_KEPT := $(C3)/kept
-C3_KEEP := step stage displacement_top_x displacement_top_z displacement_bottom_z force_top_x force_top_z force_bottom_z soil_void_ratio \
-  soil_stress_xx soil_stress_yy soil_stress_zz soil_stress_xz soil_mean_stress soil_deviatoric_stress soil_coordination_number \
-  yarn_tension_face yarn_tension_side_horizontal yarn_tension_side_vertical broken_yarns kinetic_energy unbalanced_force boundary_work \
-  energy_error
-C3_FIGURES := compression paths yarns shear growth shape
-.PHONY: ch3-keep
-ch3-keep: $(BIN)/homogenize $(BIN)/to-vtk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/figures ## keep the series, tables and figures of the thesis-size runs of ch3 (PROFILE=thesis)
-	@$(call keep_series,$(C3_KEPT),$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5),$(BIN)/homogenize --table series --tsv,$(C3_KEEP))
-	@cp $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/generation.tsv $(C3_FIGURES:%=$(C3O)/%.svg) $(C3_KEPT)
-	@$(BIN)/to-vtk --history $(C3O)/bag.h5 $(call whole,$(C3_KEPT)/generation.txt)
 
+include $(C3)/kept.mk
 include $(C3)/variants.mk
 
 # Three states of the bag of PE for a picture: after the preload, at 12 %, the last.
@@ -143,10 +136,11 @@ $(C3O)/section_%.tsv: $(C3O)/uc_PE.h5 $(C3)/section.awk $(BIN)/homogenize
 $(C3O)/face_%.tsv: $(C3O)/uc_PE.h5 $(C3)/face.awk $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --table yarns --tsv | awk -f $(C3)/face.awk $(call whole,$@)
 
-$(C3O)/figures: $(C3)/figures.gp $(C3_UC) $(C3_SS) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED) $(C3_PICTURES) $(C3_BREAKS) $(C3_ROSES) $(C3O)/generation.tsv \
-  $(wildcard $(C3_KEPT)/*.tsv)
-	@for format in svg png; do gnuplot -e "out='$(C3O)'; format='$$format'; loads='$(C3_LOADS)'; yarns=$(C3_YARNS_$(PROFILE)); \
-	  end='$(C3_END_$(PROFILE))'" $<; done
+# $(call draw,FOLDER,FORMAT,LOADS,YARNS,SCRIPTS)
+draw = gnuplot -e "out='$(1)'; format='$(2)'; loads='$(3)'; yarns=$(4); end='$(C3_END_$(PROFILE))'" $(C3)/style.gp $(5)
+$(C3O)/figures: $(C3)/style.gp $(C3)/figures.gp $(C3)/pictures.gp $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED) $(C3_PICTURES) \
+  $(C3_ROSES) $(C3O)/generation.tsv $(wildcard $(C3_KEPT)/*.tsv)
+	@for format in svg png; do $(call draw,$(C3O),$$format,$(C3_LOADS),$(C3_YARNS_$(PROFILE)),$(C3)/figures.gp $(C3)/pictures.gp); done
 	@touch $@
 $(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/figures
 	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)
