@@ -49,8 +49,9 @@ Pillow Pillow::read(Settings& table) {
   if (2 * p.corner_radius > p.width)
     table.mistake("corner_radius", "is more than half the width: round the faces less");
   if (p.side_radius < p.half_height) table.mistake("side_radius", "is less than half_height: give half_height or more");
-  if (2 * p.overhang() > p.width) table.mistake("side_radius", "is so large that the sides cut each other: give less");
-  if (p.corner_radius < p.overhang())
+  if (2 * p.overhang() > p.width)
+    table.mistake("side_radius", "is so large that the sides cut each other: give less");
+  else if (p.corner_radius < p.overhang())
     table.mistake("corner_radius",
                   fmt::format("is less than {:.4g} m, by which the faces reach beyond the middles of such "
                               "round sides: round the faces more",
