@@ -1,6 +1,8 @@
 # Figures of chapter 3 that are drawn of tables the full size keeps, too: compression, paths, yarns, shear, growth, contacts. After style.gp.
 # SPDX-License-Identifier: GPL-3.0-or-later
 uc(g) = sprintf("%s/uc_%s.tsv", out, g)
+# Runs that are there: of full size, what is kept may be a part.
+bags = system(sprintf("for g in PE PP; do test ! -e %s/uc_$g.tsv || echo $g; done", out))
 recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 # Of the full size, kept. Where this is it, one run is drawn over itself: a loop over no words would still go round once.
 full = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
@@ -14,16 +16,17 @@ swung(g) = g eq '' ? uc('PE') : swinging(g)
 start = 0
 way(n) = C("displacement_bottom_z [m]") - C("displacement_top_z [m]")
 strain(n) = C("stage [1]") == 0 ? (start = way(0), 0) : 100 * (way(0) - start) / 0.08
+if (words(bags) > 0) {
 set output sprintf("%s/compression.%s", out, format)
 set multiplot layout 1,2
 set xlabel 'axial strain (%)'; set xrange [0:20]
 set ylabel 'load over 0.16 m² (kPa)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
@@ -32,13 +35,13 @@ set output sprintf("%s/paths.%s", out, format)
 set multiplot layout 1,2
 set xlabel 'p (kPa)'; set xrange [0:*]; set xtics 200
 set ylabel 'q (kPa)'
-plot for [g in "PE PP"] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [k = 1:words(swings)] swung(word(swings, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'; set xrange [0:20]; set xtics autofreq
 set ylabel 'void ratio'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
@@ -46,14 +49,16 @@ unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
 set multiplot layout 1,2
 set ylabel 'tension of yarns on the faces (N)'
-plot for [g in "PE PP"] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (strain(0)):(C("yarn_tension_face [N]") / yarns) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("yarn_tension_face [N]")) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"tension_yarn_face [N]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'broken yarns'
-plot for [g in "PE PP"] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+plot for [g in bags] uc(g) using (strain(0)):"broken_yarns [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"broken_yarns [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), '')
 unset multiplot
 set autoscale
+}
+if (words(loads) > 0) {
 set output sprintf("%s/shear.%s", out, format)
 set xlabel 'shear displacement over height (%)'
 set ylabel 'shear over normal force'
@@ -66,6 +71,7 @@ set key outside right top
 plot for [p in loads] sprintf("%s/ss_%s.tsv", out, p) using (way_of_shear(0)):(shear_ratio(0)) with linespoints lc tint(p) pt 7 ps 0.4 title p.' N', \
   for [k = 1:words(full_loads)] kept_shear(word(full_loads, k)) using (way_of_shear(0)):(shear_ratio(0)) with lines lc tint(word(full_loads.' '.loads, k)) dt 2 title named(word(full_loads, k), ' N')
 set key inside left top
+}
 # Growth of the grains, beside that of the full size, which is kept.
 set output sprintf("%s/growth.%s", out, format)
 set multiplot layout 1,2
