@@ -49,8 +49,8 @@ uniaxial compression beside those of the bag itself. Other representative volume
 before it dilates; ours has its full ratio from the first station on. Part of it is what rest is worth: left to swing without drag at
 each station (<code>undragged</code>), grains of a thousandfold density fall short of it at the toe as the recorded ones do. At full
 size such a bag follows the record at equal tension of its yarns, and lags behind it in strain. Another part is how the bag is filled
-and meshed (<code>unstretched</code>, <code>meshed_by_face</code> of pipelines/ch3/variants.tsv). At 10 %/s (<code>swinging</code>), the rate of the thesis, they are
-thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest. The bend of the yarn's
+and meshed (<code>unstretched</code>, <code>meshed_by_face</code>, <code>flat_faces</code> of pipelines/ch3/variants.tsv). At 10 %/s
+(<code>swinging</code>), the rate of the thesis, they are thrown. Slower plates (<code>slow</code>, <code>slower</code>) change nothing more: ours is the bag at rest. The bend of the yarn's
 curve, which is an estimate, and the density of the packing are worth as much over the whole range.</p>
 PAGE
   for size in quick thesis; do
