@@ -61,17 +61,14 @@ struct FilterExpand {
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;
     if (what.growth && what.container)
-      packing::aim(*what.growth, start, analysis::void_ratio(volume.state), *what.container);
+      packing::aim(*what.growth, start, analysis::void_ratio(volume.state), *what.container, what.soil_depth());
     if (!what.growth) return void(safe.write([&] { io::write_packing(output, start, past); }));
     packing::Grown grown =
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});
     if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
     grown.price.output += safe.write([&] { io::write_packing(output, grown.state, past); });
     if (output == "-") return;
-    progress.note(
-        fmt::format("filter-expand: {} grains, e {:.4f}, Delaunay volume {:.6f} m3, mean overlap {:.2e}, Z {:.3f}",
-                    start.grains.size(), grown.fill.void_ratio, grown.fill.volume, grown.fill.overlap,
-                    grown.fill.coordination_number));
+    progress.note(fmt::format("filter-expand: {} grains, {}", start.grains.size(), grown.fill.text()));
     progress.note("filter-expand: " + grown.price.line());
   }
 };

@@ -171,10 +171,7 @@ class Grower {
     const double filling = std::log(growth_.filling);
     return std::min(1.0, filling > 0 ? std::log(at_.growth) / filling : fill_.overlap / growth_.overlap);
   }
-  std::string text() const {
-    return fmt::format("radii x {:.5f}, Delaunay volume {:.6f} m3, e {:.4f}, mean overlap {:.2e}, Z {:.3f}", at_.growth,
-                       fill_.volume, fill_.void_ratio, fill_.overlap, fill_.coordination_number);
-  }
+  std::string text() const { return fmt::format("radii x {:.5f}, {}", at_.growth, fill_.text()); }
 
   // Over the contacts, over the soil's mean radius.
   double mean_overlap(const io::Snapshot& state) const {
@@ -196,6 +193,7 @@ class Grower {
     fill_.volume = analysis::delaunay_volume(soil);
     const std::vector<double> cells = analysis::power_cell_volumes(state);
     fill_.void_ratio = std::accumulate(cells.begin(), cells.end(), 0.0) / solids - 1;
+    fill_.delaunay_void_ratio = fill_.volume / solids - 1;
     fill_.overlap = mean_overlap(state);
     fill_.coordination_number = ends / static_cast<double>(soil.grains.size());
     using analysis::put;
@@ -203,7 +201,7 @@ class Grower {
     put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
     put(history_, "growth", "1", "radii over those at the start", at_.growth);
     put(history_, "delaunay_volume", "m3", "volume of the tetrahedra of the soil's centres", fill_.volume);
-    put(history_, "delaunay_void_ratio", "1", "void ratio of that volume", fill_.volume / solids - 1);
+    put(history_, "delaunay_void_ratio", "1", "void ratio of that volume", fill_.delaunay_void_ratio);
     put(history_, "void_ratio", "1", "void ratio of the soil from its power cells", fill_.void_ratio);
     put(history_, "mean_overlap", "1", "mean overlap over the mean radius", fill_.overlap);
     put(history_, "coordination_number", "1", "2 Nc/N of the soil", fill_.coordination_number);
@@ -229,14 +227,20 @@ class Grower {
     return at_.standing && held();
   }
 
-  bool loose() const { return growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio; }
+  bool loose() const {
+    return (growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio) ||
+           (growth_.delaunay_void_ratio && fill_.delaunay_void_ratio > *growth_.delaunay_void_ratio);
+  }
 
   void lower_friction() {
     at_.friction *= growth_.friction_factor;
-    if (at_.friction * dem::friction(model_) < dem::lowest_friction)
+    if (at_.friction * dem::friction(model_) < dem::lowest_friction) {
+      const bool delaunay = growth_.delaunay_void_ratio.has_value();
       throw TargetNotReached(
           fmt::format("void ratio {:.4f} is not reached: without friction the grains press at {:.4f} ({})",
-                      *growth_.void_ratio, fill_.void_ratio, text()));
+                      delaunay ? *growth_.delaunay_void_ratio : *growth_.void_ratio,
+                      delaunay ? fill_.delaunay_void_ratio : fill_.void_ratio, text()));
+    }
   }
 
   [[noreturn]] void unreached() const {
@@ -267,6 +271,11 @@ class Grower {
 };
 
 }  // namespace
+
+std::string Fill::text() const {
+  return fmt::format("Delaunay volume {:.6f} m3, e {:.4f} ({:.4f} by that volume), mean overlap {:.2e}, Z {:.3f}",
+                     volume, void_ratio, delaunay_void_ratio, overlap, coordination_number);
+}
 
 Growth Growth::read(Settings& table) {
   static constexpr Parameter factor{"factor",
@@ -299,6 +308,8 @@ Growth Growth::read(Settings& table) {
       "largest_coordination_number", "1", 0, 20, true, "of a full container at rest; radii give way for it"};
   static constexpr Parameter target{
       "void_ratio", "1", 0, 100, true, "of the full container, by its power cells; friction is lowered for it"};
+  static constexpr Parameter delaunay_target{
+      "delaunay_void_ratio", "1", 0, 100, true, "the same by the Delaunay tetrahedra of its centres"};
   static constexpr Parameter lowering{"friction_factor", "1", 0, 0.999, true, "of the friction angle, each time"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
@@ -315,6 +326,10 @@ Growth Growth::read(Settings& table) {
   g.coordination_number = table.number(coordination, g.coordination_number);
   if (table.has("largest_coordination_number")) g.largest_coordination_number = table.number(most);
   if (table.has("void_ratio")) g.void_ratio = table.number(target);
+  if (table.has("delaunay_void_ratio")) {
+    g.delaunay_void_ratio = table.number(delaunay_target);
+    if (g.void_ratio) table.mistake("delaunay_void_ratio", "is given beside void_ratio: leave one of the two out");
+  }
   g.friction_factor = table.number(lowering, g.friction_factor);
   g.measure_every = table.integer(every, g.measure_every);
   g.largest_rounds = table.integer(rounds, g.largest_rounds);

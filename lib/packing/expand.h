@@ -35,6 +35,8 @@ struct Growth {
   /// Of the full container, by the soil's power cells, which end at the nodes: while grains that press are looser,
   /// friction is lowered; it is restored at the end. None: as dense as they come.
   std::optional<double> void_ratio;
+  /// The same by the Delaunay tetrahedra of the soil's centres, as the thesis has it; one of the two at most.
+  std::optional<double> delaunay_void_ratio;
   double friction_factor = 0.9;     // of the friction angles, each time
   std::int64_t measure_every = 10;  // rounds
   std::int64_t largest_rounds = 2000;
@@ -48,8 +50,11 @@ struct Fill {
   double growth = 1;               // of the radii, so far
   double volume = 0;               // m3, of the Delaunay tetrahedra of the soil's centres
   double void_ratio = 0;           // of the soil's power cells
+  double delaunay_void_ratio = 0;  // of those tetrahedra
   double overlap = 0;              // mean over the contacts, over the soil's mean radius
   double coordination_number = 0;  // 2 Nc/N of the soil, contacts with nodes counting once
+
+  std::string text() const;
 };
 
 struct Grown {

@@ -49,6 +49,7 @@ void read_container(Settings& document, Plan& plan) {
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
   static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns"};
+  static constexpr Parameter offset{"offset", "m", 0, 1e3, false, "of the nodes beyond the container's surface"};
   static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
@@ -56,10 +57,13 @@ void read_fabrics(Settings& document, Plan& plan) {
     const bool both = table.has("cells") && table.has("spacing");
     const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
+    plan.outside = table.number(offset, plan.nodes.radius);
+    if (plan.outside > plan.nodes.radius)
+      table.mistake("offset", "is more than node_radius: the soil would fill more than the container");
     plan.even = table.flag("even", plan.even);
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container)
-      plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.nodes.radius) : given;
+      plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.outside) : given;
     else
       table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
   }
@@ -148,7 +152,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     const io::Snapshot block = tile(volume, plan.copies.value_or(covering(volume, *plan.container)));
     demand_cover(block, *plan.container);
     state = filter(block, [&](std::size_t i) {
-      return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i];
+      return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();
     });
     if (state.grains.size() == 0) throw DataError("no grain of the representative volume fits into the container");
     if (plan.density > 0)
@@ -158,8 +162,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   state.cell = {};
   state.cell.periodic = {false, false, false};
   if (plan.wrapping)
-    add(wrap(*plan.container, *plan.wrapping, plan.nodes.radius, plan.even, plan.numerics.threads, laid), plan.nodes,
-        state);
+    add(wrap(*plan.container, *plan.wrapping, plan.outside, plan.even, plan.numerics.threads, laid), plan.nodes, state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
   // Open along all axes, the cell only carries lengths.
@@ -174,16 +177,17 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   return state;
 }
 
-void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container) {
+void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container,
+         double outermost) {
   double filled = 0;
   for (std::size_t i = 0; i < assembled.grains.size(); ++i)
     if (assembled.grains.copy_id[i] >= 0) filled += (1 + void_ratio) * dem::grain_volume(3, assembled.grains.radius[i]);
   // The volume falls with the depth: bisection to rounding.
-  const Vec3 half = 0.5 * (container.high() - container.low());
+  const Vec3 half = 0.5 * (container.high() - container.low()) - Vec3::Constant(outermost);
   double low = 0, high = half.minCoeff();
   for (int k = 0; k < 100; ++k) {
     const double middle = 0.5 * (low + high);
-    (container.volume(middle) > filled ? low : high) = middle;
+    (container.volume(outermost + middle) > filled ? low : high) = middle;
   }
   const Vec3 stretch = half.cwiseQuotient(half - Vec3::Constant(low));
   growth.filling = std::cbrt(stretch.prod());

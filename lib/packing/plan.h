@@ -20,6 +20,7 @@ struct Plan {
   std::optional<std::array<int, 3>> copies;
   std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the container
   bool even = true;                            // yarns of one length, not each face divided by itself
+  double outside = 0;                          // m, of the container's surface: where the nodes around it lie
   struct Sheet {
     std::array<int, 2> cells;
     double spacing, height;  // m
@@ -34,6 +35,9 @@ struct Plan {
   std::optional<Growth> growth;
   std::vector<io::Source> sources;  // files that the plan named
   std::string resolved;
+
+  /// How far inside the container's surface soil begins, m: where the nodes around it end.
+  double soil_depth() const { return wrapping ? nodes.radius - outside : 0; }
 };
 
 /// All mistakes at once. Throws DataError.
@@ -44,9 +48,10 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
                       const std::function<void(double)>& laid = {});
 
-/// How far the soil cut to the container is from filling it as densely as the representative volume, whose void ratio
-/// this is: the cut leaves a gap of a grain's size along the surface. For growth.filling and, where it is asked for,
-/// growth.stretch.
-void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container);
+/// How far the soil cut to the container is from filling it, up to a depth of `outermost` m, as densely as the
+/// representative volume, whose void ratio this is: the cut leaves a gap of a grain's size along the surface. For
+/// growth.filling and, where it is asked for, growth.stretch.
+void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container,
+         double outermost = 0);
 
 }  // namespace soilweave::packing

@@ -239,6 +239,8 @@ PY
   refuses 65 filter-expand "is less than half_height" packing.h5 bag.toml --set 'container.side_radius="1 mm"' -o out.h5
   refuses 65 filter-expand "round the faces more" packing.h5 bag.toml --set 'container.side_radius="20 mm"' -o out.h5
   refuses 65 filter-expand "the sides cut each other" packing.h5 bag.toml --set 'container.side_radius="0.1 m"' -o out.h5
+  refuses 65 filter-expand "is more than node_radius" packing.h5 bag.toml --set 'geotextile_mesh.offset="3 mm"' -o out.h5
+  refuses 65 filter-expand "leave one of the two out" packing.h5 bag.toml --set growth.void_ratio=0.7 --set growth.delaunay_void_ratio=0.7 -o out.h5
   refuses 65 run-dem "starts inside the grains" bag.h5 press.toml --set 'plane.0.point=[0,0,0.015]' -o out.h5
   refuses 65 run-dem "growing strain" bag.h5 press.toml --set 'geotextile.0.yarn_strain=[0.02,0.01,0.17]' -o out.h5
   refuses 65 run-dem "no [[plane]] or [[clamp]] is called so" bag.h5 press.toml --set stage.1.upper=lid -o out.h5

@@ -257,6 +257,37 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   EXPECT_NEAR(bag.volume(half.z() - half.z() / stretched.stretch.z()), 0.9 * bag.volume(), 1e-9 * bag.volume());
   EXPECT_EQ(alone.stretch, Vec3::Ones());
   EXPECT_EQ(alone.filling, stretched.filling);
+  // Nodes reach inside: the same soil fills the rest of the bag.
+  Growth within;
+  const double depth = 1e-3;
+  aim(within, soil, 0.7, bag, depth);
+  const Vec3 rest = bag.high() - Vec3::Constant(depth), gap = rest - rest.cwiseQuotient(within.stretch);
+  EXPECT_NEAR(bag.volume(depth + gap.z()), 0.9 * bag.volume(), 1e-9 * bag.volume());
+  EXPECT_NEAR(gap.x(), gap.z(), 1e-12);
+}
+
+TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
+  const std::string bag =
+      "[container]\nshape = \"pillow\"\nwidth = 0.03\nhalf_height = 0.014\ncorner_radius = 0.005\ncopies = [4, 4, 2]\n"
+      "[geotextile_mesh]\ncells = [10, 10, 6]\nnode_radius = 0.002\noffset = 0.0005\n" +
+      materials;
+  const Plan plan = read_plan(bag, "plan", {});
+  const io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
+  double least = 1;
+  int nodes = 0;
+  for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    const double depth = plan.container->depth(state.grains.position[i]);
+    if (state.grains.copy_id[i] < 0) {
+      EXPECT_NEAR(depth, -0.0005, 1e-12);
+      ++nodes;
+    } else {
+      least = std::min(least, depth - state.grains.radius[i]);
+    }
+  }
+  EXPECT_EQ(nodes, 2 * 11 * 11 + 5 * 40);
+  EXPECT_GE(least, 0.0015);
+  EXPECT_LT(least, 0.0025) << "some grain of the many lies near";
+  EXPECT_THROW(read_plan(bag, "plan", {"geotextile_mesh.offset=0.003"}), DataError);
 }
 
 // The mirror image across x = 0; contacts are found anew.
