@@ -11,6 +11,7 @@
 #include "analysis/stress.h"
 #include "analysis/tables.h"
 #include "analysis/tessellation.h"
+#include "dem/bodies.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -22,6 +23,22 @@ double face_friction(const Mat3& stress, int axis) {
   const Mat3 s = symmetric(stress);
   const double tau = std::hypot(s(axis, (axis + 1) % 3), s(axis, (axis + 2) % 3));
   return std::atan2(tau, s(axis, axis)) * 180 / std::numbers::pi;
+}
+
+// Void ratio of the tetrahedra of the soil's centres, as the thesis has it; 0 where there is no soil.
+double delaunay_void_ratio(const io::Snapshot& state, const std::vector<std::size_t>& soil) {
+  if (soil.empty()) return 0;
+  io::Snapshot centres;
+  centres.cell = state.cell;
+  centres.grains.dimension = state.grains.dimension;
+  double solids = 0;
+  for (const std::size_t i : soil) {
+    centres.grains.position.push_back(state.grains.position[i]);
+    centres.grains.radius.push_back(state.grains.radius[i]);
+    centres.grains.body_id.push_back(state.grains.body_id[i]);
+    solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);
+  }
+  return delaunay_volume(centres) / solids - 1;
 }
 
 void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarter) {
@@ -105,6 +122,8 @@ void put_bag(io::Series& table, const io::Snapshot& state) {
     for (const std::int32_t b : bodies) ends += b >= 0 && !node[static_cast<std::size_t>(b)];
   const VolumeState whole = volume_state(state, soil, dyads, volumes);
   put_stresses(table, whole, volume_state(state, quarter, dyads, volumes).stress);
+  put(table, "soil_delaunay_void_ratio", "1", "void ratio of the Delaunay tetrahedra of the soil's centres",
+      delaunay_void_ratio(state, soil.grains));
   put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", static_cast<double>(outside));
   put(table, "soil_coordination_number", "1", "contacts of the soil's grains over their number",
       ends / static_cast<double>(soil.grains.size()));

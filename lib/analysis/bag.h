@@ -22,8 +22,9 @@ struct YarnMean {
 /// By family as in files: faces, sides in plane, sides from face to face.
 std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
 
-/// One row: volume, void ratio and stress of the soil over its power cells, friction mobilised at the faces (thesis Eq.
-/// 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken ones.
+/// One row: volume, void ratio and stress of the soil over its power cells, its Delaunay void ratio, friction mobilised
+/// at the faces (thesis Eq. 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken
+/// ones.
 void put_bag(io::Series& table, const io::Snapshot& state);
 /// One row a yarn: its family, middle and length (m), direction, tension (N), strain, whether it is broken.
 void put_yarns(io::Series& table, const io::Snapshot& state);

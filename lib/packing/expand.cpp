@@ -285,6 +285,8 @@ Growth Growth::read(Settings& table) {
                                     true,
                                     "of the radii, each time equilibrium is reached",
                                     "larger steps scatter the grains"};
+  static constexpr Parameter stretch{
+      "stretch", "1", 0, 1, false, "of the soil to the container as it grows: all the way, or not at all"};
   static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of an equilibrium"};
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
@@ -315,7 +317,7 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
   Growth g;
   g.factor = table.number(factor, g.factor);
-  g.stretched = table.flag("stretch", g.stretched);
+  g.stretched = table.number(stretch, g.stretched);
   g.unbalanced_force = table.number(unbalanced, g.unbalanced_force);
   g.negligible = table.number(negligible, g.negligible);
   g.damping = table.number(damping, g.damping);

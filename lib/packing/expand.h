@@ -18,9 +18,9 @@ namespace soilweave::packing {
 struct Growth {
   double factor = 1.0002;  // of the radii, a round
   double filling = 1;      // growth of the radii that fills the container
-  bool stretched = true;
-  /// Between the grains as they are cut and the container that they fill: where they are stretched to it, coordinates
-  /// are by this while the radii grow by `filling`, so that nothing need travel far.
+  double stretched = 1;    // share of the way to the container that the soil is stretched, in strain
+  /// Between the grains as they are cut and the container that they fill: as far as they are stretched to it,
+  /// coordinates are by this while the radii grow by `filling`, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
   double unbalanced_force = 1e-3;    // of an equilibrium: mean resultant over mean contact force
   double negligible = 1e-4;          // overlap over radius whose force counts instead, while contacts carry less

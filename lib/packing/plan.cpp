@@ -191,7 +191,7 @@ void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const
   }
   const Vec3 stretch = half.cwiseQuotient(half - Vec3::Constant(low));
   growth.filling = std::cbrt(stretch.prod());
-  if (growth.stretched) growth.stretch = stretch;
+  growth.stretch = stretch.array().pow(growth.stretched).matrix();
 }
 
 }  // namespace soilweave::packing

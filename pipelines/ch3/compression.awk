@@ -1,24 +1,30 @@
 # Chapter 3, uniaxial compression: bags of PE and PP beside the recorded series of the same model; loaded after measure.awk.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Volume inside the surface at that distance from the flat core of the bag, a square with round corners (lib/packing/container.h).
-function pillow(h, width, corner, pi) {
-  width = 1e-3 * setting("pipelines/ch3/bag.toml", "width"); corner = 1e-3 * setting("pipelines/ch3/bag.toml", "corner_radius")
+function of_bag(key) { return 1e-3 * setting("pipelines/ch3/bag.toml", key) }
+# Volume inside the surface that is parallel to the bag's so far beyond it (Pillow, lib/packing/container.h).
+function pillow(beyond, half, side, h, s, overhang, w, r, pi) {
   pi = atan2(0, -1)
-  return 2 * h * (width ^ 2 - (4 - pi) * corner ^ 2) + pi / 2 * h ^ 2 * (4 * width - (8 - 2 * pi) * corner) + 4 / 3 * pi * h ^ 3
+  half = of_bag("half_height"); side = of_bag("side_radius")
+  h = half + beyond; s = side + beyond
+  overhang = sqrt(side ^ 2 - half ^ 2)
+  w = of_bag("width") - 2 * overhang; r = of_bag("corner_radius") - overhang
+  return 2 * h * (w ^ 2 - (4 - pi) * r ^ 2) + 2 * pi * h * (s ^ 2 - h ^ 2 / 3) + \
+    (4 * w - (8 - 2 * pi) * r) * (h * sqrt(s ^ 2 - h ^ 2) + s ^ 2 * atan2(h, sqrt(s ^ 2 - h ^ 2)))
 }
 
 # Axial strain from the end of the preload, whose row it returns; load over 0.16 m2; surcharge, the stress of soil and geotextile as
-# one, which the plates balance.
-function compression(f, i, start, height, layer) {
-  need(f, "soil_volume")
+# one, which the plates balance. Soil ends a node's radius inside the surface, however large the nodes.
+function compression(f, i, start, height, node, layer) {
+  need(f, "soil_delaunay_void_ratio")
   for (start = 1; start < rows[f] && value[f, "stage", start + 1] == 0; ++start) { }
-  layer = pillow(0.04 + 0.005 * yarns) - pillow(0.04)
+  node = of_bag("node_radius")
+  layer = pillow(node * (2 * yarns - 1)) - pillow(-node)
   for (i = 1; i <= rows[f]; ++i) {
     height = value[f, "displacement_top_z", i] - value[f, "displacement_bottom_z", i]
     value[f, "strain", i] = (value[f, "displacement_top_z", start] - value[f, "displacement_bottom_z", start] - height) / 0.08
     value[f, "pressure", i] = 0.5 * (size(value[f, "force_top_z", i]) + size(value[f, "force_bottom_z", i])) / 0.16
-    value[f, "surcharge", i] = value[f, "pressure", i] * 0.16 * (0.08 + 0.01 * yarns + height) / (value[f, "soil_volume", i] + layer)
+    value[f, "surcharge", i] = value[f, "pressure", i] * 0.16 * (0.08 + 2 * node * (2 * yarns - 1) + height) / (value[f, "soil_volume", i] + layer)
     value[f, "tension", i] = value[f, "yarn_tension_face", i] / yarns
     value[f, "lateral", i] = 0.5 * (value[f, "soil_stress_xx", i] + value[f, "soil_stress_yy", i])
   }
@@ -127,11 +133,11 @@ function loads_and_strains(g, f, r, peak) {
 }
 function volume_change(g, f, start, base, i, densest) {
   densest = start
-  for (i = start; i <= rows[f]; ++i) if (value[f, "soil_void_ratio", i] < value[f, "soil_void_ratio", densest]) densest = i
-  put("contraction_" g, value[f, "soil_void_ratio", start] - value[f, "soil_void_ratio", densest])
+  for (i = start; i <= rows[f]; ++i) if (value[f, "soil_delaunay_void_ratio", i] < value[f, "soil_delaunay_void_ratio", densest]) densest = i
+  put("contraction_" g, value[f, "soil_delaunay_void_ratio", start] - value[f, "soil_delaunay_void_ratio", densest])
   put("densest_strain_" g, 100 * value[f, "strain", densest])
-  put("dilation_" g, where(f, "strain", "soil_void_ratio", 0.12) - value[f, "soil_void_ratio", densest])
-  put("void_ratio_at_break_" g, value[f, "soil_void_ratio", base] - value[f, "soil_void_ratio", start])
+  put("dilation_" g, where(f, "strain", "soil_delaunay_void_ratio", 0.12) - value[f, "soil_delaunay_void_ratio", densest])
+  put("void_ratio_at_break_" g, value[f, "soil_delaunay_void_ratio", base] - value[f, "soil_delaunay_void_ratio", start])
 }
 # q/p over the recorded one at that strain.
 function obliquity_ratio(f, r, strain) {
@@ -198,10 +204,9 @@ function seam(file, i, sum) {
 }
 
 END {
-  # Undragged: the same bags, left to swing at their stations, as the recorded ones seem to have been.
-  for (k = 1; k <= split("PE PP PE_undragged PP_undragged", bags, " "); ++k) {
-    g = bags[k]
-    f = "uc_" g; r = "soilbag_uniaxial_" substr(g, 1, 2)
+  for (k = 1; k <= 2; ++k) {
+    g = fabrics[k]
+    f = "uc_" g; r = "soilbag_uniaxial_" g
     if (!rows[f]) continue
     start = compression(f)
     base = broken_row(f)
@@ -210,7 +215,6 @@ END {
     slopes(g, f, r, start, base)
     beside_record(g, f, r)
     unbroken_beside_record(g, f, r, base)
-    if (g ~ /undragged/) continue
     paths(g, f, start, base)
     yarns_and_faces(g, f, start, base)
     anisotropies(g)

@@ -8,10 +8,6 @@ recorded(g) = sprintf("data/discrete_element/soilbag_uniaxial_%s.tsv", g)
 full = yarns == 1 ? '' : system("cd pipelines/ch3/kept && ls | sed -n 's/^uc_\\([A-Z]*\\)\\.tsv$/\\1/p'")
 kept(g) = g eq '' ? uc('PE') : sprintf("pipelines/ch3/kept/uc_%s.tsv", g)
 named(g, unit) = g eq '' ? '' : g.unit.' full size'
-# Of full size, and left to swing at each station: this run's, or the kept one's.
-swinging(g) = sprintf("%s/uc_%s_undragged.tsv", yarns == 1 ? out : "pipelines/ch3/kept", g)
-swings = system(sprintf("for g in PE PP; do test ! -e %s/uc_${g}_undragged.tsv || echo $g; done", yarns == 1 ? out : "pipelines/ch3/kept"))
-swung(g) = g eq '' ? uc('PE') : swinging(g)
 # From the end of the preload, which is the first stage.
 start = 0
 way(n) = C("displacement_bottom_z [m]") - C("displacement_top_z [m]")
@@ -23,12 +19,10 @@ set xlabel 'axial strain (%)'; set xrange [0:20]
 set ylabel 'load over 0.16 m² (kPa)'
 plot for [g in bags] uc(g) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
-  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(abs(C("force_top_z [N]")) / 160) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"plate_pressure [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set ylabel 'axial stress in the soil (kPa)'
 plot for [g in bags] uc(g) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
-  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):(C("soil_stress_zz [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"axial_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/paths.%s", out, format)
@@ -37,13 +31,11 @@ set xlabel 'p (kPa)'; set xrange [0:*]; set xtics 200
 set ylabel 'q (kPa)'
 plot for [g in bags] uc(g) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with linespoints lc hue(g) pt 7 ps 0.4 title g, \
   for [k = 1:words(full)] kept(word(full, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
-  for [k = 1:words(swings)] swung(word(swings, k)) using (C("soil_mean_stress [Pa]") / 1000):(C("soil_deviatoric_stress [Pa]") / 1000) with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
   for [g in "PE PP"] recorded(g) using "mean_stress [kPa]":"deviatoric_stress [kPa]" with points lc hue(g) pt 6 title g.' recorded'
 set xlabel 'axial strain (%)'; set xrange [0:20]; set xtics autofreq
 set ylabel 'void ratio'
-plot for [g in bags] uc(g) using (strain(0)):"soil_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
-  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
-  for [k = 1:words(swings)] swung(word(swings, k)) using (strain(0)):"soil_void_ratio [1]" with lines lc hue(word(swings, k)) dt 3 title word(swings, k).' left to swing', \
+plot for [g in bags] uc(g) using (strain(0)):"soil_delaunay_void_ratio [1]" with linespoints lc hue(g) pt 7 ps 0.4 title g, \
+  for [k = 1:words(full)] kept(word(full, k)) using (strain(0)):"soil_delaunay_void_ratio [1]" with lines lc hue(word(full, k)) dt 2 title named(word(full, k), ''), \
   for [g in "PE PP"] recorded(g) using "strain_axial [%]":"void_ratio [1]" with points lc hue(g) pt 6 title g.' recorded'
 unset multiplot
 set output sprintf("%s/yarns.%s", out, format)
@@ -79,8 +71,8 @@ set xlabel 'radii grown by (%)'
 grown(n) = 100 * (C("growth [1]") - 1)
 set ylabel 'void ratio'
 set key right top
-plot out."/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
-  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"void_ratio [1]" with linespoints pt 7 ps 0.4 title 'full size'
+plot out."/generation.tsv" using (grown(0)):"delaunay_void_ratio [1]" with linespoints pt 7 ps 0.4 title 'this bag', \
+  "pipelines/ch3/kept/generation.tsv" using (grown(0)):"delaunay_void_ratio [1]" with linespoints pt 7 ps 0.4 title 'full size'
 set ylabel 'coordination number'
 set key left top
 plot out."/generation.tsv" using (grown(0)):"coordination_number [1]" with linespoints pt 7 ps 0.4 title 'this bag', \

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3_KEPT := $(C3)/kept
 C3_KEEP := step stage time displacement_top_x displacement_top_z displacement_bottom_z force_top_x force_top_z force_bottom_z soil_volume \
-  soil_void_ratio soil_stress_xx soil_stress_yy soil_stress_zz soil_stress_xz soil_mean_stress soil_deviatoric_stress soil_obliquity \
+  soil_void_ratio soil_delaunay_void_ratio soil_stress_xx soil_stress_yy soil_stress_zz soil_stress_xz soil_mean_stress soil_deviatoric_stress soil_obliquity \
   soil_coordination_number face_friction_x face_friction_y face_friction_z yarn_tension_face yarn_strain_face \
   yarn_tension_side_horizontal yarn_strain_side_horizontal yarn_tension_side_vertical yarn_strain_side_vertical broken_yarns \
   kinetic_energy unbalanced_force boundary_work energy_error

@@ -81,7 +81,6 @@ FNR == 1 { file = name_of(FILENAME); head = 0 }
   for (k = 1; k <= n; ++k) value[file, title[k], rows[file]] = field[k] * factor(unit[k])
 }
 END {
-  put("void_ratio", last("generation", "void_ratio"))
   put("delaunay_void_ratio", last("generation", "delaunay_void_ratio"))
   put("coordination_number", last("generation", "coordination_number"))
   put("spheres", yarns == 1 ? value["shape", "bag", 1] : "none")

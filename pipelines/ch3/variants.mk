@@ -8,7 +8,7 @@ C3V_STRAIN_thesis := 0.14
 C3V_UC = --set stage.1.strain=$(C3V_STRAIN_$(PROFILE))
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
-C3_VARIANTS_thesis := fast slow undragged
+C3_VARIANTS_thesis := fast slow
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 # $(call of_variant,NAME,COLUMN): its seed; its settings as options
 of_variant = $(shell awk -F '\t' '$$1 == "$(1)" { n = split($$$(2), s, " "); for (i = 1; i <= n; ++i) print $(3) s[i] }' $(C3)/variants.tsv)
@@ -30,10 +30,6 @@ $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expan
 $(C3V)/%/uc.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call compress,PE,$(C3V_UC),$(call as_options,$*,4))
-# Which the study itself has.
-$(C3V)/undragged/uc.h5: $(C3O)/uc_PE_undragged.h5
-	@mkdir -p $(@D)
-	@ln -f $< $@
 $(C3V)/%/uc.tsv: $(C3V)/%/uc.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 

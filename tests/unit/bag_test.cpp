@@ -246,15 +246,17 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   soil.grains.copy_id = {0, -1};
   soil.grains.radius = {std::cbrt(0.9 * bag.volume() / 1.7 / (4.0 / 3.0 * pi)), 1};
   soil.grains.position.resize(2);
-  Growth stretched, alone;
-  alone.stretched = false;
+  Growth stretched, half_way, alone;
+  half_way.stretched = 0.5, alone.stretched = 0;
   aim(stretched, soil, 0.7, bag);
+  aim(half_way, soil, 0.7, bag);
   aim(alone, soil, 0.7, bag);
   EXPECT_NEAR(std::cbrt(stretched.stretch.prod()), stretched.filling, 1e-12);
   EXPECT_GT(stretched.stretch.z(), stretched.stretch.x()) << "the same gap is more of the height";
   const Vec3 half = bag.high();
   EXPECT_NEAR(half.x() - half.x() / stretched.stretch.x(), half.z() - half.z() / stretched.stretch.z(), 1e-12);
   EXPECT_NEAR(bag.volume(half.z() - half.z() / stretched.stretch.z()), 0.9 * bag.volume(), 1e-9 * bag.volume());
+  EXPECT_NEAR(half_way.stretch.x() * half_way.stretch.x(), stretched.stretch.x(), 1e-12);
   EXPECT_EQ(alone.stretch, Vec3::Ones());
   EXPECT_EQ(alone.filling, stretched.filling);
   // Nodes reach inside: the same soil fills the rest of the bag.
