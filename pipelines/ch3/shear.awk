@@ -72,13 +72,18 @@ END {
   least = load[1]; greatest_load = load[m]
   put("shear_ratio_first", ratio[least])
   put("shear_ratio_last", ratio[greatest_load])
-  put("shear_ratio_falls", ratio[greatest_load] - ratio[least])
-  put("shear_soil_ratio_falls", soil_ratio[greatest_load] - soil_ratio[least])
+  # One load alone tells nothing of how loads differ.
+  if (m > 1) {
+    put("shear_ratio_falls", ratio[greatest_load] - ratio[least])
+    put("shear_soil_ratio_falls", soil_ratio[greatest_load] - soil_ratio[least])
+    put("shear_dilation_falls", dilated[greatest_load] - dilated[least])
+    put("shear_critical_c_falls", critical_c[greatest_load] - critical_c[least])
+    if (greatest_load > 2410 && 2410 in slope) put("shear_slope_falls", slope[greatest_load] - slope[2410])
+  }
   put("shear_lag", lag[least])
   put("shear_lag_grows", lag_grows[least])
   put("shear_contraction", contracted[least])
   put("shear_dilation", dilated[least])
-  put("shear_dilation_falls", dilated[greatest_load] - dilated[least])
   put("shear_unrest", least == 1330 && 2410 in unrest ? unrest[1330] / unrest[2410] : "none")
   put("shear_path_nears", fewest(nears))
   put("shear_path_leaves", most(leaves))
@@ -89,11 +94,9 @@ END {
   if (2410 in lateral) {
     put("shear_lateral", lateral[2410])
     put("shear_axial", axial[2410])
-    put("shear_slope_falls", slope[greatest_load] - slope[2410])
     put("shear_softening", softening[2410])
   }
   put("shear_sides_over_faces", sides[greatest_load])
   put("shear_hoop", hoop[greatest_load])
   put("shear_normal_falls", most(normal_falls))
-  put("shear_critical_c_falls", critical_c[greatest_load] - critical_c[least])
 }
