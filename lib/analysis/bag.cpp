@@ -25,22 +25,6 @@ double face_friction(const Mat3& stress, int axis) {
   return std::atan2(tau, s(axis, axis)) * 180 / std::numbers::pi;
 }
 
-// Void ratio of the tetrahedra of the soil's centres, as the thesis has it; 0 where there is no soil.
-double delaunay_void_ratio(const io::Snapshot& state, const std::vector<std::size_t>& soil) {
-  if (soil.empty()) return 0;
-  io::Snapshot centres;
-  centres.cell = state.cell;
-  centres.grains.dimension = state.grains.dimension;
-  double solids = 0;
-  for (const std::size_t i : soil) {
-    centres.grains.position.push_back(state.grains.position[i]);
-    centres.grains.radius.push_back(state.grains.radius[i]);
-    centres.grains.body_id.push_back(state.grains.body_id[i]);
-    solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);
-  }
-  return delaunay_volume(centres) / solids - 1;
-}
-
 void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarter) {
   put(table, "soil_volume", "m3", "sum of the soil's power cells", soil.volume);
   put(table, "soil_void_ratio", "1", "void ratio of the soil from its power cells", soil.void_ratio);
@@ -86,6 +70,22 @@ io::Snapshot soil_contacts(const io::Snapshot& state, bool alone) {
   return left;
 }
 
+DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& node) {
+  DelaunayFill fill;
+  io::Snapshot centres;
+  centres.cell = state.cell;
+  centres.grains.dimension = state.grains.dimension;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    if (node[i]) continue;
+    centres.grains.position.push_back(state.grains.position[i]);
+    centres.grains.radius.push_back(state.grains.radius[i]);
+    centres.grains.body_id.push_back(state.grains.body_id[i]);
+    fill.solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);
+  }
+  if (fill.solids > 0) fill.volume = delaunay_volume(centres);
+  return fill;
+}
+
 std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   std::array<YarnMean, 3> means;
@@ -123,7 +123,7 @@ void put_bag(io::Series& table, const io::Snapshot& state) {
   const VolumeState whole = volume_state(state, soil, dyads, volumes);
   put_stresses(table, whole, volume_state(state, quarter, dyads, volumes).stress);
   put(table, "soil_delaunay_void_ratio", "1", "void ratio of the Delaunay tetrahedra of the soil's centres",
-      delaunay_void_ratio(state, soil.grains));
+      delaunay_fill(state, node).void_ratio());
   put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", static_cast<double>(outside));
   put(table, "soil_coordination_number", "1", "contacts of the soil's grains over their number",
       ends / static_cast<double>(soil.grains.size()));

@@ -22,6 +22,14 @@ struct YarnMean {
 /// By family as in files: faces, sides in plane, sides from face to face.
 std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
 
+/// The soil in the tetrahedra of its centres, as the thesis tells its void ratio (section 3.2.3); without soil,
+/// nothing.
+struct DelaunayFill {
+  double volume = 0, solids = 0;  // m3
+  double void_ratio() const { return solids > 0 ? volume / solids - 1 : 0; }
+};
+DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& node);
+
 /// One row: volume, void ratio and stress of the soil over its power cells, its Delaunay void ratio, friction mobilised
 /// at the faces (thesis Eq. 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken
 /// ones.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "analysis/bag.h"
 #include "analysis/tables.h"
 #include "analysis/tessellation.h"
 #include "core/error.h"
@@ -64,11 +65,10 @@ class Grower {
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
         simulation_(last ? dem::Simulation(last->state, model, numerics, kept_)
                          : dem::Simulation(start, model, numerics)),
-        soil_(start.grains.size(), true) {
+        node_(analysis::nodes(start)) {
     const double r = *std::max_element(start.grains.radius.begin(), start.grains.radius.end());
     const double u = growth.negligible * r;
     least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1) * u;
-    for (const std::int32_t node : nodes_of(start)) soil_[static_cast<std::size_t>(node)] = false;
     if (last) {
       at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
       history_ = std::move(last->series);
@@ -176,26 +176,25 @@ class Grower {
   // Over the contacts, over the soil's mean radius.
   double mean_overlap(const io::Snapshot& state) const {
     double radii = 0, overlaps = 0, soil = 0;
-    for (std::size_t i = 0; i < soil_.size(); ++i)
-      if (soil_[i]) radii += state.grains.radius[i], soil += 1;
+    for (std::size_t i = 0; i < node_.size(); ++i)
+      if (!node_[i]) radii += state.grains.radius[i], soil += 1;
     for (const double u : state.contacts.overlap) overlaps += u;
     return state.contacts.size() ? overlaps / static_cast<double>(state.contacts.size()) / (radii / soil) : 0;
   }
 
   void measure() {
     const io::Snapshot state = simulation_.snapshot();
-    const io::Snapshot soil = filter(state, [this](std::size_t i) { return soil_[i]; });
-    double solids = 0, ends = 0;
-    for (const double r : soil.grains.radius) solids += dem::grain_volume(3, r);
+    const analysis::DelaunayFill soil = analysis::delaunay_fill(state, node_);
+    double ends = 0;
     for (const auto& bodies : state.contacts.bodies)
-      for (const std::int32_t body : bodies) ends += soil_[static_cast<std::size_t>(body)];
+      for (const std::int32_t body : bodies) ends += !node_[static_cast<std::size_t>(body)];
     fill_.growth = at_.growth;
-    fill_.volume = analysis::delaunay_volume(soil);
+    fill_.volume = soil.volume;
     const std::vector<double> cells = analysis::power_cell_volumes(state);
-    fill_.void_ratio = std::accumulate(cells.begin(), cells.end(), 0.0) / solids - 1;
-    fill_.delaunay_void_ratio = fill_.volume / solids - 1;
+    fill_.void_ratio = std::accumulate(cells.begin(), cells.end(), 0.0) / soil.solids - 1;
+    fill_.delaunay_void_ratio = soil.void_ratio();
     fill_.overlap = mean_overlap(state);
-    fill_.coordination_number = ends / static_cast<double>(soil.grains.size());
+    fill_.coordination_number = ends / static_cast<double>(std::count(node_.begin(), node_.end(), false));
     using analysis::put;
     put(history_, "round", "1", "growths of the radii", static_cast<double>(at_.round));
     put(history_, "step", "1", "time steps", static_cast<double>(simulation_.steps()));
@@ -227,20 +226,16 @@ class Grower {
     return at_.standing && held();
   }
 
-  bool loose() const {
-    return (growth_.void_ratio && fill_.void_ratio > *growth_.void_ratio) ||
-           (growth_.delaunay_void_ratio && fill_.delaunay_void_ratio > *growth_.delaunay_void_ratio);
-  }
+  // By the measure that the target is told in.
+  double void_ratio() const { return growth_.by_delaunay ? fill_.delaunay_void_ratio : fill_.void_ratio; }
+  bool loose() const { return growth_.void_ratio && void_ratio() > *growth_.void_ratio; }
 
   void lower_friction() {
     at_.friction *= growth_.friction_factor;
-    if (at_.friction * dem::friction(model_) < dem::lowest_friction) {
-      const bool delaunay = growth_.delaunay_void_ratio.has_value();
+    if (at_.friction * dem::friction(model_) < dem::lowest_friction)
       throw TargetNotReached(
           fmt::format("void ratio {:.4f} is not reached: without friction the grains press at {:.4f} ({})",
-                      delaunay ? *growth_.delaunay_void_ratio : *growth_.void_ratio,
-                      delaunay ? fill_.delaunay_void_ratio : fill_.void_ratio, text()));
-    }
+                      *growth_.void_ratio, void_ratio(), text()));
   }
 
   [[noreturn]] void unreached() const {
@@ -261,7 +256,7 @@ class Grower {
   dem::Keeper keeper_;
   Archive kept_;
   dem::Simulation simulation_;
-  std::vector<bool> soil_;
+  std::vector<bool> node_;
   Standing at_;
   Fill fill_;
   double least_force_ = 0;   // N
@@ -286,7 +281,7 @@ Growth Growth::read(Settings& table) {
                                     "of the radii, each time equilibrium is reached",
                                     "larger steps scatter the grains"};
   static constexpr Parameter stretch{
-      "stretch", "1", 0, 1, false, "of the soil to the container as it grows: all the way, or not at all"};
+      "stretch", "1", 0, 1, false, "share of the way to the container that the soil is stretched as it grows"};
   static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of an equilibrium"};
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
@@ -317,7 +312,7 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
   Growth g;
   g.factor = table.number(factor, g.factor);
-  g.stretched = table.number(stretch, g.stretched);
+  g.stretch_share = table.number(stretch, g.stretch_share);
   g.unbalanced_force = table.number(unbalanced, g.unbalanced_force);
   g.negligible = table.number(negligible, g.negligible);
   g.damping = table.number(damping, g.damping);
@@ -329,8 +324,9 @@ Growth Growth::read(Settings& table) {
   if (table.has("largest_coordination_number")) g.largest_coordination_number = table.number(most);
   if (table.has("void_ratio")) g.void_ratio = table.number(target);
   if (table.has("delaunay_void_ratio")) {
-    g.delaunay_void_ratio = table.number(delaunay_target);
     if (g.void_ratio) table.mistake("delaunay_void_ratio", "is given beside void_ratio: leave one of the two out");
+    g.void_ratio = table.number(delaunay_target);
+    g.by_delaunay = true;
   }
   g.friction_factor = table.number(lowering, g.friction_factor);
   g.measure_every = table.integer(every, g.measure_every);

@@ -16,9 +16,9 @@
 namespace soilweave::packing {
 
 struct Growth {
-  double factor = 1.0002;  // of the radii, a round
-  double filling = 1;      // growth of the radii that fills the container
-  double stretched = 1;    // share of the way to the container that the soil is stretched, in strain
+  double factor = 1.0002;    // of the radii, a round
+  double filling = 1;        // growth of the radii that fills the container
+  double stretch_share = 1;  // of the way to the container that the soil is stretched, in strain
   /// Between the grains as they are cut and the container that they fill: as far as they are stretched to it,
   /// coordinates are by this while the radii grow by `filling`, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
@@ -32,11 +32,10 @@ struct Growth {
   double coordination_number = 2.5;  // and their least coordination number
   /// Their largest one: radii give way at rest until they have no more contacts. None: as many as they have.
   std::optional<double> largest_coordination_number;
-  /// Of the full container, by the soil's power cells, which end at the nodes: while grains that press are looser,
-  /// friction is lowered; it is restored at the end. None: as dense as they come.
+  /// Of the full container: while grains that press are looser, friction is lowered; it is restored at the end. None:
+  /// as dense as they come.
   std::optional<double> void_ratio;
-  /// The same by the Delaunay tetrahedra of the soil's centres, as the thesis has it; one of the two at most.
-  std::optional<double> delaunay_void_ratio;
+  bool by_delaunay = false;         // told of the tetrahedra of the soil's centres, not of its power cells
   double friction_factor = 0.9;     // of the friction angles, each time
   std::int64_t measure_every = 10;  // rounds
   std::int64_t largest_rounds = 2000;

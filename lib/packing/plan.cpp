@@ -77,26 +77,31 @@ void read_fabrics(Settings& document, Plan& plan) {
   }
 }
 
-// As many copies as cover the container, centred on the origin.
-std::array<int, 3> covering(const io::Snapshot& volume, const Container& container) {
+// How far soil reaches from the origin along an axis, m.
+double reach_of_soil(const Plan& plan, int axis) {
+  return std::max(plan.container->high()[axis], -plan.container->low()[axis]) - plan.soil_depth();
+}
+
+// As many copies as cover the soil's part of the container, centred on the origin.
+std::array<int, 3> covering(const io::Snapshot& volume, const Plan& plan) {
   std::array<int, 3> n = {1, 1, 1};
   for (int a = 0; a < 3; ++a) {
-    const double reach = 2 * std::max(container.high()[a], -container.low()[a]);
+    const double reach = 2 * reach_of_soil(plan, a);
     n[static_cast<std::size_t>(a)] =
         std::max(1, static_cast<int>(std::ceil(reach / volume.cell.matrix(a, a) * (1 - 1e-9))));
   }
   return n;
 }
 
-void demand_cover(const io::Snapshot& block, const Container& container) {
+void demand_cover(const io::Snapshot& block, const Plan& plan) {
   for (int a = 0; a < 3; ++a) {
     const double half = 0.5 * block.cell.matrix(a, a);
-    const double reach = std::max(container.high()[a], -container.low()[a]);
+    const double reach = reach_of_soil(plan, a);
     // The surface may stand out of the block by less than a grain: the grains grow.
     const double slack = *std::max_element(block.grains.radius.begin(), block.grains.radius.end());
     if (half + slack < reach)
       throw DataError(
-          fmt::format("the copies of the representative volume reach to {} = {:.4g} m, the container to "
+          fmt::format("the copies of the representative volume reach to {} = {:.4g} m, soil in the container to "
                       "{:.4g} m: raise container.copies",
                       "xyz"[a], half, reach));
   }
@@ -149,8 +154,8 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
   if (plan.container) {
     io::Snapshot volume = representative_volume;
     scale(volume, plan.scale);
-    const io::Snapshot block = tile(volume, plan.copies.value_or(covering(volume, *plan.container)));
-    demand_cover(block, *plan.container);
+    const io::Snapshot block = tile(volume, plan.copies.value_or(covering(volume, plan)));
+    demand_cover(block, plan);
     state = filter(block, [&](std::size_t i) {
       return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();
     });
@@ -191,7 +196,7 @@ void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const
   }
   const Vec3 stretch = half.cwiseQuotient(half - Vec3::Constant(low));
   growth.filling = std::cbrt(stretch.prod());
-  growth.stretch = stretch.array().pow(growth.stretched).matrix();
+  growth.stretch = stretch.array().pow(growth.stretch_share).matrix();
 }
 
 }  // namespace soilweave::packing

@@ -227,6 +227,11 @@ const std::string sand =
     "law = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n";
 const std::string materials = "[contact]\n" + sand + "[[material]]\n" + sand.substr(sand.find('\n') + 1);
 
+const std::string small_bag =
+    "[container]\nshape = \"pillow\"\nwidth = 0.03\nhalf_height = 0.014\ncorner_radius = 0.005\ncopies = [4, 4, 2]\n"
+    "[geotextile_mesh]\ncells = [10, 10, 6]\n" +
+    materials;
+
 TEST(Plan, RefusesWhatCannotBeFilled) {
   const io::Snapshot one = testing::packed(testing::sand(), 1e5);
   const std::string bag = "[container]\nshape = \"pillow\"\ncopies = [2, 2, 1]\n" + materials;
@@ -247,7 +252,7 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   soil.grains.radius = {std::cbrt(0.9 * bag.volume() / 1.7 / (4.0 / 3.0 * pi)), 1};
   soil.grains.position.resize(2);
   Growth stretched, half_way, alone;
-  half_way.stretched = 0.5, alone.stretched = 0;
+  half_way.stretch_share = 0.5, alone.stretch_share = 0;
   aim(stretched, soil, 0.7, bag);
   aim(half_way, soil, 0.7, bag);
   aim(alone, soil, 0.7, bag);
@@ -269,11 +274,8 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
 }
 
 TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
-  const std::string bag =
-      "[container]\nshape = \"pillow\"\nwidth = 0.03\nhalf_height = 0.014\ncorner_radius = 0.005\ncopies = [4, 4, 2]\n"
-      "[geotextile_mesh]\ncells = [10, 10, 6]\nnode_radius = 0.002\noffset = 0.0005\n" +
-      materials;
-  const Plan plan = read_plan(bag, "plan", {});
+  const std::vector<std::string> offset = {"geotextile_mesh.node_radius=0.002", "geotextile_mesh.offset=0.0005"};
+  const Plan plan = read_plan(small_bag, "plan", offset);
   const io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
   double least = 1;
   int nodes = 0;
@@ -289,7 +291,7 @@ TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
   EXPECT_EQ(nodes, 2 * 11 * 11 + 5 * 40);
   EXPECT_GE(least, 0.0015);
   EXPECT_LT(least, 0.0025) << "some grain of the many lies near";
-  EXPECT_THROW(read_plan(bag, "plan", {"geotextile_mesh.offset=0.003"}), DataError);
+  EXPECT_THROW(read_plan(small_bag, "plan", {"geotextile_mesh.offset=0.003"}), DataError);
 }
 
 // The mirror image across x = 0; contacts are found anew.
@@ -301,11 +303,7 @@ io::Snapshot mirrored(io::Snapshot state) {
 }
 
 TEST(Bag, MirroredBagsMoveAsMirrorImages) {
-  const std::string bag =
-      "[container]\nshape = \"pillow\"\nwidth = 0.03\nhalf_height = 0.014\ncorner_radius = 0.005\ncopies = [4, 4, 2]\n"
-      "[geotextile_mesh]\ncells = [10, 10, 6]\n" +
-      materials;
-  const Plan plan = read_plan(bag, "plan", {});
+  const Plan plan = read_plan(small_bag, "plan", {});
   io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
   ASSERT_GT(state.grains.size(), 300U);
   state.contacts = {};
