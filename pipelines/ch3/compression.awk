@@ -99,6 +99,14 @@ function unbroken_beside_record(g, f, r, base, i) {
   for (i = first_beside_record(f, r); i <= rows[r] && value[r, "tension_yarn_face", i] <= value[f, "tension", base]; ++i)
     note_stresses("unbroken", g, f, "tension", value[r, "tension_yarn_face", i], r, i)
 }
+# Volumetric strain, dilation positive, of the block between the faces, whose yarns stretch as it is pressed flat: without the sides, and
+# without the Delaunay tetrahedra that span what is hollow there.
+function between_faces(x, x0, axial) { return 2 * (x - x0) - axial }
+function note_block(g, f, r, at, row, d) {
+  d = 100 * (between_faces(where(f, "strain", "yarn_strain_face", at), where(f, "strain", "yarn_strain_face", 0), at) - \
+    between_faces(value[r, "strain_yarn_face", row], value[r, "strain_yarn_face", 1], at))
+  if (size(d) > size(misfit["equal_strain_block_" g])) misfit["equal_strain_block_" g] = d
+}
 function beside_record(g, f, r, i, at, recorded, tautest) {
   recorded = greatest(r, "axial_stress")
   tautest = value[f, "tension", greatest(f, "tension")]
@@ -108,6 +116,7 @@ function beside_record(g, f, r, i, at, recorded, tautest) {
     if (at < 0.03) continue
     note_stresses("strain", g, f, "strain", at, r, i)
     note("strain", g, "tension", where(f, "strain", "tension", at), value[r, "tension_yarn_face", i])
+    note_block(g, f, r, at, i)
   }
 }
 # What is left of a stress at the last strain over what is left of the recorded one there, each of its greatest.

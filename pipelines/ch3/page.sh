@@ -50,6 +50,9 @@ room. So made, and with the flat faces of the empty bag, the full-size bag is ne
 far the soil is stretched to the bag as it grows is ours to choose (<code>stretched</code>, <code>unstretched</code>): the more, the
 sooner its sides carry. The bag chosen keeps the thesis's void ratio and is stiffer than the recorded one at first; grown alone it is as
 soft, but too dense.</p>
+<p>At full size the void ratio grows by less than the recorded one. It is not between the faces that the volume is missing: there, twice the strain of
+their yarns less the axial strain is nearly the recorded (rows &ldquo;between the faces&rdquo;). What is left are the sides, whose bulges
+Delaunay's tetrahedra take in with all that they span.</p>
 <p>Left to swing without drag at each station (<code>undragged</code>), grains of a thousandfold density fall short of the load that they
 carry at rest; at 10 %/s (<code>swinging</code>), the rate of the thesis, they are thrown. Slower plates (<code>slow</code>,
 <code>slower</code>) change nothing more: ours is the bag at rest.</p>
