@@ -46,12 +46,11 @@ struct Standing {
   }
 };
 
-std::vector<std::int32_t> nodes_of(const io::Snapshot& state) {
-  std::vector<std::int32_t> nodes;
-  for (const auto& ends : state.yarns.nodes) nodes.insert(nodes.end(), ends.begin(), ends.end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+std::vector<std::int32_t> numbers_of(const std::vector<bool>& node) {
+  std::vector<std::int32_t> numbers;
+  for (std::size_t i = 0; i < node.size(); ++i)
+    if (node[i]) numbers.push_back(static_cast<std::int32_t>(i));
+  return numbers;
 }
 
 class Grower {
@@ -337,7 +336,7 @@ Growth Growth::read(Settings& table) {
 Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
            const Report& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
-  held.clamps = {nodes_of(start)};
+  held.clamps = {numbers_of(analysis::nodes(start))};
   // Nothing pulls at yarns whose nodes stand still.
   // Radii grow by work that no boundary does, and rattlers fly: what the balance leaves over is damped away.
   held.limits.energy_error = std::numeric_limits<double>::infinity();

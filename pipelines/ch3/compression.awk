@@ -79,11 +79,8 @@ function anisotropy(g, kind, strain) { return at_step("uc_" g "_fabric", kind, s
 # Greatest differences up to the recorded peak: at equal tension of the yarns on the faces, or at the greatest where that is never
 # reached; the same up to the first break, before strength has its part; and from 3 % on at equal strain. What was recorded before the
 # bag's own first station is left out: between the preload and that station stresses are no straight line.
-function note(at, g, what, measured, recorded, d, key) {
-  d = 100 * (measured / recorded - 1)
-  key = "equal_" at "_" what "_" g
-  if (size(d) > size(misfit[key])) misfit[key] = d
-}
+function keep_greatest(key, d) { if (size(d) > size(misfit[key])) misfit[key] = d }
+function note(at, g, what, measured, recorded) { keep_greatest("equal_" at "_" what "_" g, 100 * (measured / recorded - 1)) }
 # Those of the stresses where a column of ours is as large as at that row of the record.
 function note_stresses(at, g, f, column, here, r, i) {
   note(at, g, "lateral", where(f, column, "lateral", here), value[r, "radial_stress", i])
@@ -102,10 +99,10 @@ function unbroken_beside_record(g, f, r, base, i) {
 # Volumetric strain, dilation positive, of the block between the faces, whose yarns stretch as it is pressed flat: without the sides, and
 # without the Delaunay tetrahedra that span what is hollow there.
 function between_faces(x, x0, axial) { return 2 * (x - x0) - axial }
-function note_block(g, f, r, at, row, d) {
-  d = 100 * (between_faces(where(f, "strain", "yarn_strain_face", at), where(f, "strain", "yarn_strain_face", 0), at) - \
-    between_faces(value[r, "strain_yarn_face", row], value[r, "strain_yarn_face", 1], at))
-  if (size(d) > size(misfit["equal_strain_block_" g])) misfit["equal_strain_block_" g] = d
+function note_block(g, f, r, at, i) {
+  keep_greatest("equal_strain_block_" g, \
+    100 * (between_faces(where(f, "strain", "yarn_strain_face", at), where(f, "strain", "yarn_strain_face", 0), at) - \
+    between_faces(value[r, "strain_yarn_face", i], value[r, "strain_yarn_face", 1], at)))
 }
 function beside_record(g, f, r, i, at, recorded, tautest) {
   recorded = greatest(r, "axial_stress")
