@@ -81,11 +81,15 @@ FNR == 1 { file = name_of(FILENAME); head = 0 }
   for (k = 1; k <= n; ++k) value[file, title[k], rows[file]] = field[k] * factor(unit[k])
 }
 END {
-  put("delaunay_void_ratio", last("generation", "delaunay_void_ratio"))
-  put("coordination_number", last("generation", "coordination_number"))
-  put("spheres", yarns == 1 ? value["shape", "bag", 1] : "none")
-  m = split("contact_number orientation soil_contact_number soil_orientation", what, " ")
-  for (k = 1; k <= m; ++k) put(what[k], value["shape", "distance", k] / value["shape", "distance of samples", k])
+  if (rows["generation"]) {
+    put("delaunay_void_ratio", last("generation", "delaunay_void_ratio"))
+    put("coordination_number", last("generation", "coordination_number"))
+  }
+  if (rows["shape"]) {
+    put("spheres", yarns == 1 ? value["shape", "bag", 1] : "none")
+    m = split("contact_number orientation soil_contact_number soil_orientation", what, " ")
+    for (k = 1; k <= m; ++k) put(what[k], value["shape", "distance", k] / value["shape", "distance of samples", k])
+  }
   # Strips: 5 yarns side by side, 100 mm long.
   split("PE PP", fabrics, " ")
   for (k = 1; k <= 2; ++k) {

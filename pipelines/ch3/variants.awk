@@ -1,6 +1,6 @@
 # What each variant of the bag carries at 1, 4 and 8 % and at most, as differences from the bag itself, and where its first yarn breaks.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -v yarns=2 -f variants.awk variants.tsv uc_PE.tsv VARIANT/uc.tsv... > table
+# usage: awk -v yarns=2 -f variants.awk variants.tsv uc_PE.tsv VARIANT/uc_PE.tsv... > table
 # Files of runs are named by their folder; the bag itself comes first.
 BEGIN { FS = "\t"; split("0.01 0.04 0.08", strains, " ") }
 FNR == 1 { ++file; head = 0 }

@@ -1,0 +1,32 @@
+# What bags of several representative volumes have of what is published of one in compression: each, their mean and its standard
+# deviation, as a sample's.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# usage: awk -f seeds.awk VARIANT/comparison.tsv... > table
+# Files are named by their folder; the first one's lines are those of the table. Runs of variants end past the greatest load: what is
+# left after failure is left out.
+BEGIN { FS = OFS = "\t" }
+FNR == 1 {
+  name = FILENAME; sub(/\/[^\/]*$/, "", name); sub(/.*\//, "", name)
+  names[++files] = name
+  for (i = 1; i <= NF; ++i) at[$i] = i
+  next
+}
+/failure/ { next }
+files == 1 { order[++n] = $1; line[n] = $at["description"] OFS $at["unit"] OFS $at["published"] OFS $at["tolerance"] }
+{ value[files, $1] = $at["measured"] }
+END {
+  printf "description\tunit\tpublished\ttolerance"
+  for (f = 1; f <= files; ++f) printf "\t%s", names[f]
+  print "\tmean\tdeviation"
+  for (k = 1; k <= n; ++k) {
+    row = line[k]; sum = squares = count = 0
+    for (f = 1; f <= files; ++f) {
+      of_this = (f, order[k]) in value ? value[f, order[k]] : "none"
+      row = row OFS of_this
+      if (of_this != "none") { sum += of_this; squares += of_this * of_this; ++count }
+    }
+    mean = sum / count
+    spread = count > 1 ? (squares - count * mean * mean) / (count - 1) : 0
+    printf "%s\t%.4g\t%.2g\n", row, mean, sqrt(spread > 0 ? spread : 0)
+  }
+}
