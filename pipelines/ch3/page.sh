@@ -67,9 +67,9 @@ and its first yarn breaks sooner; half our rate (<code>slow</code>) changes litt
 PAGE
   [ ! -e "$kept/seeds_thesis.tsv" ] || cat <<'PAGE'
 <p>The record is of one representative volume, and so is this bag. At full size two more (<code>seed_2</code>, <code>seed_3</code>) differ
-from it by about as much as is allowed: where its first yarn breaks and by how much its void ratio falls at first, the recorded bag is
-one among these. That its void ratio then grows by more, that it carries most, and fails, sooner, and that stresses go with less
-tension of the yarns at first, is no chance of the packing: all three differ from it alike.</p>
+from it by about as much as is allowed. In the first loss of void ratio and in q/p at the first break the recorded bag is one among the
+three, and its first yarns broke at about the strain where the soonest of theirs did. In three things all of them differ from it
+alike: stresses are larger for the same tension of the yarns at first, the void ratio grows by less, and the greatest load comes later.</p>
 PAGE
   for size in quick thesis; do
     [ -e "$kept/variants_$size.tsv" ] || continue

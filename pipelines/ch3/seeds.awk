@@ -2,8 +2,8 @@
 # deviation, as a sample's.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: awk -f seeds.awk VARIANT/comparison.tsv... > table
-# Files are named by their folder; the first one's lines are those of the table. Runs of variants end past the greatest load: what is
-# left after failure is left out.
+# Files are named by their folder; the first one's lines are those of the table. Runs of variants end near the greatest load: where the
+# bag fails, and what is left then, is left out.
 BEGIN { FS = OFS = "\t" }
 FNR == 1 {
   name = FILENAME; sub(/\/[^\/]*$/, "", name); sub(/.*\//, "", name)
@@ -21,12 +21,10 @@ END {
   for (k = 1; k <= n; ++k) {
     row = line[k]; sum = squares = count = 0
     for (f = 1; f <= files; ++f) {
-      of_this = (f, order[k]) in value ? value[f, order[k]] : "none"
-      row = row OFS of_this
-      if (of_this != "none") { sum += of_this; squares += of_this * of_this; ++count }
+      row = row OFS ((f, order[k]) in value ? value[f, order[k]] : "none")
+      if ((f, order[k]) in value) { sum += value[f, order[k]]; ++count }
     }
-    mean = sum / count
-    spread = count > 1 ? (squares - count * mean * mean) / (count - 1) : 0
-    printf "%s\t%.4g\t%.2g\n", row, mean, sqrt(spread > 0 ? spread : 0)
+    for (f = 1; f <= files; ++f) if ((f, order[k]) in value) squares += (value[f, order[k]] - sum / count) ^ 2
+    printf "%s\t%.4g\t%s\n", row, sum / count, (count > 1 ? sprintf("%.2g", sqrt(squares / (count - 1))) : "none")
   }
 }

@@ -16,8 +16,9 @@ of_variant = $(shell awk -F '\t' '$$1 == "$(1)" { n = split($$$(2), s, " "); for
 as_options = $(call of_variant,$(1),$(2),"--set ")
 
 .PHONY: ch3-variants
-ch3-variants: $(C3V)/variants.tsv $(C3V)/seeds.tsv ## vary the bag of ch3 in one thing at a time, and keep what each is worth
+ch3-variants: $(C3V)/variants.tsv $(C3V)/seeds.tsv $(BIN)/to-vtk ## vary the bag of ch3 in one thing at a time, and keep what each is worth
 	@cp $< $(C3_KEPT)/variants_$(PROFILE).tsv && cp $(C3V)/seeds.tsv $(C3_KEPT)/seeds_$(PROFILE).tsv && cat $<
+	@(for run in $(C3V_SEEDS:%=$(C3V)/%/uc_PE.h5); do $(BIN)/to-vtk --history $$run || exit; done) $(call whole,$(C3_KEPT)/seeds_$(PROFILE).txt)
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
