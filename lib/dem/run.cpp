@@ -192,8 +192,13 @@ class Runner {
   void tell(const Stage& stage, std::size_t station) const {
     if (!report_) return;
     report_(static_cast<double>(at_.done) / static_cast<double>(total_),
-            fmt::format("{} {}/{}, step {}, {}, unbalanced {:.1e}", stage.name, station + 1, stage.path->stations(),
-                        simulation_.steps(), state(), simulation_.unbalanced_force()));
+            fmt::format("{} {}/{}, step {}, {}, unbalanced {:.1e}{}", stage.name, station + 1, stage.path->stations(),
+                        simulation_.steps(), state(), simulation_.unbalanced_force(), motion()));
+  }
+
+  std::string motion() const {
+    if (std::isinf(scenario_.tolerances.kinetic_energy)) return {};
+    return fmt::format(", kinetic energy {:.1e} J", simulation_.kinetic_energy_of_acted_on());
   }
 
   // A cell around plates says nothing of what is between them.
