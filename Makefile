@@ -278,6 +278,10 @@ bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 bench-size: $(B)/tests/bench ## cost of a step from a thousand grains to a million, memory, small systems on two threads
 	@BENCH=$(CURDIR)/$(B)/tests/bench OUT=$(CURDIR)/$(B)/bench bash tests/benchmarks/size.sh
 
+.PHONY: bench-studies
+bench-studies: $(TOOLS) ## time and memory of the largest studies at the thesis's size (an hour; PARTS="bag shape pullout")
+	@BIN=$(CURDIR)/$(B)/bin OUT=$(CURDIR)/$(B)/bench/studies bash tests/benchmarks/studies.sh
+
 .PHONY: bench-peers
 bench-peers: $(TOOLS) ## steps per second beside YADE, LAMMPS and LIGGGHTS, where they are, on the same packings
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/speed.sh

@@ -2,11 +2,12 @@
 # shellcheck shell=sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
+# Inline SVG: identifiers get the figure's path before them, since gnuplot gives every figure the same ones.
 figure() { # NAME CAPTION
+  own=$(printf %s "$OUT/$1" | tr -c '[:alnum:]' _)
   printf '<figure>\n'
-  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='$1_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"$1_\1\"/g" \
-    -e "s/href='#\([^']*\)'/href='#$1_\1'/g" -e "s/url(#\([^)]*\))/url(#$1_\1)/g" "$OUT/$1.svg"
+  sed -e '/^<?xml/d' -e '/^<!DOCTYPE/,/>/d' -e "s/id='\([^']*\)'/id='${own}_\1'/g" -e "s/id=\"\([^\"]*\)\"/id=\"${own}_\1\"/g" \
+    -e "s/href='#\([^']*\)'/href='#${own}_\1'/g" -e "s/url(#\([^)]*\))/url(#${own}_\1)/g" "$OUT/$1.svg"
   printf '<figcaption>%s</figcaption>\n</figure>\n' "$2"
 }
 

@@ -51,7 +51,10 @@ the strain of their yarns less the axial strain is nearer to the recorded (rows 
 sides, whose bulges Delaunay's tetrahedra take in with all that they span; what differs there is not yet known.</p>
 PAGE
   [ ! -e "$kept/variants_quick.tsv" ] || cat <<'PAGE'
-<p>Other representative volumes tell how much of a difference is chance. Most depends on where soil lies. The thesis puts the nodes on
+<p>Other representative volumes tell how much of a difference is chance. In the first percents of strain most depends on how dense the soil is
+(<code>dense</code>, <code>loose</code>, <code>meshed_evenly</code>), how far inside the nodes it ends (<code>nodes_outside</code>,
+<code>thin_geotextile</code>), how soon its sides are taut (<code>stretched</code>, <code>unstretched</code>) and how stiff yarns are at
+first (<code>straight_yarns</code>); least on how slowly it is grown, how tight its corners are and the friction of the geotextile. The thesis puts the nodes on
 the surface of its bag, and counts voids by the tetrahedra between the soil's centres: its soil ends a node's radius inside that
 surface, and is looser than the same number makes it that is taken of all its room. So made, and with the flat faces of the empty bag,
 the full-size bag is near the recorded one from 3 % of strain to the peak. How far the soil is stretched to the bag as it grows is ours

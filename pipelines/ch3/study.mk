@@ -12,9 +12,9 @@ C3_LOADS := $(C3_LOADS_$(PROFILE))
 C3_YARNS_quick := 2
 C3_YARNS_thesis := 1
 # Just past the greatest load and the greatest shear.
-C3_END_quick := 15
+C3_END_quick := 16
 C3_END_thesis := 20
-C3_UC_quick := --set stage.1.strain=0.15
+C3_UC_quick := --set stage.1.strain=0.16
 C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
 # Larger nodes stand out of the bag by as much more: its soil has the same room.
 C3_GRAINS_quick := --set grains.scale=1.9474 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] \

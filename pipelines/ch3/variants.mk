@@ -1,5 +1,6 @@
 # The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
-# one packing differs from the next by. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows.
+# one packing differs from the next by. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows; of full size, which is not
+# soon repeated, with how each came to be.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3V := $(C3O)/variants
 # Past the greatest load.
@@ -8,7 +9,7 @@ C3V_STRAIN_thesis := 0.14
 C3V_UC = --set stage.1.strain=$(C3V_STRAIN_$(PROFILE))
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
-C3_VARIANTS_thesis := fast slow seed_2 seed_3
+C3_VARIANTS_thesis := fast slow slower seed_2 seed_3
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_SEEDS := $(filter seed_%,$(C3_VARIANTS))
 # $(call of_variant,NAME,COLUMN): its seed; its settings as options
@@ -18,7 +19,8 @@ as_options = $(call of_variant,$(1),$(2),"--set ")
 .PHONY: ch3-variants
 ch3-variants: $(C3V)/variants.tsv $(C3V)/seeds.tsv $(BIN)/to-vtk ## vary the bag of ch3 in one thing at a time, and keep what each is worth
 	@cp $< $(C3_KEPT)/variants_$(PROFILE).tsv && cp $(C3V)/seeds.tsv $(C3_KEPT)/seeds_$(PROFILE).tsv && cat $<
-	@(for run in $(C3V_SEEDS:%=$(C3V)/%/uc_PE.h5); do $(BIN)/to-vtk --history $$run || exit; done) $(call whole,$(C3_KEPT)/seeds_$(PROFILE).txt)
+	@$(if $(filter thesis,$(PROFILE)),(for run in $(C3_VARIANTS); do echo "== $$run" && $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; \
+	  done) $(call whole,$(C3_KEPT)/variants_thesis.txt))
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate

@@ -1,13 +1,13 @@
 # Figures of chapter 6: thesis Figs. 6.2 to 6.6.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: gnuplot -e "out='out/ch6'; format='svg'; main='8_0.5'; cases='6_1 8_1 ...'; kept='pipelines/ch6/kept';
-#   kept_shape='8_1 ...'; kept_pullout='8_1 ...'" figures.gp     (format: svg or png)
+# usage: gnuplot -e "out='out/ch6'; format='svg'; main='8_0.5'; shapes='6_1 8_1 ...'; pullouts='6_1 ...'" figures.gp
+# format: svg or png. Tables and figures lie in the same folder; an example whose main run is not there has the first figure alone.
 set datafile separator "\t"
 set encoding utf8
 start = 'if (format eq "svg") { set terminal svg size W,H font "Helvetica,14" background "#ffffff" rounded } else { \
   set terminal pngcairo size 2*W,2*H font "Helvetica,14" fontscale 1.9 linewidth 2 pointscale 1.7 background "#ffffff" rounded }'
 figure(name) = sprintf("%s/%s.%s", out, name, format)
-series(folder, example, c) = sprintf("%s/%s_%s.tsv", folder, example, c)
+series(example, c) = sprintf("%s/%s_%s.tsv", out, example, c)
 rows_of(example, name) = sprintf("%s/%s_%s_%s.tsv", out, example, main, name)
 squares(c) = int(substr(c, 1, strstrt(c, "_") - 1))
 speed(c) = substr(c, strstrt(c, "_") + 1, strlen(c))
@@ -18,34 +18,25 @@ set xtics nomirror out scale 0.6; set ytics nomirror out scale 0.6
 set grid linecolor rgb "#e3e6ea" linewidth 0.8 linetype 1
 set key noautotitle Left reverse top left samplen 1.6
 
-# --- Fig. 6.2: the global responses of these runs, and of those kept
-do for [which in "global kept"] {
-  folder = which eq "kept" ? kept : out
-  shapes = which eq "kept" ? kept_shape : cases
-  pullouts = which eq "kept" ? kept_pullout : cases
-  if (words(shapes) + words(pullouts) == 0) { continue }
-  W = 1000; H = 420; @start
-  set output figure(which)
-  set multiplot layout 1,2
-  set xlabel "pulled (cm)"
-  set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]; set key top left
-  if (words(shapes) > 0) { plot for [c in shapes] series(folder, "shape", c) using (100 * column("pull_end [m]")): \
-    (absolute(column("force_y_bottom [N m-1]")) / column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c) } else { set multiplot next }
-  set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
-  if (words(pullouts) > 0) { plot for [c in pullouts] series(folder, "pullout", c) using (100 * column("pull_end [m]")): \
-    (-column("interface_shear [N m-1]") / column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c) }
-  unset multiplot; unset title; set key top left
-}
+# --- Fig. 6.2: the global responses
+W = 1000; H = 420; @start
+set output figure("global")
+set multiplot layout 1,2
+set xlabel "pulled (cm)"
+set title "shape-forming"; set ylabel "vertical stress at the bottom (kPa)"; set yrange [0:*]; set key top left
+plot for [c in shapes] series("shape", c) using (100 * column("pull_end [m]")): \
+  (absolute(column("force_y_bottom [N m-1]")) / column("length_bottom [m]") / 1e3) with lines linewidth 1.6 title label(c)
+set title "pull-out"; set ylabel "friction ratio at the bottom"; set key bottom right
+plot for [c in pullouts] series("pullout", c) using (100 * column("pull_end [m]")): \
+  (-column("interface_shear [N m-1]") / column("interface_normal [N m-1]")) with lines linewidth 1.6 title label(c)
+unset multiplot; unset title; set key top left
 
-# Time of the last state of both examples.
-ends = system(sprintf("for e in shape pullout; do tail -n 1 %s/${e}_%s_points.tsv | cut -f 2; done | tr '\\n' ' '", out, main))
+mains = system(sprintf("cd %s && for e in shape pullout; do [ ! -e ${e}_%s_fields.tsv ] || printf '%%s ' $e; done", out, main))
 
 # --- Figs. 6.3, 6.4: fields of the last state, how the nodes have moved, the bars
 set palette defined (0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")
-do for [example in "shape pullout"] {
-  last = real(word(ends, example eq "shape" ? 1 : 2)) - 1e-9
-  moved(what) = column("time [s]") >= last ? column(what) : NaN
-  stats rows_of(example, "nodes") using (sqrt(moved("displacement_x [m]")**2 + moved("displacement_y [m]")**2)) nooutput
+do for [example in mains] {
+  stats rows_of(example, "last_nodes") using (sqrt(column("displacement_x [m]")**2 + column("displacement_y [m]")**2)) nooutput
   magnified = STATS_max < 0.05 && STATS_max > 0 ? 10**floor(log10(0.2 / STATS_max)) : 1
   W = 1200; H = 720; @start
   set output figure(example . "_fields")
@@ -57,13 +48,13 @@ do for [example in "shape pullout"] {
     if (k == 5) { set cbrange [0:*] } else { set cbrange [*:*] }
     if (k == 1 && magnified > 1) { set label 1 sprintf("displacements × %g", magnified) at 1.45, 1.29 right font ",11" } else { unset label 1 }
     factor = k < 3 ? 1e-3 : k == 3 || k == 6 ? 100 : 1
-    plot sprintf("%s/%s_fields.tsv", out, example) skip 1 using 1:2:(factor * column(k + 2)) with filledcurves closed \
+    plot rows_of(example, "fields") skip 1 using 1:2:(factor * column(k + 2)) with filledcurves closed \
         fillcolor palette, \
-      rows_of(example, "nodes") using (column("time [s]") >= last ? column("x [m]") - column("displacement_x [m]") : NaN): \
+      rows_of(example, "last_nodes") using (column("x [m]") - column("displacement_x [m]")): \
         (column("y [m]") - column("displacement_y [m]")):(magnified * column("displacement_x [m]")): \
         (magnified * column("displacement_y [m]")) \
         with vectors head size 0.01,20,60 linecolor rgb "#202020" linewidth 0.8, \
-      rows_of(example, "bars") using (column("time [s]") >= last ? column("x_0 [m]") : NaN):(column("y_0 [m]")) with points \
+      rows_of(example, "last_bars") using (column("x_0 [m]")):(column("y_0 [m]")) with points \
         pointtype 7 pointsize 0.25 linecolor rgb "#c03020"
   }
   unset multiplot
@@ -71,11 +62,11 @@ do for [example in "shape pullout"] {
 }
 
 # --- Figs. 6.5, 6.6: local responses
-do for [example in "shape pullout"] {
+do for [example in mains] {
   W = 1200; H = 380; @start
   set xtics rotate by -40
   set output figure(example . "_local")
-  local = sprintf("%s/%s_local.tsv", out, example)
+  local = rows_of(example, "local")
   set multiplot layout 1,3
   set key off
   set xlabel "ε_q (%)"; set ylabel "q/p"; set y2label "ε_v (%)"; set y2tics

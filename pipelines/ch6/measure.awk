@@ -1,12 +1,25 @@
 # What thesis §6.4 and §6.5 state, as numbers from the runs.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -v folder=F -v main=SQUARES_SPEED -v meshes='S_V ...' -v speeds='S_V ...' -f measure.awk
+# usage: awk -v folder=F -v main=SQUARES_SPEED -v meshes='S_V ...' -v speeds='S_V ...' [-v partial=1] -f measure.awk
+# partial: of runs that are not in the folder nothing is said.
 function open_table(name,   line, part, i, n) {
   table = name
   if ((getline line < table) <= 0) { print "measure: cannot read " name > "/dev/stderr"; exit 1 }
   delete at
   n = split(line, part, "\t")
   for (i = 1; i <= n; ++i) { sub(/ \[.*/, "", part[i]); at[part[i]] = i }
+}
+function there(name,   line, read) {
+  if (!partial) return 1
+  read = getline line < (folder "/" name ".tsv")
+  close(folder "/" name ".tsv")
+  return read > 0
+}
+# Those of some runs of an example that are there.
+function present(example, list,   runs, n, i, found) {
+  n = split(list, runs, " ")
+  for (i = 1; i <= n; ++i) if (there(example "_" runs[i])) found = found " " runs[i]
+  return found
 }
 function next_row(   line) {
   if ((getline line < table) <= 0) { close(table); return 0 }
@@ -54,19 +67,10 @@ function onset(key,   a, end) {
   for (a = 0; a < 0.24; a += 0.0025) if (average(key, a, a + 0.01) > 0.1 * end) return 100 * (a + 0.005)
   return 25
 }
-# The point nearest to (px, py) at the start: its history h[what, k], k = 1 .. steps.
-function follow(example, px, py,   d, best, first, p, n, mine) {
-  open_table(folder "/" example "_" main "_points.tsv")
-  best = 1e300
-  while (next_row()) {
-    if (get("time") > 0) break
-    d = (get("x") - px) ^ 2 + (get("y") - py) ^ 2
-    if (d < best - 1e-12) { best = d; mine = get("point") }
-  }
-  close(table)
-  open_table(folder "/" example "_" main "_points.tsv")
+# The history h[what, k], k = 1 .. steps, of the point that the thesis follows.
+function follow(example,   n) {
+  open_table(folder "/" example "_" main "_local.tsv")
   for (n = 0; next_row(); ) {
-    if (get("point") != mine) continue
     ++n
     h["q", n] = get("deviatoric_stress"); h["p", n] = get("mean_stress"); h["v", n] = get("strain_volumetric")
     h["s", n] = get("strain_shear"); h["F", n] = get("anisotropy")
@@ -91,18 +95,20 @@ BEGIN {
   print "name", "value", "scatter"
   shape_forming()
   pull_out()
-  balance("shape"); balance("pullout")
 }
 
-function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, high, left, right, start, last) {
-  say("shape_mesh_spread", spread("shape", meshes, "vertical", 0.06))
-  say("shape_speed_spread", spread("shape", speeds, "vertical", 0.06))
+function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, left, right, start, last) {
+  n = split(present("shape", meshes), runs, " ")
+  if (n > 1) {
+    say("shape_mesh_spread", spread("shape", present("shape", meshes), "vertical", 0.06))
+    curve("coarse", "shape_" runs[1], "vertical"); curve("fine", "shape_" runs[n], "vertical")
+    say("shape_onset_delay", onset("fine") - onset("coarse"))
+  }
+  if (split(present("shape", speeds), runs, " ") > 1) say("shape_speed_spread", spread("shape", present("shape", speeds), "vertical", 0.06))
+  if (!there("shape_" main)) return
   curve("main", "shape_" main, "vertical")
   say("shape_onset", onset("main"))
-  n = split(meshes, runs, " ")
-  curve("coarse", "shape_" runs[1], "vertical"); curve("fine", "shape_" runs[n], "vertical")
-  say("shape_onset_delay", onset("fine") - onset("coarse"))
-  n = follow("shape", 0.6, 1.2)
+  n = follow("shape")
   # Before and after the onset, by the pull.
   start = int(n * onset("main") / 25)
   if (start < 3) start = 3
@@ -114,54 +120,51 @@ function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, high, lef
   say("A_contraction", 100 * (h["v", n] - least))
   stretch("F", 0.9 * n, n)
   say("A_anisotropy_end", mean)
-  open_table(folder "/shape_" main "_points.tsv")
-  while (next_row()) if (get("time") > high) high = get("time")
-  close(table)
-  open_table(folder "/shape_" main "_points.tsv")
+  open_table(folder "/shape_" main "_last_points.tsv")
   squares = main; sub(/_.*/, "", squares)
   while (next_row()) {
-    if (get("time") < high) continue
     # Elements are counted from the bottom, row by row: the last row lies under the top.
     if (get("element") >= 2 * squares * (squares - 1)) { top += get("strain_shear"); ++top_n } else { rest += get("strain_shear"); ++rest_n }
     if (get("x") < 0.6) left += get("mean_stress"); else right += get("mean_stress")
   }
-  close(table)
   say("shape_top_shear", (top / top_n) / (rest / rest_n))
   say("shape_asymmetry", absolute(left - right) / absolute(left + right) * 100)
+  balance("shape")
 }
 
 # Slope of the friction ratio over the first 2 mm of pull, 1/s.
 function rate(key) { return (value(key, 0.002) - y[key, 1]) / (0.002 / (x[key, rows[key]] / t[key, rows[key]])) }
 
-function pull_out(   n, k, runs, r1, r2, v, part, left, left_n, right, right_n, high, centre, best) {
-  n = split(speeds, runs, " ")
-  curve("slow", "pullout_" runs[1], "friction"); curve("fast", "pullout_" runs[n], "friction")
-  split(runs[1], part, "_"); v = part[2]; split(runs[n], part, "_"); v = part[2] / v
-  say("pullout_rate", rate("fast") / rate("slow") / v)
-  say("pullout_mesh_spread", spread("pullout", meshes, "friction", 0.03))
+function pull_out(   n, k, runs, v, part, left, left_n, right, right_n, centre, u, x0, column_sum, q1, f1) {
+  n = split(present("pullout", speeds), runs, " ")
+  if (n > 1) {
+    curve("slow", "pullout_" runs[1], "friction"); curve("fast", "pullout_" runs[n], "friction")
+    split(runs[1], part, "_"); v = part[2]; split(runs[n], part, "_"); v = part[2] / v
+    say("pullout_rate", rate("fast") / rate("slow") / v)
+  }
+  if (split(present("pullout", meshes), runs, " ") > 1)
+    say("pullout_mesh_spread", spread("pullout", present("pullout", meshes), "friction", 0.03))
+  if (there("swinging_" main)) {
+    curve("swinging", "swinging_" main, "friction")
+    say("swinging_friction", average("swinging", 0.1, 0.2))
+  }
+  if (!there("pullout_" main)) return
   curve("main", "pullout_" main, "friction")
   say("pullout_friction", average("main", 0.1, 0.2))
-  curve("swinging", "swinging_" main, "friction")
-  say("swinging_friction", average("swinging", 0.1, 0.2))
-  open_table(folder "/pullout_" main "_nodes.tsv")
-  while (next_row()) if (get("time") > high) high = get("time")
-  close(table)
-  open_table(folder "/pullout_" main "_nodes.tsv")
+  open_table(folder "/pullout_" main "_last_nodes.tsv")
   while (next_row()) {
-    if (get("time") < high) continue
     x0 = get("x") - get("displacement_x")
     u = get("displacement_y")
     if (x0 < 0.31) { left += u; ++left_n }
     if (x0 > 0.89) { right += u; ++right_n }
     column_sum[sprintf("%.4f", x0)] += u
   }
-  close(table)
   say("pullout_settlement", -1000 * left / left_n)
   say("pullout_heave", 1000 * right / right_n)
   centre = 1.2
   for (k in column_sum) if (column_sum[k] > 0 && k + 0 < centre) centre = k + 0
   say("pullout_centre", centre)
-  n = follow("pullout", 0.6, 0)
+  n = follow("pullout")
   # At rest at its plateau: change of the mean from the middle third to the last, and scatter.
   stretch("q", n / 3, 2 * n / 3); q1 = mean
   stretch("q", 2 * n / 3, n)
@@ -173,6 +176,7 @@ function pull_out(   n, k, runs, r1, r2, v, part, left, left_n, right, right_n, 
   say("B_F_change", 100 * absolute(mean - f1) / mean)
   stretch("v", 0.95 * n, n)
   say("B_volumetric", 100 * mean)
+  balance("pullout")
 }
 
 function balance(example,   worst, e) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Chapter 6 as a section of the report, on standard output.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: OUT=out/ch6 GRAINS=400 MAIN=8_0.5 page.sh > page.html
+# usage: OUT=out/ch6 PROFILE=quick GRAINS=100 MAIN=4_3 page.sh > page.html
 set -eu
 # shellcheck source=pipelines/figure.sh
 . "$(dirname "$0")/../figure.sh"
@@ -22,12 +22,27 @@ not by the thesis's 0.2 1/s: with that it swings on the interface from the first
 is pulled, so that a part of the interface sticks while another slips and the friction is not all mobilised.</p>
 <h3>Figures</h3>
 PAGE
-figure global 'Vertical stress at the bottom in shape-forming, mobilised friction in pull-out, over the pull (thesis Fig. 6.2).'
-if [ -e "$OUT/kept.svg" ]; then
-  figure kept 'The same from runs at the thesis'"'"'s size, 400 rods a point, as far as they are kept (pipelines/ch6/kept; how each came to be lies beside it).'
+figures() { # FOLDER
+  OUT=$1
+  figure global 'Vertical stress at the bottom in shape-forming, mobilised friction in pull-out, over the pull (thesis Fig. 6.2).'
+  if [ -e "$OUT/shape_fields.svg" ]; then
+    figure shape_fields 'Shape-forming at the end (Fig. 6.3): stress, strain, rotation and anisotropy of the points; arrows: displacement of the nodes from where they began.'
+    figure shape_local 'Point A, under the middle of the top, in shape-forming (Fig. 6.5): q/p (blue) and volumetric strain (orange, contraction positive), stress path, fabric anisotropy.'
+  fi
+  if [ -e "$OUT/pullout_fields.svg" ]; then
+    figure pullout_fields 'Pull-out at the end (Fig. 6.4).'
+    figure pullout_local 'Point B, above the inclusion, in pull-out (Fig. 6.6).'
+  fi
+}
+figures "$OUT"
+kept=pipelines/ch6/kept
+if [ "$PROFILE" != thesis ] && [ -e "$kept/comparison.tsv" ]; then
+  cat <<'PAGE'
+<h3>The same at the thesis's size</h3>
+<p>400 rods a point, from the runs whose series lie in pipelines/ch6/kept (how each came to be lies beside it); statements on several
+meshes or speeds are of those that are there, as the figure names them.</p>
+PAGE
+  awk -f pipelines/table.awk "$kept/comparison.tsv"
+  figures "$kept"
 fi
-figure shape_fields 'Shape-forming at the end (Fig. 6.3): stress, strain, rotation and anisotropy of the points; arrows: displacement of the nodes from where they began.'
-figure pullout_fields 'Pull-out at the end (Fig. 6.4).'
-figure shape_local 'Point A, under the middle of the top, in shape-forming (Fig. 6.5): q/p (blue) and volumetric strain (orange, contraction positive), stress path, fabric anisotropy.'
-figure pullout_local 'Point B, above the inclusion, in pull-out (Fig. 6.6).'
 printf '</section>\n'

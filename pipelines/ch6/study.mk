@@ -19,9 +19,10 @@ C6_SPEEDS_quick := 3 6
 C6_SPEEDS_thesis := 0.25 0.5 1
 C6_G := $(C6_GRAINS_$(PROFILE))
 C6_MAIN := $(C6_MESH_$(PROFILE))_$(C6_SPEED_$(PROFILE))
-# SQUARES_SPEED of every run.
-C6_CASES := $(sort $(foreach m,$(C6_MESHES_$(PROFILE)),$(m)_$(C6_MESH_SPEED_$(PROFILE))) \
-  $(foreach v,$(C6_SPEEDS_$(PROFILE)),$(C6_MESH_$(PROFILE))_$(v)) $(C6_MAIN))
+# $(call c6_cases,MESHES|SPEEDS,PROFILE): SQUARES_SPEED of the runs that differ in one of them alone.
+c6_cases = $(if $(filter MESHES,$(1)),$(C6_MESHES_$(2):%=%_$(C6_MESH_SPEED_$(2))),$(C6_SPEEDS_$(2):%=$(C6_MESH_$(2))_%))
+# Of every run.
+C6_CASES := $(sort $(call c6_cases,MESHES,$(PROFILE)) $(call c6_cases,SPEEDS,$(PROFILE)) $(C6_MAIN))
 C6_RUNS := $(foreach e,shape pullout,$(foreach c,$(C6_CASES),$(e)_$(c)))
 # Runs side by side use the cores better than threads within one.
 C6_THREADS ?= 1
@@ -69,45 +70,44 @@ C6_SWINGING := swinging_$(C6_MAIN)
 $(eval $(call c6_run,swinging,$(word 1,$(subst _, ,$(C6_MAIN))),$(word 2,$(subst _, ,$(C6_MAIN)))))
 
 C6_SERIES := $(C6_RUNS:%=$(C6O)/%.tsv) $(C6O)/$(C6_SWINGING).tsv
-C6_TABLES := $(foreach e,shape pullout,$(foreach t,points nodes bars,$(C6O)/$(e)_$(C6_MAIN)_$(t).tsv))
-$(C6_SERIES): $(C6O)/%.tsv: $(C6O)/%.h5
+$(C6_SERIES): $(C6O)/%.tsv: $(C6O)/%.h5 $(BIN)/fem-dem
 	@$(BIN)/fem-dem --table series $< $(call whole,$@)
-C6_MAIN_RUNS := $(foreach e,shape pullout,$(C6O)/$(e)_$(C6_MAIN))
-$(C6_MAIN_RUNS:%=%_points.tsv): %_points.tsv: %.h5
-	@$(BIN)/fem-dem --table points $< $(call whole,$@)
-$(C6_MAIN_RUNS:%=%_nodes.tsv): %_nodes.tsv: %.h5
-	@$(BIN)/fem-dem --table nodes $< $(call whole,$@)
-$(C6_MAIN_RUNS:%=%_bars.tsv): %_bars.tsv: %.h5
-	@$(BIN)/fem-dem --table bars $< $(call whole,$@)
 
-$(C6O)/measured.tsv: $(C6)/measure.awk $(C6_SERIES) $(C6_TABLES) $(OUT)/profile
-	@awk -v folder=$(C6O) -v main=$(C6_MAIN) -v meshes='$(foreach m,$(C6_MESHES_$(PROFILE)),$(m)_$(C6_MESH_SPEED_$(PROFILE)))' \
-	  -v speeds='$(foreach v,$(C6_SPEEDS_$(PROFILE)),$(C6_MESH_$(PROFILE))_$(v))' -f $< $(call whole,$@)
+# Of the main runs: the history of point A or B, and the last state.
+C6_MAINS := $(foreach e,shape pullout,$(e)_$(C6_MAIN))
+C6_LAST_points := element x y mean_stress deviatoric_stress strain_shear strain_volumetric rotation anisotropy
+C6_LAST_nodes := node x y displacement_x displacement_y
+C6_LAST_bars := x_0 y_0 tension_ratio broken
+C6_OF_MAINS := $(foreach run,$(C6_MAINS),$(foreach t,local last_points last_nodes last_bars fields,$(run)_$(t)))
+C6_SHOWN := mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric
+$(C6_MAINS:%=$(C6O)/%_local.tsv): $(C6O)/%_local.tsv: $(C6)/local.awk $(C6O)/%.h5 $(BIN)/fem-dem
+	@$(BIN)/fem-dem --table points $(C6O)/$*.h5 | awk -v example=$(firstword $(subst _, ,$*)) -f $< $(call whole,$@)
+# last_of WHAT
+define last_of
+$(C6_MAINS:%=$(C6O)/%_last_$(1).tsv): %_last_$(1).tsv: %.h5 pipelines/last.awk pipelines/keep.awk $(BIN)/fem-dem
+	@$(BIN)/fem-dem --table $(1) $$< | awk -f pipelines/last.awk | awk -v names='$$(C6_LAST_$(1))' -f pipelines/keep.awk $$(call whole,$$@)
+endef
+$(foreach t,points nodes bars,$(eval $(call last_of,$(t))))
+$(C6_MAINS:%=$(C6O)/%_fields.tsv): %_fields.tsv: $(C6)/triangles.awk %_last_nodes.tsv %_last_points.tsv
+	@awk -v squares=$(word 1,$(subst _, ,$(C6_MAIN))) -v names='$(C6_SHOWN)' -f $^ $(call whole,$@)
+
+# $(call measure_scales,FOLDER,MAIN,MESHES,SPEEDS)
+measure_scales = awk -v folder=$(1) -v main=$(2) -v meshes='$(3)' -v speeds='$(4)'
+$(C6O)/measured.tsv: $(C6)/measure.awk $(C6_SERIES) $(C6_OF_MAINS:%=$(C6O)/%.tsv) $(OUT)/profile
+	@$(call measure_scales,$(C6O),$(C6_MAIN),$(call c6_cases,MESHES,$(PROFILE)),$(call c6_cases,SPEEDS,$(PROFILE))) -f $< $(call whole,$@)
 $(C6O)/comparison.tsv: pipelines/compare.awk $(C6)/statements.tsv $(C6O)/measured.tsv
 	@awk -f $^ $(call whole,$@)
 
-C6_KEPT := $(C6)/kept
-C6_KEEP := time pull_end force_y_bottom length_bottom interface_shear interface_normal
-.PHONY: ch6-keep
-ch6-keep: $(BIN)/fem-dem $(BIN)/to-vtk ## put the series of finished thesis-size runs of ch6 among the kept ones (PROFILE=thesis)
-	@$(call keep_series,$(C6_KEPT),$(wildcard $(C6_RUNS:%=$(C6O)/%.h5)),$(BIN)/fem-dem --table series,$(C6_KEEP))
-kept_cases = $(patsubst $(C6_KEPT)/$(1)_%.tsv,%,$(wildcard $(C6_KEPT)/$(1)_*.tsv))
+include $(C6)/kept.mk
 
-# The last state of the main runs and the local responses, for the figures.
-C6_POINTS := $(foreach e,shape pullout,$(C6O)/$(e)_local.tsv)
-$(C6_POINTS): $(C6O)/%_local.tsv: $(C6)/local.awk $(C6O)/%_$(C6_MAIN)_points.tsv
-	@awk -v example=$* -f $^ $(call whole,$@)
-C6_SHOWN := mean_stress deviatoric_stress strain_shear rotation anisotropy strain_volumetric
-C6_FIELDS := $(foreach e,shape pullout,$(C6O)/$(e)_fields.tsv)
-$(C6_FIELDS): $(C6O)/%_fields.tsv: $(C6)/triangles.awk $(C6O)/%_$(C6_MAIN)_nodes.tsv $(C6O)/%_$(C6_MAIN)_points.tsv
-	@awk -v squares=$(word 1,$(subst _, ,$(C6_MAIN))) -v names='$(C6_SHOWN)' -f $^ $(call whole,$@)
-$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_TABLES) $(C6_POINTS) $(C6_FIELDS) $(wildcard $(C6_KEPT)/*.tsv)
-	@for format in svg png; do gnuplot -e "out='$(C6O)'; format='$$format'; main='$(C6_MAIN)'; cases='$(C6_CASES)'; \
-	  kept='$(C6_KEPT)'; kept_shape='$(call kept_cases,shape)'; kept_pullout='$(call kept_cases,pullout)'" $<; done
+# $(call draw_scales,FOLDER,FORMAT,MAIN,SHAPES,PULLOUTS)
+draw_scales = gnuplot -e "out='$(1)'; format='$(2)'; main='$(3)'; shapes='$(4)'; pullouts='$(5)'" $(C6)/figures.gp
+$(C6O)/figures: $(C6)/figures.gp $(C6_SERIES) $(C6_OF_MAINS:%=$(C6O)/%.tsv)
+	@for format in svg png; do $(call draw_scales,$(C6O),$$format,$(C6_MAIN),$(C6_CASES),$(C6_CASES)); done
 	@touch $@
 
-$(C6O)/page.html: $(C6)/page.sh pipelines/figure.sh pipelines/table.awk $(C6O)/comparison.tsv $(C6O)/figures
-	@OUT=$(C6O) GRAINS=$(C6_G) MAIN=$(C6_MAIN) $(C6)/page.sh $(call whole,$@)
+$(C6O)/page.html: $(C6)/page.sh pipelines/figure.sh pipelines/table.awk $(C6O)/comparison.tsv $(C6O)/figures $(wildcard $(C6_KEPT)/*)
+	@OUT=$(C6O) PROFILE=$(PROFILE) GRAINS=$(C6_G) MAIN=$(C6_MAIN) $(C6)/page.sh $(call whole,$@)
 	@awk -F '\t' 'NR > 1 { n[$$7]++ } END { printf "ch6: %d statements met, %d not met (make report)\n", n["met"], n["not met"] }' \
 	  $(C6O)/comparison.tsv
 

@@ -47,3 +47,12 @@ compare() {
   [ "${#lines[@]}" -eq 2 ]
   [ "$(cut -f 1 <<< "${lines[1]}")" = "other" ]
 }
+
+@test "what is kept of the studies is compared as its statements and tables now are" {
+  command -v gnuplot > /dev/null || skip "no gnuplot"
+  for chapter in 3 6; do
+    cp -r "pipelines/ch$chapter/kept" "$BATS_TEST_TMPDIR/$chapter"
+    env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s OUT="$BATS_TEST_TMPDIR/out" "C${chapter}_KEPT=$BATS_TEST_TMPDIR/$chapter" "ch$chapter-compare"
+    for table in "pipelines/ch$chapter"/kept/c[oh]*.tsv; do cmp "$table" "$BATS_TEST_TMPDIR/$chapter/${table##*/}"; done
+  done
+}
