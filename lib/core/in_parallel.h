@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace soilweave {
@@ -32,6 +33,20 @@ double largest_in_parallel(std::size_t n, int threads, const Value& value) {
     largest[share] = most;
   });
   return *std::max_element(largest.begin(), largest.end());
+}
+
+/// The sum of value(i) of every i below n: of each `stretch` of them, and of these in their order, so that threads do
+/// not change its bits.
+template <class Value>
+double sum_in_parallel(std::size_t n, std::size_t stretch, int threads, const Value& value) {
+  std::vector<double> sums((n + stretch - 1) / stretch, 0.0);
+  in_parallel(sums.size(), threads, [&](std::size_t k) {
+    double sum = 0;
+    const std::size_t end = std::min(n, (k + 1) * stretch);
+    for (std::size_t i = k * stretch; i < end; ++i) sum += value(i);
+    sums[k] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }  // namespace soilweave

@@ -2,17 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/chunk_plan.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace soilweave::dem {
 
-ChunkPlan::ChunkPlan(const std::vector<std::vector<std::uint32_t>>& reached, int threads)
+ChunkPlan::ChunkPlan(const std::vector<std::vector<std::uint32_t>>& reached, const std::vector<std::size_t>& work,
+                     int threads)
     : shares_(static_cast<std::size_t>(threads)) {
   const std::size_t chunks = reached.size(), count = shares_.size();
-  const auto first_of = [&](std::size_t share) { return share * chunks / count; };
+  std::vector<std::size_t> before(chunks + 1, 0);  // of all chunks before each
+  std::partial_sum(work.begin(), work.end(), before.begin() + 1);
+  const auto chunk_at = [&](std::size_t done) {
+    return static_cast<std::size_t>(std::lower_bound(before.begin(), before.end(), done) - before.begin());
+  };
+  const auto first_of = [&](std::size_t share) { return chunk_at(share * before.back() / count); };
   // How much of a share is left for all evens out what the shares differ in, and cores.
   const auto own_end = [&](std::size_t share) {
     constexpr std::size_t one_of = 7;
-    const std::size_t own = first_of(share + 1) - first_of(share);
-    return first_of(share + 1) - (count > 1 ? (own + one_of / 2) / one_of : 0);
+    const std::size_t begin = before[first_of(share)], end = before[first_of(share + 1)];
+    return count > 1 ? chunk_at(end - (end - begin) / one_of) : chunks;
   };
   std::vector<bool> apart(chunks), known(chunks);
   for (std::size_t s = 0; s < count; ++s)

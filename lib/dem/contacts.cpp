@@ -117,12 +117,14 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
 }  // namespace
 
 void Contacts::look_across(const std::vector<Pair>& pairs) {
-  reached_.resize(chunks.size()), across_.resize(chunks.size());
+  reached_.resize(chunks.size()), across_.resize(chunks.size()), work_.resize(chunks.size());
   in_parallel(chunks.size(), threads, [&](std::size_t chunk) {
     std::vector<std::uint32_t>& reached = reached_[chunk];
     std::vector<std::int32_t>& grains = across_[chunk];
     reached.clear(), grains.clear();
-    for (const Pair& p : of_chunk(pairs, chunk)) {
+    const std::span<const Pair> own = of_chunk(pairs, chunk);
+    work_[chunk] = own.size() + grains_per_chunk;
+    for (const Pair& p : own) {
       if (!is_far(p, chunk)) continue;
       grains.push_back(p.second);
       const auto other = static_cast<std::uint32_t>(chunk_of(p.second));
@@ -167,7 +169,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   chunks.resize(chunks_of(bodies.size()));
   look_across(pairs);
   name_singles(bodies);
-  plan = ChunkPlan(reached_, threads);
+  plan = ChunkPlan(reached_, work_, threads);
   std::vector<std::size_t> first_load(chunks.size());
   std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),
                                 [](const auto& grains) { return grains.size(); });

@@ -52,6 +52,7 @@ struct Contacts {
   std::vector<LargeVector<ContactBlock>> known_;     // by thread: of one chunk, while it is listed anew
   std::vector<std::vector<std::uint32_t>> reached_;  // by chunk: others that its pairs reach
   std::vector<std::vector<std::int32_t>> across_;    // by chunk: second grains of other chunks, pair by pair
+  std::vector<std::size_t> work_;                    // by chunk: of a step, of a pair or a grain 1
   std::vector<std::uint32_t> next_;                  // place for another one in `singles`, of each grain
 };
 

@@ -206,20 +206,18 @@ void slow(Bodies& bodies, double share, int threads) {
   });
 }
 
-double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt) {
+double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads) {
   const Lane4 g = row(gravity, 0);
-  double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) sum += kinetic_energy_of(i, bodies, g, dt);
-  return sum;
+  return sum_in_parallel(bodies.size(), grains_per_chunk, threads,
+                         [&](std::size_t i) { return kinetic_energy_of(i, bodies, g, dt); });
 }
 
-double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt) {
+double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt, int threads) {
   const Lane4 g = row(gravity, 0);
-  double sum = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (length2(resultant(bodies, i, g)) > 0 || length2(bodies.torque(i)) > 0)
-      sum += kinetic_energy_of(i, bodies, g, dt);
-  return sum;
+  return sum_in_parallel(bodies.size(), grains_per_chunk, threads, [&](std::size_t i) {
+    const bool acted_on = length2(resultant(bodies, i, g)) > 0 || length2(bodies.torque(i)) > 0;
+    return acted_on ? kinetic_energy_of(i, bodies, g, dt) : 0.0;
+  });
 }
 
 }  // namespace soilweave::dem

@@ -67,9 +67,9 @@ class Motion {
 /// Of fluctuation velocities and spins this share is left.
 void slow(Bodies& bodies, double share, int threads);
 /// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.
-double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt);
+double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
 /// The same of the grains that something acts on. What floats free without gravity is slowed by nothing, and bears
 /// nothing: an assembly at rest may hold any number of such grains.
-double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt);
+double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
 
 }  // namespace soilweave::dem

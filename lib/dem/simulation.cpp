@@ -79,7 +79,7 @@ struct Simulation::Impl {
       throw DataError(description(c) + ": too deep for a contact of stiff grains: check positions, radii and cell");
     const Energies now = stored();
     energies.tangential_work = now.elastic_shear + now.elastic_rolling + now.elastic_twisting;
-    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0) + now.elastic();
+    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0, numerics.threads) + now.elastic();
   }
 
   // Forces at the present positions, as they are met; the step that they bear.
@@ -228,7 +228,7 @@ struct Simulation::Impl {
 
   Energies energies_now() {
     Energies e = stored();
-    e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step);
+    e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step, numerics.threads);
     return e;
   }
 
@@ -351,10 +351,11 @@ void Simulation::set_clamp_velocity(std::size_t clamp, const Vec3& velocity) {
 const std::vector<Clamp>& Simulation::clamps() const { return impl_->clamps.all; }
 const YarnSums& Simulation::yarns() const { return impl_->yarns.sums(); }
 double Simulation::kinetic_energy() const {
-  return dem::kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
+  return dem::kinetic_energy(impl_->bodies, impl_->numerics.gravity, impl_->time_step, impl_->numerics.threads);
 }
 double Simulation::kinetic_energy_of_acted_on() const {
-  return dem::kinetic_energy_of_acted_on(impl_->bodies, impl_->numerics.gravity, impl_->time_step);
+  return dem::kinetic_energy_of_acted_on(impl_->bodies, impl_->numerics.gravity, impl_->time_step,
+                                         impl_->numerics.threads);
 }
 void Simulation::set_damping(double damping) { impl_->numerics.damping = damping; }
 

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/columns.h"
 #include "core/error.h"
@@ -41,9 +42,9 @@ Yarns::Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<Wire
 void Yarns::lay_out(const io::YarnsRecord& record) {
   std::vector<std::size_t> order(record.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&record](std::size_t a, std::size_t b) {
-    return record.geotextile_id[a] < record.geotextile_id[b];
-  });
+  // In the order of their nodes: a thread pulls at nodes that it has stretched the yarns of.
+  const auto place = [&record](std::size_t k) { return std::pair(record.geotextile_id[k], record.nodes[k][0]); };
+  std::stable_sort(order.begin(), order.end(), [&place](std::size_t a, std::size_t b) { return place(a) < place(b); });
   slot_.resize(record.size());
   for (const std::size_t k : order) {
     const std::int32_t geotextile = record.geotextile_id[k];

@@ -34,6 +34,8 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
   for (const int threads : {1, 2, 3, 16})
     for (const std::size_t chunks : {0u, 1u, 2u, 9u, 40u}) {
       const Reached reached = random_reach(chunks, engine);
+      std::vector<std::size_t> work(chunks);
+      for (std::size_t& of_chunk : work) of_chunk = 1 + engine() % 100;
       std::atomic<int> clock = 0;
       std::vector<int> moved(chunks, -1), swept(chunks, -1), collected(chunks, -1);
       const auto note = [&clock](std::vector<int>& when) {
@@ -42,7 +44,7 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
           when[chunk] = clock++;
         };
       };
-      ChunkPlan(reached, threads).run(note(moved), note(swept), note(collected));
+      ChunkPlan(reached, work, threads).run(note(moved), note(swept), note(collected));
       EXPECT_EQ(clock, 3 * static_cast<int>(chunks));
       for (std::size_t one = 0; one < chunks; ++one) {
         EXPECT_LT(moved[one], swept[one]);
