@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "core/v3.h"
@@ -55,6 +56,15 @@ struct Pair {
 inline bool before(const Pair& a, const Pair& b) {
   if (a.first != b.first) return a.first < b.first;
   return a.second != b.second ? a.second < b.second : a.image < b.image;
+}
+
+/// Those of a chunk, of pairs in the order of chunks.
+template <class SomePair>
+std::span<SomePair> of_chunk(std::span<SomePair> pairs, std::size_t chunk) {
+  const auto from = [&](std::size_t c) {
+    return std::partition_point(pairs.begin(), pairs.end(), [c](const Pair& p) { return chunk_of(p.first) < c; });
+  };
+  return {from(chunk), from(chunk + 1)};
 }
 
 /// Order of pairs in a list.

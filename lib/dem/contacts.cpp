@@ -40,14 +40,6 @@ Pair pair_of(const ContactBlock& b, int k, const std::vector<CellOffset>& images
   return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
 }
 
-// The pairs of a chunk, of all in order.
-std::span<const Pair> of_chunk(const std::vector<Pair>& pairs, std::size_t chunk) {
-  const auto from = [&](std::size_t c) {
-    return std::partition_point(pairs.begin(), pairs.end(), [c](const Pair& p) { return chunk_of(p.first) < c; });
-  };
-  return {from(chunk), from(chunk + 1)};
-}
-
 // Whether the second grain of a pair of this chunk is of another, which then is a higher one.
 bool is_far(const Pair& pair, std::size_t chunk) {
   return static_cast<std::size_t>(pair.second) >= (chunk + 1) * grains_per_chunk;
@@ -122,7 +114,7 @@ void Contacts::look_across(const std::vector<Pair>& pairs) {
     std::vector<std::uint32_t>& reached = reached_[chunk];
     std::vector<std::int32_t>& grains = across_[chunk];
     reached.clear(), grains.clear();
-    const std::span<const Pair> own = of_chunk(pairs, chunk);
+    const std::span<const Pair> own = of_chunk(std::span(pairs), chunk);
     work_[chunk] = own.size() + grains_per_chunk;
     for (const Pair& p : own) {
       if (!is_far(p, chunk)) continue;
@@ -180,7 +172,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
       known.swap(chunks[chunk]);
-      fill(chunks[chunk], chunk, of_chunk(pairs, chunk), first_load[chunk], images, order,
+      fill(chunks[chunk], chunk, of_chunk(std::span(pairs), chunk), first_load[chunk], images, order,
            Known(known, known_images, order));
     }
   });

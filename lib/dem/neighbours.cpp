@@ -150,16 +150,21 @@ bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) 
 }
 
 std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Planes& planes) const {
-  std::vector<PlanePair> near;
-  if (planes.all.empty()) return near;
-  for (std::size_t p = 0; p < planes.all.size(); ++p)
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Plane& plane = planes.all[p];
+  // Stretches of grains of all planes, one plane after the other: looked through apart, put together in that order.
+  const std::size_t stretches = chunks_of(bodies.size());
+  std::vector<std::vector<PlanePair>> near(stretches * planes.all.size());
+  in_parallel(near.size(), threads_, [&](std::size_t k) {
+    const std::size_t p = k / stretches, stretch = k % stretches;
+    const Plane& plane = planes.all[p];
+    for (std::size_t i = first_grain(stretch, bodies); i < first_grain(stretch + 1, bodies); ++i) {
       const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
-      if (plane.touches(bodies.is_node(i)) && height - bodies.radius(i) < leeway_[i] + plane_leeway_)
-        near.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p)});
+      if (height - bodies.radius(i) < leeway_[i] + plane_leeway_ && plane.touches(bodies.is_node(i)))
+        near[k].push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p)});
     }
-  return near;
+  });
+  std::vector<PlanePair> all;
+  for (const std::vector<PlanePair>& some : near) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {

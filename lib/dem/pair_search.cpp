@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "core/in_parallel.h"
 
@@ -15,12 +16,13 @@ namespace {
 // At least one interaction length wide along every axis.
 class Grid {
  public:
-  Grid(const Bodies& bodies, const Cell& cell, double length) : bodies_(bodies), cell_(cell) {
+  Grid(const Bodies& bodies, const Cell& cell, double length, int threads) : bodies_(bodies), cell_(cell) {
     frame(length);
     const std::size_t grains = bodies.size();
     bin_of_.resize(grains), wrap_.resize(grains), members_.resize(grains);
     start_.assign(static_cast<std::size_t>(bins_.prod()) + 1, 0);
-    for (std::size_t i = 0; i < grains; ++i) ++start_[place(i) + 1];
+    in_parallel(grains, threads, [&](std::size_t i) { place(i); });
+    for (std::size_t i = 0; i < grains; ++i) ++start_[bin_of_[i] + 1];
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
     for (auto* column : {&x_, &y_, &z_, &radius_}) column->resize(grains + width<Lane4>);
     std::vector<std::uint32_t> next = start_;
@@ -91,7 +93,7 @@ class Grid {
       bins_[a] = static_cast<int>(std::clamp(std::floor(width / length), 1.0, 256.0));
     }
   }
-  std::size_t place(std::size_t i) {
+  void place(std::size_t i) {
     Vec3i bin;
     Vec3i wrap = Vec3i::Zero();
     for (int a = 0; a < 3; ++a) {
@@ -103,7 +105,7 @@ class Grid {
       bin[a] = static_cast<int>(std::clamp(s * bins_[a], 0.0, bins_[a] - 1.0));
     }
     wrap_[i] = cell_offset(wrap);
-    return bin_of_[i] = static_cast<std::uint32_t>(index(bin));
+    bin_of_[i] = static_cast<std::uint32_t>(index(bin));
   }
   Vec3 within(std::size_t i) const {
     return vector_of(bodies_.grains[i].position) - shift_of(wrap_[i], cell_.matrix());
@@ -137,7 +139,7 @@ class Grid {
 
 void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
                 std::vector<Pair>& found) {
-  const Grid grid(bodies, cell, longest);
+  const Grid grid(bodies, cell, longest, threads);
   // Each thread finds those of some grains one after the other; what the first finds is where all come to be.
   std::vector<std::vector<Pair>> others(static_cast<std::size_t>(threads) - 1);
   const std::size_t shares = others.size() + 1;
@@ -148,7 +150,13 @@ void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double long
     for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, skin, mine);
   });
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
-  if (const PairOrder order(bodies); !order.is_that_of_grains()) std::sort(found.begin(), found.end(), order);
+  const PairOrder order(bodies);
+  if (order.is_that_of_grains()) return;
+  // Grain by grain they come chunk by chunk, too: within one they are ordered by their materials.
+  std::vector<std::span<Pair>> parts;
+  for (std::size_t chunk = 0; chunk < chunks_of(bodies.size()); ++chunk)
+    parts.push_back(of_chunk(std::span(found), chunk));
+  in_parallel(parts.size(), threads, [&](std::size_t k) { std::sort(parts[k].begin(), parts[k].end(), order); });
 }
 
 }  // namespace soilweave::dem
