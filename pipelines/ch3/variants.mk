@@ -1,26 +1,28 @@
 # The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
-# one packing differs from the next by. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows; of full size, which is not
-# soon repeated, with how each came to be.
+# one packing differs from the next by. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as
+# they end; of full size, which is not soon repeated, with how each came to be.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3V := $(C3O)/variants
 # Past the greatest load.
-C3V_STRAIN_quick := 0.16
-C3V_STRAIN_thesis := 0.14
-C3V_UC = --set stage.1.strain=$(C3V_STRAIN_$(PROFILE))
+C3V_UC := --set stage.1.strain=0.16
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
 C3_VARIANTS_thesis := fast slow slower seed_2 seed_3
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
-C3V_SEEDS := $(filter seed_%,$(C3_VARIANTS))
+C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
+C3V_SEEDS := $(filter seed_%,$(C3V_ENDED))
 # $(call of_variant,NAME,COLUMN): its seed; its settings as options
 of_variant = $(shell awk -F '\t' '$$1 == "$(1)" { n = split($$$(2), s, " "); for (i = 1; i <= n; ++i) print $(3) s[i] }' $(C3)/variants.tsv)
 as_options = $(call of_variant,$(1),$(2),"--set ")
 
-.PHONY: ch3-variants
-ch3-variants: $(C3V)/variants.tsv $(C3V)/seeds.tsv $(BIN)/to-vtk ## vary the bag of ch3 in one thing at a time, and keep what each is worth
-	@cp $< $(C3_KEPT)/variants_$(PROFILE).tsv && cp $(C3V)/seeds.tsv $(C3_KEPT)/seeds_$(PROFILE).tsv && cat $<
-	@$(if $(filter thesis,$(PROFILE)),(for run in $(C3_VARIANTS); do echo "== $$run" && $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; \
-	  done) $(call whole,$(C3_KEPT)/variants_thesis.txt))
+.PHONY: ch3-variants ch3-variants-keep
+ch3-variants: $(C3O)/uc_PE.h5 $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5) ## vary the bag of ch3 in one thing at a time, and keep what each is worth
+	@$(MAKE) --no-print-directory ch3-variants-keep && cat $(C3_KEPT)/variants_$(PROFILE).tsv
+ch3-variants-keep: $(C3V)/variants.tsv $(if $(C3V_SEEDS),$(C3V)/seeds.tsv) $(BIN)/to-vtk ## keep what the variants of ch3 that have ended are worth
+	@kept=$(C3_KEPT)/variants_$(PROFILE).tsv; awk -f $(C3)/merge.awk $< $$(ls $$kept 2> /dev/null) $(call whole,$$kept)
+	@$(if $(C3V_SEEDS),cp $(C3V)/seeds.tsv $(C3_KEPT)/seeds_$(PROFILE).tsv)
+	@$(if $(filter thesis,$(PROFILE)),kept=$(C3_KEPT)/variants_thesis.txt; for run in $(C3V_ENDED); do echo "== $$run" && \
+	  $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; done | awk -f $(C3)/merge.awk - $$(ls $$kept 2> /dev/null) $(call whole,$$kept))
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
@@ -36,7 +38,7 @@ $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@$(call compress,PE,$(C3V_UC),$(call as_options,$*,4))
 
 # The bag itself comes first; the others are told as differences from it.
-$(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(C3O)/uc_PE.tsv $(C3_VARIANTS:%=$(C3V)/%/uc_PE.tsv)
+$(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(C3O)/uc_PE.tsv $(C3V_ENDED:%=$(C3V)/%/uc_PE.tsv)
 	@awk -v yarns=$(C3_YARNS_$(PROFILE)) -f $^ $(call whole,$@)
 
 # What each representative volume has of what is published: how much of a misfit is chance.
