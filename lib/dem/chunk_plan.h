@@ -12,7 +12,7 @@ namespace soilweave::dem {
 /// pass after the other would fetch every grain three times from a memory that is slower than the arithmetic. So a
 /// thread moves, sweeps and collects chunk by chunk, while they lie in its cache: a chunk's pairs are swept when all
 /// chunks that they reach have moved, and its loads collected then, since pairs belong to the chunk of their first
-/// grain, the lower one. Each thread has a share of the chunks, one after the other, with as many pairs as any other
+/// grain, the lower one. Each thread has a share of the chunks, one after the other, with as much work as any other
 /// share; the last of each share are left to be swept by who is done first. These, and chunks that another share's
 /// pairs reach, are moved before anything is swept, and collected when everything is.
 class ChunkPlan {

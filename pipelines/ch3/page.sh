@@ -66,7 +66,7 @@ carry at rest; at 10 %/s (<code>swinging</code>), the rate of the thesis, they a
 PAGE
   [ ! -e "$kept/variants_thesis.tsv" ] || cat <<'PAGE'
 <p>At full size and the thesis's rate (<code>fast</code>) the bag contracts more and carries less at first, as much as ours from 4 % on. Its
-yarns break sooner, twice as many by 12 %, and so it carries its greatest load a per cent sooner, and as much as the recorded bag does:
+yarns break sooner, twice as many by 12 %, and so, in one run, it carries its greatest load a per cent sooner, and as much as the recorded bag does:
 what ours has of late breaks, a late peak and a greater load comes from its slower plates. Half our rate (<code>slow</code>) changes
 little.</p>
 PAGE

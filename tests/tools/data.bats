@@ -56,3 +56,20 @@ compare() {
     for table in "pipelines/ch$chapter"/kept/c[oh]*.tsv; do cmp "$table" "$BATS_TEST_TMPDIR/$chapter/${table##*/}"; done
   done
 }
+
+@test "new lines of variants replace those of their name, others stay, those of another bag are refused" {
+  cd "$BATS_TEST_TMPDIR" || return
+  local merge=$BATS_TEST_DIRNAME/../../pipelines/ch3/merge.awk
+  printf 'variant\tload\nbag\t1\nfast\t2\n' > new.tsv
+  printf 'variant\tload\nbag\t1\nfast\t9\nseed_2\t5\n' > kept.tsv
+  run awk -f "$merge" new.tsv kept.tsv
+  [ "$output" = $'variant\tload\nbag\t1\nfast\t2\nseed_2\t5' ]
+  printf '== fast\nnew\n' > new.txt
+  printf '== fast\nold\n== seed_2\nkept\n' > kept.txt
+  run awk -f "$merge" new.txt kept.txt
+  [ "$output" = $'== fast\nnew\n== seed_2\nkept' ]
+  sed -i 's/^bag.*/bag\t3/' kept.tsv
+  run awk -f "$merge" new.tsv kept.tsv
+  [ "$status" -eq 1 ]
+  [[ "$output" == *"kept.tsv is of another bag"* ]]
+}

@@ -3,10 +3,13 @@
 #include "dem/step_passes.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
+#include <numeric>
 #include <random>
 
 #include "dem/chunk_plan.h"
@@ -55,6 +58,21 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
         }
       }
     }
+}
+
+// Of a bag the last chunks are nodes, which have no pairs of their own.
+TEST(ChunkPlan, shares_hold_equal_work_however_it_is_spread) {
+  std::vector<std::size_t> work(20, 1);
+  std::fill(work.begin(), work.begin() + 10, 100);
+  const std::size_t total = std::accumulate(work.begin(), work.end(), std::size_t{0});
+  std::array<std::atomic<std::size_t>, 2> done{};
+  const auto idle = [](std::size_t) {};
+  ChunkPlan(Reached(work.size()), work, 2)
+      .run(
+          idle, [&](std::size_t chunk) { done[static_cast<std::size_t>(omp_get_thread_num())] += work[chunk]; }, idle);
+  EXPECT_EQ(done[0] + done[1], total);
+  // But for what is left to whoever is done first, a seventh, and a chunk at either end of a share.
+  for (const auto& share : done) EXPECT_GE(share + 200, total / 2 * 6 / 7);
 }
 
 double fastest(const Bodies& bodies) {
