@@ -7,7 +7,7 @@ C3V := $(C3O)/variants
 C3V_UC := --set stage.1.strain=0.16
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # Of full size: what grains twice as large might answer otherwise.
-C3_VARIANTS_thesis := fast slow slower seed_2 seed_3
+C3_VARIANTS_thesis := slow slower seed_2 seed_3
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
 C3V_SEEDS := $(filter seed_%,$(C3V_ENDED))
