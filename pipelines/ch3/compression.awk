@@ -27,20 +27,25 @@ function compression(f, i, start, height, node, layer) {
     value[f, "surcharge", i] = value[f, "pressure", i] * 0.16 * (0.08 + 2 * node * (2 * yarns - 1) + height) / (value[f, "soil_volume", i] + layer)
     value[f, "tension", i] = value[f, "yarn_tension_face", i] / yarns
     value[f, "lateral", i] = 0.5 * (value[f, "soil_stress_xx", i] + value[f, "soil_stress_yy", i])
+    value[f, "around", i] = around(value[f, "tension", i], value[f, "yarn_tension_side_horizontal", i] / yarns)
   }
   return start
 }
+# Mean tension of the yarns that a plane in the middle cuts, which balance the lateral stress: 91 on each face, 20 on each side.
+function around(face, side) { return (91 * face + 20 * side) / 111 }
 # Its row of the first broken yarn, or the last.
 function broken_row(f, i) {
   for (i = 1; i < rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
   return i
 }
-# The strain at which its first yarn broke: towards each station plates move at their rate, then they wait for rest.
+# The strain at which its first yarn broke: towards each station plates move at their rate, the study's unless told, then they wait for
+# rest.
 function first_break(f, i, first) {
   if (!rows[f "_first_break"]) return "none"
+  if (!rate) rate = setting("pipelines/ch3/uc.toml", "rate")
   first = value[f "_first_break", "break_time", 1]
   for (i = 2; i < rows[f] && value[f, "time", i] < first; ++i) { }
-  return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + setting("pipelines/ch3/uc.toml", "rate") * (first - value[f, "time", i - 1]))
+  return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + rate * (first - value[f, "time", i - 1]))
 }
 # The last row whose load is within 2 % of the greatest: where the bag fails, unless it is the last of all.
 function failure_row(f, i) {
@@ -104,11 +109,16 @@ function note_block(g, f, r, at, i) {
     100 * (between_faces(where(f, "strain", "yarn_strain_face", at), where(f, "strain", "yarn_strain_face", 0), at) - \
     between_faces(value[r, "strain_yarn_face", i], value[r, "strain_yarn_face", 1], at)))
 }
+function note_around(g, f, r, i, recorded) {
+  recorded = around(value[r, "tension_yarn_face", i], value[r, "tension_yarn_horizontal", i])
+  note("around", g, "lateral", where(f, "around", "lateral", smaller(recorded, value[f, "around", greatest(f, "around")])), value[r, "radial_stress", i])
+}
 function beside_record(g, f, r, i, at, recorded, tautest) {
   recorded = greatest(r, "axial_stress")
   tautest = value[f, "tension", greatest(f, "tension")]
   for (i = first_beside_record(f, r); i <= recorded; ++i) {
     note_stresses("tension", g, f, "tension", smaller(value[r, "tension_yarn_face", i], tautest), r, i)
+    note_around(g, f, r, i)
     at = value[r, "strain_axial", i]
     if (at < 0.03) continue
     note_stresses("strain", g, f, "strain", at, r, i)

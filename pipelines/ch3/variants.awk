@@ -1,14 +1,13 @@
 # What each variant of the bag carries at 1, 4 and 8 % and at most, as differences from the bag itself, and where its first yarn breaks.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -v yarns=2 -f variants.awk variants.tsv uc_PE.tsv VARIANT/uc_PE.tsv... > table
-# Files of runs are named by their folder; the bag itself comes first.
+# usage: awk -v yarns=2 -f variants.awk variants.tsv bag/uc_PE.tsv VARIANT/uc_PE.tsv... > table
+# Files of runs are named by their folder.
 BEGIN { FS = "\t"; split("0.01 0.04 0.08", strains, " ") }
 FNR == 1 { ++file; head = 0 }
 /^#/ { next }
 !head {
   head = 1
   run = FILENAME; sub(/\/[^\/]*$/, "", run); sub(/.*\//, "", run)
-  if (file == 2) run = "bag"
   if (file > 1) order[++runs] = run
   for (i = 1; i <= NF; ++i) { title = $i; sub(/ *\[.*/, "", title); at[title] = i }
   next
@@ -37,7 +36,7 @@ END {
   print "\tfirst break by [%]\tgreatest load [kPa]\tgreatest load [%]\tat [%]"
   for (n = 1; n <= runs; ++n) {
     run = order[n]
-    printf "%s\t%s\t%.4f", run, run == "bag" ? "the bag itself" : description[run], loose[run]
+    printf "%s\t%s\t%.4f", run, description[run], loose[run]
     for (k = 1; k <= 3; ++k)
       printf "\t%.1f\t%+.1f\t%+.1f\t%.3f\t%+.1f", load[run, k], difference(load, run, k), difference(tension, run, k), obliquity[run, k],
         difference(obliquity, run, k)
