@@ -19,7 +19,7 @@ PAGE
 [ "$PROFILE" = thesis ] || cat <<'PAGE'
 <p>Quick profile: grains and yarns are twice as large as the thesis's. The void ratio is that of Delaunay's tetrahedra, as in the thesis;
 they leave out half a grain all around, here twice as much, so that the bag is made denser by that measure: to a value, tried beside
-a looser one, whose stress path and load up to 5 % are the recorded ones (pipelines/ch3/study.mk). Bags of other representative volumes
+a looser one, whose stress path is the recorded one and whose load up to 5 % is the nearer (pipelines/ch3/study.mk). Bags of other representative volumes
 end more densely or more loosely than this one, and carry more or less for it (<code>seed_2</code>, <code>seed_3</code> of <code>make
 ch3-variants</code>): where this one agrees is chance in part.</p>
 PAGE

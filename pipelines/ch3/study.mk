@@ -21,8 +21,8 @@ C3_GRAINS_quick := --set grains.scale=1.9474 --set container.copies=[5,5,1] --se
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
-# Delaunay's tetrahedra leave out twice as much along the walls: of 0.64 and 0.615 the one whose stress path and load up to 5 % are the
-# recorded ones, for this representative volume. The coarser full bag presses by more for as many contacts.
+# Delaunay's tetrahedra leave out twice as much along the walls: of 0.64 and 0.615 the one whose stress path is the recorded one and
+# whose load up to 5 % is the nearer, for this representative volume. The coarser full bag presses by more for as many contacts.
 C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.615 --set growth.overlap=2e-4 --set contact.rolling.stiffness=1.04 \
   --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 --set material.0.twisting.stiffness=1.04
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=$(C3_YARNS_quick) --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
