@@ -61,13 +61,11 @@ function spread(example, list, what, from,   runs, n, i, a, low, high, v, worst,
   }
   return worst / top
 }
-# Pull at which hardening begins, cm: where the straight line through the curve from a quarter of the mean over the last 3 cm on meets
-# zero. Before it stands the rounded foot of the curve, of which no point is the beginning.
-function onset(key,   end, i, from, n, sx, sy, sxx, sxy) {
+# Pull at which the mean over 1 cm first passes a tenth of the mean over the last 3 cm, cm.
+function onset(key,   a, end) {
   end = average(key, 0.22, 0.25)
-  for (from = 1; from < rows[key] && y[key, from] < 0.25 * end; ++from) { }
-  for (i = from; i <= rows[key]; ++i) { ++n; sx += x[key, i]; sy += y[key, i]; sxx += x[key, i] ^ 2; sxy += x[key, i] * y[key, i] }
-  return n * sxy > sx * sy ? 100 * (sx * sxy - sxx * sy) / (n * sxy - sx * sy) : 25
+  for (a = 0; a < 0.24; a += 0.0025) if (average(key, a, a + 0.01) > 0.1 * end) return 100 * (a + 0.005)
+  return 25
 }
 # The history h[what, k], k = 1 .. steps, of the point that the thesis follows.
 function follow(example,   n) {
@@ -99,7 +97,7 @@ BEGIN {
   pull_out()
 }
 
-function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, start, last, row, column, square, apart, all) {
+function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, left, right, start, last) {
   n = split(present("shape", meshes), runs, " ")
   if (n > 1) {
     say("shape_mesh_spread", spread("shape", present("shape", meshes), "vertical", 0.06))
@@ -111,8 +109,8 @@ function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, start, la
   curve("main", "shape_" main, "vertical")
   say("shape_onset", onset("main"))
   n = follow("shape")
-  # Before the onset, by the pull: half the way to it, where its foot has not begun.
-  start = int(n * onset("main") / 50)
+  # Before and after the onset, by the pull.
+  start = int(n * onset("main") / 25)
   if (start < 3) start = 3
   say("A_obliquity_first", ratio(2, start))
   say("A_obliquity_falls", ratio(2, start) - ratio(0.9 * n, n))
@@ -127,16 +125,10 @@ function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, start, la
   while (next_row()) {
     # Elements are counted from the bottom, row by row: the last row lies under the top.
     if (get("element") >= 2 * squares * (squares - 1)) { top += get("strain_shear"); ++top_n } else { rest += get("strain_shear"); ++rest_n }
-    square[int(get("element") / 2)] += get("mean_stress") / 2
+    if (get("x") < 0.6) left += get("mean_stress"); else right += get("mean_stress")
   }
   say("shape_top_shear", (top / top_n) / (rest / rest_n))
-  # Two elements halve a square: only squares have mirror images. Those under the top touch the sheet.
-  for (row = 0; row < squares - 1; ++row)
-    for (column = 0; column < squares; ++column) {
-      apart += absolute(square[row * squares + column] - square[row * squares + squares - 1 - column])
-      all += square[row * squares + column]
-    }
-  say("shape_asymmetry", apart / all * 100)
+  say("shape_asymmetry", absolute(left - right) / absolute(left + right) * 100)
   balance("shape")
 }
 
