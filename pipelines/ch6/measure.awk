@@ -117,6 +117,9 @@ function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, left, rig
   least = 0
   for (k = 1; k <= n; ++k) if (h["v", k] < least) { least = h["v", k]; last = k }
   say("A_dilation", -100 * least)
+  # Where it is most dilated, by the pull, which grows evenly from 0 to 25 cm; and the state up to there.
+  say("A_contracts_from", 25 * (last - 1) / (n - 1))
+  say("A_obliquity_dilating", ratio(2, last))
   say("A_contraction", 100 * (h["v", n] - least))
   stretch("F", 0.9 * n, n)
   say("A_anisotropy_end", mean)
