@@ -33,6 +33,8 @@ function compression(f, i, start, height, node, layer) {
 }
 # Mean tension of the yarns that a plane in the middle cuts, which balance the lateral stress: 91 on each face, 20 on each side.
 function around(face, side) { return (91 * face + 20 * side) / 111 }
+# How much of what the faces' yarns stretch the horizontal ones of the sides do: how soon and how far the sides share in holding the soil.
+function side_share(f, strain) { return where(f, "strain", "yarn_strain_side_horizontal", strain) / where(f, "strain", "yarn_strain_face", strain) }
 # Its row of the first broken yarn, or the last.
 function broken_row(f, i) {
   for (i = 1; i < rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
@@ -184,6 +186,8 @@ function paths(g, f, start, base, i, obliquity, least) {
     middle_over_edge(f "_groups", "mean_stress", last(f, "step")) - middle_over_edge(f "_groups", "mean_stress", step_at(g, 0.12)) : "none")
 }
 function yarns_and_faces(g, f, start, base, i, most, sides) {
+  put("side_share_toe_" g, side_share(f, 0.03))
+  put("side_share_" g, side_share(f, 0.10))
   put("tension_families_" g, value[f, "yarn_tension_face", base] / value[f, "yarn_tension_side_horizontal", base])
   put("hoop_over_side_" g, value[f, "yarn_tension_side_horizontal", base] / value[f, "yarn_tension_side_vertical", base])
   for (i = start + 1; i <= rows[f]; ++i) {

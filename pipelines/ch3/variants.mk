@@ -46,5 +46,51 @@ $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%
 # What each representative volume has of what is published: how much of a misfit is chance.
 $(C3V)/%/comparison.tsv: $(C3V)/%/uc_PE.tsv $(C3V)/%/uc_PE_first_break.tsv $(C3_MEASURE) $(C3_SET) pipelines/compare.awk $(C3)/expected.tsv
 	@$(call measure,,$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^),-v rate=$(C3V_RATE)) | awk -v partial=1 -f pipelines/compare.awk $(C3)/expected.tsv - $(call whole,$@)
-$(C3V)/seeds.tsv: $(C3)/seeds.awk $(patsubst %,$(C3V)/%/comparison.tsv,bag $(C3V_SEEDS))
-	@awk -f $^ $(call whole,$@)
+$(C3V)/seeds.tsv: $(C3)/beside.awk $(patsubst %,$(C3V)/%/comparison.tsv,bag $(C3V_SEEDS))
+	@awk -v leave=failure -v scatter=1 -f $^ $(call whole,$@)
+
+# What a misfit of the study comes from: bags otherwise shaped or filled at the study's own rate, up to 12 %, where the recorded one is near its peak.
+C3K := $(C3O)/causes
+C3K_END := 0.12
+C3_CAUSES_quick := sharp_corners unstretched meshed_evenly round_sides flatter_sides
+C3_CAUSES_thesis := sharp_corners
+C3_CAUSES := $(C3_CAUSES_$(PROFILE))
+C3K_YARNS_quick := PE
+C3K_YARNS_thesis := PE PP
+C3K_ENDED := $(wildcard $(foreach run,$(C3_CAUSES),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(C3K)/$(run)/uc_$(g).h5)))
+
+.PHONY: ch3-causes ch3-causes-keep
+ch3-causes: $(foreach run,$(C3_CAUSES),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(C3K)/$(run)/uc_$(g).h5)) ## compress bags otherwise shaped or filled as the study does, and keep how near each is to the record
+	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(C3_KEPT)/causes_$(PROFILE).tsv
+ch3-causes-keep: $(C3K)/causes.tsv $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
+	@cp $< $(C3_KEPT)/causes_$(PROFILE).tsv
+	@$(if $(filter thesis,$(PROFILE)),for run in $(C3K_ENDED:$(C3K)/%.h5=%); do echo "== $$run" && \
+	  $(BIN)/to-vtk --history $(C3K)/$$run.h5 || exit; done $(call whole,$(C3_KEPT)/causes_thesis.txt))
+
+# of_cause GEOTEXTILE
+define of_cause
+.PRECIOUS: $(C3K)/%/uc_$(1).h5
+$(C3K)/%/uc_$(1).h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+	@mkdir -p $$(@D)
+	@echo '  run   $$@'
+	@$$(call compress,$(1),--set stage.1.strain=$(C3K_END))
+# The bag itself is the study's, as far as the others go.
+$(C3K)/bag/uc_$(1).tsv: $(C3)/until.awk $(C3O)/uc_$(1).tsv
+	@mkdir -p $$(@D)
+	@awk -v strain=$(C3K_END) -f $$^ $$(call whole,$$@)
+$(C3K)/bag/uc_$(1)_first_break.tsv: $(C3O)/uc_$(1)_first_break.tsv
+	@mkdir -p $$(@D)
+	@cp $$< $$@
+endef
+$(foreach g,$(C3K_YARNS_$(PROFILE)),$(eval $(call of_cause,$(g))))
+
+# cause_compared RUN TABLES
+define cause_compared
+$(C3K)/$(1)/comparison.tsv: $(2) $(C3_MEASURE) $(C3_SET) pipelines/compare.awk $(C3)/expected.tsv
+	@$$(call measure,,$(C3_YARNS_$(PROFILE)),$(2)) | awk -v partial=1 -f pipelines/compare.awk $(C3)/expected.tsv - $$(call whole,$$@)
+endef
+tables_of_cause = $(foreach r,$(patsubst %.h5,%,$(1)),$(r).tsv $(r)_first_break.tsv)
+$(eval $(call cause_compared,bag,$(call tables_of_cause,$(C3K_YARNS_$(PROFILE):%=$(C3K)/bag/uc_%.h5))))
+$(foreach r,$(C3_CAUSES),$(eval $(call cause_compared,$(r),$(call tables_of_cause,$(filter $(C3K)/$(r)/%,$(C3K_ENDED))))))
+$(C3K)/causes.tsv: $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(sort $(patsubst $(C3K)/%/,%,$(dir $(C3K_ENDED)))))
+	@awk -v leave='peak|greatest|growth|failure|at equal tension, P|around the bag' -f $^ $(call whole,$@)

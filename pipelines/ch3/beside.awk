@@ -1,9 +1,9 @@
-# What bags of several representative volumes have of what is published of one in compression: each, their mean and its standard
-# deviation, as a sample's.
+# What several bags in compression have of what is published of one: a line each, a column each; scatter=1: their mean too, and its
+# standard deviation, as a sample's.
 # SPDX-License-Identifier: GPL-3.0-or-later
-# usage: awk -f seeds.awk VARIANT/comparison.tsv... > table
-# Files are named by their folder; the first one's lines are those of the table. Runs of variants end near the greatest load: where the
-# bag fails, and what is left then, is left out.
+# usage: awk -v leave=REGEX [-v scatter=1] -f beside.awk VARIANT/comparison.tsv... > table
+# Files are named by their folder; the first one's lines are those of the table. leave: descriptions to leave out, of what runs that end
+# before it cannot tell.
 BEGIN { FS = OFS = "\t" }
 FNR == 1 {
   name = FILENAME; sub(/\/[^\/]*$/, "", name); sub(/.*\//, "", name)
@@ -11,13 +11,13 @@ FNR == 1 {
   for (i = 1; i <= NF; ++i) at[$i] = i
   next
 }
-/failure/ { next }
+$1 ~ leave { next }
 files == 1 { order[++n] = $1; line[n] = $at["description"] OFS $at["unit"] OFS $at["published"] OFS $at["tolerance"] }
 { value[files, $1] = $at["measured"] }
 END {
   printf "description\tunit\tpublished\ttolerance"
   for (f = 1; f <= files; ++f) printf "\t%s", names[f]
-  print "\tmean\tdeviation"
+  print scatter ? "\tmean\tdeviation" : ""
   for (k = 1; k <= n; ++k) {
     row = line[k]; sum = squares = count = 0
     for (f = 1; f <= files; ++f) {
@@ -25,6 +25,6 @@ END {
       if ((f, order[k]) in value) { sum += value[f, order[k]]; ++count }
     }
     for (f = 1; f <= files; ++f) if ((f, order[k]) in value) squares += (value[f, order[k]] - sum / count) ^ 2
-    printf "%s\t%.4g\t%s\n", row, sum / count, (count > 1 ? sprintf("%.2g", sqrt(squares / (count - 1))) : "none")
+    print row (scatter ? sprintf("\t%.4g\t%s", sum / count, count > 1 ? sprintf("%.2g", sqrt(squares / (count - 1))) : "none") : "")
   }
 }
