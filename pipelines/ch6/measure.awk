@@ -138,7 +138,7 @@ function shape_forming(   n, k, runs, least, top, top_n, rest, rest_n, left, rig
 # Slope of the friction ratio over the first 2 mm of pull, 1/s.
 function rate(key) { return (value(key, 0.002) - y[key, 1]) / (0.002 / (x[key, rows[key]] / t[key, rows[key]])) }
 
-function pull_out(   n, k, runs, v, part, left, left_n, right, right_n, centre, u, x0, column_sum, q1, f1) {
+function pull_out(   n, k, runs, v, part, left, left_n, right, right_n, centre, u, x0, column_sum, q1, f1, squares, along, along_n) {
   n = split(present("pullout", speeds), runs, " ")
   if (n > 1) {
     curve("slow", "pullout_" runs[1], "friction"); curve("fast", "pullout_" runs[n], "friction")
@@ -179,6 +179,15 @@ function pull_out(   n, k, runs, v, part, left, left_n, right, right_n, centre, 
   say("B_F_change", 100 * absolute(mean - f1) / mean)
   stretch("v", 0.95 * n, n)
   say("B_volumetric", 100 * mean)
+  # B is one of two kinds of triangles along the inclusion, with a side or a corner on it: means between a quarter and three of its length.
+  open_table(folder "/pullout_" main "_last_points.tsv")
+  squares = main; sub(/_.*/, "", squares)
+  while (next_row()) {
+    if (get("element") >= 2 * squares || get("x") < 0.3 || get("x") > 0.9) continue
+    k = get("y") < 0.6 / squares ? "side" : "corner"
+    along[k] += 100 * get("strain_volumetric"); ++along_n[k]
+  }
+  for (k in along) say("along_volumetric_" k, along[k] / along_n[k])
   balance("pullout")
 }
 

@@ -20,6 +20,9 @@ stays with a place of the sheet while it slides from one bar of the boundary to 
 masses and the contacts; the packings are our own, of the published sizes and numbers of rods. In pull-out the soil is damped by 20 1/s,
 not by the thesis's 0.2 1/s: with that it swings on the interface from the first slip to the end of the pull, and as fast as the sheet
 is pulled, so that a part of the interface sticks while another slips and the friction is not all mobilised.</p>
+<p>Along the inclusion every square of the mesh has a triangle with a side on it and one with a corner on it. In pull-out the former carry about
+twice the deviatoric stress of the latter and end contracted, the latter slightly dilated: where point B lies decides its sign, and the
+thesis shows it just above the inclusion. Point B is here the point nearest to the middle of the inclusion, one of the former.</p>
 <h3>Figures</h3>
 PAGE
 figures() { # FOLDER
