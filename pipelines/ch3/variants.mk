@@ -93,4 +93,4 @@ tables_of_cause = $(foreach r,$(patsubst %.h5,%,$(1)),$(r).tsv $(r)_first_break.
 $(eval $(call cause_compared,bag,$(call tables_of_cause,$(C3K_YARNS_$(PROFILE):%=$(C3K)/bag/uc_%.h5))))
 $(foreach r,$(C3_CAUSES),$(eval $(call cause_compared,$(r),$(call tables_of_cause,$(filter $(C3K)/$(r)/%,$(C3K_ENDED))))))
 $(C3K)/causes.tsv: $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(sort $(patsubst $(C3K)/%/,%,$(dir $(C3K_ENDED)))))
-	@awk -v leave='peak|greatest|growth|failure|at equal tension, P|around the bag' -f $^ $(call whole,$@)
+	@awk -v leave='peak|greatest|failure|at equal tension, P|around the bag' -f $^ $(call whole,$@)
