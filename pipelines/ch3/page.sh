@@ -50,7 +50,9 @@ uniaxial compression beside those of the bag itself. All are compressed at 2 %/s
 is what is varied: <code>fast</code> is as fast as the compressions above.</p>
 <p>At full size the void ratio grows by less than the recorded one. It is not between the faces that the volume is missing: there, twice
 the strain of their yarns less the axial strain is nearer to the recorded (rows &ldquo;between the faces&rdquo;). What is left are the
-sides, whose bulges Delaunay's tetrahedra take in with all that they span; what differs there is not yet known.</p>
+sides, whose bulges Delaunay's tetrahedra take in with all that they span. It depends on how round they are: with half circles for sides
+(<code>round_sides</code>, tried in the quick profile, below) the bag loses hardly any void ratio at first and gains half as much again
+later, but carries less; tight corners make it gain somewhat more, too.</p>
 <p>For the same tension of the faces stresses are larger than recorded, most at first. It is the sides that hold the soil as well: here
 their horizontal yarns stretch by 0.8 to 0.9 of what the faces do from the start, in the record by a quarter at first and by 0.7 at the
 peak. Beside the mean tension of all yarns that a plane in the middle cuts (rows &ldquo;around the bag&rdquo;) lateral stress is the
