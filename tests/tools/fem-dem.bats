@@ -99,8 +99,11 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
   to-vtk --quiet out.h5.part/stopped.h5 -o broken
   [[ -e broken/soil_000001.vtu || -e broken/soil_000000.vtu ]]
-  mentions 70 fem-dem "element 0, point 0 at" --quiet grains.toml disks.h5 --set 'traction.0.y="-500 MPa"' -o crushed.h5 ||
-    [[ $stderr == *"element "* ]]
+  mentions 70 fem-dem "element 0, point 0 at" --quiet grains.toml disks.h5 --set 'traction.0.y="-500 MPa"' -o crushed.h5
+  pack-generate --quiet --dimension 2 --grains 10 --aspect 1 --pressure 2e4 --tolerance 5e-2 --material material.toml \
+    --density 2700 -o few.h5
+  mentions 70 fem-dem "the largest grain is" --quiet grains.toml few.h5 --set 'record.points=[]' --set 'traction.0.y="-5 MPa"' -o narrow.h5
+  [[ $stderr == *": element "*", point "*"half of it or more"*"narrow.h5.part/stopped.h5 shows it"* ]] || show "no element or no state"
 }
 
 @test "a quasi-static run comes to rest at every output" {
