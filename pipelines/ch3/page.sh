@@ -58,8 +58,9 @@ their horizontal yarns stretch by 0.8 to 0.9 of what the faces do from the start
 peak. Beside the mean tension of all yarns that a plane in the middle cuts (rows &ldquo;around the bag&rdquo;) lateral stress is the
 recorded one. Why they are taut so soon was tried on bags otherwise shaped or filled (below, <code>make ch3-causes</code>). Of the corners the thesis
 says no more than that they are slightly tightened; those of 35.7 mm are what a bag with half circles for sides needs to hold 0.015 m&sup3;.
-With corners of 20 mm (<code>sharp_corners</code>), all else alike, the sides lag behind the faces as the recorded ones do from 3 % on, and
-stresses at equal tension, the first loss of void ratio and its growth move towards the record; load and tension at equal strain stay.
+With corners of 20 mm (<code>sharp_corners</code>), all else alike, the sides lag farther behind the faces, though not as far as the recorded
+ones, least at first; stresses at equal tension, the first loss of void ratio and its growth move towards the record, and load and tension
+at equal strain remain within what is allowed at full size.
 Soil that is not stretched to the sides as it grows (<code>unstretched</code>) leaves them slack too, but softens the bag.</p>
 <p>The axial stress in PE is greatest at 13 %, and at 12 % within 0.2 % of that: of stations a per cent apart such a flat peak is told no
 closer. The first yarn of PP breaks at 10.7 % (at 2 %/s: 10.3 %), in the record between 9 and 10 %. It is one of 47,684: among three

@@ -43,9 +43,12 @@ $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(filter-out bag,$(C3V_ENDED)))
 	@awk -v yarns=$(C3_YARNS_$(PROFILE)) -f $^ $(call whole,$@)
 
-# What each representative volume has of what is published: how much of a misfit is chance.
-$(C3V)/%/comparison.tsv: $(C3V)/%/uc_PE.tsv $(C3V)/%/uc_PE_first_break.tsv $(C3_MEASURE) $(C3_SET) pipelines/compare.awk $(C3)/expected.tsv
-	@$(call measure,,$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^),-v rate=$(C3V_RATE)) | awk -v partial=1 -f pipelines/compare.awk $(C3)/expected.tsv - $(call whole,$@)
+# $(call bag_compared,OPTIONS): what the runs whose tables are among the prerequisites have of what is published
+bag_compared = $(call measure,,$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^),$(1)) | awk -v partial=1 -f pipelines/compare.awk $(C3)/expected.tsv - $(call whole,$@)
+C3_COMPARE := $(C3_MEASURE) $(C3_SET) pipelines/compare.awk $(C3)/expected.tsv
+# Of each representative volume: how much of a misfit is chance.
+$(C3V)/%/comparison.tsv: $(C3V)/%/uc_PE.tsv $(C3V)/%/uc_PE_first_break.tsv $(C3_COMPARE)
+	@$(call bag_compared,-v rate=$(C3V_RATE))
 $(C3V)/seeds.tsv: $(C3)/beside.awk $(patsubst %,$(C3V)/%/comparison.tsv,bag $(C3V_SEEDS))
 	@awk -v leave=failure -v scatter=1 -f $^ $(call whole,$@)
 
@@ -74,23 +77,16 @@ $(C3K)/%/uc_$(1).h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@mkdir -p $$(@D)
 	@echo '  run   $$@'
 	@$$(call compress,$(1),--set stage.1.strain=$(C3K_END))
-# The bag itself is the study's, as far as the others go.
-$(C3K)/bag/uc_$(1).tsv: $(C3)/until.awk $(C3O)/uc_$(1).tsv
-	@mkdir -p $$(@D)
-	@awk -v strain=$(C3K_END) -f $$^ $$(call whole,$$@)
-$(C3K)/bag/uc_$(1)_first_break.tsv: $(C3O)/uc_$(1)_first_break.tsv
-	@mkdir -p $$(@D)
-	@cp $$< $$@
 endef
 $(foreach g,$(C3K_YARNS_$(PROFILE)),$(eval $(call of_cause,$(g))))
 
-# cause_compared RUN TABLES
+# cause_compared RUN FOLDER GEOTEXTILES: the bag itself is the study's
 define cause_compared
-$(C3K)/$(1)/comparison.tsv: $(2) $(C3_MEASURE) $(C3_SET) pipelines/compare.awk $(C3)/expected.tsv
-	@$$(call measure,,$(C3_YARNS_$(PROFILE)),$(2)) | awk -v partial=1 -f pipelines/compare.awk $(C3)/expected.tsv - $$(call whole,$$@)
+$(C3K)/$(1)/comparison.tsv: $(foreach g,$(3),$(2)/uc_$(g).tsv $(2)/uc_$(g)_first_break.tsv) $(C3_COMPARE)
+	@mkdir -p $$(@D)
+	@$$(call bag_compared)
 endef
-tables_of_cause = $(foreach r,$(patsubst %.h5,%,$(1)),$(r).tsv $(r)_first_break.tsv)
-$(eval $(call cause_compared,bag,$(call tables_of_cause,$(C3K_YARNS_$(PROFILE):%=$(C3K)/bag/uc_%.h5))))
-$(foreach r,$(C3_CAUSES),$(eval $(call cause_compared,$(r),$(call tables_of_cause,$(filter $(C3K)/$(r)/%,$(C3K_ENDED))))))
+$(eval $(call cause_compared,bag,$(C3O),$(C3K_YARNS_$(PROFILE))))
+$(foreach r,$(C3_CAUSES),$(eval $(call cause_compared,$(r),$(C3K)/$(r),$(patsubst $(C3K)/$(r)/uc_%.h5,%,$(filter $(C3K)/$(r)/%,$(C3K_ENDED))))))
 $(C3K)/causes.tsv: $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(sort $(patsubst $(C3K)/%/,%,$(dir $(C3K_ENDED)))))
 	@awk -v leave='peak|greatest|failure|at equal tension, P|around the bag' -f $^ $(call whole,$@)
