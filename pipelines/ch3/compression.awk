@@ -40,8 +40,7 @@ function broken_row(f, i) {
   for (i = 1; i < rows[f]; ++i) if (value[f, "broken_yarns", i] > 0) break
   return i
 }
-# The strain at which its first yarn broke: towards each station plates move at their rate, the study's unless told, then they wait for
-# rest.
+# The strain at which its first yarn broke: towards each station plates move at the study's rate, then they wait for rest.
 function first_break(f, i, first) {
   if (!rows[f "_first_break"]) return "none"
   if (!rate) rate = setting("pipelines/ch3/uc.toml", "rate")
@@ -134,14 +133,17 @@ function left_over(f, column, r, recorded) {
     (where(r, "strain_axial", recorded, last(f, "strain")) / value[r, recorded, greatest(r, recorded)])
 }
 
-function loads_and_strains(g, f, r, peak) {
-  peak = greatest(f, "soil_stress_zz")
+# The greatest of a column and the strain of it, unless it is the last and may be no peak.
+function put_peak(name, name_of_strain, f, column, i) {
+  i = greatest(f, column)
+  put(name, i < rows[f] ? value[f, column, i] / 1000 : "none")
+  if (name_of_strain) put(name_of_strain, i < rows[f] ? 100 * value[f, "strain", i] : "none")
+}
+function loads_and_strains(g, f, r) {
   put("first_break_" g, first_break(f))
-  put("peak_strain_" g, 100 * value[f, "strain", peak])
-  put("peak_axial_" g, value[f, "soil_stress_zz", peak] / 1000)
-  put("peak_lateral_" g, value[f, "lateral", greatest(f, "lateral")] / 1000)
-  put("peak_pressure_" g, value[f, "pressure", greatest(f, "pressure")] / 1000)
-  put("peak_pressure_strain_" g, 100 * value[f, "strain", greatest(f, "pressure")])
+  put_peak("peak_axial_" g, "peak_strain_" g, f, "soil_stress_zz")
+  put_peak("peak_lateral_" g, "", f, "lateral")
+  put_peak("peak_pressure_" g, "peak_pressure_strain_" g, f, "pressure")
   put("failure_strain_" g, 100 * value[f, "strain", failure_row(f)])
   # Energy that the balance leaves over, of the work of the plates.
   put("energy_error_" g, 100 * size(last(f, "energy_error")) / size(last(f, "boundary_work")))

@@ -33,7 +33,7 @@ C3_THREADS ?= $(C3_THREADS_$(PROFILE))
 C3_FILL_THREADS ?= $(C3_THREADS)
 
 .PHONY: ch3
-ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 68,900 grains)
+ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,300 grains)
 
 .PRECIOUS: $(C3O)/%.h5
 $(C3O)/rv.h5: $(BIN)/pack-generate
@@ -112,8 +112,8 @@ C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv
 C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
 # Of these single settings are read.
 C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
-# $(call measure,LOADS,YARNS,TABLES,OPTIONS)
-measure = awk -v loads='$(1)' -v yarns=$(2) $(4) $(C3_MEASURE:%=-f %) $(3) $(C3_RECORDED)
+# $(call measure,LOADS,YARNS,TABLES)
+measure = awk -v loads='$(1)' -v yarns=$(2) $(C3_MEASURE:%=-f %) $(3) $(C3_RECORDED)
 $(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED)
 	@$(call measure,$(C3_LOADS),$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^)) $(call whole,$@)
 $(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
