@@ -67,15 +67,16 @@ representative volume, at 11 %, at 14 % and not by 15 %. The first yarn of PP br
 after it lag behind as well (by 12 % ten are broken, there 35). It is not the corners: rounder ones change it by 0.2 %.</p>
 PAGE
   [ ! -e "$kept/variants_quick.tsv" ] || cat <<'PAGE'
-<p>Other representative volumes tell how much of a difference is chance. In the first percents of strain most depends on how dense the soil is
-(<code>dense</code>, <code>loose</code>, <code>meshed_evenly</code>), how far inside the nodes it ends (<code>nodes_outside</code>,
-<code>thin_geotextile</code>), how soon its sides are taut (<code>stretched</code>, <code>unstretched</code>) and how stiff yarns are at
-first (<code>straight_yarns</code>); least on how slowly it is grown, how tight its corners are and the friction of the geotextile. The thesis puts the nodes on
+<p>Other representative volumes tell how much of a difference is chance. In the first percents of strain most depends on how dense the soil
+ends (<code>dense</code>, <code>loose</code>; <code>meshed_evenly</code>, <code>grown_quickly</code>), how far inside the nodes
+(<code>nodes_outside</code>, <code>thin_geotextile</code>), how round its sides are and whether it is stretched to them
+(<code>round_sides</code>, <code>flatter_sides</code>, <code>unstretched</code>) and how stiff yarns are at first
+(<code>straight_yarns</code>); least on how tight its corners are and the friction of the geotextile. The thesis puts the nodes on
 the surface of its bag, and counts voids by the tetrahedra between the soil's centres: its soil ends a node's radius inside that
 surface, and is looser than the same number makes it that is taken of all its room. So made, and with the flat faces of the empty bag,
 the full-size bag is near the recorded one from 3 % of strain to the peak. How far the soil is stretched to the bag as it grows is ours
-to choose (<code>stretched</code>, <code>unstretched</code>): the more, the sooner its sides carry. The bag chosen keeps the thesis's
-void ratio and is stiffer than the recorded one at first; grown alone it is as soft, but too dense.</p>
+to choose (<code>stretched</code>, <code>unstretched</code>): grown alone it leaves the sides slack. The bag chosen keeps the thesis's
+void ratio and is stiffer than the recorded one at first; grown alone it is as soft, but at full size too dense.</p>
 <p>Left to swing without drag at each station (<code>undragged</code>), grains of a thousandfold density fall short of the load that they
 carry at rest; at 10 %/s (<code>swinging</code>) they are thrown. Plates slower than 2 %/s (<code>slow</code>, <code>slower</code>)
 change nothing more.</p>
