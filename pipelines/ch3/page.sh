@@ -75,8 +75,8 @@ ends (<code>dense</code>, <code>loose</code>; <code>meshed_evenly</code>, <code>
 the surface of its bag, and counts voids by the tetrahedra between the soil's centres: its soil ends a node's radius inside that
 surface, and is looser than the same number makes it that is taken of all its room. So made, and with the flat faces of the empty bag,
 the full-size bag is near the recorded one from 3 % of strain to the peak. How far the soil is stretched to the bag as it grows is ours
-to choose (<code>stretched</code>, <code>unstretched</code>): grown alone it leaves the sides slack. The bag chosen keeps the thesis's
-void ratio and is stiffer than the recorded one at first; grown alone it is as soft, but at full size too dense.</p>
+to choose (<code>stretched</code>, <code>unstretched</code>): grown alone it leaves the sides slack and is as soft at first as the recorded
+bag, but at full size too dense. The bag chosen keeps the thesis's void ratio and is stiffer at first.</p>
 <p>Left to swing without drag at each station (<code>undragged</code>), grains of a thousandfold density fall short of the load that they
 carry at rest; at 10 %/s (<code>swinging</code>) they are thrown. Plates slower than 2 %/s (<code>slow</code>, <code>slower</code>)
 change nothing more.</p>
