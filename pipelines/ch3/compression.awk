@@ -41,9 +41,9 @@ function broken_row(f, i) {
   return i
 }
 # The strain at which its first yarn broke: towards each station plates move at the study's rate, then they wait for rest.
-function first_break(f, i, first) {
+function first_break(f, i, first, rate) {
   if (!rows[f "_first_break"]) return "none"
-  if (!rate) rate = setting("pipelines/ch3/uc.toml", "rate")
+  rate = setting("pipelines/ch3/uc.toml", "rate")
   first = value[f "_first_break", "break_time", 1]
   for (i = 2; i < rows[f] && value[f, "time", i] < first; ++i) { }
   return 100 * smaller(value[f, "strain", i], value[f, "strain", i - 1] + rate * (first - value[f, "time", i - 1]))
