@@ -11,16 +11,15 @@ study() {
   env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s -C "$ROOT" BIN="$BIN" OUT="$BATS_FILE_TMPDIR" PROFILE=quick "$@" >&2
 }
 
-# A bag must widen as it is compressed, against the inertia of its scaled density. What counts is speed times the root of density, so
-# that 2 %/s at a thousandfold density, at which variants are compressed, are the thesis's 10 %/s at fortyfold, and the slower is its
-# 1 %/s. Grains meet otherwise each time: single stations differ by 2 to 3 %.
-@test "loaded ten times slower, a bag carries the same" {
+# A bag must widen as it is compressed, against the inertia of its scaled density. Held at every quarter per cent, it lags behind plates of
+# 10 %/s by no more than chance is worth: grains meet otherwise each time, and single stations differ by 2 to 3 %.
+@test "compressed ten times slower, a bag carries the same" {
   local of=$BATS_FILE_TMPDIR/ch3/variants
-  study C3V_UC='--set stage.1.strain=0.06' "$of/bag/uc_PE.tsv" "$of/slower/uc_PE.tsv"
-  awk -F '\t' 'FNR == 1 { for (i = 1; i <= NF; ++i) { sub(/ \[.*/, "", $i); at[$i] = i } station = 0; next }
-      $at["stage"] == 0 { next }
-      NR == FNR { stress[++stations] = $at["soil_stress_zz"]; next }
-      { d = stress[++station] / $at["soil_stress_zz"] - 1; print d; all += d / stations; if (d < 0) d = -d; if (d > most) most = d }
-      END { print all, most; exit !(stations == 6 && station == 6 && all < 0.02 && all > -0.02 && most < 0.05) }' \
-    "$of/bag/uc_PE.tsv" "$of/slower/uc_PE.tsv" || show "loads differ"
+  study C3V_UC='--set stage.1.strain=0.08' "$of/held_often/uc_PE.tsv" "$of/slow_held_often/uc_PE.tsv"
+  awk -F '\t' 'FNR == 1 { for (i = 1; i <= NF; ++i) { sub(/ \[.*/, "", $i); at[$i] = i } held = 0; next }
+      $at["stage"] == 0 || ++held % 4 > 0 { next }
+      NR == FNR { stress[held / 4] = $at["soil_stress_zz"]; next }
+      { d = stress[held / 4] / $at["soil_stress_zz"] - 1; print d; all += d / 8; ++stations; if (d < 0) d = -d; if (d > most) most = d }
+      END { print all, most; exit !(stations == 8 && all < 0.02 && all > -0.02 && most < 0.04) }' \
+    "$of/held_often/uc_PE.tsv" "$of/slow_held_often/uc_PE.tsv" || show "stresses differ"
 }
