@@ -75,7 +75,7 @@ to choose (<code>stretched</code>, <code>unstretched</code>): grown alone it lea
 bag, but at full size too dense. The bag chosen keeps the thesis's void ratio and is stiffer at first.</p>
 <p>Left to swing without drag at each station (<code>undragged</code>), grains of a thousandfold density fall short of the load that they
 carry at rest; at 10 %/s (<code>swinging</code>) they are thrown. Plates slower than 2 %/s (<code>slow</code>, <code>slower</code>)
-change nothing more than chance does. With those of 10 %/s (<code>fast</code>) the bag carries less, for two reasons. Where they stop it goes
+change little more. With those of 10 %/s (<code>fast</code>) the bag carries less, for two reasons. Where they stop it goes
 on widening, which unloads its soil: stilled by four times the drag it carries more, most under the faster plates (<code>stilled</code>,
 <code>slow_stilled</code>). And while they move it lags behind them, the less the more often they wait (<code>held_often</code>,
 <code>slow_held_often</code>).</p>
@@ -83,7 +83,7 @@ PAGE
   [ ! -e "$kept/variants_thesis.tsv" ] || cat <<'PAGE'
 <p>The thesis finds the same with plates of 10, of 1 and of 0.1 %/s, and does not say in what increments it compresses its bag. Here, at
 full size, it depends on them. Where plates of 10 %/s wait at every quarter per cent (<code>held_often</code>), the axial stress is that
-under plates of 1 %/s (<code>slow_held_often</code>) but for what chance is worth. Where they wait at every per cent (<code>fast</code>), as
+under plates of 1 %/s (<code>slow_held_often</code>) but for 2 %. Where they wait at every per cent (<code>fast</code>), as
 those of the study do, which takes far fewer steps, it is less than under plates of 1 %/s (<code>slow</code>) in the first percents of
 strain, and the same from there to the first break. At either speed the bag carries more where it is held more often.</p>
 PAGE
