@@ -30,7 +30,7 @@ ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep what the variants o
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
-	@mkdir -p $(@D)
+	@$(if $(call of_variant,$*,2),mkdir -p $(@D),$(error $(C3)/variants.tsv has no variant '$*'))
 	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(call of_variant,$*,2) --threads 1 --quiet --force -o $@
 # What is only loaded otherwise is the bag itself.
 $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand
