@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "dem/moment.h"
+#include "dem/pace.h"
 #include "dem/prepare.h"
 #include "dem/record.h"
 
@@ -72,7 +73,8 @@ class Runner {
         simulation_(last ? Simulation(last->state, scenario.model, with_clamps(scenario, start), kept_)
                          : Simulation(start, scenario.model, with_clamps(scenario, start))),
         servo_(scenario.servo),
-        rig_(parts_of(scenario)) {
+        rig_(parts_of(scenario)),
+        pace_(start.grains.size(), dimension_) {
     result_.series = last ? std::move(last->series) : empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
@@ -107,13 +109,15 @@ class Runner {
 
  private:
   void go_on() {
-    servo_.archive(kept_), rig_.archive(kept_);
+    servo_.archive(kept_), rig_.archive(kept_), pace_.archive(kept_);
     at_.archive(kept_);
     clock_.archive(simulation_, keeper_.seconds(), kept_);
     for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
   }
 
-  io::Moment moment() { return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, at_); }
+  io::Moment moment() {
+    return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, at_);
+  }
 
   // What a stage changes in the grains.
   void apply(const Stage& stage) {
@@ -132,6 +136,7 @@ class Runner {
     }
     at_.start_of_stage = simulation_.strain();
     rig_.begin_stage();
+    pace_.begin_stage();
     at_.first = simulation_.steps();
     at_.begun = true;
   }
@@ -148,11 +153,13 @@ class Runner {
   }
 
   void travel(const Stage& stage, std::size_t station) {
-    const std::vector<DriveGoal> drives = stage.path->drives(station);
+    std::vector<DriveGoal> drives = stage.path->drives(station);
+    const std::vector<DriveGoal> as_given = drives;
     const double on_the_way = stage.damping.value_or(scenario_.numerics.damping);
     for (;;) {
-      const AxisGoals goals = goals_of(stage, station);
+      AxisGoals goals = goals_of(stage, station);
       const bool waiting = waits(goals, drives);
+      if (stage.way_unbalanced_force > 0) slow_down(stage, waiting, as_given, goals, drives);
       const double damping = stage.rest_damping && waiting ? *stage.rest_damping : on_the_way;
       simulation_.set_damping(damping);
       servo_.drive(goals, dimension_, simulation_);
@@ -166,6 +173,17 @@ class Runner {
       keeper_.after_step([this] { return moment(); });
     }
     tell(stage, station);
+  }
+
+  // Sets the speeds and rates at which goals go a given way.
+  void slow_down(const Stage& stage, bool waiting, const std::vector<DriveGoal>& as_given, AxisGoals& goals,
+                 std::vector<DriveGoal>& drives) {
+    if (!waiting && simulation_.steps() % look_interval == 0)
+      pace_.follow(simulation_.unbalanced_force(), stage.way_unbalanced_force, look_interval);
+    for (AxisGoal& goal : goals)
+      if (goal.kind == AxisGoal::Kind::strain) goal.max_rate *= pace_.share();
+    for (std::size_t k = 0; k < drives.size(); ++k)
+      if (drives[k].kind == DriveGoal::Kind::displacement) drives[k].speed = pace_.share() * as_given[k].speed;
   }
 
   // Local damping weakens as forces balance; what sways then with little to hold it needs a drag to come to rest.
@@ -192,13 +210,18 @@ class Runner {
   void tell(const Stage& stage, std::size_t station) const {
     if (!report_) return;
     report_(static_cast<double>(at_.done) / static_cast<double>(total_),
-            fmt::format("{} {}/{}, step {}, {}, unbalanced {:.1e}{}", stage.name, station + 1, stage.path->stations(),
-                        simulation_.steps(), state(), simulation_.unbalanced_force(), motion()));
+            fmt::format("{} {}/{}, step {}, {}{}, unbalanced {:.1e}{}", stage.name, station + 1, stage.path->stations(),
+                        simulation_.steps(), state(), pace(stage), simulation_.unbalanced_force(), motion()));
   }
 
   std::string motion() const {
     if (std::isinf(scenario_.tolerances.kinetic_energy)) return {};
     return fmt::format(", kinetic energy {:.1e} J", simulation_.kinetic_energy_of_acted_on());
+  }
+
+  std::string pace(const Stage& stage) const {
+    if (stage.way_unbalanced_force == 0) return {};
+    return fmt::format(", at {:.2g} % of its speed", 100 * pace_.share());
   }
 
   // A cell around plates says nothing of what is between them.
@@ -273,6 +296,7 @@ class Runner {
   Simulation simulation_;
   Servo servo_;
   Rig rig_;
+  Pace pace_;
   Position at_;
   io::RunFile result_;
   std::size_t total_ = 0;

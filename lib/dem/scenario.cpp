@@ -80,6 +80,13 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
                                   0.999,          false, "local non-viscous damping while a station waits for rest"};
   static constexpr Parameter drag{
       "rest_drag", "1/s", 0, 1e9, false, "drag on all motion, over the mass, while a station waits for rest"};
+  static constexpr Parameter on_the_way{
+      "way_unbalanced_force",
+      "1",
+      0,
+      1,
+      false,
+      "unbalanced force that what is moved or strained by a given way keeps to by going slower; 0: as fast as given"};
   Stage stage;
   const std::string path = table.kind("path", path_names());
   stage.name = table.text("name", path);
@@ -94,6 +101,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
   if (table.has("rest_damping")) stage.rest_damping = table.number(rest);
+  stage.way_unbalanced_force = table.number(on_the_way, 0);
   if (table.has("rest_drag")) stage.rest_drag = table.number(drag);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() > 0)

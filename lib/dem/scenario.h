@@ -21,6 +21,7 @@ struct Stage {
   std::optional<double> plate_friction;  // rad, of the materials of planes against any other
   std::optional<double> damping;         // local damping during this stage
   std::optional<double> rest_damping;    // the same while a station waits for rest
+  double way_unbalanced_force = 0;       // what goes a given way slows down to keep to it; 0: goes as fast as given
   double rest_drag = 0;                  // 1/s, of all motion, over the mass, while a station waits for rest
 };
 

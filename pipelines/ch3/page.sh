@@ -100,10 +100,10 @@ PAGE
     [ -e "$kept/variants_$size.tsv" ] || continue
     echo "<p>PROFILE=$size:</p>"
     awk -f pipelines/table.awk "$kept/variants_$size.tsv"
-    if [ -e "$kept/rates_$size.tsv" ]; then
-      echo "<p>Axial stress under fast and slow plates, up to the first station at which a yarn has broken:</p>"
-      awk -f pipelines/table.awk "$kept/rates_$size.tsv"
-    fi
+    echo "<p>Axial stress under fast and slow plates, up to the first station at which a yarn has broken:</p>"
+    for rates in "$kept"/rates_*_"$size".tsv; do
+      [ ! -e "$rates" ] || awk -f pipelines/table.awk "$rates"
+    done
     [ -e "$kept/seeds_$size.tsv" ] || continue
     echo "<p>Three representative volumes beside the published values, at the study's own rate, up to 15 %:</p>"
     awk -f pipelines/table.awk "$kept/seeds_$size.tsv"

@@ -1,18 +1,21 @@
 # The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
 # one packing differs from the next by. All are compressed at 2 %/s, the bag itself too: slowly enough for inertia to be no part of
 # it. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as they end; of full size, which is not
-# soon repeated, with how each came to be. Beside it, in rates_PROFILE.tsv, how fast and slow plates compare.
+# soon repeated, with how each came to be. Beside it, in rates_*_PROFILE.tsv, how fast and slow plates compare.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3V := $(C3O)/variants
 C3V_RATE := 0.02
 # Past the greatest load; of full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
-C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
+C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set stage.1.way_unbalanced_force=0
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
-# What the speed of the plates is worth; of full size, nothing else.
-C3V_RATES := fast slow held_often slow_held_often
-C3_VARIANTS_thesis := bag $(C3V_RATES)
+# What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
+C3V_RATES := paced fast held_often
+C3V_SLOW_paced := slow_paced
+C3V_SLOW_fast := slow
+C3V_SLOW_held_often := slow_held_often
+C3_VARIANTS_thesis := bag $(foreach r,$(C3V_RATES),$(r) $(C3V_SLOW_$(r)))
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
 # $(call of_variant,NAME,COLUMN): its seed; its settings as options
@@ -24,7 +27,8 @@ ch3-variants: $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5) ## vary the bag of ch3 in one t
 	@$(MAKE) --no-print-directory ch3-variants-keep && cat $(C3_KEPT)/variants_$(PROFILE).tsv
 ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep what the variants of ch3 that have ended are worth
 	@kept=$(C3_KEPT)/variants_$(PROFILE).tsv; awk -f $(C3)/merge.awk $< $$(ls $$kept 2> /dev/null) $(call whole,$$kept)
-	@$(if $(filter-out $(C3V_ENDED),$(C3V_RATES)),,awk -f $(C3)/rates.awk $(C3V_RATES:%=$(C3V)/%/uc_PE.tsv) $(call whole,$(C3_KEPT)/rates_$(PROFILE).tsv))
+	@$(foreach r,$(C3V_RATES),$(if $(filter-out $(C3V_ENDED),$(r) $(C3V_SLOW_$(r))),,awk -f $(C3)/rates.awk \
+	  $(C3V)/$(r)/uc_PE.tsv $(C3V)/$(C3V_SLOW_$(r))/uc_PE.tsv $(call whole,$(C3_KEPT)/rates_$(r)_$(PROFILE).tsv) || exit;))
 	@$(if $(filter thesis,$(PROFILE)),kept=$(C3_KEPT)/variants_thesis.txt; for run in $(C3V_ENDED); do echo "== $$run" && \
 	  $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; done | awk -f $(C3)/merge.awk - $$(ls $$kept 2> /dev/null) $(call whole,$$kept))
 

@@ -32,6 +32,7 @@ confining_pressure = "100 kPa"
 axial_strain = 0.004
 increment = 0.001
 rate = 0.5
+way_unbalanced_force = 0.02
 friction_angle = 25
 damping = 0.15
 reset_strain = true

@@ -136,6 +136,23 @@ TEST(Run, AStageMayDragWhatWaitsForRest) {
   EXPECT_NEAR(last(run, "energy_error"), 0, 1e-4) << "what was slowed counts as damped away";
 }
 
+TEST(Run, AStageMayGoAsFastAsItsGrainsFollow) {
+  const auto compressed = [](double rate, double unbalanced_force) {
+    return loaded(
+        fmt::format("[equilibrium]\nsteps = 1000000\n[[stage]]\npath = \"free\"\nway_unbalanced_force = {}\n"
+                    "[stage.x]\nstrain = 0\n[stage.y]\nstrain = 0\n[stage.z]\nstrain = 0.01\nmax_rate = {}\n",
+                    unbalanced_force, rate));
+  };
+  const io::RunFile slow = compressed(0.02, 0), fast = compressed(5, 0), kept = compressed(5, 0.02),
+                    capped = compressed(2, 0.02);
+  const double right = last(slow, "stress_zz");
+  EXPECT_LT(last(fast, "stress_zz"), 0.7 * right) << "slow enough as given: the test tells nothing";
+  EXPECT_NEAR(last(kept, "stress_zz"), right, 0.03 * right);
+  EXPECT_NEAR(last(capped, "stress_zz"), last(kept, "stress_zz"), 0.01 * right);
+  EXPECT_NEAR(last(kept, "strain_zz"), 0.01, 1e-8);
+  EXPECT_LT(last(kept, "step"), 0.5 * last(slow, "step")) << "no better than slow all the way";
+}
+
 TEST(Prepare, KeepsContactsWithPlanesOnlyWherePlanesAreParallel) {
   const auto between = [](const std::string& normal) {
     return "[[plane]]\npoint = [0, 0, -1]\nnormal = " + normal + "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n";
