@@ -26,7 +26,7 @@ class Pace {
  private:
   double crossing_;  // steps of a wave across the grains
   double share_;
-  bool found_ = false;  // the wanted unbalanced force, since the stage began
+  bool found_ = false;  // a good part of the wanted unbalanced force, since the stage began
 };
 
 }  // namespace soilweave::dem

@@ -8,7 +8,7 @@ C3V_RATE := 0.02
 # Past the greatest load; of full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
-C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set stage.1.way_unbalanced_force=0
+C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
 C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
 C3V_RATES := paced fast held_often
