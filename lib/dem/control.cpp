@@ -36,15 +36,16 @@ double Servo::stress_rate(int axis, const AxisGoal& goal, const Simulation& simu
   return rate_[axis] + 2 * servo_damping * omega * error / stiffness;
 }
 
-void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation) {
+void Servo::drive(const AxisGoals& goals, int dimension, Simulation& simulation, double pace) {
   const double dt = simulation.time_step();
   const Vec3 strain = simulation.strain();
   Mat3 gradient = Mat3::Zero();
   for (int a = 0; a < dimension; ++a) {
     const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
-    const double rate = goal.kind == AxisGoal::Kind::strain ? -std::expm1(-(goal.value - strain[a])) / dt
-                                                            : stress_rate(a, goal, simulation);
-    gradient(a, a) = -std::clamp(rate, -goal.max_rate, goal.max_rate);
+    const bool strained = goal.kind == AxisGoal::Kind::strain;
+    const double rate = strained ? -std::expm1(-(goal.value - strain[a])) / dt : stress_rate(a, goal, simulation);
+    const double largest = strained ? pace * goal.max_rate : goal.max_rate;
+    gradient(a, a) = -std::clamp(rate, -largest, largest);
   }
   simulation.set_velocity_gradient(gradient);
 }

@@ -41,8 +41,9 @@ struct ServoRule {
 class Servo {
  public:
   explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}
-  /// Sets the velocity gradient of the next step; axes beyond the space's dimension stay at rest.
-  void drive(const AxisGoals& goals, int dimension, Simulation& simulation);
+  /// Sets the velocity gradient of the next step, strain goals at this share of their largest rate; axes beyond the
+  /// space's dimension stay at rest.
+  void drive(const AxisGoals& goals, int dimension, Simulation& simulation, double pace = 1);
   /// Strain goals met.
   static bool strained(const AxisGoals& goals, int dimension, const Simulation& simulation);
   /// All goals met within the tolerances and the unbalanced force below its own.

@@ -59,7 +59,7 @@ double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates
   return std::clamp(s.velocity + direct, -s.speed, s.speed);
 }
 
-void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation) {
+void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace) {
   if (!any()) return;
   const double dt = simulation.time_step();
   const bool loads = loaded() || std::any_of(goals.begin(), goals.end(),
@@ -77,7 +77,8 @@ void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation&
       // A part that is moved along its load's direction carries the load no more.
       if (s.loaded && std::abs(s.direction.dot(goal.direction)) > 0.5) s.loaded = false;
       const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
-      velocity[p] += std::clamp(left / dt, -goal.speed, goal.speed) * goal.direction;
+      const double speed = pace * goal.speed;
+      velocity[p] += std::clamp(left / dt, -speed, speed) * goal.direction;
     }
   }
   for (std::size_t p = 0; p < parts_.size(); ++p) {

@@ -37,9 +37,9 @@ class Rig {
   bool any() const { return !parts_.empty(); }
   /// Displacements count from here.
   void begin_stage();
-  /// Sets the velocities of all parts for the next step: goals as given, loads of earlier stages held, the rest at
-  /// rest.
-  void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation);
+  /// Sets the velocities of all parts for the next step: goals as given, displacements at this share of their speed,
+  /// loads of earlier stages held, the rest at rest.
+  void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace = 1);
   /// Displacements reached.
   bool moved(const std::vector<DriveGoal>& goals) const;
   /// Displacements reached, and loads, old ones too, met to the tolerance.

@@ -153,17 +153,16 @@ class Runner {
   }
 
   void travel(const Stage& stage, std::size_t station) {
-    std::vector<DriveGoal> drives = stage.path->drives(station);
-    const std::vector<DriveGoal> as_given = drives;
+    const std::vector<DriveGoal> drives = stage.path->drives(station);
     const double on_the_way = stage.damping.value_or(scenario_.numerics.damping);
     for (;;) {
-      AxisGoals goals = goals_of(stage, station);
+      const AxisGoals goals = goals_of(stage, station);
       const bool waiting = waits(goals, drives);
-      if (stage.way_unbalanced_force > 0) slow_down(stage, waiting, as_given, goals, drives);
       const double damping = stage.rest_damping && waiting ? *stage.rest_damping : on_the_way;
       simulation_.set_damping(damping);
-      servo_.drive(goals, dimension_, simulation_);
-      rig_.drive(drives, damping, simulation_);
+      const double pace = waiting ? 1 : pace_on_the_way(stage);
+      servo_.drive(goals, dimension_, simulation_, pace);
+      rig_.drive(drives, damping, simulation_, pace);
       simulation_.step();
       if (waiting) slow(stage);
       if (settled(goals, drives)) break;
@@ -175,15 +174,12 @@ class Runner {
     tell(stage, station);
   }
 
-  // Sets the speeds and rates at which goals go a given way.
-  void slow_down(const Stage& stage, bool waiting, const std::vector<DriveGoal>& as_given, AxisGoals& goals,
-                 std::vector<DriveGoal>& drives) {
-    if (!waiting && simulation_.steps() % look_interval == 0)
+  // Share of the given speeds and rates.
+  double pace_on_the_way(const Stage& stage) {
+    if (stage.way_unbalanced_force == 0) return 1;
+    if (simulation_.steps() % look_interval == 0)
       pace_.follow(simulation_.unbalanced_force(), stage.way_unbalanced_force, look_interval);
-    for (AxisGoal& goal : goals)
-      if (goal.kind == AxisGoal::Kind::strain) goal.max_rate *= pace_.share();
-    for (std::size_t k = 0; k < drives.size(); ++k)
-      if (drives[k].kind == DriveGoal::Kind::displacement) drives[k].speed = pace_.share() * as_given[k].speed;
+    return pace_.share();
   }
 
   // Local damping weakens as forces balance; what sways then with little to hold it needs a drag to come to rest.
