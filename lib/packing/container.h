@@ -8,6 +8,7 @@
 
 #include "core/settings.h"
 #include "core/tensor.h"
+#include "packing/profile.h"
 
 namespace soilweave::packing {
 
@@ -31,18 +32,14 @@ class Container {
 };
 
 /// The filled bag: flat square faces with rounded corners, round sides between them. What lies no farther than
-/// side_radius from a flat core in z = 0, cut at half_height; sides as round as half_height meet the faces without an
-/// edge.
-struct Pillow final : Container {
-  double width = 0.374336;        // m, of the flat faces
-  double half_height = 0.04;      // m
+/// side_radius from a flat core in z = 0, cut at half_height.
+struct Pillow final : Container, Profile {
   double corner_radius = 0.0357;  // m, of the faces
-  double side_radius = 0.04;      // m, at least half_height
 
   static Pillow read(Settings& table);
   double depth(const Vec3& point) const override;
   Vec3 low() const override { return -high(); }
-  Vec3 high() const override;
+  Vec3 high() const override { return {reach(), reach(), half_height}; }
   /// Areas A + P t + pi t^2 at the distance t around a flat core of area A and perimeter P (Steiner), over the height.
   double volume(double depth = 0) const override;
   /// The top and bottom of the box reach as far down the sides as lines of equal length ask for; or, each by itself, to
@@ -52,15 +49,8 @@ struct Pillow final : Container {
   Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:
-  /// How far the flat faces reach beyond the core, m, and the angle from the vertical at which their sides begin.
-  double overhang() const;
-  double first_angle() const;
-  /// From the middle of the top to the middle of a side, on the surface so far outside, m.
-  double half_hoop(double outside) const;
   /// The core's point nearest to this one.
   Vec3 foot(const Vec3& point) const;
-  /// side: share of the way from the middle of the top to the middle of a side that belongs to the box's side.
-  Vec3 at(const Vec3& box, double side, double outside) const;
 };
 
 /// An upright box.

@@ -12,6 +12,7 @@
 #include "dem/bodies.h"
 #include "dem/scenario.h"
 #include "io/files.h"
+#include "packing/cushion.h"
 #include "packing/surface.h"
 #include "packing/tile.h"
 
@@ -30,9 +31,11 @@ void read_container(Settings& document, Plan& plan) {
   static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   Settings table = document.table("container");
-  const std::string shape = table.kind("shape", {"pillow", "box", "surface", "none"});
+  const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
   if (shape == "pillow") {
     plan.container = std::make_unique<Pillow>(Pillow::read(table));
+  } else if (shape == "cushion") {
+    plan.container = std::make_unique<Cushion>(Cushion::read(table));
   } else if (shape == "box") {
     auto box = std::make_unique<Box>();
     box->lower = table.vector(low), box->upper = table.vector(high);

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "dem/simulation.h"
 #include "packing/chart.h"
+#include "packing/cushion.h"
 #include "packing/plan.h"
 #include "packing/tile.h"
 #include "support/assemblies.h"
@@ -58,29 +59,77 @@ Pillow inextensible() {
   return bag;
 }
 
-TEST(Pillow, DepthAndVolumeAgree) {
+// Of the same section, with sides straight from corner to corner.
+Cushion straight(double corner_radius) {
+  Cushion bag;
+  static_cast<Profile&>(bag) = inextensible();
+  bag.corner_radius = corner_radius;
+  return bag;
+}
+
+TEST(Bag, DepthAndVolumeAgree) {
   EXPECT_NEAR(Pillow().volume(), 0.0150, 1e-6) << "parameters of the reference";
-  for (const Pillow& bag : {Pillow(), inextensible()}) {
+  const Pillow round, flatter = inextensible();
+  const Cushion sharp = straight(0), rounded = straight(0.03);
+  for (const Container* bag : std::initializer_list<const Container*>{&round, &flatter, &sharp, &rounded}) {
     std::mt19937_64 engine(1);
-    const Vec3 high = bag.high();
+    const Vec3 high = bag->high();
     std::uniform_real_distribution<double> share(-1, 1);
     const int n = 400'000;
     int inside = 0, deep = 0;
     for (int k = 0; k < n; ++k) {
       const double x = share(engine), y = share(engine), z = share(engine);
-      const double depth = bag.depth(Vec3(x, y, z).cwiseProduct(high));
+      const double depth = bag->depth(Vec3(x, y, z).cwiseProduct(high));
       inside += depth > 0;
       deep += depth > 0.01;
     }
     const double box = 8 * high.prod();
-    for (const auto& [count, volume] : {std::pair{inside, bag.volume()}, std::pair{deep, bag.volume(0.01)}}) {
+    for (const auto& [count, volume] : {std::pair{inside, bag->volume()}, std::pair{deep, bag->volume(0.01)}}) {
       const double share_inside = volume / box;
       EXPECT_NEAR(static_cast<double>(count) / n, share_inside, 4 * std::sqrt(share_inside * (1 - share_inside) / n))
           << "four standard deviations of the sampling";
     }
-    EXPECT_NEAR(bag.depth(Vec3(0, 0, 0.03)), 0.01, 1e-15);
-    EXPECT_NEAR(bag.depth(Vec3(high.x() - 0.03, 0, 0)), 0.03, 1e-15);
-    EXPECT_NEAR(bag.depth(Vec3(0.1, high.y() + 0.01, 0)), -0.01, 1e-15);
+    EXPECT_NEAR(bag->depth(Vec3(0, 0, 0.03)), 0.01, 1e-15);
+    EXPECT_NEAR(bag->depth(Vec3(high.x() - 0.03, 0, 0)), 0.03, 1e-15);
+    EXPECT_NEAR(bag->depth(Vec3(0.1, high.y() + 0.01, 0)), -0.01, 1e-15);
+  }
+}
+
+TEST(Cushion, IsWhatItsTwoSectionsShareLessItsCorners) {
+  const double reach = straight(0).reach();
+  EXPECT_NEAR(straight(0).depth(Vec3(reach, reach, 0)), 0, 1e-15);
+  EXPECT_NEAR(straight(0).depth(Vec3(0.2, -0.2, 0.04)), 0, 1e-15);
+  EXPECT_NEAR(straight(0).depth(Vec3(-reach - 0.003, reach + 0.004, 0)), -0.005, 1e-15);
+  const double corner = reach - 0.02 + 0.02 * std::sqrt(0.5);
+  EXPECT_NEAR(straight(0.02).depth(Vec3(corner, -corner, 0)), 0, 1e-15);
+  EXPECT_NEAR(straight(0.02).depth(Vec3(corner - 0.003, 0.003 - corner, 0)), 0.003 * std::sqrt(2), 1e-15);
+  for (const Cushion& bag : {straight(0), straight(0.02)}) {
+    std::vector<Vec3> surface;
+    const int n = 200;
+    for (int k = 0; k <= n; ++k)
+      for (int i = 0; i <= n; ++i) {
+        const double z = 0.04 * k / n, a = bag.core() + std::sqrt(bag.side_radius * bag.side_radius - z * z);
+        const double r = bag.corner_radius, turn = 0.5 * pi * i / n;
+        surface.emplace_back(a, (a - r) * i / n, z), surface.emplace_back((a - r) * i / n, a, z);
+        surface.emplace_back(a - r + r * std::cos(turn), a - r + r * std::sin(turn), z);
+        const Vec3 face(0.2 * i / n, 0.2 * k / n, 0.04);
+        if (std::min(face.x(), face.y()) < 0.2 - r || std::hypot(face.x() - 0.2 + r, face.y() - 0.2 + r) < r)
+          surface.push_back(face);
+      }
+    std::mt19937_64 engine(1);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int k = 0; k < 200; ++k) {
+      const double x = share(engine), y = share(engine), z = share(engine);
+      const Vec3 point(0.18 + 0.05 * x, 0.18 + 0.05 * y, 0.06 * z);
+      double nearest = 1;
+      for (const Vec3& s : surface) nearest = std::min(nearest, (point - s).norm());
+      const double depth = bag.depth(point);
+      EXPECT_NEAR(std::abs(depth), nearest, 5e-4) << "by points of its surface half a millimetre apart";
+      if (depth > 0) continue;
+      const Vec3 on = bag.nearest(point, 0.0025);
+      EXPECT_NEAR(bag.depth(on), -0.0025, 1e-12) << point.transpose();
+      EXPECT_NEAR((on - point).norm(), std::abs(depth + 0.0025), 1e-9);
+    }
   }
 }
 
@@ -158,18 +207,38 @@ TEST(Geotextile, FacesOfAnInextensibleBagAreAsWideAsTheEmptyOne) {
   EXPECT_NEAR(hoop, 2 * (0.4 + 0.1) + 2 * pi * 0.0025, 1e-3) << "that of the surface 2.5 mm outside";
 }
 
+TEST(Geotextile, WrapsACushionFaceByFace) {
+  for (const double corner_radius : {0.0, 0.02})
+    for (const double outside : {0.0, 0.0025}) {
+      const Cushion bag = straight(corner_radius);
+      const Fabric fabric = wrap(bag, {91, 91, 20}, outside, false);
+      EXPECT_EQ(fabric.yarns.size(), 47684U);
+      for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -outside, 1e-12);
+      double ring = 0;
+      for (const Fabric::Yarn& yarn : fabric.yarns) {
+        const Vec3 a = fabric.nodes[static_cast<std::size_t>(yarn.first)],
+                   b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
+        if (yarn.family == 1 && a.z() == 0 && b.z() == 0) ring += (b - a).norm();
+      }
+      // Around the middle; chords cut its corners.
+      const double outline = 8 * bag.reach() - (8 - 2 * pi) * corner_radius + 2 * pi * outside;
+      EXPECT_NEAR(ring, outline, 2e-3 * outline);
+    }
+}
+
 TEST(Geotextile, IsMirroredBitByBit) {
-  const Fabric fabric = wrap(Pillow(), {9, 9, 4}, 0.0025);
-  const auto less = [](const Vec3& a, const Vec3& b) {
-    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
-  };
-  std::vector<Vec3> nodes = fabric.nodes;
-  std::sort(nodes.begin(), nodes.end(), less);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<Vec3> mirrored = fabric.nodes;
-    for (Vec3& x : mirrored) x[axis] = 0.0 - x[axis];
-    std::sort(mirrored.begin(), mirrored.end(), less);
-    EXPECT_EQ(nodes, mirrored) << "axis " << axis;
+  for (const Fabric& fabric : {wrap(Pillow(), {9, 9, 4}, 0.0025), wrap(straight(0.02), {9, 9, 4}, 0.0025)}) {
+    const auto less = [](const Vec3& a, const Vec3& b) {
+      return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+    };
+    std::vector<Vec3> nodes = fabric.nodes;
+    std::sort(nodes.begin(), nodes.end(), less);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Vec3> mirrored = fabric.nodes;
+      for (Vec3& x : mirrored) x[axis] = 0.0 - x[axis];
+      std::sort(mirrored.begin(), mirrored.end(), less);
+      EXPECT_EQ(nodes, mirrored) << "axis " << axis;
+    }
   }
 }
 
@@ -237,6 +306,7 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   const std::string bag = "[container]\nshape = \"pillow\"\ncopies = [2, 2, 1]\n" + materials;
   EXPECT_THROW(assemble(one, read_plan(bag, "plan", {})), DataError) << "too few copies";
   EXPECT_THROW(read_plan("[container]\nshape = \"pillow\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
+  EXPECT_THROW(read_plan("[container]\nshape = \"cushion\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
   EXPECT_THROW(read_plan("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1, 1, 0]\n" + materials, "plan", {}),
                DataError);
   io::Snapshot open = one;
