@@ -38,7 +38,7 @@ class Walk {
   }
 
   Forecast::OfStage stage(const Stage& stage) {
-    Forecast::OfStage of{stage.name, stage.path->stations(), 0};
+    Forecast::OfStage of{stage.name, stage.path->stations(), 0, stage.way_unbalanced_force > 0};
     state_.strain = Vec3::Zero();
     for (std::size_t station = 0; station < of.stations; ++station)
       of.steps +=
@@ -166,11 +166,13 @@ std::string Forecast::text() const {
       "time step {:.4g} s, stability limit {:.4g} s\n",
       price.grains, price.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
   for (const OfStage& stage : stages)
-    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps\n", stage.name, stage.stations,
-                        stage.stations == 1 ? "" : "s", stage.steps);
+    text += fmt::format("stage \"{}\": {} station{}, {} {:.2g} steps\n", stage.name, stage.stations,
+                        stage.stations == 1 ? "" : "s", stage.paced ? "at least" : "about", stage.steps);
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
-  return text + fmt::format("about {}: {}\n", time_text(price.stepping + price.output), price.line());
+  const bool paced = std::any_of(stages.begin(), stages.end(), [](const OfStage& stage) { return stage.paced; });
+  return text + fmt::format("{} {}: {}\n", paced ? "at least" : "about", time_text(price.stepping + price.output),
+                            price.line());
 }
 
 }  // namespace soilweave::dem

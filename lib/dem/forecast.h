@@ -14,7 +14,8 @@ struct Forecast {
   struct OfStage {
     std::string name;
     std::size_t stations = 0;
-    double steps = 0;  // a guess: how fast grains come to rest is known when they have
+    double steps = 0;    // a guess: how fast grains come to rest is known when they have
+    bool paced = false;  // how fast they may go is known then, too: more steps, not fewer
   };
   std::vector<OfStage> stages;
   double stability_limit = 0, time_step = 0;  // s, at the start
