@@ -56,11 +56,15 @@ carries less.</p>
 <p>For the same tension of the faces stresses are larger than recorded, most at first. It is the sides that hold the soil as well: here
 their horizontal yarns stretch by 0.7 to 0.8 of what the faces do from the start, in the record by a quarter at first and by 0.7 at the
 peak. Beside the mean tension of all yarns that a plane in the middle cuts (rows &ldquo;around the bag&rdquo;) lateral stress is the
-recorded one. How soon they are taut was tried on bags otherwise shaped or filled (below, <code>make ch3-causes</code>). Of the corners the
-thesis says no more than that they are slightly tightened. Those of 35.7 mm (<code>round_corners</code>), what a bag with half circles for
-sides needs to hold 0.015 m&sup3;, draw the sides taut sooner, and stresses at equal tension, the first loss of void ratio and its growth
-are then farther from the record. Soil that is not stretched to the sides as it grows (<code>unstretched</code>) leaves them slack, but
-softens the bag.</p>
+recorded one. How soon they are taut was tried on bags otherwise shaped or filled (below, <code>make ch3-causes</code>): it is the corners,
+of which the thesis says no more than that they are slightly tightened, and that the bag was drawn from its two cross-sections. Here sides
+bulge around the corners too, which are of 20 mm at the faces and of 45 mm in the middle. With sides straight from corner to corner and
+corners of 20 mm all along (<code>straight_sides</code>), rings around the bag have first to round these before they are taut: their yarns
+stretch later, by as much as in the record, stresses at equal tension are less and the void ratio grows by more, both nearer to the record.
+Corners that are not rounded (<code>sharp_corners</code>) leave the sides slack for more than 3 % of strain, which is too long; those of
+35.7 mm at the faces (<code>round_corners</code>), what a bag with half circles for sides needs to hold 0.015 m&sup3;, draw them taut
+sooner, and all of this is then farther from the record. Soil that is not stretched to the sides as it grows (<code>unstretched</code>)
+leaves them slack, but softens the bag.</p>
 PAGE
   [ ! -e "$kept/variants_quick.tsv" ] || cat <<'PAGE'
 <p>Other representative volumes tell how much of a difference is chance. In the first percents of strain most depends on how dense the soil

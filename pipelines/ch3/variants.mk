@@ -53,8 +53,8 @@ $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%
 # volumes. At the study's own rate, past the greatest stress.
 C3K := $(C3O)/causes
 C3K_END := 0.15
-C3_CAUSES_quick := round_corners unstretched meshed_evenly round_sides flatter_sides
-C3_CAUSES_thesis := round_corners
+C3_CAUSES_quick := round_corners straight_sides sharp_corners unstretched meshed_evenly round_sides flatter_sides
+C3_CAUSES_thesis := round_corners straight_sides
 C3_CAUSES := $(C3_CAUSES_$(PROFILE))
 C3_SEEDS := seed_2 seed_3
 C3K_YARNS_quick := PE
