@@ -59,7 +59,7 @@ peak. Beside the mean tension of all yarns that a plane in the middle cuts (rows
 recorded one. How soon they are taut was tried on bags otherwise shaped or filled (below, <code>make ch3-causes</code>): it is the corners,
 of which the thesis says no more than that they are slightly tightened, and that the bag was drawn from its two cross-sections. Here sides
 bulge around the corners too, which are of 20 mm at the faces and of 45 mm in the middle. With sides straight from corner to corner and
-corners of 20 mm all along (<code>straight_sides</code>; of full size, its grains larger by 0.15 %, so that they are as many), rings around
+corners of 20 mm all along (<code>straight_sides</code>; at full size PE alone, grains larger by 0.15 %, so that they are as many), rings around
 the bag have first to round these before they are taut. Their yarns stretch later, nearly as in the record, and lateral stress at equal
 tension of the faces is the recorded one but for 3 %. Axial stress and load at equal tension fall too, by 3 to 11 %: too far for the one
 bag, but by about what three bags with bulging corners (below) have too much in the mean.
