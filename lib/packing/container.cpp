@@ -13,19 +13,34 @@
 namespace soilweave::packing {
 using std::numbers::pi;
 
-Pillow Pillow::read(Settings& table) {
-  static constexpr Parameter corner{"corner_radius", "m", 0, 1e3, false, "radius of the faces' corners"};
-  Pillow p;
-  static_cast<Profile&>(p) = Profile::read(table);
-  p.corner_radius = table.number(corner, p.corner_radius);
-  if (2 * p.corner_radius > p.width)
-    table.mistake("corner_radius", "is more than half the width: round the faces less");
-  if (p.core() >= 0 && p.corner_radius < p.overhang())
+void FilledBag::read(Settings& table) {
+  static constexpr Parameter corner{"corner_radius", "m", 0, 1e3, false, "radius of the corners, seen from above"};
+  static_cast<Profile&>(*this) = Profile::read(table);
+  corner_radius = table.number(corner, corner_radius);
+  if (2 * corner_radius > width) table.mistake("corner_radius", "is more than half the width: round the corners less");
+}
+
+std::vector<Vec3> FilledBag::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                                    bool even) const {
+  const double round = 1 - 0.5 * width / half_hoop(outside);
+  std::vector<Vec3> points;
+  for (const Vec3& b : box) {
+    const Place at = place(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : round, outside);
+    // The corners of the rings round gradually, so that the middle of the face is a regular grid.
+    const double share = at.face / (0.5 * width);
+    const auto xy = on_outline(b.x(), b.y(), at.face + at.beyond, corner_radius * share * share + rounder(at.beyond));
+    points.emplace_back(xy.x(), xy.y(), at.height);
+  }
+  return points;
+}
+
+Pillow::Pillow(Settings& table) : Pillow() {
+  read(table);
+  if (core() >= 0 && corner_radius < overhang())
     table.mistake("corner_radius",
                   fmt::format("is less than {:.4g} m, by which the faces reach beyond the middles of such round sides: "
-                              "round the faces more, or give them corners that are not rounded (shape = \"cushion\")",
-                              p.overhang()));
-  return p;
+                              "round the faces more, or give shape = \"cushion\", whose corners may be sharper",
+                              overhang()));
 }
 
 Vec3 Pillow::foot(const Vec3& point) const {
@@ -49,20 +64,6 @@ double Pillow::volume(double depth) const {
   const double round = std::asin(std::min(h / s, 1.0));
   return 2 * h * area + perimeter * (h * std::sqrt(std::max(s * s - h * h, 0.0)) + s * s * round) +
          2 * pi * h * (s * s - h * h / 3);
-}
-
-std::vector<Vec3> Pillow::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
-                                 bool even) const {
-  const double round = 1 - 0.5 * width / half_hoop(outside);
-  std::vector<Vec3> points;
-  for (const Vec3& b : box) {
-    const Place at = place(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : round, outside);
-    // The corners of the rings round gradually, so that the middle of the face is a regular grid.
-    const double share = at.face / (0.5 * width);
-    const auto xy = on_outline(b.x(), b.y(), at.face + at.beyond, corner_radius * share * share + at.beyond);
-    points.emplace_back(xy.x(), xy.y(), at.height);
-  }
-  return points;
 }
 
 Vec3 Pillow::nearest(const Vec3& point, double outside) const {

@@ -31,24 +31,36 @@ class Container {
   virtual Vec3 nearest(const Vec3& point, double outside) const = 0;
 };
 
-/// The filled bag: flat square faces with rounded corners, round sides between them. What lies no farther than
-/// side_radius from a flat core in z = 0, cut at half_height.
-struct Pillow final : Container, Profile {
-  double corner_radius = 0.0357;  // m, of the faces
+/// A filled bag: flat square faces with rounded corners, and round sides between them.
+struct FilledBag : Container, Profile {
+  double corner_radius = 0;  // m, of the faces
 
-  static Pillow read(Settings& table);
-  double depth(const Vec3& point) const override;
   Vec3 low() const override { return -high(); }
   Vec3 high() const override { return {reach(), reach(), half_height}; }
-  /// Areas A + P t + pi t^2 at the distance t around a flat core of area A and perimeter P (Steiner), over the height.
-  double volume(double depth = 0) const override;
   /// The top and bottom of the box reach as far down the sides as lines of equal length ask for; or, each by itself, to
   /// where the faces cease to be flat.
   std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                            bool even) const override;
+
+ protected:
+  /// Its section and its corners.
+  void read(Settings& table);
+  /// Of the corners' radius, m: how much larger it is so far beyond the faces' edges.
+  virtual double rounder(double beyond) const = 0;
+};
+
+/// What lies no farther than side_radius from a flat core in z = 0, cut at half_height: sides bulge around the corners
+/// too.
+struct Pillow final : FilledBag {
+  Pillow() { corner_radius = 0.0357; }
+  explicit Pillow(Settings& table);
+  double depth(const Vec3& point) const override;
+  /// Areas A + P t + pi t^2 at the distance t around a flat core of area A and perimeter P (Steiner), over the height.
+  double volume(double depth = 0) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
 
  private:
+  double rounder(double beyond) const override { return beyond; }
   /// The core's point nearest to this one.
   Vec3 foot(const Vec3& point) const;
 };

@@ -6,19 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "packing/chart.h"
-
 namespace soilweave::packing {
-
-Cushion Cushion::read(Settings& table) {
-  static constexpr Parameter corner{"corner_radius", "m", 0, 1e3, false, "radius of the corners, seen from above"};
-  Cushion c;
-  static_cast<Profile&>(c) = Profile::read(table);
-  c.corner_radius = table.number(corner, c.corner_radius);
-  if (2 * c.corner_radius > c.width)
-    table.mistake("corner_radius", "is more than half the width: round the corners less");
-  return c;
-}
 
 Cushion::Seen Cushion::see(const Vec3& point) {
   const double x = std::abs(point.x()), y = std::abs(point.y());
@@ -38,6 +26,8 @@ double Cushion::beyond(const Seen& at, double height) const {
   const Eigen::Vector2d m = from_corner(at, height);
   return m.cwiseMax(0).norm() + std::min(m[0], 0.0) - corner_radius;
 }
+
+bool Cushion::inside(const Seen& at) const { return at.height <= half_height && beyond(at, at.height) <= 0; }
 
 bool Cushion::at_corner(const Seen& at) const {
   // Mirrored at x = y, the body stays itself: of its two sides the nearer one is that towards which a point is farther.
@@ -64,7 +54,7 @@ double Cushion::depth(const Vec3& point) const {
   const Seen at = see(point);
   if (!at_corner(at)) return Profile::depth(std::max(at.far - core(), 0.0), point.z());
   const double height = height_on_corner(at), out = beyond(at, height), below_face = half_height - at.height;
-  if (below_face >= 0 && beyond(at, at.height) <= 0) return std::min(below_face, std::hypot(out, height - at.height));
+  if (inside(at)) return std::min(below_face, std::hypot(out, height - at.height));
   return -std::hypot(std::max(out, 0.0), height - at.height);
 }
 
@@ -78,15 +68,10 @@ double Cushion::volume(double depth) const {
 
 std::vector<Vec3> Cushion::spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                                   bool even) const {
-  const double round = 1 - 0.5 * width / half_hoop(outside);
-  std::vector<Vec3> points;
-  for (const Vec3& b : box) {
-    const Place at = place(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : round, outside);
-    const double share = at.face / (0.5 * width);
-    const auto xy = on_outline(b.x(), b.y(), at.face + at.beyond, corner_radius * share * share);
-    const Vec3 point(xy.x(), xy.y(), at.height);
-    points.push_back(outside > 0 ? nearest(point, outside) : point);
-  }
+  std::vector<Vec3> points = FilledBag::spread(box, cells, outside, even);
+  // The parallel surface is rounder at its corners.
+  if (outside > 0)
+    for (Vec3& point : points) point = nearest(point, outside);
   return points;
 }
 
@@ -102,7 +87,7 @@ Vec3 Cushion::nearest(const Vec3& point, double outside) const {
     const bool along_x = std::abs(point.x()) >= std::abs(point.y());
     const Vec3 foot(std::copysign(along_x ? on[0] : on[1], point.x()),
                     std::copysign(along_x ? on[1] : on[0], point.y()), std::copysign(height, point.z()));
-    return foot + (depth(point) < 0 ? outside : -outside) * (point - foot).normalized();
+    return foot + (inside(at) ? -outside : outside) * (point - foot).normalized();
   }
   const Eigen::Index far = std::abs(point.x()) >= std::abs(point.y()) ? 0 : 1;
   const double out = at.far - core();

@@ -33,9 +33,9 @@ void read_container(Settings& document, Plan& plan) {
   Settings table = document.table("container");
   const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
   if (shape == "pillow") {
-    plan.container = std::make_unique<Pillow>(Pillow::read(table));
+    plan.container = std::make_unique<Pillow>(table);
   } else if (shape == "cushion") {
-    plan.container = std::make_unique<Cushion>(Cushion::read(table));
+    plan.container = std::make_unique<Cushion>(table);
   } else if (shape == "box") {
     auto box = std::make_unique<Box>();
     box->lower = table.vector(low), box->upper = table.vector(high);
