@@ -166,13 +166,11 @@ std::string Forecast::text() const {
       "time step {:.4g} s, stability limit {:.4g} s\n",
       price.grains, price.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
   for (const OfStage& stage : stages)
-    text += fmt::format("stage \"{}\": {} station{}, {} {:.2g} steps\n", stage.name, stage.stations,
-                        stage.stations == 1 ? "" : "s", stage.paced ? "at least" : "about", stage.steps);
+    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps{}\n", stage.name, stage.stations,
+                        stage.stations == 1 ? "" : "s", stage.steps, stage.paced ? " if as fast as given" : "");
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
-  const bool paced = std::any_of(stages.begin(), stages.end(), [](const OfStage& stage) { return stage.paced; });
-  return text + fmt::format("{} {}: {}\n", paced ? "at least" : "about", time_text(price.stepping + price.output),
-                            price.line());
+  return text + fmt::format("about {}: {}\n", time_text(price.stepping + price.output), price.line());
 }
 
 }  // namespace soilweave::dem

@@ -15,7 +15,7 @@ struct Forecast {
     std::string name;
     std::size_t stations = 0;
     double steps = 0;    // a guess: how fast grains come to rest is known when they have
-    bool paced = false;  // how fast they may go is known then, too: more steps, not fewer
+    bool paced = false;  // on the way slower than given, then sooner at rest: not foreseen
   };
   std::vector<OfStage> stages;
   double stability_limit = 0, time_step = 0;  // s, at the start
