@@ -125,6 +125,7 @@ void Part::enter(Entry entry) {
   } catch (const AnotherRun&) {
     if (entry == Entry::resume) throw;
     drop(0);
+    replaced_ = true;
   }
   std::error_code ignored;
   for (const fs::directory_entry& stray : fs::directory_iterator(folder_, ignored))

@@ -67,6 +67,8 @@ class Part {
   /// The newest file, empty before the first; its step, -1 before the first.
   std::filesystem::path last() const;
   std::int64_t last_step() const { return files_.empty() ? -1 : files_.back().step; }
+  /// Whether it held another run's work, which is gone.
+  bool replaced() const { return replaced_; }
   /// The error with what is whole and how to go on in its line.
   Error explained(const Error& error) const;
   /// The error of a guard. The state it stopped at is left beside the moments, for the eye; grains whose numbers are
@@ -93,6 +95,7 @@ class Part {
   History history_;
   std::vector<File> files_;  // by step
   std::optional<Moment> last_;
+  bool replaced_ = false;
   int lock_ = -1;
 };
 

@@ -36,8 +36,11 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
   part_.emplace(output, history, entry_of(invocation));
   if (!invocation.resume) return;
   note_ = invocation.tool + ": ";
-  note_ += part_->last().empty() ? part_of(output).string() + " holds nothing to go on from; beginning anew"
-                                 : "going on from " + part_->last().string();
+  if (!part_->last().empty())
+    note_ += "going on from " + part_->last().string();
+  else
+    note_ += part_of(output).string() + (part_->replaced() ? " held another run, which --force gives up; beginning anew"
+                                                           : " holds nothing to go on from; beginning anew");
 }
 
 bool SafeOutput::finished(Progress& progress) const {

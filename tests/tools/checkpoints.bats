@@ -212,7 +212,8 @@ command with --resume goes on from there" said || show "$(< said)"
   refuses 65 run-dem "whose scenario differs" "${same[@]/short.toml/other.toml}" --resume
   pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 --seed 1 -o other.h5
   refuses 65 run-dem "whose packing differs" "${same[@]/packing.h5/other.h5}" --resume
-  exits 0 run-dem --quiet packing.h5 short.toml --resume --force -o out.h5
+  exits 0 run-dem packing.h5 short.toml --resume --force -o out.h5
+  [[ $stderr == *"run-dem: out.h5.part held another run, which --force gives up; beginning anew"* ]] || show "wanted a note"
   same_bytes run.h5 out.h5
 }
 
