@@ -20,6 +20,8 @@ namespace {
 
 // Blocks of yarns that one thread takes in one go; sums are made chunk by chunk.
 constexpr std::size_t blocks_per_chunk = 128;
+// m: nodes of a torn fabric may come to lie in one place, where their yarn is slack and has no direction.
+constexpr double least_length = 1e-12;
 
 double sum_of(const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; }
 
@@ -115,7 +117,7 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
   const Lane4 tension = pull<Lane4>(curve, length / block.rest_length - 1, block.memory);
   block.tension = tension, block.length = length;
   Lane4* const pulls = pulls_.data() + number * Block::size;
-  const Lane4 inverse = 1 / length;
+  const Lane4 inverse = 1 / maximum(length, all<Lane4>(least_length));
   to_rows(inverse * reach.x, inverse * reach.y, inverse * reach.z, tension,
           [pulls](int lane, const Lane4& row) { pulls[lane] = row; });
   if (const unsigned breaking = bits(block.memory.broken & ~broken_before)) [[unlikely]]
@@ -176,7 +178,7 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
       const Block& block = blocks_[slot / Block::size];
       if (block.memory.broken[lane]) continue;
       const double k = stiffest[static_cast<std::size_t>(block.geotextile)] / block.rest_length[lane];
-      const double sideways = block.tension[lane] / block.length[lane];  // a taut string's
+      const double sideways = block.tension[lane] / std::max(block.length[lane], least_length);  // a taut string's
       const Lane4 n2 = pulls_[slot] * pulls_[slot];
       along += k * n2 + sideways * (1.0 - n2);
     }

@@ -116,6 +116,17 @@ TEST(Strip, EnergyOfYieldingIsAccountedFor) {
   EXPECT_NEAR(last("yarn_elastic_energy") + last("yarn_dissipation"), work, 2e-3 * work);
 }
 
+// As those of a torn bag may.
+TEST(Strip, SlackYarnsWhoseEndsMeetPullAtNothing) {
+  const Scenario plan = pulled(pe_points, move(1e-3, 1), 0.0025);
+  io::Snapshot start = prepare(strip(1), plan);
+  for (Vec3& x : start.grains.position) x.y() = 0;
+  Simulation simulation(start, plan.model, plan.numerics);
+  for (int k = 0; k < 20; ++k) simulation.step();
+  EXPECT_EQ(simulation.yarns().tension, 0);
+  EXPECT_EQ(simulation.snapshot().grains.position, start.grains.position);
+}
+
 // Without damping the strip swings for ever; it swings on the way, and comes to rest where the clamp stands.
 TEST(Strip, ComesToRestWhereOnlyTheWaitIsDamped) {
   std::string stage = move(2.4e-3, 4);
