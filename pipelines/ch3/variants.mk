@@ -9,7 +9,7 @@ C3V_RATE := 0.02
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
-C3_VARIANTS_quick := $(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv)
+C3_VARIANTS_quick := $(filter-out straight_seed_3,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
 C3V_RATES := paced fast held_often
 C3V_SLOW_paced := slow_paced
@@ -54,7 +54,7 @@ $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%
 C3K := $(C3O)/causes
 C3K_END := 0.15
 C3_CAUSES_quick := round_corners straight_sides sharp_corners unstretched meshed_evenly round_sides flatter_sides
-C3_CAUSES_thesis := round_corners straight_sides
+C3_CAUSES_thesis := round_corners straight_sides straight_seed_3
 C3_CAUSES := $(C3_CAUSES_$(PROFILE))
 C3_SEEDS := seed_2 seed_3
 C3K_YARNS_quick := PE
