@@ -69,14 +69,14 @@ struct RunDem {
     const StopSignals signals;
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
-    dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals},
-                                    state.yarns.size() > 0 ? dem::Observe(observe) : dem::Observe());
+    dem::Observe observe;
+    // Of a geotextile: sheets hold no soil to speak of.
+    if (state.yarns.size() > 0)
+      observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };
+    dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals}, observe);
     outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
     if (output != "-") progress.note("run-dem: " + outcome.price.line());
   }
-
-  /// Of a geotextile: sheets hold no soil to speak of.
-  static void observe(const io::Snapshot& state, io::Series& series) { analysis::put_bag(series, state); }
 
   static std::vector<io::Source> sources(const io::PackingFile& start, const io::TextFile& text,
                                          const dem::Scenario& plan) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "analysis/stress.h"
@@ -86,6 +87,13 @@ DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& n
   return fill;
 }
 
+BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& node, int threads) {
+  const auto how = threads > 1 ? std::launch::async : std::launch::deferred;
+  std::future<DelaunayFill> soil = std::async(how, [&] { return delaunay_fill(state, node); });
+  std::vector<double> cells = power_cell_volumes(state);
+  return {std::move(cells), soil.get()};
+}
+
 std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   std::array<YarnMean, 3> means;
@@ -105,9 +113,10 @@ std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
   return means;
 }
 
-void put_bag(io::Series& table, const io::Snapshot& state) {
+void put_bag(io::Series& table, const io::Snapshot& state, int threads) {
   const std::vector<bool> node = nodes(state);
-  const std::vector<double> volumes = power_cell_volumes(state);
+  const BagRoom room = bag_room(state, node, threads);
+  const std::vector<double>& volumes = room.cells;
   const std::vector<Mat3> dyads = grain_dyads(state);
   Volume soil, quarter;
   double ends = 0;
@@ -123,7 +132,7 @@ void put_bag(io::Series& table, const io::Snapshot& state) {
   const VolumeState whole = volume_state(state, soil, dyads, volumes);
   put_stresses(table, whole, volume_state(state, quarter, dyads, volumes).stress);
   put(table, "soil_delaunay_void_ratio", "1", "void ratio of the Delaunay tetrahedra of the soil's centres",
-      delaunay_fill(state, node).void_ratio());
+      room.soil.void_ratio());
   put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", static_cast<double>(outside));
   put(table, "soil_coordination_number", "1", "contacts of the soil's grains over their number",
       ends / static_cast<double>(soil.grains.size()));

@@ -30,10 +30,17 @@ struct DelaunayFill {
 };
 DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& node);
 
+/// The room of a bag's grains in both ways, found side by side where there are two threads.
+struct BagRoom {
+  std::vector<double> cells;  // m3, power cells, as power_cell_volumes has them
+  DelaunayFill soil;
+};
+BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& node, int threads);
+
 /// One row: volume, void ratio and stress of the soil over its power cells, its Delaunay void ratio, friction mobilised
 /// at the faces (thesis Eq. 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken
 /// ones.
-void put_bag(io::Series& table, const io::Snapshot& state);
+void put_bag(io::Series& table, const io::Snapshot& state, int threads = 1);
 /// One row a yarn: its family, middle and length (m), direction, tension (N), strain, whether it is broken.
 void put_yarns(io::Series& table, const io::Snapshot& state);
 /// One row a broken yarn, in the order they broke: when and where.

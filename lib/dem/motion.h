@@ -64,8 +64,11 @@ class Motion {
   std::vector<double> partial_;  // of other passes, by chunk
 };
 
+struct Slowed {
+  double energy_before = 0, energy_after = 0;  // J, kinetic, as below
+};
 /// Of fluctuation velocities and spins this share is left.
-void slow(Bodies& bodies, double share, int threads);
+Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads);
 /// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
 /// The same of the grains that something acts on. What floats free without gravity is slowed by nothing, and bears

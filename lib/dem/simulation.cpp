@@ -377,9 +377,8 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
 }
 
 void Simulation::slow_motion(double share) {
-  const double moving = kinetic_energy();
-  slow(impl_->bodies, share, impl_->numerics.threads);
-  impl_->energies.damping += moving - kinetic_energy();
+  const Slowed slowed = slow(impl_->bodies, share, impl_->numerics.gravity, impl_->time_step, impl_->numerics.threads);
+  impl_->energies.damping += slowed.energy_before - slowed.energy_after;
 }
 
 io::Snapshot Simulation::snapshot() const {

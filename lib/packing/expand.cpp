@@ -58,6 +58,7 @@ class Grower {
   Grower(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
          const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
       : growth_(growth),
+        threads_(numerics.threads),
         model_(model),
         report_(report),
         keeper_(safekeeping, start.grains.size()),
@@ -183,15 +184,14 @@ class Grower {
 
   void measure() {
     const io::Snapshot state = simulation_.snapshot();
-    const analysis::DelaunayFill soil = analysis::delaunay_fill(state, node_);
+    const analysis::BagRoom room = analysis::bag_room(state, node_, threads_);
     double ends = 0;
     for (const auto& bodies : state.contacts.bodies)
       for (const std::int32_t body : bodies) ends += !node_[static_cast<std::size_t>(body)];
     fill_.growth = at_.growth;
-    fill_.volume = soil.volume;
-    const std::vector<double> cells = analysis::power_cell_volumes(state);
-    fill_.void_ratio = std::accumulate(cells.begin(), cells.end(), 0.0) / soil.solids - 1;
-    fill_.delaunay_void_ratio = soil.void_ratio();
+    fill_.volume = room.soil.volume;
+    fill_.void_ratio = std::accumulate(room.cells.begin(), room.cells.end(), 0.0) / room.soil.solids - 1;
+    fill_.delaunay_void_ratio = room.soil.void_ratio();
     fill_.overlap = mean_overlap(state);
     fill_.coordination_number = ends / static_cast<double>(std::count(node_.begin(), node_.end(), false));
     using analysis::put;
@@ -250,6 +250,7 @@ class Grower {
   io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), history_, at_); }
 
   const Growth& growth_;
+  const int threads_;
   const dem::Model& model_;
   const Report& report_;
   dem::Keeper keeper_;
