@@ -60,11 +60,11 @@ recorded one. How soon they are taut was tried on bags otherwise shaped or fille
 of which the thesis says no more than that they are slightly tightened, and that the bag was drawn from its two cross-sections. Here sides
 bulge around the corners too, which are of 20 mm at the faces and of 45 mm in the middle. With sides straight from corner to corner and
 corners of 20 mm all along (<code>straight_sides</code>, and another volume's, <code>straight_seed_3</code>; at full size grains larger by
-0.15 % or smaller by 0.4 %, so that they are as many), rings around the bag have first to round these before they are taut. Their yarns
-stretch later, nearly as in the record, and lateral stress at equal tension of the faces is the recorded one but for 3 %. Axial stress and
-load at equal tension fall too. In the one bag they are short of the recorded by 4 to 9 %, most from 3 to 6 % of strain. In the other they
-are the recorded ones within 5 % from 3 % of strain to the first break, and larger before; there the first yarns break, stresses are
-greatest and, for PE, the void ratio grows as recorded, too.
+0.15 % or smaller by 0.4 %, so that they are as many; those of PP read from runs that have come to 19 and 18 %), rings around the bag have
+first to round these before they are taut. Their yarns stretch later, nearly as in the record, and lateral stress at equal tension of the
+faces is the recorded one but for 3 %. Axial stress and load at equal tension fall too. In the one bag they are short of the recorded by 4
+to 9 %, most from 3 to 6 % of strain. In the other they are the recorded ones within 5 % from 3 % of strain to the first break, and larger
+before; there the first yarns break, stresses are greatest and, for PE, the void ratio grows as recorded, too.
 Corners that are not rounded (<code>sharp_corners</code>) leave the sides slack for more than 3 % of strain, which is too long; those of
 35.7 mm at the faces (<code>round_corners</code>), what a bag with half circles for sides needs to hold 0.015 m&sup3;, draw them taut
 sooner, and all of this is then farther from the record. Soil that is not stretched to the sides as it grows (<code>unstretched</code>)

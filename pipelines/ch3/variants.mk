@@ -9,6 +9,7 @@ C3V_RATE := 0.02
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
+# But one that is told of at full size alone, by the size of its grains there.
 C3_VARIANTS_quick := $(filter-out straight_seed_3,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
 C3V_RATES := paced fast held_often

@@ -116,7 +116,7 @@ TEST(Strip, EnergyOfYieldingIsAccountedFor) {
   EXPECT_NEAR(last("yarn_elastic_energy") + last("yarn_dissipation"), work, 2e-3 * work);
 }
 
-// As those of a torn bag may.
+// In a torn bag two nodes came to lie in exactly one place.
 TEST(Strip, SlackYarnsWhoseEndsMeetPullAtNothing) {
   const Scenario plan = pulled(pe_points, move(1e-3, 1), 0.0025);
   io::Snapshot start = prepare(strip(1), plan);
