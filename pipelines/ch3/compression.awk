@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 function of_bag(key) { return 1e-3 * setting("pipelines/ch3/bag.toml", key) }
-# Volume inside the surface that is parallel to the bag's so far beyond it (Pillow, lib/packing/container.h).
-function pillow(beyond, half, side, h, s, overhang, w, r, pi) {
-  pi = atan2(0, -1)
+# Volume inside the surface that is parallel to the bag's so far beyond it (Cushion, lib/packing/cushion.h).
+function bag_volume(beyond, half, side, h, s, core, r, round) {
   half = of_bag("half_height"); side = of_bag("side_radius")
   h = half + beyond; s = side + beyond
-  overhang = sqrt(side ^ 2 - half ^ 2)
-  w = of_bag("width") - 2 * overhang; r = of_bag("corner_radius") - overhang
-  return 2 * h * (w ^ 2 - (4 - pi) * r ^ 2) + 2 * pi * h * (s ^ 2 - h ^ 2 / 3) + \
-    (4 * w - (8 - 2 * pi) * r) * (h * sqrt(s ^ 2 - h ^ 2) + s ^ 2 * atan2(h, sqrt(s ^ 2 - h ^ 2)))
+  core = of_bag("width") / 2 - sqrt(side ^ 2 - half ^ 2); r = of_bag("corner_radius") + beyond
+  round = (h * sqrt(s ^ 2 - h ^ 2) + s ^ 2 * atan2(h, sqrt(s ^ 2 - h ^ 2))) / 2
+  return 8 * (core ^ 2 * h + 2 * core * round + h * (s ^ 2 - h ^ 2 / 3)) - 2 * h * (4 - atan2(0, -1)) * r ^ 2
 }
 
 # Axial strain from the end of the preload, whose row it returns; load over 0.16 m2; surcharge, the stress of soil and geotextile as
@@ -19,7 +17,7 @@ function compression(f, i, start, height, node, layer) {
   need(f, "soil_delaunay_void_ratio")
   for (start = 1; start < rows[f] && value[f, "stage", start + 1] == 0; ++start) { }
   node = of_bag("node_radius")
-  layer = pillow(node * (2 * yarns - 1)) - pillow(-node)
+  layer = bag_volume(node * (2 * yarns - 1)) - bag_volume(-node)
   for (i = 1; i <= rows[f]; ++i) {
     height = value[f, "displacement_top_z", i] - value[f, "displacement_bottom_z", i]
     value[f, "strain", i] = (value[f, "displacement_top_z", start] - value[f, "displacement_bottom_z", start] - height) / 0.08

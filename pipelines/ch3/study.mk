@@ -5,6 +5,11 @@
 STUDIES += ch3
 C3 := pipelines/ch3
 C3O := $(OUT)/ch3
+# Of three representative volumes the one whose bag of full size is the nearest to the mean of theirs (kept/bulging_thesis.tsv); in the
+# quick profile the one that the void ratio below was chosen for.
+C3_SEED_quick := 1
+C3_SEED_thesis := 3
+C3_SEED := $(C3_SEED_$(PROFILE))
 C3_LOADS_quick := 2410 24100
 C3_LOADS_thesis := 1330 1870 2410 12050 24100 36150
 C3_LOADS := $(C3_LOADS_$(PROFILE))
@@ -17,14 +22,15 @@ C3_END_thesis := 20
 C3_UC_quick := --set stage.1.strain=0.16
 C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
 # Larger nodes stand out of the bag by as much more: its soil has the same room.
-C3_GRAINS_quick := --set grains.scale=1.9474 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] \
+C3_GRAINS_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] \
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
-# Delaunay's tetrahedra leave out twice as much along the walls: of 0.64 and 0.615 the one whose stress path is the recorded one and
-# whose load up to 5 % is the nearer, for this representative volume. The coarser full bag presses by more for as many contacts.
-C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.615 --set growth.overlap=2e-4 --set contact.rolling.stiffness=1.04 \
-  --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 --set material.0.twisting.stiffness=1.04
+# Delaunay's tetrahedra leave out twice as much along the walls: of 0.615 and 0.6 the one whose load from 2 % on is the nearer to the
+# recorded one, for this representative volume. The coarser full bag presses by more for as many contacts.
+C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.6 --set growth.measure_every=6 --set growth.overlap=2e-4 \
+  --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 \
+  --set material.0.twisting.stiffness=1.04
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=$(C3_YARNS_quick) --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
 # Runs side by side use the cores better than threads within one; of the full size there is one at a time.
 C3_THREADS_quick := 1
@@ -33,13 +39,13 @@ C3_THREADS ?= $(C3_THREADS_$(PROFILE))
 C3_FILL_THREADS ?= $(C3_THREADS)
 
 .PHONY: ch3
-ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,300 grains)
+ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,000 grains)
 
 .PRECIOUS: $(C3O)/%.h5
 $(C3O)/rv.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
+	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(C3_SEED) --threads 1 --quiet --force -o $@
 
 $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
 	@echo '  fill  $(C3O)/bag.h5'

@@ -9,8 +9,8 @@ C3V_RATE := 0.02
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
-# But one that is told of at full size alone, by the size of its grains there.
-C3_VARIANTS_quick := $(filter-out straight_seed_3,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
+C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
+C3_VARIANTS_quick := $(filter-out seed_$(C3_SEED) bulging_seed_%,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
 C3V_RATES := paced fast held_often
 C3V_SLOW_paced := slow_paced
@@ -19,7 +19,7 @@ C3V_SLOW_held_often := slow_held_often
 C3_VARIANTS_thesis := bag $(foreach r,$(C3V_RATES),$(r) $(C3V_SLOW_$(r)))
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
-# $(call of_variant,NAME,COLUMN): its seed; its settings as options
+# $(call of_variant,NAME,COLUMN): its seed, - for the study's; its settings as options
 of_variant = $(shell awk -F '\t' '$$1 == "$(1)" { n = split($$$(2), s, " "); for (i = 1; i <= n; ++i) print $(3) s[i] }' $(C3)/variants.tsv)
 as_options = $(call of_variant,$(1),$(2),"--set ")
 
@@ -36,11 +36,11 @@ ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep what the variants o
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
 	@$(if $(call of_variant,$*,2),mkdir -p $(@D),$(error $(C3)/variants.tsv has no variant '$*'))
-	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(call of_variant,$*,2) --threads 1 --quiet --force -o $@
+	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(subst -,$(C3_SEED),$(call of_variant,$*,2)) --threads 1 --quiet --force -o $@
 # What is only loaded otherwise is the bag itself.
 $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
-	@if [ '$(call of_variant,$*,2)$(call of_variant,$*,3)' = 1 ]; then cp $(C3O)/bag.h5 $@; else \
+	@if [ '$(call of_variant,$*,2)$(call of_variant,$*,3)' = - ]; then cp $(C3O)/bag.h5 $@; else \
 	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $(call as_options,$*,3) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
 $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
@@ -54,25 +54,30 @@ $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%
 # volumes. At the study's own rate, past the greatest stress.
 C3K := $(C3O)/causes
 C3K_END := 0.15
-C3_CAUSES_quick := round_corners straight_sides sharp_corners unstretched meshed_evenly round_sides flatter_sides
-C3_CAUSES_thesis := round_corners straight_sides straight_seed_3
+C3_CAUSES_quick := bulging_corners round_corners sharp_corners unstretched meshed_evenly round_sides flatter_sides
 C3_CAUSES := $(C3_CAUSES_$(PROFILE))
-C3_SEEDS := seed_2 seed_3
+# Of full size one cause, for three volumes: what it is worth beside what chance is.
+C3_BULGING_thesis := bulging_seed_1 bulging_seed_2 bulging_seed_3
+C3_BULGING := $(C3_BULGING_$(PROFILE))
 C3K_YARNS_quick := PE
 C3K_YARNS_thesis := PE PP
-C3K_RUNS := $(foreach run,$(C3_CAUSES) $(C3_SEEDS),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(run)/uc_$(g)))
+C3K_BAGS := $(C3_CAUSES) $(C3_BULGING) $(C3_SEEDS)
+C3K_RUNS := $(foreach run,$(C3K_BAGS),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(run)/uc_$(g)))
 C3K_ENDED := $(patsubst $(C3K)/%.h5,%,$(wildcard $(C3K_RUNS:%=$(C3K)/%.h5)))
 # Bags of which a run has ended.
-causes_ended := $(filter $(C3_CAUSES),$(sort $(patsubst %/,%,$(dir $(C3K_ENDED)))))
-seeds_ended := $(filter $(C3_SEEDS),$(sort $(patsubst %/,%,$(dir $(C3K_ENDED)))))
+ended = $(filter $(1),$(sort $(patsubst %/,%,$(dir $(C3K_ENDED)))))
+causes_ended := $(call ended,$(C3_CAUSES))
+bulging_ended := $(call ended,$(C3_BULGING))
+seeds_ended := $(call ended,$(C3_SEEDS))
+C3K_TABLES := $(foreach of,causes bulging seeds,$(if $($(of)_ended),$(of)))
 
 .PHONY: ch3-causes ch3-causes-keep
 ch3-causes: $(C3K_RUNS:%=$(C3K)/%.h5) ## compress bags otherwise shaped, filled or packed as the study does, and keep how near each is to the record
-	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(C3_KEPT)/causes_$(PROFILE).tsv $(C3_KEPT)/seeds_$(PROFILE).tsv
-ch3-causes-keep: $(foreach of,causes seeds,$(if $($(of)_ended),$(C3K)/$(of).tsv)) $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
-	@$(foreach of,causes seeds,$(if $($(of)_ended),cp $(C3K)/$(of).tsv $(C3_KEPT)/$(of)_$(PROFILE).tsv; $(if $(filter thesis,$(PROFILE)), \
+	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(foreach of,causes bulging seeds,$$(ls $(C3_KEPT)/$(of)_$(PROFILE).tsv 2> /dev/null))
+ch3-causes-keep: $(C3K_TABLES:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
+	@$(foreach of,$(C3K_TABLES),cp $(C3K)/$(of).tsv $(C3_KEPT)/$(of)_$(PROFILE).tsv || exit; $(if $(filter thesis,$(PROFILE)), \
 	  for run in $(filter $($(of)_ended:%=%/%),$(C3K_ENDED)); do echo "== $$run" && $(BIN)/to-vtk --history $(C3K)/$$run.h5 || exit; done \
-	  $(call whole,$(C3_KEPT)/$(of)_thesis.txt);)))
+	  $(call whole,$(C3_KEPT)/$(of)_thesis.txt) || exit;))
 
 # of_cause GEOTEXTILE
 define of_cause
@@ -93,10 +98,13 @@ $(C3K)/$(1)/comparison.tsv: $(foreach g,$(3),$(2)/uc_$(g).tsv $(2)/uc_$(g)_first
 	@$$(call bag_compared)
 endef
 $(eval $(call cause_compared,bag,$(C3O),$(C3K_YARNS_$(PROFILE))))
-$(foreach r,$(C3_CAUSES) $(C3_SEEDS),$(eval $(call cause_compared,$(r),$(C3K)/$(r),$(patsubst $(r)/uc_%,%,$(filter $(r)/%,$(C3K_ENDED))))))
+$(foreach r,$(sort $(C3K_BAGS)),$(eval $(call cause_compared,$(r),$(C3K)/$(r),$(patsubst $(r)/uc_%,%,$(filter $(r)/%,$(C3K_ENDED))))))
 # $(call beside,OPTIONS): the bags whose comparisons are prerequisites
 beside = awk -v leave=failure $(1) -f $^ $(call whole,$@)
-$(C3K)/causes.tsv: $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(causes_ended))
+beside_bag = $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(1))
+$(C3K)/causes.tsv: $(call beside_bag,$(causes_ended))
 	@$(call beside)
-$(C3K)/seeds.tsv: $(C3)/beside.awk $(patsubst %,$(C3K)/%/comparison.tsv,bag $(seeds_ended))
+$(C3K)/bulging.tsv: $(call beside_bag,$(bulging_ended))
+	@$(call beside,-v scatter=1 -v apart=1)
+$(C3K)/seeds.tsv: $(call beside_bag,$(seeds_ended))
 	@$(call beside,-v scatter=1)

@@ -3,7 +3,7 @@
 # bars they are held to.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# make bench-studies. PARTS (default: bag shape pullout): bag, the soilbag of 69,300 grains made and compressed to 20 %, takes half an
+# make bench-studies. PARTS (default: bag shape pullout): bag, the soilbag of 69,000 grains made and compressed to 20 %, takes half an
 # hour; shape and pullout are the first STRETCH (default 0.1) seconds of the two-scale examples on 128 elements, ROUNDS (default 3)
 # times on one thread and on two in turn, medians. On two cores that nobody else uses, or the figures mean nothing. OUT (default
 # build/bench/studies): folder of the runs and of studies.tsv. Exits with 1 where a bar is missed.

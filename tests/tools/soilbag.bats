@@ -13,8 +13,8 @@ study() {
 
 # A bag must widen as it is compressed, against the inertia of its scaled density, and lags behind plates of 10 %/s, by 6 % at 1 %. Plates
 # that slow down where the unbalanced force would be too large do not tell which rate they were given: what is left is chance (three pairs
-# of twins, their grains moved by a millionth of their radius at first, differ by 1.2 % in the mean of a station at most, twice in 24
-# stations by 2.3 %).
+# of twins of such a bag, their grains moved by a millionth of their radius at first, differ by 1.2 % in the mean of a station at most,
+# twice in 24 stations by 2.3 %).
 @test "compressed ten times slower, a bag carries the same" {
   local of=$BATS_FILE_TMPDIR/ch3/variants
   study C3V_UC='--set stage.1.strain=0.08' "$of/paced/uc_PE.tsv" "$of/slow_paced/uc_PE.tsv"
