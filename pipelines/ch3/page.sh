@@ -96,13 +96,13 @@ the first yarn later.</p>
 PAGE
   [ ! -e "$kept/seeds_thesis.tsv" ] || cat <<'PAGE'
 <p>The record is of one representative volume, and so is this bag. Three volumes were made into bags of full size, with bulging corners
-(<code>bulging_seed_1</code> to <code>3</code>, below). In stresses at equal tension the third is the nearest to their mean, and the
-study's bag is made of it for that; so it is in part by chance that the first yarns break where those of the record do, and that the load
-is the greatest there. With straight sides it carries up to 6 % more than the record up to the first break, and the first volume
+(<code>bulging_seed_1</code> to <code>3</code>, below). In axial stress and load at equal tension the third is the nearest to their mean,
+and the study's bag is made of it for that; so it is in part by chance that the first yarns break where those of the record do, and that
+the load is the greatest there. With straight sides it carries up to 6 % more than the record up to the first break, and the first volume
 (<code>seed_1</code>; grains larger by 0.5 %, so that they are as many; its PP read from a run that has come to 19 %) up to 9 % less: what
-is not met in stress at equal tension or at equal strain, in q/p at 2 % and in the strains of the first break and of the greatest stress
-is within what chance does. Not chance, since all bags have it, are the slope of the path of PE, of which the recorded series has 1.54 to
-1.58 itself, sides that are taut too soon at 3 %, and how little the void ratio grows in PP.</p>
+is not met in stress at equal tension or at equal strain, in q/p at 2 % and in the strains of the first break and of the greatest stress is
+within what chance does. Not chance, since all bags have it, are the slope of the path of PE, of which the recorded series has 1.54 to 1.58
+itself, sides that are taut too soon at 3 %, and how little the void ratio grows in PP.</p>
 PAGE
   for size in quick thesis; do
     [ -e "$kept/variants_$size.tsv" ] || continue

@@ -5,8 +5,8 @@
 STUDIES += ch3
 C3 := pipelines/ch3
 C3O := $(OUT)/ch3
-# Of three representative volumes the one whose bag of full size is the nearest to the mean of theirs (kept/bulging_thesis.tsv); in the
-# quick profile the one that the void ratio below was chosen for.
+# Of three representative volumes the one whose bag of full size is the nearest to the mean of theirs in axial stress and load at equal
+# tension (kept/bulging_thesis.tsv); in the quick profile the one that the void ratio below was chosen for.
 C3_SEED_quick := 1
 C3_SEED_thesis := 3
 C3_SEED := $(C3_SEED_$(PROFILE))
