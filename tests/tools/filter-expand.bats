@@ -44,6 +44,8 @@ setup() {
   # The second row is the one under the plates' load of 20 N.
   near "$(value series.tsv force_top_z 2)" 20 0.02
   near "$(value series.tsv force_bottom_z 2)" -20 0.02
+  # What it is compressed by after that it carries.
+  awk -v last="$(value series.tsv force_top_z last)" 'BEGIN { exit !(last > 40) }' || show "$(cat series.tsv)"
   local column
   for column in yarn_tension_face soil_stress_zz soil_volume; do
     awk -v x="$(value series.tsv $column 2)" 'BEGIN { exit !(x > 0) }' || show "$column" "$(cat series.tsv)"

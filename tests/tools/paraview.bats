@@ -29,11 +29,11 @@ teardown_file() {
   [ ! -e "$BATS_FILE_TMPDIR/xvfb.pid" ] || kill "$(cat "$BATS_FILE_TMPDIR/xvfb.pid")"
 }
 
-# A bag that is pressed until its sides are taut, three of whose yarns are said to be broken; its packing; a pull-out.
+# A bag that is pressed, three of whose yarns are said to be broken; its packing; a pull-out.
 make_runs() {
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   filter-expand --quiet packing.h5 "$BATS_TEST_DIRNAME/examples/bag.toml" -o bag.h5
-  run-dem --quiet bag.h5 "$BATS_TEST_DIRNAME/examples/press.toml" --set stage.1.strain=0.1 --set stage.1.increment=0.05 -o run.h5
+  run-dem --quiet bag.h5 "$BATS_TEST_DIRNAME/examples/press.toml" -o run.h5
   "$PYTHON" - << 'PY'
 import h5py
 with h5py.File("run.h5", "r+") as file:
