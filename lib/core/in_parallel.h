@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace soilweave {
@@ -35,18 +34,21 @@ double largest_in_parallel(std::size_t n, int threads, const Value& value) {
   return *std::max_element(largest.begin(), largest.end());
 }
 
-/// The sum of value(i) of every i below n: of each `stretch` of them, and of these in their order, so that threads do
-/// not change its bits.
+/// The sum of value(i) of every i below n, of what += adds to a zero: of each `stretch` of them, and of these in their
+/// order, so that threads do not change its bits.
 template <class Value>
-double sum_in_parallel(std::size_t n, std::size_t stretch, int threads, const Value& value) {
-  std::vector<double> sums((n + stretch - 1) / stretch, 0.0);
+auto sum_in_parallel(std::size_t n, std::size_t stretch, int threads, const Value& value) {
+  using Sum = decltype(value(n));
+  std::vector<Sum> sums((n + stretch - 1) / stretch, Sum{});
   in_parallel(sums.size(), threads, [&](std::size_t k) {
-    double sum = 0;
+    Sum sum{};
     const std::size_t end = std::min(n, (k + 1) * stretch);
     for (std::size_t i = k * stretch; i < end; ++i) sum += value(i);
     sums[k] = sum;
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  Sum all{};
+  for (const Sum& sum : sums) all += sum;
+  return all;
 }
 
 }  // namespace soilweave

@@ -201,22 +201,14 @@ double Motion::stable_time_step(const Contacts& contacts, Bodies& bodies) {
 
 Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads) {
   const Lane4 g = row(gravity, 0);
-  const std::size_t n = bodies.size();
-  std::vector<Slowed> sums((n + grains_per_chunk - 1) / grains_per_chunk);
-  in_parallel(sums.size(), threads, [&](std::size_t chunk) {
-    Slowed sum;
-    const std::size_t end = std::min(n, (chunk + 1) * grains_per_chunk);
-    for (std::size_t i = chunk * grains_per_chunk; i < end; ++i) {
-      sum.energy_before += kinetic_energy_of(i, bodies, g, dt);
-      bodies.set_velocity(i, share * vector_of(bodies.velocity(i)));
-      bodies.set_spin(i, share * vector_of(bodies.spin(i)));
-      sum.energy_after += kinetic_energy_of(i, bodies, g, dt);
-    }
-    sums[chunk] = sum;
+  return sum_in_parallel(bodies.size(), grains_per_chunk, threads, [&](std::size_t i) {
+    Slowed one;
+    one.energy_before = kinetic_energy_of(i, bodies, g, dt);
+    bodies.set_velocity(i, share * vector_of(bodies.velocity(i)));
+    bodies.set_spin(i, share * vector_of(bodies.spin(i)));
+    one.energy_after = kinetic_energy_of(i, bodies, g, dt);
+    return one;
   });
-  Slowed all;
-  for (const Slowed& sum : sums) all.energy_before += sum.energy_before, all.energy_after += sum.energy_after;
-  return all;
 }
 
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads) {
