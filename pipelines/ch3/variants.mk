@@ -10,6 +10,7 @@ C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
 C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
+# All but the study's own volume, which the bag itself is made of, and bags that are of full size alone.
 C3_VARIANTS_quick := $(filter-out seed_$(C3_SEED) bulging_seed_%,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
 C3V_RATES := paced fast held_often
@@ -64,18 +65,21 @@ C3K_YARNS_thesis := PE PP
 C3K_BAGS := $(C3_CAUSES) $(C3_BULGING) $(C3_SEEDS)
 C3K_RUNS := $(foreach run,$(C3K_BAGS),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(run)/uc_$(g)))
 C3K_ENDED := $(patsubst $(C3K)/%.h5,%,$(wildcard $(C3K_RUNS:%=$(C3K)/%.h5)))
+C3K_TABLES_quick := causes seeds
+C3K_TABLES_thesis := bulging seeds
+C3K_TABLES := $(C3K_TABLES_$(PROFILE))
 # Bags of which a run has ended.
 ended = $(filter $(1),$(sort $(patsubst %/,%,$(dir $(C3K_ENDED)))))
 causes_ended := $(call ended,$(C3_CAUSES))
 bulging_ended := $(call ended,$(C3_BULGING))
 seeds_ended := $(call ended,$(C3_SEEDS))
-C3K_TABLES := $(foreach of,causes bulging seeds,$(if $($(of)_ended),$(of)))
+C3K_WITH_RUNS := $(foreach of,$(C3K_TABLES),$(if $($(of)_ended),$(of)))
 
 .PHONY: ch3-causes ch3-causes-keep
 ch3-causes: $(C3K_RUNS:%=$(C3K)/%.h5) ## compress bags otherwise shaped, filled or packed as the study does, and keep how near each is to the record
-	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(foreach of,causes bulging seeds,$$(ls $(C3_KEPT)/$(of)_$(PROFILE).tsv 2> /dev/null))
-ch3-causes-keep: $(C3K_TABLES:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
-	@$(foreach of,$(C3K_TABLES),cp $(C3K)/$(of).tsv $(C3_KEPT)/$(of)_$(PROFILE).tsv || exit; $(if $(filter thesis,$(PROFILE)), \
+	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(C3K_TABLES:%=$(C3_KEPT)/%_$(PROFILE).tsv)
+ch3-causes-keep: $(C3K_WITH_RUNS:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
+	@$(foreach of,$(C3K_WITH_RUNS),cp $(C3K)/$(of).tsv $(C3_KEPT)/$(of)_$(PROFILE).tsv || exit; $(if $(filter thesis,$(PROFILE)), \
 	  for run in $(filter $($(of)_ended:%=%/%),$(C3K_ENDED)); do echo "== $$run" && $(BIN)/to-vtk --history $(C3K)/$$run.h5 || exit; done \
 	  $(call whole,$(C3_KEPT)/$(of)_thesis.txt) || exit;))
 

@@ -76,3 +76,20 @@ compare() {
   run awk -f "$merge" new.tsv kept.tsv
   [ "$output" = "$(cat new.tsv)" ]
 }
+
+@test "bags beside one another: a column each, mean and deviation of those that have a value, the first of them apart" {
+  cd "$BATS_TEST_TMPDIR" || return
+  local beside=$BATS_TEST_DIRNAME/../../pipelines/ch3/beside.awk bag
+  mkdir bag one two
+  for bag in bag:9 one:1 two:4; do
+    printf 'description\tunit\tpublished\ttolerance\tmeasured\nload\tkPa\t3\t1\t%s\nfailure\t%%\t3\t1\t1\n' "${bag#*:}" > "${bag%:*}/comparison.tsv"
+  done
+  printf 'slope\t1\t2\t1\t7\n' >> bag/comparison.tsv
+  run awk -v leave=failure -v scatter=1 -v apart=1 -f "$beside" bag/comparison.tsv one/comparison.tsv two/comparison.tsv
+  [ "$output" = $'description\tunit\tpublished\ttolerance\tbag\tone\ttwo\tmean\tdeviation
+load\tkPa\t3\t1\t9\t1\t4\t2.5\t2.1
+slope\t1\t2\t1\t7\tnone\tnone\tnone\tnone' ]
+  run awk -v leave=failure -v scatter=1 -f "$beside" bag/comparison.tsv one/comparison.tsv two/comparison.tsv
+  [ "${lines[1]}" = $'load\tkPa\t3\t1\t9\t1\t4\t4.667\t4' ]
+  [ "${lines[2]}" = $'slope\t1\t2\t1\t7\tnone\tnone\t7\tnone' ]
+}
