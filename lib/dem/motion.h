@@ -67,9 +67,7 @@ class Motion {
 struct Slowed {
   double energy_before = 0, energy_after = 0;  // J, kinetic, as below
 
-  void operator+=(const Slowed& other) {
-    energy_before += other.energy_before, energy_after += other.energy_after;
-  }
+  void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }
 };
 /// Of fluctuation velocities and spins this share is left.
 Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads);
