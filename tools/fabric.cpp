@@ -21,7 +21,7 @@ constexpr Parameter classes_parameter{"classes", "1", 8, 360, false, "classes of
 
 struct FabricTool {
   std::filesystem::path input, output;
-  std::string state = "all", table = "fabric";
+  std::string state = "all", table = "fabric", columns;
   std::int64_t classes = 36;
   bool tsv = false, soil = false;
 
@@ -31,9 +31,11 @@ struct FabricTool {
             "2/5 (a_c + a_n + 3/2 a_t), a check on both.");
     t.example("fabric run.h5 --tsv", "anisotropies and coordination, one row per snapshot");
     t.example("fabric run.h5 --state first --table rose --tsv", "contact orientation before loading");
-    t.input(input, "INPUT", "packing or run, - for standard input");
+    t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
     t.choice(table, "table", {"fabric", "histogram", "rose", "chains"}, "what --tsv prints");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
+    t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
+    t.unrecorded("columns");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(classes, classes_parameter);
     t.flag(soil, "soil", "of a bag, contacts of soil with soil alone");
@@ -43,6 +45,7 @@ struct FabricTool {
   void validate() const {
     std::vector<std::string> wrong;
     if (!tsv && output.empty()) wrong.emplace_back("nothing to do: give --tsv or -o FILE");
+    if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
     if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
     if (!analysis::names_states(state))
       wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
@@ -67,7 +70,8 @@ struct FabricTool {
     }
     io::FieldsFile fields;
     for (Group* group : {&fabric, &histogram, &rose, &chains}) {
-      if (tsv && group->name == table) std::fputs(io::to_tsv(group->table).c_str(), stdout);
+      if (tsv && group->name == table)
+        std::fputs(io::to_tsv(analysis::chosen_columns(group->table, columns)).c_str(), stdout);
       if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
     }
     if (output.empty()) return;

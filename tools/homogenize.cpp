@@ -36,19 +36,22 @@ struct Tables {
 
 struct Homogenize {
   std::filesystem::path input, output;
-  std::string state = "all", table = "cell";
+  std::string state = "all", table = "cell", columns;
   std::vector<std::string> boxes;
-  bool tsv = false, copies = false, groups = false, grains = false, yarns = false, tessellation = false;
+  bool tsv = false, list = false, copies = false, groups = false, grains = false, yarns = false, tessellation = false;
 
   void options(tool::Table& t) {
     t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
             "Love-Weber stress over the cell, over volumes of interest and over each grain; compression positive.");
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
-    t.input(input, "INPUT", "packing or run, - for standard input");
+    t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
     t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"},
              "what --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
+    t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
+    t.unrecorded("columns");
+    t.instead_of_output(list, "list", "print which tables the file can give, and stop");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
     t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
@@ -63,7 +66,9 @@ struct Homogenize {
 
   void validate() const {
     std::vector<std::string> wrong;
-    if (!tsv && output.empty()) wrong.emplace_back("nothing to do: give --tsv or -o FILE");
+    if (!tsv && !list && output.empty()) wrong.emplace_back("nothing to do: give --tsv, --list or -o FILE");
+    if (list && (tsv || !output.empty())) wrong.emplace_back("--list excludes --tsv and -o");
+    if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
     if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
     if (!analysis::names_states(state))
       wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
@@ -79,6 +84,7 @@ struct Homogenize {
 
   void run(const tool::Invocation& invocation) const {
     const io::RunFile file = io::read_states(input);
+    if (list) return print_list(file);
     Tables tables;
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
       add(file.snapshots.front(), file.snapshots[n], tables);
@@ -113,11 +119,23 @@ struct Homogenize {
     return volumes;
   }
 
+  /// A line a table: its name for --table, what it holds.
+  static void print_list(const io::RunFile& file) {
+    Tables tables;
+    const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
+    for (const Group* group : tables.all()) {
+      if (group == &tables.series && !has_series) continue;
+      if ((group == &tables.bag || group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
+      const std::string_view also = group == &tables.volumes ? " (with --box, --copies or --groups)" : "";
+      fmt::print("{}\t{}{}\n", group->name, group->long_name, also);
+    }
+  }
+
   void print(Tables& tables) const {
     for (const Group* group : tables.all())
       if (group->name == table) {
         if (group->table.rows() == 0) explain_absence();
-        std::fputs(io::to_tsv(group->table).c_str(), stdout);
+        std::fputs(io::to_tsv(analysis::chosen_columns(group->table, columns)).c_str(), stdout);
       }
   }
 

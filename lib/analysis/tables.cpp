@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "analysis/stress.h"
 #include "analysis/tessellation.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -196,6 +198,23 @@ void put_chains(io::Series& table, const io::Snapshot& state) {
     put(table, "second", "1", "body_id of the second grain", id(1));
     put(table, "normal_force", "N", "normal force, compression positive", c.normal_force[k]);
   }
+}
+
+io::Series chosen_columns(const io::Series& table, const std::string& names) {
+  if (names.empty()) return table;
+  io::Series chosen;
+  std::vector<std::string> known;
+  for (const io::Column& column : table.columns) known.push_back(column.name);
+  for (std::size_t at = 0; at <= names.size();) {
+    const std::size_t end = std::min(names.find(',', at), names.size());
+    const std::string name = names.substr(at, end - at);
+    at = end + 1;
+    const io::Column* column = table.find(name);
+    if (!column) throw UsageError(fmt::format("--columns: no column '{}'{}", name, suggestion(name, known)));
+    if (chosen.find(name)) throw UsageError(fmt::format("--columns: {} is named twice", name));
+    chosen.columns.push_back(*column);
+  }
+  return chosen;
 }
 
 bool names_states(const std::string& which) {

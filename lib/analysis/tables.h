@@ -45,6 +45,10 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
 /// One row per contact of a force chain.
 void put_chains(io::Series& table, const io::Snapshot& state);
 
+/// The columns that `names` lists, separated by commas, in that order; the whole table where it is empty. Throws
+/// UsageError naming the nearest column, or the column that is listed twice.
+io::Series chosen_columns(const io::Series& table, const std::string& names);
+
 /// Whether the text can name states: all, first, last or a whole number.
 bool names_states(const std::string& which);
 /// The states it names (numbered from 0, or from the end where negative). Throws UsageError where there are not so

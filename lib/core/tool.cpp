@@ -41,8 +41,6 @@ void check_input(const fs::path& path) {
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
   if (!fs::exists(status)) throw MissingInput(fmt::format("{}: no such file; check the name", path.string()));
-  if (fs::is_directory(status))
-    throw DataError(fmt::format("{}: is a directory; name a file inside it", path.string()));
   if (access(path.c_str(), R_OK) != 0)
     throw MissingInput(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
 }

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "io/bytes.h"
 #include "io/file_head.h"
+#include "io/under_way.h"
 
 namespace soilweave::io {
 namespace {
@@ -29,6 +30,13 @@ std::array<std::pair<const char*, std::int64_t*>, 2> numbers_of(Work& work) {
 Label label_of(const char* path) {
   const Entry& e = entry(path);
   return {std::string(e.units), std::string(e.long_name)};
+}
+
+/// Whether the path may be the folder of a run under way; any other folder is refused when it is read.
+bool is_folder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path name = path.has_filename() ? path : path.parent_path();  // "run.h5.part/", too
+  return name.extension() == ".part" && std::filesystem::is_directory(path, ignored);
 }
 
 /// Reads and checks every state; the file's history goes into its source.
@@ -183,11 +191,13 @@ RunFile read_run(const std::filesystem::path& path, std::string role) {
 }
 
 RunFile read_states(const std::filesystem::path& path, std::string role) {
+  if (is_folder(path)) return read_run_so_far(path, std::move(role));
   OpenFile file(path, std::move(role));
   return run_in(file);
 }
 
 PackingFile read_state(const std::filesystem::path& path, std::string role) {
+  if (is_folder(path)) return read_newest_state(path, std::move(role));
   OpenFile file(path, std::move(role));
   std::vector<Snapshot> states = states_in(file);
   return {std::move(states.back()), std::move(file.source)};
@@ -250,8 +260,10 @@ bool is_hdf5(const std::filesystem::path& path) {
   return std::string_view(first.data(), first.size()) == "\x89HDF";
 }
 
-std::string read_kind(const std::filesystem::path& path) { return OpenFile(path, "").kind; }
+std::string read_kind(const std::filesystem::path& path) { return is_folder(path) ? "run" : OpenFile(path, "").kind; }
 
-History read_history(const std::filesystem::path& path) { return read_history(OpenFile(path, "").reader); }
+History read_history(const std::filesystem::path& path) {
+  return is_folder(path) ? read_history_so_far(path) : read_history(OpenFile(path, "").reader);
+}
 
 }  // namespace soilweave::io

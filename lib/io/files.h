@@ -94,7 +94,8 @@ EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role =
 SeriesFile read_run_series(const std::filesystem::path& path, std::string role = "run");
 TextFile read_text(const std::filesystem::path& path, std::string role);
 
-/// A packing, or the last snapshot of a run: whatever a tool can start from.
+/// A packing, or the last snapshot of a run: whatever a tool can start from. A path OUTPUT.part is the folder of a run
+/// under way, of which the newest state is read (under_way.h); read_states, read_kind and read_history take it, too.
 PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
 /// All states in a file: a packing gives one.
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");

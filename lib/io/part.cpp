@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -22,21 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view state_name = "state-", checkpoint_name = "checkpoint-", ending = ".h5";
 constexpr std::string_view left_name = "stopped.h5";
 // Of moments that are not recorded, the newest and the one before it.
 constexpr std::size_t kept_files = 2;
 const std::string recorded_steps = "recorded_steps";
-
-// The step in "state-000000000120.h5" after its prefix; -1 for other names.
-std::int64_t step_in(std::string_view name, std::string_view prefix) {
-  if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
-  name.remove_prefix(prefix.size());
-  name.remove_suffix(ending.size());
-  std::int64_t step = -1;
-  const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), step);
-  return failure == std::errc() && end == name.data() + name.size() ? step : -1;
-}
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
@@ -84,7 +72,7 @@ Part::Part(const fs::path& output, History history, Entry entry)
     // Where the file system knows no locks, two runs of one output are the user's to avoid.
     if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
       throw CannotCreate(folder_.string() + ": another process is at work on this run; wait for it, or stop it");
-    list();
+    files_ = part_files(folder_);
     enter(entry);
   } catch (...) {
     if (lock_ >= 0) ::close(lock_);
@@ -97,21 +85,7 @@ Part::~Part() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-fs::path Part::path_of(const File& file) const {
-  return folder_ / fmt::format("{}{:012}{}", file.recorded ? state_name : checkpoint_name, file.step, ending);
-}
-
-void Part::list() {
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure)) {
-    const std::string name = entry.path().filename().string();
-    if (const std::int64_t step = step_in(name, state_name); step >= 0) files_.push_back({step, true});
-    if (const std::int64_t step = step_in(name, checkpoint_name); step >= 0) files_.push_back({step, false});
-  }
-  if (failure) throw IoError(folder_.string() + ": cannot be read: " + failure.message());
-  std::sort(files_.begin(), files_.end(),
-            [](const File& a, const File& b) { return std::pair(a.step, a.recorded) < std::pair(b.step, b.recorded); });
-}
+fs::path Part::path_of(const PartFile& file) const { return folder_ / name_of(file); }
 
 void Part::enter(Entry entry) {
   if (entry == Entry::fresh && !files_.empty() && files_.back().step > 0)
@@ -145,7 +119,7 @@ void Part::find_last() {
       const std::vector<double>& steps = moment.numbers[recorded_steps];
       const bool whole = std::all_of(steps.begin(), steps.end(), [&](double step) {
         return std::any_of(files_.begin(), files_.end(),
-                           [&](const File& f) { return f.recorded && f.step == static_cast<std::int64_t>(step); });
+                           [&](const PartFile& f) { return f.recorded && f.step == static_cast<std::int64_t>(step); });
       });
       if (!whole) continue;
       last_ = std::move(moment);
@@ -176,10 +150,10 @@ void Part::drop(std::size_t first) {
 std::optional<Moment> Part::take_last() { return std::exchange(last_, std::nullopt); }
 
 void Part::keep(Moment moment, bool recorded) {
-  const File file{moment.state.step, recorded};
+  const PartFile file{moment.state.step, recorded};
   std::vector<double>& steps = moment.numbers[recorded_steps];
   steps.clear();
-  for (const File& f : files_)
+  for (const PartFile& f : files_)
     if (f.recorded) steps.push_back(static_cast<double>(f.step));
   if (recorded) steps.push_back(static_cast<double>(file.step));
   try {
@@ -202,7 +176,7 @@ void Part::keep(Moment moment, bool recorded) {
 std::vector<Snapshot> Part::recorded() const {
   std::vector<Snapshot> states;
   History ignored;
-  for (const File& file : files_)
+  for (const PartFile& file : files_)
     if (file.recorded) states.push_back(read_moment(path_of(file), ignored).state);
   return states;
 }

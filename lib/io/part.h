@@ -11,6 +11,7 @@
 #include "core/archive.h"
 #include "core/error.h"
 #include "io/files.h"
+#include "io/under_way.h"
 
 namespace soilweave::io {
 
@@ -78,14 +79,9 @@ class Part {
   Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
 
  private:
-  struct File {
-    std::int64_t step;
-    bool recorded;
-  };
-  std::filesystem::path path_of(const File& file) const;
+  std::filesystem::path path_of(const PartFile& file) const;
   Error stopped_at(const Error& error, const std::filesystem::path& left) const;
   std::filesystem::path leave(const Snapshot& state) const;
-  void list();
   void enter(Entry entry);
   void find_last();
   void demand_same_run(const History& found, const std::filesystem::path& file) const;
@@ -93,7 +89,7 @@ class Part {
 
   std::filesystem::path folder_;
   History history_;
-  std::vector<File> files_;  // by step
+  std::vector<PartFile> files_;  // by step
   std::optional<Moment> last_;
   bool replaced_ = false;
   int lock_ = -1;

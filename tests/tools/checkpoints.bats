@@ -99,6 +99,25 @@ command with --resume goes on from there" said || show "$(< said)"
   [[ ! -e out.h5.part ]] || show "the folder is still there"
 }
 
+@test "a run under way is read from its folder: the series so far, the recorded states and the newest" {
+  begin_long
+  exits 0 homogenize --quiet --tsv --table series out.h5.part
+  printf '%s\n' "$output" > so_far.tsv
+  exits 0 homogenize --quiet --tsv --columns step out.h5.part/
+  printf '%s\n' "$output" > states.tsv
+  exits 0 to-vtk --history out.h5.part
+  [[ $output == *"run-dem"* ]] || show "history"
+  kill -s TERM $run
+  wait $run || true
+  homogenize --quiet --tsv --table series run.h5 > whole.tsv
+  same_bytes so_far.tsv <(head -n "$(wc -l < so_far.tsv)" whole.tsv)
+  [[ $(wc -l < so_far.tsv) -gt 2 && $(wc -l < states.tsv) -gt 1 ]] || show "$(cat so_far.tsv states.tsv)"
+  mkdir empty.h5.part
+  mentions 66 homogenize "holds no state yet" --tsv empty.h5.part
+  mkdir folder
+  mentions 65 homogenize "folder" --tsv folder
+}
+
 @test "SIGTERM: the step is finished, a checkpoint written, status 75" {
   begin_long
   kill -s TERM $run

@@ -94,6 +94,23 @@ PY
   [[ $output == "step ["*$'\n'"0"*$'\n'"250"*$'\n'"500"* ]] || show "series"
 }
 
+@test "--list names the tables that a file can give, --columns the columns printed, in their order" {
+  exits 0 homogenize --list "$IN/sheared.h5"
+  local table
+  while IFS=$'\t' read -r table _; do
+    [[ $table == volumes ]] || homogenize --quiet --tsv --table "$table" "$IN/sheared.h5" > "$table.tsv"
+  done <<< "$output"
+  [[ -s cell.tsv && -s grains.tsv && -s series.tsv && ! -e yarns.tsv ]] || show "tables"
+  exits 0 homogenize --list "$IN/bare.h5"
+  [[ $output != *series* ]] || show "a packing has no series"
+  exits 0 homogenize --quiet --tsv --columns void_ratio,step "$IN/sheared.h5"
+  [[ $output == $'void_ratio [1]\tstep [1]\n'* ]] || show "columns"
+  mentions 64 homogenize "--columns: no column 'void_ration'; did you mean 'void_ratio'?" --tsv --columns void_ration "$IN/sheared.h5"
+  mentions 64 homogenize "step is named twice" --tsv --columns step,step "$IN/sheared.h5"
+  mentions 64 homogenize "--columns belongs to --tsv" --columns step -o out.h5 "$IN/sheared.h5"
+  mentions 64 homogenize "--list excludes" --list --tsv "$IN/sheared.h5"
+}
+
 @test "the stress, strain and void ratio of a run's states are what the engine recorded" {
   pack-generate --quiet --grains 60 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o packing.h5
   run-dem --quiet packing.h5 "$BATS_TEST_DIRNAME/examples/triaxial.toml" -o run.h5
@@ -109,7 +126,7 @@ PY
 }
 
 @test "errors: usage" {
-  complains 64 homogenize "nothing to do: give --tsv or -o FILE" "$IN/sheared.h5"
+  complains 64 homogenize "nothing to do: give --tsv, --list or -o FILE" "$IN/sheared.h5"
   mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"
   mentions 64 homogenize "all, first, last or a number" --tsv --state middle "$IN/sheared.h5"
   mentions 64 homogenize "3 states, 0 to 2" --tsv --state 3 "$IN/sheared.h5"

@@ -113,8 +113,8 @@ off() {
 @test "errors: an input that is missing, a folder, damaged, or something else" {
   refuses 66 run-dem "none.h5: no such file; check the name" none.h5 short.toml -o out.h5
   refuses 66 run-dem "none.toml: no such file; check the name" packing.h5 none.toml -o out.h5
-  refuses 65 run-dem ".: is a directory; name a file inside it" . short.toml -o out.h5
-  refuses 65 run-dem ".: is a directory; name a file inside it" packing.h5 . -o out.h5
+  refuses 65 run-dem ".: a directory; name a file in it" . short.toml -o out.h5
+  refuses 65 run-dem ".: a directory; name a file in it" packing.h5 . -o out.h5
   refuses 65 run-dem "/dev/null: empty" /dev/null short.toml -o out.h5
   refuses 65 run-dem "short.toml: not an HDF5 file" short.toml short.toml -o out.h5
   refuses 65 run-dem "packing.h5: not a text file; name the scenario as text" packing.h5 packing.h5 -o out.h5
