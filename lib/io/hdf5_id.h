@@ -6,6 +6,9 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <vector>
+
+#include "io/schema.h"
 
 namespace soilweave::io::hdf5 {
 
@@ -33,5 +36,8 @@ hid_t native() {
   if (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
   return std::is_same_v<T, std::int32_t> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT8;
 }
+
+/// Returns the extents as HDF5's type for them, which is unsigned long or unsigned long long as its version has it.
+inline std::vector<hsize_t> extents(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
 }  // namespace soilweave::io::hdf5

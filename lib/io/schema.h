@@ -48,7 +48,7 @@ const std::vector<Section>& schema();
 const Entry& entry(std::string_view path);
 
 /// Dimensions of an array, outermost first.
-using Extent = unsigned long long;  // as HDF5 counts
+using Extent = unsigned long long;  // holds any hsize_t
 using Shape = std::vector<Extent>;
 /// What the letters of shapes stand for in one file.
 using Extents = std::map<char, Extent>;

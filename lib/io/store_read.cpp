@@ -30,9 +30,9 @@ struct Opened {
 
 Shape extents_of(hid_t space) {
   const int rank = H5Sget_simple_extent_ndims(space);
-  Shape shape(static_cast<std::size_t>(std::max(rank, 0)));
-  if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  return shape;
+  std::vector<hsize_t> extents(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank > 0) H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+  return Shape(extents.begin(), extents.end());
 }
 
 /// Strings of fixed or variable length; read(type, buffer) does the reading. most: bytes that can be there.

@@ -23,7 +23,7 @@ Id string_type(std::size_t size) {
 
 Id space_of(const Shape& shape) {
   if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose};
-  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+  return {H5Screate_simple(static_cast<int>(shape.size()), hdf5::extents(shape).data(), nullptr), H5Sclose};
 }
 
 void demand(bool good, const std::string& path) {
@@ -50,7 +50,7 @@ Id creation(const Shape& shape, std::size_t element_size) {
     H5Pset_layout(list, H5D_COMPACT);
     return {list, H5Pclose};
   }
-  H5Pset_chunk(list, static_cast<int>(shape.size()), chunk_of(shape).data());
+  H5Pset_chunk(list, static_cast<int>(shape.size()), hdf5::extents(chunk_of(shape)).data());
   H5Pset_shuffle(list);
   // The noise in the last digits of doubles does not compress: levels above 1 cost time and save next to nothing.
   H5Pset_deflate(list, 1);

@@ -3,7 +3,6 @@
 #include "packing/surface.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -20,20 +19,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/variant/get.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <variant>
 
 #include "core/error.h"
 #include "io/vtk.h"
+
+#if __has_include(<CGAL/AABB_traits_3.h>)
+#include <CGAL/AABB_traits_3.h>
+#else  // before CGAL 6, under another name
+#include <CGAL/AABB_traits.h>
+namespace CGAL {
+template <class Kernel, class Primitive>
+using AABB_traits_3 = AABB_traits<Kernel, Primitive>;
+}
+#endif
 
 namespace soilweave::packing {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangles = CGAL::Surface_mesh<Kernel::Point_3>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Triangles>>>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Triangles>>>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
 // Points of the grid that depths are counted on, along the longest side.
@@ -45,6 +56,17 @@ void say_nothing(const char*, const char*, const char*, int, const char*) {}
 void demand_near(double coordinate, const std::string& path) {
   if (!(std::abs(coordinate) <= farthest))
     throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
+}
+
+/// Returns the T that a result of CGAL holds, or a null pointer. CGAL 6 returns standard variants, CGAL 5 those of
+/// Boost.
+template <class T, class... Held>
+const T* held(const std::variant<Held...>& result) {
+  return std::get_if<T>(&result);
+}
+template <class T, class Variant>
+const T* held(const Variant& result) {
+  return boost::get<T>(&result);
 }
 
 // A surface whose triangles, of a VTK file, meet edge to edge.
@@ -143,7 +165,7 @@ Chart Surface::chart() const {
     // Through an edge or a corner, two triangles or more are met at the same distance.
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto& [intersection, face] : met) {
-      const auto* point = boost::get<Kernel::Point_3>(&intersection);
+      const auto* point = held<Kernel::Point_3>(intersection);
       const double distance = point ? std::sqrt(CGAL::squared_distance(middle, *point)) : 0;
       least = std::min(least, distance), most = std::max(most, distance);
     }

@@ -219,7 +219,7 @@ TEST_F(Files, output_that_cannot_be_created_is_told) {
 }
 
 TEST_F(Files, full_device_is_an_io_error) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   expect_error<IoError>([&] { write_packing("/dev/full", test::example_state(), {}); }, "/dev/full: writing failed");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }

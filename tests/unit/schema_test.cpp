@@ -19,7 +19,7 @@ namespace {
 
 const std::string begin_mark = "<!-- tables: printed from schema.cpp -->\n", end_mark = "<!-- end of tables -->\n";
 
-/// SOILWEAVE_GOLDEN=write prints the tables into FORMAT.md instead of comparing.
+/// SOILWEAVE_GOLDEN=write (make golden) prints the tables into FORMAT.md instead of comparing.
 TEST(Schema, is_what_the_page_says) {
   const std::filesystem::path page = "lib/io/FORMAT.md";
   if (!std::filesystem::exists(page)) GTEST_SKIP() << "not run in the root of the source tree";
@@ -32,7 +32,7 @@ TEST(Schema, is_what_the_page_says) {
   if (golden && std::string(golden) == "write")
     test::put_bytes(page, printed);
   else
-    EXPECT_EQ(text, printed) << "print it anew with SOILWEAVE_GOLDEN=write, or correct the schema";
+    EXPECT_EQ(text, printed) << "run: make golden, or correct the schema";
 }
 
 TEST(Schema, shapes_become_numbers) {
