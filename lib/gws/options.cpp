@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 
 #include "core/data.h"
 #include "core/error.h"
@@ -130,9 +128,7 @@ SoilFile find_soil(const std::string& name, const std::vector<std::string>& assi
 }
 
 io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources) {
-  std::array<char, 4> first{};
-  if (path != "-") std::ifstream(path, std::ios::binary).read(first.data(), first.size());
-  if (path != "-" && std::string_view(first.data(), first.size()) != "\x89HDF") {
+  if (path != "-" && !io::is_hdf5(path)) {
     const io::TextFile text = io::read_text(path, "series");
     sources.push_back(text.source);
     return io::from_tsv(text.text, path.string());

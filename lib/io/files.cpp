@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/plain_text.h"
 #include "io/bytes.h"
 #include "io/file_head.h"
 #include "io/under_way.h"
@@ -246,11 +247,10 @@ SeriesFile read_run_series(const std::filesystem::path& path, std::string role) 
 }
 
 TextFile read_text(const std::filesystem::path& path, std::string role) {
+  std::string bytes = read_bytes(path);
   TextFile file;
-  file.text = read_bytes(path);
-  if (file.text.find('\0') != std::string::npos)
-    throw DataError(fmt::format("{}: not a text file; name the {} as text", input_name(path), role));
-  file.source = {std::move(role), sha256(file.text), {}};
+  file.source = {role, sha256(bytes), {}};
+  file.text = plain_text(std::move(bytes), input_name(path), role);
   return file;
 }
 

@@ -114,8 +114,8 @@ unmade() {
   cp open.txt words.h5
   refused 65 "words.h5: not an HDF5 file" --import words.h5 --as-is -o out.h5
   cp packing.h5 packing.txt
-  refused 65 "packing.txt: not a text file; name the spheres as text" --import packing.txt -o out.h5
-  unmade 65 "packing.h5: not a text file; name the material as text" --material packing.h5 -o out.h5
+  refused 65 "packing.txt: an HDF5 file where a text belongs (the spheres)" --import packing.txt -o out.h5
+  unmade 65 "packing.h5: an HDF5 file where a text belongs (the material)" --material packing.h5 -o out.h5
   homogenize --quiet packing.h5 -o fields.h5
   refused 65 "fields.h5: holds fields, but packing or run is needed here" --import fields.h5 --as-is -o out.h5
 }

@@ -117,7 +117,7 @@ off() {
   refuses 65 run-dem ".: a directory; name a file in it" packing.h5 . -o out.h5
   refuses 65 run-dem "/dev/null: empty" /dev/null short.toml -o out.h5
   refuses 65 run-dem "short.toml: not an HDF5 file" short.toml short.toml -o out.h5
-  refuses 65 run-dem "packing.h5: not a text file; name the scenario as text" packing.h5 packing.h5 -o out.h5
+  refuses 65 run-dem "packing.h5: an HDF5 file where a text belongs (the scenario)" packing.h5 packing.h5 -o out.h5
   head -c 3000 packing.h5 > cut.h5
   refuses 65 run-dem "truncated: 3000 bytes of" cut.h5 short.toml -o out.h5
   homogenize --quiet packing.h5 -o fields.h5
