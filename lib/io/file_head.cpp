@@ -37,6 +37,12 @@ void write_record(Writer& file, const std::string& path, const ProvenanceRecord&
     file.attribute(place, "sha256", input.sha256);
     file.attribute(place, "origin", std::int64_t{input.origin});
   }
+  for (std::size_t k = 0; k < record.doubts.size(); ++k) {
+    const std::string place = numbered(path + "/doubts", k);
+    file.group(place);
+    file.attribute(place, "key", record.doubts[k].key);
+    file.attribute(place, "sentence", record.doubts[k].sentence);
+  }
 }
 
 ProvenanceRecord read_record(const Reader& file, const std::string& path, std::size_t index) {
@@ -46,6 +52,11 @@ ProvenanceRecord read_record(const Reader& file, const std::string& path, std::s
   record.command = file.text_attribute(path, "command");
   record.seed = file.integer<std::uint64_t>(path, "seed");
   if (file.has(path + "/scenario")) record.scenario = file.read_text(path + "/scenario");
+  if (file.has(path + "/doubts"))
+    for (const std::string& child : file.children(path + "/doubts")) {
+      const std::string place = path + "/doubts/" + child;
+      record.doubts.push_back({file.text_attribute(place, "key"), file.text_attribute(place, "sentence")});
+    }
   if (!file.has(path + "/inputs")) return record;
   for (const std::string& child : file.children(path + "/inputs")) {
     const std::string place = path + "/inputs/" + child;

@@ -28,9 +28,9 @@ const std::string recorded_steps = "recorded_steps";
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
-// What differs between two runs, for the message; empty: nothing.
+// What differs between two runs, for the message; empty: nothing. Doubts come up while a run is under way.
 std::string difference(const History& found, const History& wanted) {
-  if (describe(found) == describe(wanted)) return "";
+  if (describe(without_doubts(found)) == describe(without_doubts(wanted))) return "";
   if (found.empty() || wanted.empty()) return "history";
   const ProvenanceRecord &a = found.back(), &b = wanted.back();
   if (a.tool != b.tool || a.version != b.version) return "tool or version";

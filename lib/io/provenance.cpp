@@ -62,11 +62,25 @@ std::string sha256(std::string_view bytes) {
 
 History extend(const std::vector<Source>& sources, const tool::Invocation& invocation, std::string scenario) {
   History history;
-  ProvenanceRecord record = {invocation.tool,     invocation.version, invocation.command,
-                             std::move(scenario), invocation.seed,    {}};
+  ProvenanceRecord record{.tool = invocation.tool,
+                          .version = invocation.version,
+                          .command = invocation.command,
+                          .scenario = std::move(scenario),
+                          .seed = invocation.seed,
+                          .inputs = {}};
   for (const Source& source : sources)
     record.inputs.push_back({source.role, source.sha256, merge(history, source.history)});
   history.push_back(std::move(record));
+  return history;
+}
+
+History with_doubts(History history, const Doubts& doubts) {
+  history.back().doubts = doubts.all();
+  return history;
+}
+
+History without_doubts(History history) {
+  if (!history.empty()) history.back().doubts.clear();
   return history;
 }
 
@@ -79,6 +93,7 @@ std::string describe(const History& history) {
     for (const InputRecord& input : record.inputs)
       text += fmt::format("  input: {}, {}, sha256 {}\n", input.role,
                           input.origin < 0 ? "from outside" : fmt::format("made by {}", input.origin), input.sha256);
+    for (const Doubt& doubt : record.doubts) text += fmt::format("  doubt: {}: {}\n", doubt.key, doubt.sentence);
     if (!record.scenario.empty()) text += "  scenario:\n" + indented(record.scenario);
   }
   return text;

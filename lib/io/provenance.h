@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/tool.h"
 
 namespace soilweave::io {
@@ -22,6 +23,7 @@ struct ProvenanceRecord {
   std::string scenario;  // resolved TOML, empty where there is none
   std::uint64_t seed = 0;
   std::vector<InputRecord> inputs;
+  std::vector<Doubt> doubts = {};  // about what this run wrote
 };
 
 /// Oldest first; the last record is the run that wrote the file. A merge keeps all parents, each once.
@@ -38,6 +40,11 @@ struct Source {
 
 /// The history a new file gets: all histories of its sources merged, then the record of this invocation.
 History extend(const std::vector<Source>& sources, const tool::Invocation& invocation, std::string scenario = "");
+
+/// The history with the doubts of the run that writes the file, in its last record.
+History with_doubts(History history, const Doubts& doubts);
+/// The history without the doubts in its last record: what is known of a run before it has ended.
+History without_doubts(History history);
 
 /// The chain for people, one paragraph a record (to-vtk --history).
 std::string describe(const History& history);

@@ -27,7 +27,9 @@ Section every_file() {
            {"/provenance/<n>", "seed", "uint64", "its random seed"},
            {"/provenance/<n>/inputs/<k>", "role", "text", "what the input was to the tool"},
            {"/provenance/<n>/inputs/<k>", "sha256", "text", "digest of the bytes read"},
-           {"/provenance/<n>/inputs/<k>", "origin", "int64", "n of the record that made it; -1: from outside"}}};
+           {"/provenance/<n>/inputs/<k>", "origin", "int64", "n of the record that made it; -1: from outside"},
+           {"/provenance/<n>/doubts/<k>", "key", "text", "one word for what is doubtful of what the run wrote"},
+           {"/provenance/<n>/doubts/<k>", "sentence", "text", "what, how much, and what would mend it"}}};
 }
 
 Section trajectory() {

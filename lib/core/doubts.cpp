@@ -1,0 +1,26 @@
+// Doubts on standard error.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/doubts.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace soilweave {
+
+void Doubts::add(const Doubt& doubt) {
+  if (std::any_of(all_.begin(), all_.end(), [&](const Doubt& known) { return known.key == doubt.key; })) return;
+  all_.push_back(doubt);
+  if (tool_.empty()) return;
+  // A progress line on a terminal stands where the doubt is to be written.
+  const std::string clear = isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
+  std::fputs((clear + tool_ + ": doubt: " + doubt.sentence + "\n").c_str(), stderr);
+  std::fflush(stderr);
+}
+
+void Doubts::add_all(const std::vector<Doubt>& doubts) {
+  for (const Doubt& doubt : doubts) add(doubt);
+}
+
+}  // namespace soilweave
