@@ -214,7 +214,7 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
   libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff-base
+  python3-numpy python3-matplotlib python3-jinja2 python3-pytest hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff-base
 
 .PHONY: deps
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
@@ -244,6 +244,7 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@$(AGAIN) warnings
 	@$(AGAIN) test-man
 	@$(AGAIN) test-tools
+	@$(AGAIN) test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
 # What a check leaves out is noted here: who, what and why, with tabs between them.
@@ -275,6 +276,12 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 BATS_TEST_TIMEOUT=$${SOILWEAVE_TEST_LIMIT:-300} bats --jobs $(JOBS) \
 	  --report-formatter tap --output $(B)/tests/tools tests/tools
 	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
+
+# In the plain locale and in one whose decimal sign may be a comma, where there is one.
+.PHONY: test-study
+test-study: ## the studies' Python package, on small tables
+	@echo "== tests/study"
+	@for locale in C.UTF-8 de_DE.UTF-8; do LC_ALL=$$locale $(STUDY_PY) -m pytest -q -p no:cacheprovider tests/study || exit; done
 
 # Its pvpython cannot be installed beside libvtk9-dev, which needs python3-vtk9; beside it unpacked it can be, and needs no root.
 .PHONY: paraview

@@ -8,6 +8,11 @@ $(error PROFILE=$(PROFILE): choose quick or thesis)
 endif
 OUT := out
 BIN := $(B)/bin
+# Debian's own interpreter has the packages that the studies use; the package study is what they share.
+PYTHON ?= /usr/bin/python3
+# -P: the folder of study.py does not hide the package of that name.
+STUDY_PY := PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=pipelines $(PYTHON) -P
+STUDY := $(wildcard pipelines/study/*.py pipelines/study/templates/*)
 
 # Changes only when the profile does; whatever the profile decides depends on it.
 $(OUT)/profile: always

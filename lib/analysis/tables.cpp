@@ -81,6 +81,12 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
     put(table, "void_ratio_tessellation", "1", "void ratio from the sum of the power cells", filled.void_ratio);
   }
   put(table, "coordination_number", "1", "2 Nc/N", coordination(state).all);
+  for (int a = 0; a < d; ++a)
+    put(table, fmt::format("cell_length_{}", axes[a]), "m", "length of the cell vector",
+        state.cell.matrix.col(a).norm());
+  const std::vector<double>& radii = state.grains.radius;
+  put(table, "mean_radius", "m", "mean radius of the grains",
+      std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size()));
 }
 
 Local local(const io::Snapshot& reference, const io::Snapshot& state) {

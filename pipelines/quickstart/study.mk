@@ -21,52 +21,31 @@ $(QSO)/packing_%.h5: $(BIN)/pack-generate
 	@echo '  pack  $@'
 	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $*
 
-# One row a run: pressure and the seed of its packing.
-$(QSO)/runs.tsv: $(QS)/study.mk $(OUT)/profile
-	@mkdir -p $(@D)
-	@{ printf 'pressure\tseed\n'; for s in $(QS_SEEDS); do \
-	  for p in $(QS_PRESSURES); do printf '%s\t%s\n' $$p $$s; done; done; } $(call whole,$@)
+# % is the pressure in MPa and the seed, as in 0.2_1.
+QS_TESTS := $(foreach p,$(QS_PRESSURES),$(QS_SEEDS:%=$(QSO)/triaxial_$(p)_%.h5))
+qs_pressure = $(word 1,$(subst _, ,$*))
+$(QSO)/triaxial_%.h5: $(QS_PACKINGS) $(QS)/triaxial.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@pipelines/resume.sh $@ $(BIN)/run-dem $(QSO)/packing_$(word 2,$(subst _, ,$*)).h5 $(QS)/triaxial.toml \
+	  --set stage.0.pressure=$(qs_pressure)e6 --set stage.1.confining_pressure=$(qs_pressure)e6
 
-# ensemble.sh runs under GNU parallel and goes on where it was stopped.
-$(QSO)/ensemble: $(QS)/ensemble.sh $(QS)/run.sh $(QS)/shear.awk $(QS)/triaxial.toml $(QSO)/runs.tsv $(QS_PACKINGS) \
-  $(BIN)/run-dem $(BIN)/homogenize $(BIN)/fabric
-	@BIN=$(BIN) OUT=$(QSO) $(QS)/ensemble.sh $(QSO)/runs.tsv $(QS)/triaxial.toml $(QS_PACKINGS)
-	@touch $@
-
-# Tables of the packings before loading, and of the first one what its picture is made of.
-QS_CELLS := $(QS_SEEDS:%=$(QSO)/cell_%.tsv)
-QS_FABRICS := $(QS_SEEDS:%=$(QSO)/fabric_%.tsv)
-QS_GRAINS := $(QS_SEEDS:%=$(QSO)/grains_%.txt)
-$(QS_CELLS): $(QSO)/cell_%.tsv: $(QSO)/packing_%.h5 $(BIN)/homogenize
+QS_TABLES := $(QS_TESTS:$(QSO)/%.h5=$(QSO)/series_%.tsv) $(QS_PACKINGS:$(QSO)/%.h5=$(QSO)/cell_%.tsv) \
+  $(patsubst $(QSO)/%.h5,$(QSO)/fabric_%.tsv,$(QS_TESTS) $(QS_PACKINGS)) $(QSO)/rose_packing_1.tsv $(QSO)/histogram_packing_1.tsv
+$(QSO)/series_%.tsv: $(QSO)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --tsv --table series $(call whole,$@)
+$(QSO)/cell_%.tsv: $(QSO)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv $(call whole,$@)
-$(QS_FABRICS): $(QSO)/fabric_%.tsv: $(QSO)/packing_%.h5 $(BIN)/fabric
+$(QSO)/fabric_%.tsv: $(QSO)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
-$(QS_GRAINS): $(QSO)/grains_%.txt: $(QSO)/packing_%.h5 $(BIN)/to-vtk
-	@$(BIN)/to-vtk --text $< --force -o $@
-QS_PICTURE := $(QSO)/histogram.tsv $(QSO)/petals.tsv
-$(QSO)/histogram.tsv: $(QSO)/packing_1.h5 $(BIN)/fabric
+$(QSO)/rose_%.tsv: $(QSO)/%.h5 $(BIN)/fabric
+	@$(BIN)/fabric $< --tsv --table rose $(call whole,$@)
+$(QSO)/histogram_%.tsv: $(QSO)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv --table histogram $(call whole,$@)
-$(QSO)/petals.tsv: $(QSO)/packing_1.h5 $(QS)/petals.awk $(BIN)/fabric
-	@$(BIN)/fabric $< --tsv --table rose | awk -f $(QS)/petals.awk $(call whole,$@)
+$(QSO)/provenance.txt: $(QSO)/triaxial_0.2_1.h5 $(BIN)/to-vtk
+	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
-QS_ENSEMBLES := $(foreach p,$(QS_PRESSURES),$(QSO)/ensemble_$(p)MPa.tsv)
-$(QS_ENSEMBLES): $(QSO)/ensemble_%MPa.tsv: $(QS)/ensemble.awk $(QSO)/ensemble
-	@awk -f $< $(QSO)/runs/$*MPa_*/series.tsv $(call whole,$@)
+$(QSO)/page.html: $(QS)/study.py $(QS)/expected.tsv $(STUDY) $(QS_TABLES) $(QS_LAB) $(QSO)/provenance.txt $(OUT)/profile
+	@$(STUDY_PY) $< $(QSO) --profile $(PROFILE) --seeds $(QS_SEEDS)
 
-$(QSO)/measured.tsv: $(QS)/measure.sh $(QS_ENSEMBLES) $(QS_CELLS) $(QS_FABRICS) $(QS_GRAINS) $(QS_LAB)
-	@OUT=$(QSO) $(QS)/measure.sh $(QS_SEEDS) $(call whole,$@)
-
-$(QSO)/comparison.tsv: pipelines/compare.awk $(QS)/expected.tsv $(QSO)/measured.tsv
-	@awk -f $< $(QS)/expected.tsv $(QSO)/measured.tsv $(call whole,$@)
-
-$(QSO)/figures: $(QS)/figures.gp $(QS_ENSEMBLES) $(QS_PICTURE) $(QS_LAB)
-	@for format in svg png; do gnuplot -e "out='$(QSO)'; format='$$format'" $<; done
-	@touch $@
-
-$(QSO)/provenance.txt: $(QSO)/ensemble $(BIN)/to-vtk
-	@$(BIN)/to-vtk --history $(QSO)/runs/0.2MPa_1/run.h5 $(call whole,$@)
-
-$(QSO)/page.html: $(QS)/page.sh pipelines/figure.sh pipelines/table.awk $(QSO)/comparison.tsv $(QSO)/figures $(QSO)/provenance.txt
-	@OUT=$(QSO) $(QS)/page.sh $(call whole,$@)
-	@awk -F '\t' 'NR > 1 { n[$$7]++ } END { printf "quickstart: %d published values met, %d not met (make report)\n", \
-	  n["met"], n["not met"] }' $(QSO)/comparison.tsv
+# Kept, since every table is made from them.
+.PRECIOUS: $(QSO)/packing_%.h5 $(QSO)/triaxial_%.h5

@@ -1,0 +1,14 @@
+"""The one error of the studies, and the nearest known name for its messages."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import difflib
+
+
+class StudyError(Exception):
+    """One line for the reader: which file, what is wrong, what would mend it."""
+
+
+def suggestion(name, known):
+    """Returns "; did you mean 'x'?" for the nearest of the known names, or all of them where none is near."""
+    known = [str(k) for k in known]
+    near = difflib.get_close_matches(str(name), known, n=1)
+    return f"; did you mean '{near[0]}'?" if near else f"; known: {', '.join(known)}"

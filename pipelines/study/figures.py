@@ -1,0 +1,70 @@
+"""One style for all figures: colours that colour-blind readers can tell apart, units on every axis, the same bytes again."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import io
+import re
+
+import matplotlib
+
+matplotlib.use("svg")
+from matplotlib import pyplot  # noqa: E402  (the backend has to be chosen before)
+
+from .errors import StudyError  # noqa: E402
+
+# Okabe and Ito's colours (2008), which stay apart for readers with any of the usual colour deficiencies.
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GREY = "#0072b2", "#d55e00", "#009e73", "#a3263f", "#8f5b8c", "#56b4e9", "#667080"
+SERIES = (BLUE, ORANGE, GREEN, PURPLE, RED, SKY)
+
+_STYLE = {
+    "font.family": "sans-serif",
+    "font.size": 10,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "soilweave",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#505860",
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#e3e6ea",
+    "grid.linewidth": 0.7,
+    "lines.linewidth": 1.7,
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+    "figure.facecolor": "white",
+    "figure.constrained_layout.use": True,
+}
+matplotlib.rcParams.update(_STYLE)
+_LABEL = re.compile(r".*\(.+\)$|.*\[.+\]$")
+
+
+def panels(count, width=9.0, height=4.4):
+    """Returns a figure of so many panels side by side and a list of their axes; width and height in inches."""
+    figure, axes = pyplot.subplots(1, count, figsize=(width, height), squeeze=False)
+    return figure, list(axes[0])
+
+
+def label(axes, x, y, pure=()):
+    """Labels both axes. Each label ends in its unit, as in "axial strain (%)"; those named in `pure` have none."""
+    for text in (x, y):
+        if text not in pure and not _LABEL.match(text):
+            raise StudyError(f"axis '{text}': has no unit; write \"name (unit)\" or name it among the pure numbers")
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+
+
+def band(axes, x, y, half_width, colour, name=None, **how):
+    """Draws a curve with a band of half_width to either side of it."""
+    axes.fill_between(x, y - half_width, y + half_width, color=colour, alpha=0.2, linewidth=0)
+    return axes.plot(x, y, color=colour, label=name, **how)
+
+
+def points(axes, x, y, colour, name=None):
+    """Draws published or laboratory values: open circles, never joined by a line."""
+    return axes.plot(x, y, "o", markersize=3.5, markerfacecolor="none", markeredgewidth=0.9, color=colour, label=name)
+
+
+def svg(figure):
+    """Returns the figure as SVG text, equal for equal figures, and closes it."""
+    text = io.StringIO()
+    figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    pyplot.close(figure)
+    return text.getvalue()

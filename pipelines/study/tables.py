@@ -1,0 +1,90 @@
+"""Tables of numbers as the tools print them: columns by name and unit, missing ones refused."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import pathlib
+import re
+
+import numpy
+
+from .errors import StudyError, suggestion
+from .units import factor
+
+_HEAD = re.compile(r"^(?P<name>[^\[\]]+?)(?: \[(?P<unit>[^\[\]]+)\])?$")
+
+
+class Table:
+    """Columns of equal length, each with a name and a unit ("1" for pure numbers).
+
+    table("mean_stress", "kPa") is the column converted to that unit, as an array of floats. A column that is missing,
+    has another kind of unit or holds a NaN raises StudyError with the file, the column and the nearest name.
+    """
+
+    def __init__(self, rows, units, where):
+        self._rows, self._units, self.where = rows, units, str(where)
+        self._place = {name: k for k, name in enumerate(units)}
+
+    @classmethod
+    def read(cls, path):
+        """Reads a tab-separated table with a header of "name [unit]"; lines that begin with # are comments."""
+        try:
+            text = pathlib.Path(path).read_text(encoding="utf-8")
+        except OSError as error:
+            raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
+        lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+        if not lines:
+            raise StudyError(f"{path}: holds no table; begin with a header of names such as \"time [s]\"")
+        units = {}
+        for head in lines[0].split("\t"):
+            match = _HEAD.match(head.strip())
+            if not match:
+                raise StudyError(f"{path}: '{head}' is no head of a column; write \"name [unit]\"")
+            if match["name"] in units:
+                raise StudyError(f"{path}: two columns are named {match['name']}")
+            units[match["name"]] = match["unit"] or ""
+        rows = [line.split("\t") for line in lines[1:]]
+        for number, row in enumerate(rows, start=1):
+            if len(row) != len(units):
+                raise StudyError(f"{path}: row {number} has {len(row)} values, the header {len(units)} columns")
+        return cls(rows, units, path)
+
+    def __len__(self):
+        return len(self._rows)
+
+    def __call__(self, name, unit, missing=False):
+        """Returns the column in the unit asked for. missing: NaN, which stands for "no value", is allowed in it."""
+        if name not in self._units:
+            raise StudyError(f"{self.where}: has no column {name}{suggestion(name, self._units)}")
+        try:
+            scale = factor(self._units[name] or "1", unit)
+            values = numpy.array([float(row[self._place[name]]) for row in self._rows])
+        except (StudyError, ValueError) as error:
+            raise StudyError(f"{self.where}: column {name}: {error}") from error
+        if not missing and numpy.isnan(values).any():
+            row = int(numpy.flatnonzero(numpy.isnan(values))[0]) + 1
+            raise StudyError(f"{self.where}: column {name} has no value in row {row}")
+        return values if scale == 1 else scale * values
+
+    def rows(self, mask):
+        """Returns the table of the rows where the mask holds. Raises StudyError where there is none."""
+        if not numpy.any(mask):
+            raise StudyError(f"{self.where}: has none of the rows asked for")
+        return Table([row for row, kept in zip(self._rows, mask, strict=True) if kept], self._units, self.where)
+
+    def at(self, column, unit, along, value, along_unit):
+        """Returns the column at a value of another one, which must rise, between its rows linearly.
+
+        Raises StudyError where the value is not within the table: nothing is extrapolated.
+        """
+        x, y = self(along, along_unit), self(column, unit)
+        slack = 1e-6 * max(abs(x[0]), abs(x[-1]))
+        if not x[0] - slack <= value <= x[-1] + slack:
+            raise StudyError(f"{self.where}: {along} {value} {along_unit} lies outside {x[0]:.6g} to {x[-1]:.6g}")
+        return float(numpy.interp(value, x, y))
+
+
+def write_table(columns):
+    """Returns columns, a dictionary of heads and equally many values, as tab-separated text; None is an empty cell."""
+    def cell(value):
+        return "" if value is None else value if isinstance(value, str) else f"{value:.6g}"
+    lines = ["\t".join(columns)]
+    lines += ["\t".join(cell(value) for value in row) for row in zip(*columns.values(), strict=True)]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,35 @@
+"""Units that tables and figures use, and the factors between them."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+from .errors import StudyError, suggestion
+
+# Each unit with the quantity that it measures and its size in the SI unit of that quantity.
+_UNITS = {
+    "1": ("number", 1.0),
+    "%": ("number", 1e-2),
+    "m": ("length", 1.0),
+    "mm": ("length", 1e-3),
+    "m2": ("area", 1.0),
+    "m3": ("volume", 1.0),
+    "s": ("time", 1.0),
+    "Pa": ("stress", 1.0),
+    "kPa": ("stress", 1e3),
+    "MPa": ("stress", 1e6),
+    "N": ("force", 1.0),
+    "kN": ("force", 1e3),
+    "N/m": ("line force", 1.0),
+    "kN/m": ("line force", 1e3),
+    "J": ("energy", 1.0),
+    "deg": ("angle", 1.0),
+    "1/s": ("rate", 1.0),
+    "1/m": ("curvature", 1.0),
+}
+
+
+def factor(given, wanted):
+    """Returns what turns a number in the unit `given` into one in `wanted`. Raises StudyError where they do not fit."""
+    for unit in (given, wanted):
+        if unit not in _UNITS:
+            raise StudyError(f"'{unit}' is not a known unit{suggestion(unit, _UNITS)}")
+    if _UNITS[given][0] != _UNITS[wanted][0]:
+        raise StudyError(f"'{given}' is a unit of {_UNITS[given][0]}, '{wanted}' of {_UNITS[wanted][0]}")
+    return _UNITS[given][1] / _UNITS[wanted][1]
