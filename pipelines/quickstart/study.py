@@ -134,7 +134,7 @@ def draw_response(study, runs):
         axes.set_xlim(0, 10)
         axes.plot([], [], "o", markerfacecolor="none", color=figures.GREY, markersize=3.5, label="laboratory")
         axes.legend()
-    ratio = r"stress ratio $\sigma_a/\sigma_r$"
+    ratio = "stress ratio σₐ/σᵣ"
     figures.label(left, "axial strain (%)", ratio, pure=[ratio])
     figures.label(right, "axial strain (%)", "volumetric strain, contraction positive (%)")
     study.figure("response", figure, "Drained triaxial compression (thesis Fig. 3.2b, base of Fig. 2.4). Lines: mean of the "
