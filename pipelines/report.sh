@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: report.sh STYLE.css PAGE.html...
 set -eu
+export LC_ALL=C.UTF-8
 style=$1
 shift
 cat <<'HEAD'

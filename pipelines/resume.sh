@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: resume.sh OUTPUT TOOL ARGUMENT...
 set -euo pipefail
+export LC_ALL=C.UTF-8
 output=$1 tool=$2
 shift 2
 exec 9> "$output.lock"

@@ -2,6 +2,7 @@
 # Every file under data/ is the one that data/SOURCES.md names, by its SHA-256 digest, and none is missing there.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
+export LC_ALL=C.UTF-8
 cd "$(dirname "$0")/../data"
 listed=$(sed -n 's/^    \([0-9a-f]\{64\}  .*\)$/\1/p' SOURCES.md)
 printf '%s\n' "$listed" | sha256sum --quiet --strict --check - || {

@@ -2,6 +2,7 @@
 # The habits of the house that a script can see: include direction, who includes what, sizes, first lines, loose ends.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
+export LC_ALL=C.UTF-8
 cd "$(dirname "$0")/.." || exit 1
 
 faults=0

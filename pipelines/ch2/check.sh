@@ -5,6 +5,7 @@
 # usage: BIN=build/bin check.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STEPS.tsv LABORATORY.tsv STRAIN_% THESIS.tsv > check.tsv
 # Leaves the series as FOLDER/check/runs/ID/series.tsv; ID: 10 times the set (0: identified, 1: thesis) plus the twin.
 set -euo pipefail
+export LC_ALL=C.UTF-8
 folder=$1 law=$2 packing=$3 scenario=$4 pressure=$5 steps=$6 laboratory=$7 strain=$8 thesis=$9
 here=$(dirname "$0")
 twins=$(seq 0 $((${CHECK_TWINS:-3} - 1)))
@@ -25,7 +26,7 @@ rows=$folder/check/rows.tsv
   if [[ -e $thesis ]]; then for twin in $twins; do printf '%s\t%s\t%s\n' $((10 + twin)) "$(last "$thesis")" "$twin"; done; fi
 } > "$rows"
 export BIN KEEP_RUN=1
-parallel --colsep '\t' --jobs "${JOBS:-100%}" "$here/run.sh" "$folder/check" "$law" "$packing" "$scenario" "$pressure" "$whole" \
+parallel --quote --colsep '\t' --jobs "${JOBS:-100%}" "$here/run.sh" "$folder/check" "$law" "$packing" "$scenario" "$pressure" "$whole" \
   '{1}' '{2}' '{3}' '{4}' '{5}' '{6}' '{7}' :::: "$rows" >&2
 
 printf 'set [1]\ttwin [1]\tmisfit_ratio [%%]\tmisfit_volume [%%]\tmisfit_ratio_whole [%%]\tmisfit_volume_whole [%%]\n'

@@ -4,17 +4,22 @@
 # that are missing. Rows that will fail each time are listed and stay failed; other trouble is tried again, then told.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin ensemble.sh TABLE.tsv FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_%
+# TABLE: id, E, nu, kr, eta and mu, separated by tabs; ids are whole numbers, with leading zeros or without.
 set -euo pipefail
-table=$1 folder=$2 law=$3 packing=$4 scenario=$5 pressure=$6 strain=$7
+export LC_ALL=C.UTF-8
+name=$(basename "$1" .tsv)
+table=$2/$name.rows folder=$2 law=$3 packing=$4 scenario=$5 pressure=$6 strain=$7
 common=("${@:2}")
 here=$(dirname "$0")
-name=$(basename "$table" .tsv)
 joblog=$folder/$name.joblog
+log=$joblog
+[[ $log == /* ]] || log=./$log  # awk takes a file a=b for an assignment, and ./a=b for a file
 mkdir -p "$folder/runs"
 
 # One at a time: jobs of a make that was killed may still be under way, and their results count.
 exec 9> "$folder/lock"
 flock -n 9 || { echo "  $folder: waiting for runs that are still under way" >&2; flock 9; }
+file=$1 awk -v columns=6 -f "$here/../rows.awk" < "$1" > "$table"
 
 # Results of other inputs, programs or scenarios are not resumed from.
 key=$(cat "$packing" "$scenario" "$here/run.sh" "$BIN/run-dem" "$BIN/homogenize" | sha256sum)
@@ -54,10 +59,11 @@ if ((${#unrun[@]} > 0)); then
     # folder away.
     if [[ -e $joblog ]]; then
       printf '%s\n' "${unrun[@]}" | awk -F '\t' 'NR == FNR { unrun[$1] = 1; next } FNR == 1 || (NF >= 9 && !($1 in unrun))' \
-        - "$joblog" > "$joblog.part" && mv "$joblog.part" "$joblog"
+        - "$log" > "$joblog.part" && mv "$joblog.part" "$joblog"
     fi
     export BIN
-    parallel --header : --colsep '\t' --jobs "${JOBS:-100%}" --joblog "$joblog" --resume-failed --retries 3 \
+    # --quote: names of folders and files reach run.sh as they are, whatever is in them.
+    parallel --quote --header : --colsep '\t' --jobs "${JOBS:-100%}" --joblog "$joblog" --resume-failed --retries 3 \
       ${SSHLOGINFILE:+--sshloginfile "$SSHLOGINFILE" --workdir "$PWD"} --env BIN \
       "$here/run.sh" "${common[@]}" '{1}' '{2}' '{3}' '{4}' '{5}' '{6}' :::: "$table" || true
   fi
@@ -77,7 +83,7 @@ if [[ -s $joblog ]]; then
   awk -F '\t' -v failed="$failed" -v name="$folder $name" '
     FNR > 1 { ++rows; if ($4 > 0) { seconds += $4; ++runs } }
     END { printf "  %s: %d runs, %d failed%s\n", name, rows, failed,
-      seconds ? sprintf(", %.0f runs per hour and core", 3600 * runs / seconds) : "" }' "$joblog"
+      seconds ? sprintf(", %.0f runs per hour and core", 3600 * runs / seconds) : "" }' "$log"
 fi
 if ((${#unrun[@]} > 0)); then
   echo "$folder: ${#unrun[@]} rows did not finish (see $joblog); make again tries them" >&2

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/ch2 CASES='hm_1000_0.2 ...' SAMPLES='32 24' LAST=2 ERROR=0.1,0.025,0.1 PROFILE=quick page.sh > page.html
 set -euo pipefail
+export LC_ALL=C.UTF-8
 
 # Inline SVG: identifiers get the figure's name, since gnuplot gives every figure the same ones.
 figure() { # NAME CAPTION

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: progress.sh FOLDER   (FOLDER/progress, as ensemble.sh leaves it: rows, rows done before, second of the beginning)
 set -eu
+export LC_ALL=C.UTF-8
 folder=$1
 [ -e "$folder/progress" ] || exit 0
 now=$(date +%s)

@@ -8,12 +8,18 @@
 # Leaves FOLDER/runs/ID/series.h5 and peak.tsv, or `failed` with the reason where these parameters will fail each time (out of
 # range, not settled, physics broken); any other trouble is this script's exit status, and the row is tried again.
 set -u
+export LC_ALL=C.UTF-8
 folder=$1 law=$2 packing=$3 scenario=$4 pressure=$5 strain=$6
 id=$7 modulus=$8 ratio=$9
 shift 9
 rolling=$1 limit=$2 friction=$3 twin=${4:-0}
 here=$(dirname "$0")
-row=$(printf '%s/runs/%06d' "$folder" "$id")
+case $id in
+  '' | *[!0-9]*) echo "run.sh: id \"$id\" is no whole number" >&2; exit 65 ;;
+esac
+# printf takes a number with leading zeros for an octal one.
+id=${id#"${id%%[!0]*}"}
+row=$folder/runs/$(printf %06d "${id:-0}")
 
 parameters="$law $pressure $strain $modulus $ratio $rolling $limit $friction $twin"
 if [ "$(cat "$row/parameters" 2>/dev/null)" = "$parameters" ]; then
@@ -47,7 +53,7 @@ esac
 "$BIN/homogenize" "$row/run.h5" --tsv --table series > "$row/series.tsv" &&
   awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
     $at["stage"] == 1 && $at["stress_ratio"] > peak { peak = $at["stress_ratio"] }
-    END { printf "point [1]\tstress_ratio_peak [1]\n1\t%s\n", peak }' "$row/series.tsv" > "$row/peak.tsv" &&
+    END { printf "point [1]\tstress_ratio_peak [1]\n1\t%s\n", peak }' < "$row/series.tsv" > "$row/peak.tsv" &&
   "$BIN/homogenize" "$row/run.h5" --force -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
 [ -n "${KEEP_RUN:-}" ] || rm -f "$row/run.h5" "$row/series.tsv"
 exec "$here/progress.sh" "$folder"

@@ -5,6 +5,7 @@
 #   LINES: file with the lines of the table to run, one a line. SLURM_FLAGS: further options of sbatch, as "--partition=long"
 # Called by the job itself with SLURM_ARRAY_TASK_ID: runs its lines, every so many of the list.
 set -euo pipefail
+export LC_ALL=C.UTF-8
 table=$1 lines=$2 folder=$3
 here=$(dirname "$0")
 most=${SLURM_ARRAY_SIZE:-1000}  # tasks; Slurm's own limit is MaxArraySize, 1001 unless configured

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/ch3 PROFILE=quick page.sh > page.html
 set -eu
+export LC_ALL=C.UTF-8
 # shellcheck source=pipelines/figure.sh
 . "$(dirname "$0")/../figure.sh"
 

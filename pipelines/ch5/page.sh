@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: OUT=out/ch5 page.sh > page.html
 set -eu
+export LC_ALL=C.UTF-8
 # shellcheck source=pipelines/figure.sh
 . "$(dirname "$0")/../figure.sh"
 

@@ -26,7 +26,7 @@ class Table:
     def read(cls, path):
         """Reads a tab-separated table with a header of "name [unit]"; lines that begin with # are comments."""
         try:
-            text = pathlib.Path(path).read_text(encoding="utf-8")
+            text = pathlib.Path(path).read_text(encoding="utf-8-sig")
         except OSError as error:
             raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
         lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]

@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin [FUZZ_TIME=600] tests/fuzz/run.sh TARGET...   (each build/fuzz/tests/NAME)
 set -euo pipefail
+export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "$0")" && pwd)
 top=$here/../..
 work=$(mktemp -d)

@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin [KILLS=200] [STOPS=20] tests/soak/faults.sh
 set -euo pipefail
+export LC_ALL=C.UTF-8
 BIN=$(cd "${BIN:-build/bin}" && pwd)
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d)

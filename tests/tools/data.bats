@@ -2,7 +2,17 @@
 # The data that studies read are the ones described, and the report's comparison can fail.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-setup() { cd "$BATS_TEST_DIRNAME/../.." || return 1; }
+setup() {
+  cd "$BATS_TEST_DIRNAME/../.." || return 1
+  export LC_ALL=C.UTF-8
+}
+
+# refused WORDS: the comparison stopped with one line that holds the words.
+refused() {
+  # shellcheck disable=SC2030,SC2031,SC2154  # status and output are set by run, each test is a shell of its own
+  [ "$status" -eq 1 ]
+  [[ "$output" == *"compare: "*"$1"* ]]
+}
 
 @test "every file under data/ has its digest and line in SOURCES.md" {
   run sh tests/data.sh
@@ -39,6 +49,52 @@ compare() {
   [ "${#lines[@]}" -eq 1 ]
   compare $'x\tat most\t1e-3\t\t1\texact\terror' $'x\t-nan\t'
   [ "$status" -eq 1 ]
+}
+
+@test "what is no finite number, no relation or no column is never met" {
+  local value
+  for value in nan NaN -nan inf 1e999 0,5 "" .; do
+    compare $'x\tat least\t-1\t\t1\texact\terror' $'x\t'"$value"$'\t'
+    refused "x is $value, not a number"
+  done
+  compare $'x\twithout\t1\t1\t1\texact\terror' $'x\t1\t'
+  refused 'x: relation "without"; write within, at most or at least'
+  compare $'x\twithin\t1\tnan\t1\texact\terror' $'x\t1\t'
+  refused 'tolerance is "nan", not a number'
+  compare $'x\twithin\tnan\t1\t1\texact\terror' $'x\t1\t'
+  refused 'published is "nan", not a number'
+  compare $'x\twithin\t1\t1\t1\texact' $'x\t1\t'
+  refused "6 columns where 7 belong"
+  printf 'name\tpublished\trelation\ttolerance\tunit\tsource\tdescription\n' > "$BATS_TEST_TMPDIR/expected.tsv"
+  run awk -f pipelines/compare.awk "$BATS_TEST_TMPDIR/expected.tsv" "$BATS_TEST_TMPDIR/measured.tsv"
+  refused 'column 2 is "published" where relation belongs'
+}
+
+@test "tables with the line ends of Windows are compared alike" {
+  compare $'e\twithin\t0.68\t0.002\t1\tthesis\tvoid ratio\r' $'e\t0.6815\t\r'
+  [ "$status" -eq 0 ]
+  [ "$(cut -f 7 <<< "${lines[1]}")" = "met" ]
+}
+
+# german: sets a locale whose numbers have decimal commas, or skips the test.
+german() {
+  localedef -i de_DE -f UTF-8 "$BATS_TEST_TMPDIR/de_DE.UTF-8" 2> /dev/null || skip "no sources of locales here"
+  export LOCPATH=$BATS_TEST_TMPDIR LC_ALL=de_DE.UTF-8
+  [ "$(env printf '%.1f' 1,5 2> /dev/null)" = "1,5" ] || skip "the locale does not take hold"
+}
+
+@test "where numbers have decimal commas nothing is met by being cut at the point" {
+  german
+  compare $'e\twithin\t0.68\t0.002\t1\tthesis\tvoid ratio' $'e\t0.2\t'
+  [[ "$output" != *$'\tmet\t'* ]]
+  [ "$status" -eq 0 ] || refused "run it with LC_ALL=C.UTF-8"
+}
+
+@test "make gives what it runs the locale that tables are written in" {
+  german
+  printf 'include %s/Makefile\nlocale-of-recipes:\n\t@awk "BEGIN { print 1 / 4, 1000 * 0.5 }"\n' "$PWD" > "$BATS_TEST_TMPDIR/locale.mk"
+  run env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make --no-print-directory -f "$BATS_TEST_TMPDIR/locale.mk" locale-of-recipes
+  [ "${lines[-1]}" = "0.25 500" ]
 }
 
 @test "one of a run that is not made at this size is left out" {

@@ -94,3 +94,34 @@ small_inputs() {
   [[ $stderr == *"run-dem: disk full"* ]] || show
   exits 0 ensemble sets.tsv
 }
+
+@test "folders and packings may have any name, tables any line ends, ids leading zeros" {
+  small_inputs
+  # shellcheck disable=SC2016  # the dollar is part of the name
+  local packing=$'a b;$(touch pwned)\'".h5' folder='bl ank=$(touch pwned)'
+  mv packing.h5 "$packing"
+  printf '\xef\xbb\xbfid [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\r\n000008\t4e9\t0.2\t0.1\t0.2\t30\r\n000010\t4e9\t0.2\t0.1\t0\t25' > sets.tsv
+  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
+  [[ $output == *"2 of 2 rows"*"2 runs, 0 failed"* ]] || show
+  [[ -e $folder/runs/000008/series.h5 && -e $folder/runs/000010/series.h5 && ! -e pwned ]] || show "$(find .)"
+  [[ $(cat "$folder/runs/000010/parameters") == "hm 0.1 0.1 4e9 0.2 0.1 0 25 0" ]] || show "$(cat "$folder"/runs/*/parameters)"
+  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
+  [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
+}
+
+@test "tables that are not understood are refused by line, before any row runs" {
+  local head=$'id [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]'
+  : > packing.h5
+  : > scenario.toml
+  refuses_table() { # WORDS TABLE
+    printf '%s\n' "$2" > sets.tsv
+    call ensemble sets.tsv
+    [[ $status -eq 65 && $stderr == "rows: sets.tsv: $1"* && -z $(find case/runs -name 'parameters') ]] || show "wanted $1"
+  }
+  refuses_table 'line 2: id "8x" is no whole number' "$head"$'\n8x\t4e9\t0.2\t0.1\t0.2\t30'
+  refuses_table 'line 2: 2 values where the header names 6 columns' "$head"$'\n8\t4e9'
+  refuses_table 'line 2: "0,2" in column 3 is no number; write it with a decimal point' "$head"$'\n8\t4e9\t0,2\t0.1\t0.2\t30'
+  refuses_table 'line 3: id 8 is there twice' "$head"$'\n8\t4e9\t0.2\t0.1\t0.2\t30\n08\t4e9\t0.2\t0.1\t0.2\t30'
+  refuses_table 'line 1: the first column is "id,E" where id belongs' $'id,E\n1,2'
+  refuses_table 'line 1: 2 columns where 6 belong' $'id\tE\n1\t2'
+}
