@@ -9,7 +9,7 @@ C5_FAILURE := data/laboratory/toyoura_peak_obliquity.tsv
 C5_UNIAXIAL := $(foreach g,PE 0.5PP PP 2PP 3PP 4PP 5PP,$(C5O)/uniaxial_$(g).tsv)
 C5_TRIAXIAL := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,$(C5O)/triaxial_$(g)_$(s)kPa.tsv))
 C5_LINES := $(foreach t,constants compression_line failure_line near_failure_line dilatancy_line stiffness increments,$(C5O)/$(t).tsv)
-C5_DESIGN := $(addprefix $(C5O)/,accumulated.tsv chart.tsv sensitivity.txt bands.tsv bands.txt identified.txt)
+C5_DESIGN := $(addprefix $(C5O)/,chart.tsv sensitivity.txt bands.tsv bands.txt identified.txt)
 
 .PHONY: ch5
 ch5: $(C5O)/page.html ## the analytical solution for geotextile-wrapped soil, its identification, a design chart
@@ -37,10 +37,6 @@ $(C5O)/soil.toml: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
 	@$(C5_IDENTIFY) --toml $(call whole,$@)
 
-# Fig. 5.13: p* and plastic axial strain from row to row added up, with the line of each series.
-$(C5O)/accumulated.tsv: $(C5)/accumulate.awk $(C5O)/stiffness.tsv $(C5O)/increments.tsv
-	@awk -f $^ $(call whole,$@)
-
 # Bands: the identified constants and their scatter; the chart: geotextiles like PP, a service surcharge of 300 kPa.
 C5_BANDS = $(BIN)/gws-solve respond --geotextile PP --soil $(C5O)/soil.toml --samples 1000 --points 50
 $(C5O)/bands.tsv: $(BIN)/gws-solve $(C5O)/soil.toml
@@ -55,19 +51,5 @@ $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --geotextile PP --sensitivity $(call whole,$@)
 
-$(C5O)/measured.tsv: $(C5)/measure.awk $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DEM)
-	@awk -f $^ $(call whole,$@)
-
-$(C5O)/comparison.tsv: pipelines/compare.awk $(C5)/expected.tsv $(C5O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
-$(C5O)/checklist.tsv: pipelines/compare.awk $(C5)/statements.tsv $(C5O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
-
-$(C5O)/figures: $(C5)/figures.gp $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
-	@for format in svg png; do gnuplot -e "out='$(C5O)'; format='$$format'" $<; done
-	@touch $@
-
-$(C5O)/page.html: $(C5)/page.sh pipelines/figure.sh pipelines/table.awk $(C5O)/comparison.tsv $(C5O)/checklist.tsv $(C5O)/figures $(C5_DESIGN)
-	@OUT=$(C5O) $(C5)/page.sh $(call whole,$@)
-	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch5: %d published values and statements met, %d not met (make report)\n", \
-	  met, not }' $(C5O)/comparison.tsv $(C5O)/checklist.tsv
+$(C5O)/page.html: $(C5)/study.py $(C5)/expected.tsv $(C5)/statements.tsv $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
+	@$(STUDY_PY) $< $(C5O) --profile $(PROFILE)

@@ -48,8 +48,8 @@ def build(arguments):
                   f"and then restored, from {len(arguments.seeds)} seeds at each of two pressures. Grains have the same size however "
                   "many they are. Packings made at 1 kPa are then loaded in drained triaxial compression at 0.2 MPa. Numbers are means "
                   "over the seeds, ± their standard deviation.")
-    study.notes = ["Two packings of one sand at one void ratio do not carry the same: see the deviations above."]
-    study.expect(pathlib.Path(__file__).parent / "expected.tsv")
+    study.expect(pathlib.Path(__file__).parent / "expected.tsv",
+                 note="Two packings of one sand at one void ratio do not carry the same: see their deviations.")
     for n in GRAINS["thesis"][len(GRAINS[study.profile]):]:
         for name in [f"unbalanced_{n}", f"ratio_{n}", *(f"void_ratio_{n}_{p}" for p in PRESSURES)]:
             study.unmade(name, "1", "made with PROFILE=thesis")

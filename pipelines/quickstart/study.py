@@ -221,12 +221,12 @@ def build(arguments):
                   f"isotropically to 0.2, 0.5 and 1.0 MPa and sheared in drained triaxial compression at 3 % a second with the "
                   f"Hertz–Mindlin parameters of thesis Table 3.1: {len(PRESSURES) * len(seeds)} runs of {len(seeds)} packings. "
                   f"Numbers are means over the packings, curves means at equal strain, ± and bands the standard deviation.")
-    study.notes = ["No laboratory curve at 1.0 MPa is public, only the stress ratio at failure. The laboratory curves are smoothed "
-                   "and not kinematically consistent (data/SOURCES.md)."]
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
     measure_packings(study, runs)
     measure_tests(study, runs)
-    study.expect(pathlib.Path(__file__).parent / "expected.tsv")
+    study.expect(pathlib.Path(__file__).parent / "expected.tsv",
+                 note="No laboratory curve at 1.0 MPa is public, only the stress ratio at failure. The laboratory curves are smoothed and "
+                 "not kinematically consistent (data/SOURCES.md).")
     for draw in (draw_response, draw_packing, draw_fabric, draw_state, draw_energy):
         draw(study, runs)
     return study

@@ -36,10 +36,10 @@ matplotlib.rcParams.update(_STYLE)
 _LABEL = re.compile(r".*\(.+\)$|.*\[.+\]$")
 
 
-def panels(count, width=9.0, height=4.4):
-    """Returns a figure of so many panels side by side and a list of their axes; width and height in inches."""
-    figure, axes = pyplot.subplots(1, count, figsize=(width, height), squeeze=False)
-    return figure, list(axes[0])
+def panels(columns, rows=1, width=9.0, height=4.4):
+    """Returns a figure of so many panels and the list of their axes, row by row; width and height in inches."""
+    figure, axes = pyplot.subplots(rows, columns, figsize=(width, height), squeeze=False)
+    return figure, list(axes.flat)
 
 
 def label(axes, x, y, pure=()):

@@ -1,6 +1,7 @@
 """What a study.py builds up, and how its files are written: measured.tsv, comparison.tsv, figures, page.html."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
+import dataclasses
 import os
 import pathlib
 import sys
@@ -13,6 +14,15 @@ from .errors import StudyError
 from .tables import write_table
 
 
+@dataclasses.dataclass
+class Group:
+    """Statements that a page shows in one table, and what it says below it."""
+
+    heading: str
+    statements: list = dataclasses.field(default_factory=list)
+    note: str = ""
+
+
 class Study:
     """The measures, statements and figures of a study, in the order of its chapter.
 
@@ -22,8 +32,8 @@ class Study:
 
     def __init__(self, name, title, out, profile):
         self.name, self.title, self.out, self.profile = name, title, pathlib.Path(out), profile
-        self.lead, self.notes, self.history = "", [], ""
-        self.measures, self.statements, self._figures = {}, [], []
+        self.lead, self.history, self.texts = "", "", []
+        self.measures, self.groups, self._figures = {}, [Group("Measured beside published")], []
 
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several."""
@@ -37,23 +47,35 @@ class Study:
 
     def state(self, name, relation, published, unit, source, description, tolerance=""):
         """Adds a published value or a statement of the thesis as a number; expect() reads a whole table of them."""
-        self.statements.append(Statement(name, relation, str(published), str(tolerance), unit, source, description))
+        self.groups[0].statements.append(Statement(name, relation, str(published), str(tolerance), unit, source, description))
 
-    def expect(self, path):
-        """Adds the statements of a table expected.tsv."""
-        self.statements += read_statements(path)
+    def expect(self, path, heading="", note=""):
+        """Adds the statements of a table like expected.tsv, under a heading of their own where one is given.
+
+        note: what the page says below the table, such as why something is not met.
+        """
+        group = Group(heading) if heading else self.groups[0]
+        if heading:
+            self.groups.append(group)
+        group.statements += read_statements(path)
+        group.note = note
+
+    def text(self, heading, path):
+        """Adds a report that a tool printed, folded, as it stands."""
+        self.texts.append((heading, pathlib.Path(path).read_text(encoding="utf-8")))
 
     def figure(self, name, figure, sentence):
         """Adds a figure, drawn with study.figures, and the sentence beneath it."""
         self._figures.append((name, figures.svg(figure), sentence))
 
     def verdicts(self):
-        """Each statement beside what was measured."""
-        return compare(self.statements, self.measures)
+        """Each statement beside what was measured, group by group."""
+        return [(group, compare(group.statements, self.measures)) for group in self.groups if group.statements]
 
     def write(self):
         """Writes all files of the study into its folder, each at once whole."""
-        verdicts = self.verdicts()
+        groups = self.verdicts()
+        verdicts = [verdict for _, some in groups for verdict in some]
         made = {name: m for name, m in self.measures.items() if m.value is not None}
         _put(self.out / "measured.tsv", write_table({
             "name": list(made), "value": [m.value for m in made.values()], "unit": [m.unit for m in made.values()],
@@ -68,7 +90,7 @@ class Study:
         for name, svg, sentence in self._figures:
             _put(self.out / f"{name}.svg", svg)
             shown.append({"svg": markupsafe.Markup(pages.inline(svg, f"{self.name}_{name}")), "sentence": sentence})
-        _put(self.out / "page.html", pages.render("chapter.html", study=self, verdicts=verdicts, figures=shown))
+        _put(self.out / "page.html", pages.render("chapter.html", study=self, groups=groups, figures=shown))
         met = sum(v.met for v in verdicts)
         print(f"{self.name}: {met} published values met, {len(verdicts) - met} not met (make report)")
 

@@ -21,7 +21,8 @@ _UNITS = {
     "J": ("energy", 1.0),
     "deg": ("angle", 1.0),
     "1/s": ("rate", 1.0),
-    "1/m": ("curvature", 1.0),
+    "1/m": ("stress over line force", 1.0),
+    "kPa per kN/m and %": ("stress over line force and strain", 1.0),
 }
 
 

@@ -125,8 +125,9 @@ def test_tables_of_statements_name_line_and_column(tmp_path):
 
 
 def test_every_table_of_statements_in_the_tree_is_read():
-    for path in [ROOT / "pipelines/quickstart/expected.tsv", ROOT / "pipelines/packings/expected.tsv"]:
-        assert read_statements(path)
+    for study in ("quickstart", "packings", "ch5"):
+        for path in (ROOT / "pipelines" / study).glob("*.tsv"):
+            assert read_statements(path)
 
 
 def example(folder):
@@ -169,7 +170,7 @@ def test_a_measure_is_made_once(tmp_path):
         study.measure("peak", 1, "kPa")
 
 
-@pytest.mark.parametrize("name", ["quickstart", "packings"])
+@pytest.mark.parametrize("name", ["quickstart", "packings", "ch5"])
 def test_a_study_without_its_tables_ends_in_one_line(tmp_path, name):
     run = subprocess.run([sys.executable, "-P", ROOT / f"pipelines/{name}/study.py", tmp_path], capture_output=True, text=True,
                          check=False, env={"PYTHONPATH": str(ROOT / "pipelines"), "PYTHONDONTWRITEBYTECODE": "1"})
