@@ -234,6 +234,7 @@ deps: ## install the Debian packages that are missing (as root or through sudo; 
 # A sub-make takes part in the job server of 'make -jN' and starts one of its own otherwise.
 AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS)),,-j$(JOBS))
 
+# A single test may take SOILWEAVE_TEST_LIMIT seconds (600); then it is stopped and named.
 .PHONY: check
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
 	@$(AGAIN) deps
@@ -275,7 +276,7 @@ test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tes
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
 	@mkdir -p $(B)/tests/tools
-	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 BATS_TEST_TIMEOUT=$${SOILWEAVE_TEST_LIMIT:-300} bats --jobs $(JOBS) \
+	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $(JOBS) \
 	  --report-formatter tap --output $(B)/tests/tools tests/tools
 	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
 
@@ -293,6 +294,10 @@ build/paraview/pvpython:
 	  for p in *.deb; do dpkg-deb --extract $$p .. || exit; done
 	@printf '#!/bin/sh\nusr=$$(dirname "$$(readlink -f "$$0")")/usr\n%s exec "$$usr/bin/pvpython" "$$@"\n' \
 	  'LD_LIBRARY_PATH="$$usr/lib/$(shell dpkg-architecture -qDEB_HOST_MULTIARCH)"' > $@ && chmod +x $@
+
+.PHONY: other-release
+other-release: ## build and check on the other of Debian 12 and 13, and compare bytes (as root; WHOLE=1: every study)
+	@tests/releases.sh
 
 .PHONY: soak
 soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on failing disks, and a million steps at rest (minutes)

@@ -20,7 +20,7 @@ extern "C" void stop(int) {
   _exit(written < 0 ? 2 : 1);
 }
 
-/// Stops a test after SOILWEAVE_TEST_LIMIT seconds (300 by default), and appends a line for each skipped test to the
+/// Stops a test after SOILWEAVE_TEST_LIMIT seconds (600 by default), and appends a line for each skipped test to the
 /// file SOILWEAVE_SKIPPED: program, test and reason, with tabs between them.
 class Watch : public testing::EmptyTestEventListener {
  public:
@@ -50,7 +50,7 @@ class Watch : public testing::EmptyTestEventListener {
   }
 
   std::string program_, skipped_;
-  int limit_ = 300;
+  int limit_ = 600;
 };
 
 }  // namespace

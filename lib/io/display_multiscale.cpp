@@ -16,7 +16,7 @@ const Series* table(const MultiscaleFile& run, const std::string& name) {
   return nullptr;
 }
 
-const Series& demanded(const MultiscaleFile& run, const std::string& name) {
+const Series& demanded(const MultiscaleFile& run, const char* name) {
   if (const Series* found = table(run, name)) return *found;
   throw DataError(run.source.role + ": has no table \"" + name + "\": no mesh can be shown");
 }

@@ -62,22 +62,72 @@ here() {
   find -L . -type f -exec sha256sum {} + | sort -k 2
 }
 
-# same_bytes ONE OTHER
+# same_bytes ONE OTHER: files that hold something, and the same; the other may be a process substitution.
 same_bytes() {
+  [[ -s $1 ]] || { show "$1 is missing or empty"; return 1; }
   cmp "$1" "$2" || show "$1 and $2 differ"
 }
 
-# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last".
-value() {
-  awk -F '\t' -v name="$2" -v row="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); if (part[1] == name) column = i } next }
-    { last = $column } NR == row + 1 { print $column } END { if (row == "last") print last }' "$1"
+# other_bytes ONE OTHER: files that hold something, but not the same.
+other_bytes() {
+  [[ -s $1 && -s $2 ]] || { show "$1 or $2 is missing or empty"; return 1; }
+  ! cmp -s "$1" "$2" || show "$1 and $2 are the same"
 }
 
-# near ONE OTHER TOLERANCE (relative)
+# same_text ONE OTHER, other_text ONE OTHER: files or process substitutions; nothing at all is neither the same nor another text.
+same_text() {
+  local one other
+  one=$(cat "$1") other=$(cat "$2")
+  [[ -n $one && $one == "$other" ]] || show "texts differ, or there are none:" "$(diff <(echo "$one") <(echo "$other"))"
+}
+other_text() {
+  local one other
+  one=$(cat "$1") other=$(cat "$2")
+  [[ -n $one && -n $other && $one != "$other" ]] || show "texts are the same, or one is missing:" "$one"
+}
+
+# Pieces of awk: is_number(x), true of finite numbers alone; and the columns of a table with a header by their names: c(name) is the
+# number in this row, text(name) what stands there. A table without rows or without the column, and a number that is none, are faults.
+is_number='function is_number(x) { return x ~ /^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$/ }'
+# shellcheck disable=SC2016  # awk's dollars
+by_name=$is_number'
+  function fault(what) { print "line " NR ": " what > "/dev/stderr"; faulty = 1; exit 1 }
+  function text(name) { if (!(name in at)) fault("there is no column " name); return $at[name] }
+  function c(name) { if (!is_number(text(name))) fault(name " is no number: " $at[name]); return $at[name] + 0 }
+  BEGIN { FS = "\t" }
+  NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
+  END { if (faulty) exit 1; if (NR < 2) fault("the table has no rows") }'
+
+# table PROGRAM [NAME=VALUE]... [FILE]: an awk program over the rows of a table, with c(name) and text(name). A program that finds a fault sets
+# bad and exits in its END, for an exit in END replaces the status of an earlier one.
+table() {
+  awk "$by_name $1" "${@:2}"
+}
+
+# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last". Where there is none, words that no other file gives.
+value() {
+  awk -v name="$2" -v row="$3" "$by_name"'
+    row == "last" || NR == row + 1 { found = text(name) }
+    END { if (found == "") exit 1; print found }' "$1" || { echo "(no $2 in row $3 of $1)"; return 1; }
+}
+
+# near ONE OTHER TOLERANCE (relative): finite numbers, all three.
 near() {
-  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' ||
-    show "$1 is not $2 to $3"
+  awk -v a="$1" -v b="$2" -v t="$3" "$is_number"'
+    BEGIN { if (!is_number(a) || !is_number(b) || !is_number(t)) exit 1
+      d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' || show "'$1' is not '$2' to '$3'"
+}
+
+# holds CONDITION NAME=NUMBER...: an awk condition on numbers, each of which must be one.
+holds() {
+  local condition=$1 argument
+  local -a given=()
+  shift
+  for argument in "$@"; do
+    awk -v x="${argument#*=}" "$is_number"'BEGIN { exit !is_number(x) }' || { show "$argument is no number"; return 1; }
+    given+=(-v "$argument")
+  done
+  awk "${given[@]}" "BEGIN { exit !($condition) }" || show "wanted $condition of $*"
 }
 
 # needs_reference FILE: $reference is the path of this reference data; the test is skipped where there is none.
@@ -100,3 +150,41 @@ every_tool() {
   local tool
   for tool in "$BIN"/*; do basename "$tool"; done
 }
+
+# family_of PID: its children and theirs.
+family_of() {
+  local file line child
+  for file in /proc/[0-9]*/stat; do
+    line=$(cat "$file" 2>/dev/null) || continue
+    child=${line%% *}
+    # Behind the name, which is in brackets: the state and the parent.
+    [[ ${line##*) } == ?" $1 "* ]] || continue
+    family_of "$child"
+    echo "$child"
+  done
+}
+
+# limit_time SECONDS: stops what hangs in this process, a test or setup_file, which then fails and says why. bats has a limit, but
+# waits for the grandchildren that it leaves behind.
+limit_time() {
+  # shellcheck disable=SC2064  # the limit as it is now
+  trap "echo 'stopped, for it takes more than $1 s' >&2; exit 1" USR1
+  (
+    exec < /dev/null > /dev/null 2>&1 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-
+    trap - ERR EXIT DEBUG
+    set +eET
+    for ((second = 0; second < $1; ++second)); do
+      sleep 1
+      kill -0 $$ || exit 0
+    done
+    kill -USR1 $$
+    self=$BASHPID
+    for child in $(family_of $$); do [[ $child -eq $self ]] || kill -KILL "$child"; done
+  ) &
+  disown
+}
+if [[ -n ${BATS_TEST_NAME:-} ]]; then
+  limit_time "${SOILWEAVE_TEST_LIMIT:-600}"
+elif [[ " ${FUNCNAME[*]} " == *" setup_file "* ]]; then
+  limit_time $((3 * ${SOILWEAVE_TEST_LIMIT:-600}))
+fi

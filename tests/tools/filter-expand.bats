@@ -45,17 +45,16 @@ setup() {
   near "$(value series.tsv force_top_z 2)" 20 0.02
   near "$(value series.tsv force_bottom_z 2)" -20 0.02
   # What it is compressed by after that it carries.
-  awk -v last="$(value series.tsv force_top_z last)" 'BEGIN { exit !(last > 40) }' || show "$(cat series.tsv)"
+  holds 'last > 40' last="$(value series.tsv force_top_z last)"
   local column
   for column in yarn_tension_face soil_stress_zz soil_volume; do
-    awk -v x="$(value series.tsv $column 2)" 'BEGIN { exit !(x > 0) }' || show "$column" "$(cat series.tsv)"
+    holds 'x > 0' x="$(value series.tsv $column 2)"
   done
   homogenize run.h5 --table bag --tsv | grep -q soil_void_ratio
   # A row a yarn of 12 x 12 x 6 cells; those of the faces have the mean tension that the series tells.
   homogenize run.h5 --state last --table yarns --tsv > yarns.tsv
   [[ $(wc -l < yarns.tsv) -eq $((1 + 2 * 2 * 12 * 13 + 4 * 12 * 5 + 4 * 12 * 6)) ]] || show "$(wc -l < yarns.tsv) rows"
-  near "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
-    $at["family"] == 0 { sum += $at["tension"]; ++n } END { printf "%.15g", sum / n }' yarns.tsv)" "$(value series.tsv yarn_tension_face last)" 1e-9
+  near "$(table 'c("family") == 0 { sum += c("tension"); ++n } END { printf "%.15g", sum / n }' yarns.tsv)" "$(value series.tsv yarn_tension_face last)" 1e-9
   # Asked for, they are in a file, too.
   homogenize --quiet run.h5 --state last --yarns -o fields.h5
   exits 0 "$PYTHON" - << 'PY'
@@ -69,9 +68,9 @@ PY
   # Nodes have no cell, thus no stress; yarns and grains are of the same moment.
   homogenize run.h5 --state last --table grains --tsv > grains.tsv
   [[ $(value grains.tsv time 1) == "$(value yarns.tsv time 1)" ]] || show "times differ"
-  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
-    tolower($0) ~ /inf/ || ($at["cell_volume"] == 0) != ($at["mean_stress"] ~ /nan/) { exit 1 }
-    $at["cell_volume"] == 0 { ++none } END { exit !none }' grains.tsv || show "stress of grains without a cell"
+  # shellcheck disable=SC2016  # awk's dollar
+  table 'tolower($0) ~ /inf/ || (c("cell_volume") == 0) != (text("mean_stress") ~ /nan/) { bad = 1 }
+    c("cell_volume") == 0 { ++none } END { exit bad || !none }' grains.tsv || show "stress of grains without a cell"
   homogenize --quiet run.h5 -o fields.h5 --force
   exits 0 "$PYTHON" -c 'import h5py; assert "yarns" not in h5py.File("fields.h5")["fields"]'
   [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
@@ -81,17 +80,15 @@ PY
 # that stands still, overlap, contacts, void ratio), then come to rest, and the first state at rest that misses nothing either and
 # has no more contacts than asked for is the last.
 stops_when_full() {
-  awk -F '\t' -v loosest="$2" -v most="$3" '
-    NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
-    function fault(what) { faults = 1; print "row " NR ": " what; exit 1 }
+  table '
     ended { fault("the row before misses nothing and is at rest") }
-    full && $at["round"] != round { fault("the grains grew, though the row before misses nothing") }
+    full && c("round") != round { fault("the grains grew, though the row before misses nothing") }
     {
       at_rest = full
-      if (!at_rest) stand($at["growth"], $at["delaunay_volume"])
-      full = standing && $at["mean_overlap"] >= 1e-4 && $at["coordination_number"] >= 2.5 && $at["void_ratio"] <= loosest
-      ended = at_rest && full && $at["coordination_number"] <= most
-      round = $at["round"]
+      if (!at_rest) stand(c("growth"), c("delaunay_volume"))
+      full = standing && c("mean_overlap") >= 1e-4 && c("coordination_number") >= 2.5 && c("void_ratio") <= loosest
+      ended = at_rest && full && c("coordination_number") <= most
+      round = c("round")
     }
     # Held grains carry less than 0.9 of the volume along that free ones would; while none grow, nothing is learnt.
     function stand(growth, now,    free) {
@@ -100,7 +97,7 @@ stops_when_full() {
       growth_before = growth
       volume = now
     }
-    END { if (!faults && !ended) fault("the last one misses something") }' "$1" > fault || show "$1: $(cat fault)" "$(tail -n 5 "$1")"
+    END { if (!ended) fault("the last one misses something") }' loosest="$2" most="$3" "$1" 2> fault || show "$1: $(cat fault)" "$(tail -n 5 "$1")"
 }
 
 @test "a bag is full when its grains press at rest, as dense and with as few contacts as asked for" {
@@ -114,8 +111,8 @@ stops_when_full() {
   near "$(value bag.tsv soil_delaunay_void_ratio last)" "$(value denser.tsv delaunay_void_ratio last)" 1e-3
   # Asked for by the Delaunay volume, it is reached by that, which the bag as dense as it comes does not.
   filter-expand --quiet packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.4 -o hull.h5 --history hull.tsv
-  awk -v reached="$(value hull.tsv delaunay_void_ratio last)" -v alone="$(value growth.tsv delaunay_void_ratio last)" \
-    'BEGIN { exit !(reached <= 0.4 && alone > 0.4) }' || show "$(tail -n 1 hull.tsv)" "$(tail -n 1 growth.tsv)"
+  holds 'reached <= 0.4 && alone > 0.4' reached="$(value hull.tsv delaunay_void_ratio last)" \
+    alone="$(value growth.tsv delaunay_void_ratio last)"
   refuses 1 filter-expand "without friction the grains press" packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.2 -o out.h5
   # One contact alone bears nothing: at rest fewer than one grain in a hundred has just one.
   filter-expand --quiet packing.h5 bag.toml --set growth.unbalanced_force=1e-5 -o rested.h5
@@ -124,8 +121,8 @@ stops_when_full() {
   refuses 1 filter-expand "the grains do not fill the container" packing.h5 bag.toml --set growth.rounds=10 -o out.h5
   # More overlap asked for than is left at rest, less than there was before.
   local round between
-  read -r round between < <(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
-    { before = rest; rest = $at["mean_overlap"] } END { printf "%d %.9g\n", $at["round"], (before + rest) / 2 }' growth.tsv)
+  read -r round between < <(table '{ before = rest; rest = c("mean_overlap"); round = c("round") }
+    END { printf "%d %.9g\n", round, (before + rest) / 2 }' growth.tsv)
   refuses 1 filter-expand "falls apart as it comes to rest" packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
   refuses 1 filter-expand "without friction the grains press" packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
 }
@@ -158,7 +155,7 @@ friction_angle = 29
 TOML
   stl cube.stl 0
   filter-expand --quiet packing.h5 cut.toml -o cut.h5
-  to-vtk --text cut.h5 | awk '{ for (i = 1; i <= 3; ++i) { x = $i < 0 ? -$i : $i; if (x + $4 > 0.02 + 1e-12) exit 1 } } END { exit NR < 20 }' ||
+  to-vtk --text cut.h5 | awk '{ for (i = 1; i <= 3; ++i) { x = $i < 0 ? -$i : $i; if (!(x + $4 <= 0.02 + 1e-12)) bad = 1 } } END { exit bad || NR < 20 }' ||
     show "grains outside"
   to-vtk --history cut.h5 | grep -q surface || show "the surface is not among the inputs"
   LEAVE_OUT=1 stl open.stl 0
@@ -222,7 +219,7 @@ assert lengths.max() < 1.3 * lengths.mean() and lengths.min() > 0.7 * lengths.me
 PY
   run-dem --quiet egg.h5 press.toml -o egg_run.h5
   homogenize --state last --table series --tsv egg_run.h5 > egg.tsv
-  awk -F '\t' -v tension="$(value egg.tsv yarn_tension_face 1)" 'BEGIN { exit !(tension > 0) }' || show "$(cat egg.tsv)"
+  holds 'tension > 0' tension="$(value egg.tsv yarn_tension_face 1)"
   surface egg.stl egg
   filter-expand --quiet packing.h5 egg.toml --set container.file=egg.stl -o stl.h5
   # The same surface from STL, whose numbers are single: the same yarns.

@@ -198,9 +198,12 @@ fraction of the geotextile's strength" ]] || show
   for verb in respond identify design; do
     exits 0 gws-solve "$verb" --help
     [[ $(wc -l <<<"$output") -le 40 && $(wc -L <<<"$output") -le 100 ]] || show "$verb --help is too large"
+    local examples=0
     while IFS= read -r command; do
       exits 0 bash -c "set -o pipefail; $command" || show "example of $verb: $command"
+      examples=$((examples + 1))
     done < <(awk '/^[A-Z]/ { on = /^Example/ } on && /^  [^ ]/ { sub(/^  /, ""); print }' <<<"$output")
+    ((examples > 0)) || show "$verb --help has no example"
     exits 0 gws-solve "$verb" --man
     [[ ${lines[0]} == ".TH gws\\-solve\\-$verb 1 "* ]] || show "$verb --man"
     exits 0 bash -c "source <(gws-solve --completion); COMP_WORDS=(gws-solve $verb --geo); COMP_CWORD=2; _gws_solve; \

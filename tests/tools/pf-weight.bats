@@ -55,8 +55,8 @@ TOML
   [[ ${lines[1]} == $'0\t1e+07\t0\t0\t0\t0' || ${lines[1]} == $'0\t10000000\t0\t0\t0\t0' ]] || show "${lines[1]}"
   # Row 10: 1010, 20, 13, 11, 0.1 in the bases; 0.0101 = 5/16, 0.02 = 2/25, 0.31 = 22/49, 0.11 = 10/81, 0.01... of 11.
   awk -F '\t' 'function near(a, b) { return (a - b) ^ 2 <= (1e-12 * b) ^ 2 }
-    $1 == 10 { exit !(near($2, 10 ^ (7 + 4 * 5 / 16)) && near($3, 0.5 * 2 / 25) && near($4, 22 / 49) && near($5, 10 / 81) &&
-      near($6, 60 * 10 / 11)) }' <<<"$output" || show "row 10: ${lines[11]}"
+    $1 == 10 { good = near($2, 10 ^ (7 + 4 * 5 / 16)) && near($3, 0.5 * 2 / 25) && near($4, 22 / 49) && near($5, 10 / 81) &&
+      near($6, 60 * 10 / 11) } END { exit !good }' <<<"$output" || show "row 10: ${lines[11]}"
 }
 
 @test "draw: every row of the author's three tables, by radical inverses in whole numbers" {
@@ -230,8 +230,7 @@ PY
 @test "assimilate: the error that keeps a share of the sets effective" {
   pf-weight draw prior.toml -n 100 -o ensemble.h5
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --least-size 0.3 --tsv
-  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "effective_size [1]") c = i; next }
-    { if (least == "" || $c < least) least = $c } END { exit !(least > 29.99 && least < 30.01) }' <<<"$output" || show
+  table '{ size = c("effective_size"); if (NR == 2 || size < least) least = size } END { exit !(least > 29.99 && least < 30.01) }' <<<"$output" || show
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --covariance component --error 0.01,0.02
   [[ $output == *"standard deviation of their error: one 0.1, two 0.1414."* ]] || show
   refuses 64 assimilate "how exact are the observations? Give --error, as 0.1, or --least-size, as 0.2" \
@@ -256,9 +255,8 @@ PY
     ensemble=next$round.h5
   done
   [[ $(sed -n 2p sets.tsv | cut -f 1) -eq 120 ]] || show "ids go on: $(sed -n 2p sets.tsv)"
-  tail -n 1 steps3.tsv | awk -F '\t' 'NR == FNR { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } nextfile }
-    { exit !(($at["a"] - 0.3) ^ 2 < 0.05 ^ 2 && ($at["b"] + 0.4) ^ 2 < 0.05 ^ 2 && $at["effective_size"] > 8) }' steps3.tsv - ||
-    show "$(tail -n 1 steps3.tsv)"
+  holds '(a - 0.3) ^ 2 < 0.05 ^ 2 && (b + 0.4) ^ 2 < 0.05 ^ 2 && size > 8' a="$(value steps3.tsv a last)" \
+    b="$(value steps3.tsv b last)" size="$(value steps3.tsv effective_size last)"
   exits 0 pf-weight resample posterior3.h5 -n 5 --method kernel --tsv
   [[ ${lines[0]} == *log_importance* ]] || show
 }
@@ -279,9 +277,8 @@ PY
   done
   kept=$(pf-weight assimilate next2.h5 observed.tsv --runs runs.tsv --error 1e-2 --tsv --table weights --quiet | wc -l)
   [[ $kept -eq 121 ]] || show "three rounds of 40: $kept"
-  tail -n 1 steps3.tsv | awk -F '\t' 'NR == FNR { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } nextfile }
-    { exit !(($at["a"] - 0.3) ^ 2 < 0.05 ^ 2 && ($at["b"] + 0.4) ^ 2 < 0.05 ^ 2 && $at["effective_size"] > 10) }' steps3.tsv - ||
-    show "$(tail -n 1 steps3.tsv)"
+  holds '(a - 0.3) ^ 2 < 0.05 ^ 2 && (b + 0.4) ^ 2 < 0.05 ^ 2 && size > 10' a="$(value steps3.tsv a last)" \
+    b="$(value steps3.tsv b last)" size="$(value steps3.tsv effective_size last)"
   # A table does not tell what its sets were drawn from.
   pf-weight resample posterior1.h5 -n 20 --seed 9 --tsv --quiet > alone.tsv
   awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
@@ -300,7 +297,7 @@ PY
   local seconds TIMEFORMAT=%U
   seconds=$({ time pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 --quiet -o posterior.h5 > /dev/null; } 2>&1)
   echo "# $seconds s" >&3
-  awk -v s="$seconds" 'BEGIN { exit !(s < 1) }' || show "$seconds s"
+  holds 's < 1' s="$seconds"
 }
 
 @test "each verb has help that fits a screen, a page, and examples that run" {
@@ -309,10 +306,13 @@ PY
   for verb in draw assimilate resample; do
     exits 0 pf-weight "$verb" --help
     [[ $(wc -l <<<"$output") -le 40 && $(wc -L <<<"$output") -le 100 ]] || show "$verb --help is too large: $(wc -l <<<"$output")"
+    local examples=0
     while IFS= read -r command; do
       [[ $command == *" -o "* ]] && command+=" --force"
       exits 0 bash -c "set -o pipefail; $command" || show "example of $verb: $command"
+      examples=$((examples + 1))
     done < <(awk '/^[A-Z]/ { on = /^Example/ } on && /^  [^ ]/ { sub(/^  /, ""); print }' <<<"$output")
+    ((examples > 0)) || show "$verb --help has no example"
     exits 0 pf-weight "$verb" --man
     [[ ${lines[0]} == ".TH pf\\-weight\\-$verb 1 "* ]] || show "$verb --man"
   done

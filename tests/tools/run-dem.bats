@@ -57,15 +57,15 @@ off() {
   twin 1 again.h5
   twin 2 two.h5
   same_bytes one.h5 again.h5
-  ! cmp -s one.h5 two.h5 || show "the seed changes nothing"
-  ! diff -q <(homogenize --tsv one.h5) <(homogenize --tsv run.h5) || show "nothing was perturbed"
+  other_bytes one.h5 two.h5
+  other_text <(homogenize --tsv one.h5) <(homogenize --tsv run.h5)
 }
 
 @test "the pipe through all tools gives the numbers of the files, and says nothing" {
   local generate=(pack-generate --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2)
   exits 0 bash -c "set -o pipefail; ${generate[*]} -o - | run-dem - short.toml -o - | homogenize - --tsv"
   [[ -z $stderr ]] || show "wanted nothing on standard error"
-  diff <(homogenize run.h5 --tsv) <(echo "$output")
+  same_text <(homogenize run.h5 --tsv) <(echo "$output")
   [[ $(wc -l <<< "$output") -eq 3 ]] || show "wanted a header and two states"
 }
 
@@ -83,7 +83,7 @@ off() {
 @test "a run goes on where it stopped" {
   exits 0 homogenize --tsv --state last run.h5
   run-dem --quiet run.h5 short.toml --set stage.0.axial_strain=0.001 -o further.h5
-  diff <(homogenize --tsv --state last run.h5 | cut -f 6-12) <(homogenize --tsv --state first further.h5 | cut -f 6-12)
+  same_text <(homogenize --tsv --state last run.h5 | cut -f 6-12) <(homogenize --tsv --state first further.h5 | cut -f 6-12)
 }
 
 @test "the table begins with zeros, not minus zeros" {
@@ -94,7 +94,7 @@ off() {
 @test "units: the same pressure, modulus and angle in other units are the same run" {
   run-dem --quiet packing.h5 short.toml -o other.h5 --set 'contact.young_modulus=4000 MPa' \
     --set 'stage.0.confining_pressure=0.1MPa' --set "contact.friction_angle=29 deg" --set 'stage.0.rate=5e-1 1/s'
-  diff <(homogenize --tsv --table series run.h5) <(homogenize --tsv --table series other.h5)
+  same_text <(homogenize --tsv --table series run.h5) <(homogenize --tsv --table series other.h5)
 }
 
 @test "errors: usage" {

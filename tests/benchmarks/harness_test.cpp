@@ -1,0 +1,18 @@
+// The test programs' own habits (tests/main.cpp), tried by tests/tools/harness.bats: they hang or skip where they are
+// asked to. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace {
+
+TEST(Harness, HangsWhereAskedTo) {
+  if (std::getenv("SOILWEAVE_TRY_HANGING") != nullptr) pause();
+}
+
+TEST(Harness, SkipsWhereAskedTo) {
+  if (std::getenv("SOILWEAVE_TRY_SKIPPING") != nullptr) GTEST_SKIP() << "asked to";
+}
+
+}  // namespace

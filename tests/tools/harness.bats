@@ -1,0 +1,91 @@
+#!/usr/bin/env bats
+# The assertions of common.bash themselves: what is missing or no number fails.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+setup() {
+  load common
+  cd "$BATS_TEST_TMPDIR" || exit 1
+  printf 'step [1]\tload [N]\n1\t2.5\n2\tnan\n' > series.tsv
+  printf 'step [1]\n' > empty.tsv
+}
+
+# fails COMMAND...: it has to.
+fails() {
+  run "$@"
+  [[ $status -ne 0 ]] || show "did not fail: $*"
+}
+
+@test "numbers are near only where both are numbers" {
+  near 1.001 1 2e-3
+  near -1e-3 -.001 0
+  local other
+  for other in '' nan -nan inf word '1 2' 1e; do
+    fails near "$other" "$other" 1
+    fails near 1 "$other" 1
+    fails near "$other" 1 1e9
+  done
+  fails near 1 1 ''
+  fails near 1.01 1 1e-3
+  holds 'x < 1 && y > 1' x=0.5 y=2
+  fails holds 'x < 1' x=1
+  fails holds 'x < 1' x=
+  fails holds 'x == x' x=nan
+}
+
+@test "what is not in a table is no value" {
+  [[ $(value series.tsv load 1) == 2.5 && $(value series.tsv step last) == 2 ]]
+  local wanted
+  for wanted in 'series.tsv mass 1' 'series.tsv load 3' 'empty.tsv step 1' 'empty.tsv step last' 'none.tsv step 1'; do
+    # shellcheck disable=SC2086  # file, column and row
+    fails value $wanted
+    # shellcheck disable=SC2086
+    fails near "$(value $wanted 2>/dev/null)" "$(value $wanted 2>/dev/null)" 1
+  done
+  fails near "$(value series.tsv load last)" "$(value series.tsv load last)" 1
+  [[ $(value series.tsv mass 1 2>/dev/null) != "$(value empty.tsv mass 1 2>/dev/null)" ]]
+  table '{ sum += c("step") } END { exit sum != 3 }' series.tsv
+  fails table '{ sum += c("load") } END { exit 0 }' series.tsv
+  fails table '{ sum += c("mass") } END { exit 0 }' series.tsv
+  fails table 'END { exit 0 }' empty.tsv
+}
+
+@test "nothing is neither the same as nothing nor something else" {
+  same_text <(echo one) <(echo one)
+  other_text <(echo one) <(echo two)
+  fails same_text <(true) <(true)
+  fails same_text <(echo one) <(echo two)
+  fails other_text <(echo one) <(true)
+  fails other_text <(echo one) <(echo one)
+  same_bytes series.tsv <(cat series.tsv)
+  other_bytes series.tsv empty.tsv
+  : > nothing
+  fails same_bytes nothing nothing
+  fails same_bytes none none
+  fails other_bytes series.tsv none
+  fails other_bytes series.tsv series.tsv
+}
+
+@test "a test that hangs is stopped and named, what a check skips is listed" {
+  {
+    echo "setup() { BATS_TEST_DIRNAME=$BATS_TEST_DIRNAME; load $BATS_TEST_DIRNAME/common; }"
+    echo '@test "sleeps in a grandchild" { run bash -c "sleep 100; true"; }'
+    echo '@test "is left out" { skip "as an example"; }'
+  } > hang.bats
+  exits 1 env -i PATH=/usr/local/bin:/usr/bin:/bin BIN="$BIN" SOILWEAVE_TEST_LIMIT=1 bats --tap hang.bats
+  [[ $output == *"not ok 1 sleeps in a grandchild"*"stopped, for it takes more than 1 s"*"ok 2 is left out # skip as an example"* ]] ||
+    show "wanted the first stopped and the second skipped"
+  printf 'unit\tA.b\tno data\ntools\tc\tno data\n' > skipped
+  exits 0 awk -f "$BATS_TEST_DIRNAME/../skipped.awk" skipped
+  [[ ${lines[1]} == "  no data (2): unit: A.b; tools: c" ]] || show "wanted one line for the reason"
+  exits 0 awk -f "$BATS_TEST_DIRNAME/../skipped.awk" /dev/null
+  [[ $output == *"everything passed, nothing was skipped" ]] || show "wanted nothing skipped"
+}
+
+@test "a test program stops and names what hangs, and notes what it skips" {
+  local program=$BIN/../tests/benchmarks
+  [[ -x $program ]] || skip "not built: make programs"
+  exits 1 env SOILWEAVE_TRY_HANGING=1 SOILWEAVE_TEST_LIMIT=1 "$program" --gtest_filter='Harness.*'
+  [[ $output == *"[  FAILED  ] Harness.HangsWhereAskedTo: stopped, for it takes more than 1 s" ]] || show "wanted the name"
+  exits 0 env SOILWEAVE_TRY_SKIPPING=1 SOILWEAVE_SKIPPED=noted "$program" --gtest_filter='Harness.*'
+  [[ $(< noted) == $'benchmarks\tHarness.SkipsWhereAskedTo\tasked to' ]] || show "$(< noted)"
+}
