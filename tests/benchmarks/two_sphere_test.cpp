@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/pair.h"
+#include "support/worse.h"
 
 namespace soilweave::dem::test {
 namespace {
@@ -342,7 +343,7 @@ Recorded read_recorded(const std::string& path) {
 struct Difference {
   double largest = 0, scale = 0;
   void add(const V3<double>& ours, const V3<double>& theirs) {
-    largest = std::max(largest, norm(ours - theirs));
+    largest = soilweave::test::worse(largest, norm(ours - theirs));
     scale = std::max(scale, norm(theirs));
   }
   double relative() const { return scale > 0 ? largest / scale : largest; }

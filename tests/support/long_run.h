@@ -9,6 +9,7 @@
 
 #include "dem/simulation.h"
 #include "support/assemblies.h"
+#include "support/worse.h"
 
 namespace soilweave::testing {
 
@@ -55,9 +56,9 @@ inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
     simulation.step();
     if (k % 1000 != 0) continue;
     const dem::Energies now = simulation.energies();
-    largest_error = std::max(largest_error, std::abs(now.error()));
-    largest_drift = std::max(largest_drift, std::abs(now.kinetic + now.elastic() - stored));
-    largest_kinetic = std::max(largest_kinetic, now.kinetic);
+    largest_error = soilweave::test::worse(largest_error, std::abs(now.error()));
+    largest_drift = soilweave::test::worse(largest_drift, std::abs(now.kinetic + now.elastic() - stored));
+    largest_kinetic = soilweave::test::worse(largest_kinetic, now.kinetic);
   }
   const io::Snapshot end = simulation.snapshot();
   EXPECT_LE(largest_error, 1e-6 * stored);
