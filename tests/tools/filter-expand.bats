@@ -113,18 +113,18 @@ stops_when_full() {
   filter-expand --quiet packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.4 -o hull.h5 --history hull.tsv
   holds 'reached <= 0.4 && alone > 0.4' reached="$(value hull.tsv delaunay_void_ratio last)" \
     alone="$(value growth.tsv delaunay_void_ratio last)"
-  refuses 1 filter-expand "without friction the grains press" packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.2 -o out.h5
+  refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.2 -o out.h5
   # One contact alone bears nothing: at rest fewer than one grain in a hundred has just one.
   filter-expand --quiet packing.h5 bag.toml --set growth.unbalanced_force=1e-5 -o rested.h5
   fabric rested.h5 --table histogram --tsv > rested.tsv
   [[ $(value rested.tsv contacts 2) -eq 1 && $(value rested.tsv grains 2) -le 4 ]] || show "$(cat rested.tsv)"
-  refuses 1 filter-expand "the grains do not fill the container" packing.h5 bag.toml --set growth.rounds=10 -o out.h5
+  refuses 1 filter-expand "the grains do not fill the container" --quiet packing.h5 bag.toml --set growth.rounds=10 -o out.h5
   # More overlap asked for than is left at rest, less than there was before.
   local round between
   read -r round between < <(table '{ before = rest; rest = c("mean_overlap"); round = c("round") }
     END { printf "%d %.9g\n", round, (before + rest) / 2 }' growth.tsv)
-  refuses 1 filter-expand "falls apart as it comes to rest" packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
-  refuses 1 filter-expand "without friction the grains press" packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
+  refuses 1 filter-expand "falls apart as it comes to rest" --quiet packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
+  refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
 }
 
 # stl FILE OFFSET...: cubes of 40 mm around these points on the diagonal; LEAVE_OUT triangles are missing.
