@@ -16,7 +16,7 @@ namespace soilweave::fem {
 struct Local {
   double void_ratio = std::numeric_limits<double>::quiet_NaN();
   double anisotropy = std::numeric_limits<double>::quiet_NaN();  // F_a; -1 without contacts
-  double rotation = std::numeric_limits<double>::quiet_NaN();    // rad, mean of the disks, counter-clockwise positive
+  double rotation = std::numeric_limits<double>::quiet_NaN();    // rad, mean of the disks since the start
   double contacts = std::numeric_limits<double>::quiet_NaN();
 };
 

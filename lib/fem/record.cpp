@@ -106,7 +106,8 @@ void points(const Model& model, io::MultiscaleFile& file) {
             0.5 * (strain(1, 0) - strain(0, 1)));
     row.add("void_ratio", "1", "void ratio in the plane", local.void_ratio);
     row.add("anisotropy", "1", "of the contact normals, F_a; -1 without contacts", local.anisotropy);
-    row.add("rotation", "rad", "mean rotation of the disks, counter-clockwise positive", local.rotation);
+    row.add("rotation", "rad", "mean rotation of the disks since the start, counter-clockwise positive",
+            local.rotation);
     row.add("contacts", "1", "number of contacts", local.contacts);
   }
 }

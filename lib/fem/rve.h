@@ -18,8 +18,8 @@ struct Grains {
   double density = 0;  // kg/m3, replaces the packing's masses where positive
 };
 
-/// A packing made ready: masses, clock and strains from zero. Throws DataError where it is not of disks in a periodic
-/// cell, or names unknown materials.
+/// A packing made ready: masses; clock, strains and rotations of the disks from zero. Throws DataError where it is not
+/// of disks in a periodic cell, or names unknown materials.
 io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains);
 
 /// What the time steps of both scales are chosen from.

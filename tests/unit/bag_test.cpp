@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "packing/plan.h"
 #include "packing/tile.h"
 #include "support/assemblies.h"
+#include "support/assembly.h"
 
 namespace soilweave::packing {
 namespace {
@@ -41,6 +43,44 @@ TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
     }
   const std::int32_t last = *std::max_element(block.grains.copy_id.begin(), block.grains.copy_id.end());
   EXPECT_EQ(last, 5);
+}
+
+TEST(Tile, CopiesAreNumberedAlongXThenYThenZAndTheirContactsReachFromGrainToGrain) {
+  // In a sheared cell, some grains two cells away from where they belong. Vectors of a contact are set to multiples of
+  // its branch, so that they show whether they turn with it.
+  io::Snapshot one = analysis::test::random_cell(20);
+  for (int k = 0; k < 19; ++k) {
+    analysis::test::add_contact(one, k, k + 1, Vec3i(k % 3 - 1, k % 2, -(k % 2)), 1 + k);
+    one.contacts.shear_force.back() = 2 * one.contacts.branch_vector.back();
+    one.contacts.rolling_moment.back() = 3 * one.contacts.branch_vector.back();
+    one.contacts.twisting_moment.back() = 5 + k;
+  }
+  const std::array<int, 3> copies = {2, 3, 4};
+  const io::Snapshot block = tile(one, copies, {true, true, true});
+  const std::size_t n = one.grains.size();
+  ASSERT_EQ(block.grains.size(), 24 * n);
+  for (int a = 0; a < 3; ++a)
+    EXPECT_EQ(block.cell.matrix.col(a), copies[static_cast<std::size_t>(a)] * one.cell.matrix.col(a));
+  const Mat3 inverse = one.cell.matrix.inverse();
+  for (std::size_t i = 0; i < block.grains.size(); ++i) {
+    const Vec3 away = inverse * (block.grains.position[i] - block.grains.position[i % n]);
+    const Vec3i copy = away.array().round().cast<int>();
+    EXPECT_LT((away - copy.cast<double>()).norm(), 1e-12);
+    EXPECT_EQ(block.grains.copy_id[i], copy.x() + 2 * copy.y() + 6 * copy.z());
+  }
+  ASSERT_EQ(block.contacts.size(), 24 * one.contacts.size());
+  const io::ContactsRecord& c = block.contacts;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const auto [first, second] = c.bodies[k];
+    EXPECT_LT(first, second);
+    const Vec3 branch = block.grains.position[static_cast<std::size_t>(second)] +
+                        block.cell.matrix * c.image[k].cast<double>() -
+                        block.grains.position[static_cast<std::size_t>(first)];
+    EXPECT_LT((branch - c.branch_vector[k]).norm(), 1e-12);
+    EXPECT_LT((c.normal[k] - branch.normalized()).norm(), 1e-12);
+    EXPECT_LT((c.shear_force[k] - 2 * branch).norm() + (c.rolling_moment[k] - 3 * branch).norm(), 1e-11);
+    EXPECT_EQ(c.twisting_moment[k], 4 + c.normal_force[k]);
+  }
 }
 
 TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
@@ -242,6 +282,34 @@ TEST(Geotextile, IsMirroredBitByBit) {
   }
 }
 
+TEST(Geotextile, SheetsAddNodesOfTheirDensityAndYarnsWithoutTension) {
+  io::Snapshot s;
+  NodeRecipe recipe;
+  recipe.radius = 1e-3, recipe.density = 1500, recipe.material = 2;
+  const Fabric flat = sheet({2, 1}, 0.01, 0.5);
+  add(flat, recipe, s);
+  add(flat, recipe, s);
+  ASSERT_EQ(s.grains.size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_NEAR(s.grains.mass[i], 1500 * 4 * pi / 3 * 1e-9, 1e-20);
+    EXPECT_EQ(s.grains.body_id[i], static_cast<std::int64_t>(i));
+    EXPECT_EQ(s.grains.copy_id[i], -1);
+    EXPECT_EQ(s.grains.material_id[i], 2);
+  }
+  EXPECT_LT((s.grains.position[0] - Vec3(-0.01, -0.005, 0.5)).norm(), 1e-16);
+  EXPECT_LT((s.grains.position[5] - Vec3(0.01, 0.005, 0.5)).norm(), 1e-16);
+  // Two rows of two yarns and three across, in either fabric.
+  ASSERT_EQ(s.yarns.size(), 14U);
+  for (std::size_t k = 0; k < 14; ++k) {
+    const std::int32_t base = k < 7 ? 0 : 6;
+    EXPECT_EQ(s.yarns.fabric[k], k < 7 ? 0 : 1);
+    EXPECT_EQ(s.yarns.nodes[k][0] - base, flat.yarns[k % 7].first);
+    EXPECT_EQ(s.yarns.nodes[k][1] - base, flat.yarns[k % 7].second);
+    EXPECT_NEAR(s.yarns.rest_length[k], 0.01, 1e-17);
+    EXPECT_EQ(s.yarns.tension[k], 0);
+  }
+}
+
 // Of a fabric: its shortest, mean and longest yarn, m.
 std::array<double, 3> lengths(const Fabric& fabric) {
   std::array<double, 3> l = {1e9, 0, 0};
@@ -312,6 +380,40 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   io::Snapshot open = one;
   open.cell.periodic[1] = false;
   EXPECT_THROW(tile(open, {1, 1, 1}), DataError);
+}
+
+TEST(Plan, ScalesARepresentativeVolumeAtEqualStrainsAndStresses) {
+  // Twice the lengths: masses and moments eightfold, forces fourfold. Factors of two are exact.
+  io::Snapshot one = testing::packed(testing::sand(), 1e5);
+  for (Vec3& v : one.grains.velocity) v = Vec3(1, 2, 3);
+  const auto in_box = [&](const std::string& half, const std::string& scale) {
+    return assemble(one, read_plan("[container]\nshape = \"box\"\nlow = [-" + half + ", -" + half + ", -" + half +
+                                       "]\nhigh = [" + half + ", " + half + ", " + half +
+                                       "]\ncopies = [2, 2, 2]\n[grains]\nscale = " + scale + "\n" + materials,
+                                   "plan", {}));
+  };
+  const io::Snapshot small = in_box("0.02", "1"), large = in_box("0.04", "2");
+  ASSERT_GT(small.contacts.size(), 50U);
+  ASSERT_EQ(large.grains.size(), small.grains.size());
+  for (std::size_t i = 0; i < small.grains.size(); ++i) {
+    EXPECT_LT((large.grains.position[i] - 2 * small.grains.position[i]).norm(), 1e-15);
+    EXPECT_EQ(large.grains.radius[i], 2 * small.grains.radius[i]);
+    EXPECT_EQ(large.grains.mass[i], 8 * small.grains.mass[i]);
+    EXPECT_EQ(large.grains.velocity[i], 2 * small.grains.velocity[i]);
+  }
+  ASSERT_EQ(large.contacts.bodies, small.contacts.bodies);
+  double rolled = 0;
+  for (std::size_t k = 0; k < small.contacts.size(); ++k) {
+    const io::ContactsRecord &a = small.contacts, &b = large.contacts;
+    EXPECT_EQ(b.overlap[k], 2 * a.overlap[k]);
+    EXPECT_EQ(b.branch_vector[k], 2 * a.branch_vector[k]);
+    EXPECT_EQ(b.normal_force[k], 4 * a.normal_force[k]);
+    EXPECT_EQ(b.shear_force[k], 4 * a.shear_force[k]);
+    EXPECT_EQ(b.rolling_moment[k], 8 * a.rolling_moment[k]);
+    EXPECT_EQ(b.twisting_moment[k], 8 * a.twisting_moment[k]);
+    rolled += a.rolling_moment[k].norm();
+  }
+  EXPECT_GT(rolled, 0);
 }
 
 TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {

@@ -114,9 +114,24 @@ TEST(ParticleFilter, a_bound_on_the_effective_size_is_met_by_the_smallest_error)
   const Assimilation same = assimilate(ensemble, model.observed, model.run(ensemble),
                                        {ErrorModel::Kind::uniform, {a.filtered.variance_factor}}, std::nullopt, {});
   EXPECT_LT((same.ensemble.weight - a.ensemble.weight).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((same.filtered.log_evidence - a.filtered.log_evidence).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((same.variance - a.variance).cwiseAbs().maxCoeff(), 1e-12 * same.variance.maxCoeff()) << "as it is told";
+  EXPECT_LT((same.misfit - a.misfit).cwiseAbs().maxCoeff(), 1e-12 * same.misfit.maxCoeff());
   EXPECT_THROW(
       filter_to_size(Matrix::Constant(3, 1, infinite), Matrix::Ones(1, 1), Vector::Constant(3, -std::log(3.0)), 2),
       DataError);
+}
+
+TEST(ParticleFilter, evidence_of_a_scaled_error_is_that_of_the_scaled_variance) {
+  // Two members with misfits 0 and 6: weights as 1 to w = exp(-3/f), and an effective size of (1 + w)^2 / (1 + w^2) =
+  // 1.6 where w = 1/3, so that f = 3 / log 3. The evidence is the mean likelihood under the variance f v.
+  const Vector even = Vector::Constant(2, std::log(0.5));
+  const Matrix misfit = (Matrix(2, 1) << 0, 6).finished();
+  const double v = 0.04, f = 3 / std::log(3.0);
+  const Filtered filtered = filter_to_size(misfit, Matrix::Constant(1, 1, v), even, 1.6);
+  EXPECT_NEAR(filtered.variance_factor, f, 1e-9);
+  EXPECT_NEAR(filtered.weights(0)[1], 0.25, 1e-9);
+  EXPECT_NEAR(filtered.log_evidence[0], std::log(2.0 / 3) - 0.5 * std::log(2 * M_PI * f * v), 1e-9);
 }
 
 TEST(ParticleFilter, error_models_give_the_variances_they_name) {
@@ -225,6 +240,28 @@ TEST(Proposal, importance_makes_draws_from_any_proposal_stand_for_the_prior) {
     // Densities integrate to one: the mean of 1/q over draws of q is the volume of the square.
     EXPECT_NEAR(next.log_importance.array().exp().mean(), 1, 0.02);
   }
+}
+
+TEST(Proposal, kernels_have_silverman_s_width) {
+  // h = (4 / ((d + 2) n))^(1 / (d + 4)) times the deviation: of 50 even weights in the plane, h^2 = (1/50)^(1/3).
+  const Matrix points = halton(50, {2, 3}, 1);
+  const Vector even = Vector::Constant(50, 0.02);
+  const CutMixture law = Proposal::kernels(points, even, 0.2).law();
+  ASSERT_EQ(law.gaussians.size(), 50U);
+  const Matrix expected =
+      std::cbrt(1.0 / 50) * weighted_covariance(points, even) + 1e-6 * Matrix::Identity(2, 2);  // the least width
+  for (const Gaussian& g : law.gaussians) {
+    EXPECT_EQ(g.share, 0.02);
+    EXPECT_LT((g.root * g.root.transpose() - expected).norm(), 1e-14);
+  }
+  EXPECT_EQ(law.prior_share, 0.2);
+}
+
+TEST(Rounds, density_of_a_gaussian_is_the_textbook_s) {
+  // Covariance [[4, 2], [2, 10]] = L L^T with L = [[2, 0], [1, 3]], determinant 36; at (2, 4) from the mean the form is
+  // (10 * 4 - 2 * 2 * 8 + 4 * 16) / 36 = 2.
+  const Gaussian g{1, Vector(Eigen::Vector2d(1, -1)), Matrix((Eigen::Matrix2d() << 2, 0, 1, 3).finished())};
+  EXPECT_NEAR(log_density(g, Vector(Eigen::Vector2d(3, 3))), -1 - std::log(6.0) - std::log(2 * M_PI), 1e-14);
 }
 
 TEST(Proposal, the_number_of_gaussians_follows_the_points) {

@@ -99,6 +99,9 @@ TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
     const double slope =
         (Response(high).last().surcharge - Response(low).last().surcharge) / (0.02 * bag.geotextile.strength);
     EXPECT_NEAR(row.capacity_derivative, slope, 1e-3 * slope);
+    const double settling =
+        (Response(high).last().settlement() - Response(low).last().settlement()) / (0.02 * bag.geotextile.strength);
+    EXPECT_NEAR(row.settlement_derivative, settling, 1e-3 * settling);
     EXPECT_NEAR(row.low, 0.9 * bag.geotextile.strength, 1e-6);
     EXPECT_LT(row.capacity_low, row.capacity_high);
   }

@@ -135,6 +135,14 @@ TEST(GwsRespond, a_history_of_one_stress_is_that_stress) {
   EXPECT_NEAR(Response(constant).last().surcharge, Response(history).last().surcharge, 1e-6);
 }
 
+TEST(GwsRespond, a_history_is_straight_between_its_rows_and_level_beyond_them) {
+  const LateralStress history{{10e3, 30e3, 50e3}, {5e3, 9e3, 8e3}};
+  const double expected[][2] = {{1e3, 5e3},    {10e3, 5e3}, {25e3, 8e3}, {30e3, 9e3},
+                                {40e3, 8.5e3}, {50e3, 8e3}, {1e6, 8e3}};
+  for (const auto& [load, lateral] : expected) EXPECT_DOUBLE_EQ(history.at(load), lateral) << load;
+  EXPECT_EQ(LateralStress().at(1e5), 0);
+}
+
 TEST(GwsRespond, a_history_is_followed_and_balanced) {
   Case bag = bag_of("PP");
   bag.lateral = {{20e3, 500e3}, {0, 100e3}};

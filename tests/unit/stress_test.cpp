@@ -53,6 +53,21 @@ TEST(Stress, ADyadIsSplitAtTheContactPoint) {
   EXPECT_DOUBLE_EQ(dyads[1](0, 0), 2 * 3);
 }
 
+TEST(Stress, ADyadOfOverlappingGrainsIsSplitInTheMiddleOfTheirOverlap) {
+  // Radii 1 and 3, centres 3.8 apart: half of the overlap of 0.2 is taken off either radius.
+  io::Snapshot s;
+  test::add_grain(s, Vec3(0, 0, 0), 1);
+  test::add_grain(s, Vec3(3.8, 0, 0), 3);
+  test::add_contact(s, 0, 1, Vec3i::Zero(), 2, Vec3(0, 5, 0));
+  const std::vector<Mat3> dyads = grain_dyads(s);
+  EXPECT_NEAR(dyads[0](0, 0), 2 * 0.9, 1e-14);
+  EXPECT_NEAR(dyads[1](0, 0), 2 * 2.9, 1e-14);
+  // f (x) l: the row is the force's axis, the column the branch's.
+  EXPECT_NEAR(dyads[0](1, 0), 5 * 0.9, 1e-14);
+  EXPECT_EQ(dyads[0](0, 1), 0);
+  EXPECT_NEAR(cell_stress(s)(1, 0) * cell_volume(s), 5 * 3.8, 1e-13);
+}
+
 TEST(Stress, TurnsWithTheAssembly) {
   const io::Snapshot s = loaded();
   const Mat3 q = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();

@@ -58,6 +58,45 @@ TEST(PowerCells, OfTwoSizesMeetOnTheRadicalPlane) {
     EXPECT_NEAR(volumes[i], s.grains.radius[i] > 0.4 ? height : 2 - height, 1e-12);
 }
 
+TEST(PowerCells, AroundAMissingGrainShareItsPlace) {
+  // The unit cube (square) of a lattice point without a grain falls to its 6 (4) nearest neighbours in equal pyramids.
+  for (const int dimension : {2, 3}) {
+    io::Snapshot s = simple_cubic(5, Vec3::Ones(), dimension);
+    const auto missing = static_cast<std::ptrdiff_t>(dimension == 3 ? 2 + 5 * (2 + 5 * 2) : 2 + 5 * 2);
+    const Vec3 hole = s.grains.position[static_cast<std::size_t>(missing)];
+    s.grains.position.erase(s.grains.position.begin() + missing);
+    s.grains.radius.erase(s.grains.radius.begin() + missing);
+    s.grains.body_id.erase(s.grains.body_id.begin() + missing);
+    s.contacts = {};
+    const std::vector<double> volumes = power_cell_volumes(s);
+    const double more = 1 + 0.5 / dimension;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      EXPECT_NEAR(volumes[i], (s.grains.position[i] - hole).norm() < 1.1 ? 1 + (more - 1) : 1, 1e-12);
+    // Void ratio of the block around it: 3^d places, one grain less.
+    const Volume block = box(s, hole - Vec3::Constant(1.5), hole + Vec3::Constant(1.5));
+    const double solid = dimension == 3 ? std::numbers::pi / 6 : std::numbers::pi / 4, places = std::pow(3, dimension);
+    EXPECT_EQ(block.grains.size(), static_cast<std::size_t>(places) - 1);
+    EXPECT_NEAR(volume_state(s, block, std::vector<Mat3>(volumes.size(), Mat3::Zero()), volumes).void_ratio,
+                places / ((places - 1) * solid) - 1, 1e-11);
+  }
+}
+
+TEST(PowerCells, OfAnOpenLatticeAreThoseInsideUnlessMuchLargerThanTheirGrains) {
+  // A cell over eight times its grain counts as reaching outside: of a unit cube, a sphere of 8 * 4/3 pi r^3 = 1 is the
+  // limit, r = 0.3102. Grains on the outside have no cell.
+  for (const double radius : {0.5, 0.32, 0.30}) {
+    io::Snapshot s = simple_cubic(5, Vec3::Ones());
+    s.cell.periodic = {false, false, false};
+    for (double& r : s.grains.radius) r = radius;
+    const std::vector<double> volumes = power_cell_volumes(s);
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+      const Vec3& x = s.grains.position[i];
+      const bool inside = x.minCoeff() > 0.5 && x.maxCoeff() < 3.5;
+      EXPECT_NEAR(volumes[i], inside && radius > 0.31 ? 1 : 0, 1e-12) << x.transpose() << " radius " << radius;
+    }
+  }
+}
+
 TEST(PowerCells, FillAShearedCellAndHoldTheirGrains) {
   for (const int dimension : {2, 3}) {
     const io::Snapshot s = random_cell(200, dimension);
@@ -169,6 +208,56 @@ TEST(Strain, MeanOfTheTetrahedraIsTheCellsWhateverTheFluctuation) {
   for (std::size_t k = 0; k < simplices.size(); ++k)
     mean_gradient += simplices[k].volume * gradients[k] / cell_volume(s);
   EXPECT_LT((mean_gradient - some_gradient(3)).norm(), 1e-10);  // Gauss's theorem
+}
+
+// Four disks in two triangles: (0,0), (1,0), (0,1), and beyond them (3,3), which moves alone by (0.3, 0).
+std::pair<io::Snapshot, io::Snapshot> four_disks() {
+  io::Snapshot s;
+  s.grains.dimension = 2;
+  s.cell.matrix = 10 * Mat3::Identity();
+  s.cell.periodic = {false, false, false};
+  for (const Vec3& x : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(3, 3, 0)}) test::add_grain(s, x, 0.1);
+  io::Snapshot m = s;
+  m.grains.position[3].x() += 0.3;
+  return {s, m};
+}
+
+TEST(Strain, OfAMotionThatIsNotAffineIsThatOfEachTriangleAndItsMeanByArea) {
+  const auto [s, m] = four_disks();
+  const std::vector<Simplex> simplices = delaunay(s);
+  ASSERT_EQ(simplices.size(), 2U);
+  const std::vector<Mat3> gradients = simplex_gradients(s, m, simplices);
+  // The far triangle's F maps its side (-1,1) onto itself and (2,3) onto (2.3,3): F = I + 0.3 e_x (1/5, 1/5)^T.
+  Mat3 far = Mat3::Identity();
+  far(0, 0) += 0.06, far(0, 1) += 0.06;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool near = simplices[k].volume < 1;
+    EXPECT_NEAR(simplices[k].volume, near ? 0.5 : 2.5, 1e-15);
+    EXPECT_LT((gradients[k] - (near ? Mat3(Mat3::Identity()) : far)).norm(), 1e-14);
+  }
+  // Disks of both triangles have 1/6 of the near one and 5/6 of the far one.
+  const std::vector<Mat3> grains = grain_gradients(s, m, simplices, gradients);
+  const Mat3 shared = (Mat3::Identity() + 5 * far) / 6;
+  EXPECT_LT((grains[0] - Mat3::Identity()).norm(), 1e-14);
+  EXPECT_LT((grains[1] - shared).norm() + (grains[2] - shared).norm(), 1e-14);
+  EXPECT_LT((grains[3] - far).norm(), 1e-14);
+}
+
+TEST(Strain, BestFitOfAMotionThatIsNotAffineIsTheLeastSquaresOne) {
+  // About their middle, sum x x^T = diag(2, 2). One of four disks moves by (0.2, 0.1): the mean moves by a quarter of
+  // it, which leaves the sums of x u^T as they are: 0.2 and 0.1 by the one disk's place (1, 0), half of each in F.
+  // Disks recorded whole cells away count where they lie in the cell.
+  io::Snapshot s;
+  s.grains.dimension = 2;
+  s.cell.matrix = 10 * Mat3::Identity();
+  s.cell.periodic = {true, true, false};
+  for (const Vec3& x : {Vec3(6, 5, 0), Vec3(4 - 20, 5, 0), Vec3(5, 6 + 10, 0), Vec3(5, 4, 0)})
+    test::add_grain(s, x, 0.1);
+  io::Snapshot m = s;
+  m.grains.position[0] += Vec3(0.2, 0.1, 0);
+  Mat3 expected = Mat3::Identity();
+  expected(0, 0) += 0.1, expected(1, 0) += 0.05;
+  EXPECT_LT((best_fit_gradient(s, m, whole(s).grains) - expected).norm(), 1e-14);
 }
 
 TEST(Strain, IsNaturalAndCompressionPositive) {
