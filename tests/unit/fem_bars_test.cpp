@@ -44,7 +44,7 @@ TEST(Bars, a_pulled_chain_bears_its_stiffness_times_its_strain) {
   EXPECT_NEAR(bars.end_force(true)[0] / (222.8e3 * 0.005), 1, 1e-9);
   const BarEnergies e = bars.energies();
   EXPECT_NEAR(e.elastic / (0.5 * 222.8e3 * 0.005 * 0.005), 1, 1e-9);
-  EXPECT_LT(std::abs(e.error()), 1e-3 * e.end_work);
+  EXPECT_LT(std::abs(e.error()), 1e-8 * e.end_work) << "leap-frog leaves 1e-9";
 }
 
 TEST(Bars, compression_is_borne_by_choice) {
@@ -107,24 +107,25 @@ TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
   setup.end = {0.1, {}};
   Bars bars(setup);
   bars.seat({0.1 * -pressure, 0.2 * -pressure, 0.2 * -pressure, 0.1 * -pressure});
-  EXPECT_NEAR(bars.contact_sum()[0], pressure * length, 1e-3 * pressure * length);
+  // It is let come to rest to 1e-7 of the load.
+  EXPECT_NEAR(bars.contact_sum()[0], pressure * length, 1e-7 * pressure * length);
   const std::vector<Vec2> before = bars.interface_forces();
   EXPECT_EQ(before, bars.interface_forces()) << "reading moves nothing";
-  EXPECT_NEAR(before[1][1], 0.2 * pressure, 1e-4 * pressure);
+  EXPECT_NEAR(before[1][1], 0.2 * pressure, 1e-7 * pressure);
   const double mu = std::tan(21 * degree);
   for (int k = 0; k < 60; ++k) bars.advance(setup.interface, 2e-3);  // 12 mm: every disk has passed a whole bar
   for (int k = 0; k < 10; ++k) {
     bars.advance(setup.interface, 1e-3);
     const Vec2 sum = bars.contact_sum();
-    EXPECT_NEAR(-sum[1] / (mu * sum[0]), 1, 1e-3);
-    EXPECT_NEAR(sum[0] / (pressure * length), 1, 1e-3);
+    EXPECT_NEAR(-sum[1] / (mu * sum[0]), 1, 1e-12) << "every disk slides";
+    EXPECT_NEAR(sum[0] / (pressure * length), 1, 1e-4) << "bars tilt as disks pass from edge to edge";
     Vec2 on_soil = Vec2::Zero();
     for (const Vec2& f : bars.interface_forces()) on_soil += f;
-    EXPECT_NEAR(on_soil[0] / (mu * pressure * length), 1, 2e-3);
+    EXPECT_NEAR(on_soil[0] / (mu * pressure * length), 1, 1e-4);
   }
   const BarEnergies e = bars.energies();
-  EXPECT_LT(std::abs(e.error()), 1e-2 * e.end_work);
-  EXPECT_GT(e.friction, 0.6 * e.end_work) << "the rest strains the sheet";
+  EXPECT_LT(std::abs(e.error()), 1e-4 * e.end_work) << "in proportion to the step; 3.3e-5 of it here";
+  EXPECT_NEAR((e.friction + e.elastic + e.damping) / e.end_work, 1, 2e-3) << "contacts and motion store the rest";
 }
 
 TEST(Bars, break_at_their_strength_and_say_so) {

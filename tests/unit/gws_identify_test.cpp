@@ -72,14 +72,20 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
   std::mt19937_64 random(1);
   std::vector<BagSeries> series;
   for (const char* name : geotextiles) series.push_back(made(name, 200, 0, 0, random));
+  // From others to start with: what is left out keeps the constants that it began with.
   const Soil soil;
-  const Identification found = identify(series, {"test", soil, {}}, {}, {}, Difference::central);
+  Soil off = soil, flow = soil;
+  off.kappa = 1, off.lambda = 2, off.xi = 0, off.alpha *= 2, off.beta = 0.5;
+  flow.p_1 *= 1.3, flow.p_2 = 0;
+  const Identification found = identify(series, {"test", off, {}}, {}, {}, Difference::central);
+  EXPECT_TRUE(found.left_out.size() == 1 && found.left_out[0].starts_with("compression_line")) << "plastic, too";
   EXPECT_NEAR(found.soil.soil.kappa, soil.kappa, 1e-9);
   EXPECT_NEAR(found.soil.soil.lambda, soil.lambda, 1e-9);
   EXPECT_NEAR(found.soil.soil.xi, soil.xi, 1e-9);
   // Increments are finite: second order in their size, largest in the first of 200.
-  EXPECT_NEAR(found.soil.soil.p_1, soil.p_1, 2e-3 * soil.p_1);
-  EXPECT_NEAR(found.soil.soil.p_2, soil.p_2, 2e-3 * soil.p_2);
+  const Soil dilating = identify(series, {"test", flow, {}}, {}, {}, Difference::central).soil.soil;
+  EXPECT_NEAR(dilating.p_1, soil.p_1, 2e-3 * soil.p_1);
+  EXPECT_NEAR(dilating.p_2, soil.p_2, 2e-3 * soil.p_2);
   EXPECT_NEAR(found.soil.soil.alpha, soil.alpha, 1e-3 * soil.alpha);
   EXPECT_NEAR(found.soil.soil.beta, soil.beta, 1e-3);
 }
@@ -175,7 +181,9 @@ TEST(GwsIdentify, series_are_read_in_any_unit_up_to_failure) {
   EXPECT_DOUBLE_EQ(series.stiffness, 53e3);
   EXPECT_DOUBLE_EQ(series.mean_stress[2], 30e3);
   EXPECT_DOUBLE_EQ(series.strain_axial[2], 0.02);
+  // Natural strains, contraction positive: what is left of a length (volume) is exp(-strain).
   EXPECT_NEAR(bag_series(table, "table", 0, true).strain_axial[2], 1 - std::exp(-0.02), 1e-15);
+  EXPECT_NEAR(bag_series(table, "table", 0, true).strain_volumetric[2], 1 - std::exp(-0.004), 1e-15);
 }
 
 TEST(GwsIdentify, a_soil_file_keeps_constants_and_scatter) {

@@ -84,7 +84,7 @@ TEST(PowerCells, AroundAMissingGrainShareItsPlace) {
 TEST(PowerCells, OfAnOpenLatticeAreThoseInsideUnlessMuchLargerThanTheirGrains) {
   // A cell over eight times its grain counts as reaching outside: of a unit cube, a sphere of 8 * 4/3 pi r^3 = 1 is the
   // limit, r = 0.3102. Grains on the outside have no cell.
-  for (const double radius : {0.5, 0.32, 0.30}) {
+  for (const double radius : {0.5, 0.312, 0.308}) {
     io::Snapshot s = simple_cubic(5, Vec3::Ones());
     s.cell.periodic = {false, false, false};
     for (double& r : s.grains.radius) r = radius;
