@@ -65,7 +65,7 @@ inline Snapshot example_state(std::size_t grains = 12, int dimension = 3, bool p
   Snapshot state;
   state.step = 1234567890123;
   state.time = 0.1 + 0.2;
-  state.cell.matrix << 1, 0.25, 0, 0, 1.1, 0, 0, 0, dimension == 3 ? 0.9 : 1;
+  state.cell.matrix << 1, 0.25, 0, 0, 1.1, 0, 0, 0, dimension == 3 ? 0.9 : 0.7;
   state.cell.periodic = {true, !planes, dimension == 3};
   state.cell.velocity_gradient(0, 1) = -1.0 / 3;
   state.cell.deformation_gradient(1, 1) = 1.1;

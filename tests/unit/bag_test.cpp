@@ -445,6 +445,30 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   EXPECT_NEAR(gap.x(), gap.z(), 1e-12);
 }
 
+// A representative volume made larger is of the same density and, with the same strains, under the same stresses: the
+// force of a contact is still Hertz's of its overlap, 4/3 E* sqrt(R*) overlap^1.5.
+TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
+  const io::Snapshot small = testing::packed(testing::sand(), 1e5, 60);
+  const double density = small.grains.mass[0] / dem::grain_volume(3, small.grains.radius[0]);
+  const double E_star = 4e9 / (2 * (1 - 0.33 * 0.33));
+  const std::string box = "[container]\nshape = \"box\"\nlow = [-0.03, -0.03, -0.03]\nhigh = [0.03, 0.03, 0.03]\n";
+  for (const double scale : {1.0, 1.5, 2.0}) {
+    const io::Snapshot large =
+        assemble(small, read_plan(box + materials, "plan", {"grains.scale=" + std::to_string(scale)}));
+    const io::GrainsRecord& g = large.grains;
+    for (std::size_t i = 0; i < g.size(); ++i)
+      EXPECT_NEAR(g.mass[i] / dem::grain_volume(3, g.radius[i]), density, 1e-9 * density) << scale;
+    ASSERT_GT(large.contacts.size(), 3U);
+    for (std::size_t c = 0; c < large.contacts.size(); ++c) {
+      const double a = g.radius[static_cast<std::size_t>(large.contacts.bodies[c][0])],
+                   b = g.radius[static_cast<std::size_t>(large.contacts.bodies[c][1])];
+      const double force = 4.0 / 3.0 * E_star * std::sqrt(a * b / (a + b)) * std::pow(large.contacts.overlap[c], 1.5);
+      EXPECT_NEAR(large.contacts.normal_force[c], force, 1e-6 * force) << scale;
+      EXPECT_LT(large.contacts.shear_force[c].norm(), std::tan(29 * testing::degree) * force * (1 + 1e-6)) << scale;
+    }
+  }
+}
+
 TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
   const std::vector<std::string> offset = {"geotextile_mesh.node_radius=0.002", "geotextile_mesh.offset=0.0005"};
   const Plan plan = read_plan(small_bag, "plan", offset);

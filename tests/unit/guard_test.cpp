@@ -120,10 +120,9 @@ void compress(Simulation& simulation, int dimension, double pressure, int steps)
   }
 }
 
-// At 0.9 of the limit a test keeps its energy to a few thousandths of what is turned over; at three times it a guard
-// stops the run within a few dozen steps. The limit is that of contacts that last. A grain that rattles between its
-// neighbours, undamped, has impacts as short as two or three steps and may gain a little at each: a few per cent of all
-// energy where one does so for a thousand steps, which the guard lets pass.
+// At 0.9 of the limit a test keeps its energy: to 5e-4 of what is turned over where motion is damped, to 3e-3 where it
+// is not. A grain that rattles between its neighbours, undamped, has impacts as short as two or three steps and may
+// gain a little at each. At three times the limit a guard stops the run within a few dozen steps.
 TEST(Guard, TheStabilityLimitKeepsAMargin) {
   for (const Model& model : {testing::sand(), bouncing_sand(), testing::linear_sand(), smooth_linear()})
     for (const int dimension : {3, 2}) {
@@ -139,8 +138,9 @@ TEST(Guard, TheStabilityLimitKeepsAMargin) {
         EXPECT_NO_THROW(compress(good, dimension, pressure, 3000));
         const Energies e = good.energies();
         const double turned_over = e.initial + std::abs(e.boundary_work) + e.frictional;
-        EXPECT_LT(std::abs(e.error()), (damping > 0 ? 5e-3 : 0.1) * turned_over);
-        EXPECT_NEAR(good.measures().stress(0, 0), pressure, 0.1 * pressure);  // the servo's goal
+        EXPECT_LT(std::abs(e.error()), (damping > 0 ? 1e-3 : 1e-2) * turned_over);
+        // The servo's goal: 1 % where moments help to hold a hundred grains that rearrange, 2.5 % where none do.
+        EXPECT_NEAR(good.measures().stress(0, 0), pressure, 0.03 * pressure);
         EXPECT_THROW(compress(bad, dimension, pressure, 600), PhysicsError);
         EXPECT_LT(bad.steps(), 50);
       }

@@ -134,7 +134,8 @@ TEST(Run, AStageMayDragWhatWaitsForRest) {
   EXPECT_LE(last(run, "unbalanced_force"), 1e-3);
   EXPECT_LT(last(run, "kinetic_energy"), 1e-6);
   EXPECT_GT(last(run, "mean_stress"), 1.5 * last(loaded(swinging), "mean_stress"));
-  EXPECT_NEAR(last(run, "energy_error"), 0, 1e-4) << "what was slowed counts as damped away";
+  EXPECT_LT(std::abs(last(run, "energy_error")), 1e-2 * last(run, "damping_dissipation"))
+      << "what was slowed counts too";
 }
 
 TEST(Run, AStageMayGoAsFastAsItsGrainsFollow) {

@@ -6,6 +6,9 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <thread>
 
@@ -75,6 +78,46 @@ TEST(Progress, RewritesOneLineOnATerminalAtMostTenTimesASecond) {
             "\r\033[Kstrain  50 %, step 7"
             "\r\033[Kstrain 100 %, 0 s left, step 8"
             "\r\033[Kheld\r\n");
+}
+
+// Done at an even pace, what is left takes as long as what was done, by their sizes: begun at `first`, with `done` of
+// all, (1 - done)/(done - first) times the time gone by.
+void expect_time_left(double first, double done, int milliseconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
+  std::string shown;
+  double least = 0, most = 0;
+  {
+    const Terminal terminal;
+    const Clock::time_point early = Clock::now();
+    Progress progress("strain", false);
+    progress.update(first);
+    const Clock::time_point late = Clock::now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    least = seconds(Clock::now() - late);
+    progress.update(done);
+    most = seconds(Clock::now() - early);
+    progress.note("held");
+    shown = terminal.text("\n");
+  }
+  std::size_t at = shown.rfind(" %, ");
+  ASSERT_NE(at, std::string::npos) << shown;
+  int minutes = 0, left = 0;
+  const char* const text = shown.c_str() + at + 4;
+  if (std::sscanf(text, "%d min %d s left", &minutes, &left) != 2) {
+    minutes = 0;
+    ASSERT_EQ(std::sscanf(text, "%d s left", &left), 1) << shown;
+  }
+  EXPECT_LT(left, 60);
+  const double ratio = (1 - done) / (done - first);
+  EXPECT_GE(60 * minutes + left, std::lround(least * ratio)) << shown;
+  EXPECT_LE(60 * minutes + left, std::lround(most * ratio)) << shown;
+}
+
+TEST(Progress, TellsTheTimeLeftFromWhatItSawDone) {
+  expect_time_left(0, 0.1, 350);
+  expect_time_left(0.5, 0.6, 600);
+  expect_time_left(0.1, 0.111, 1000);  // 81 times as long: a minute and some seconds
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
 #include "core/archive.h"
+#include "core/stop_signals.h"
 #include "dem/run.h"
 #include "io/files.h"
 #include "io/part.h"
@@ -232,6 +234,51 @@ TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   EXPECT_EQ(std::string(error.what()), "step 7: broken; " + left.string() + " shows it (to-vtk); " +
                                            kept.last().string() + " is the last good state");
   EXPECT_EQ(io::read_packing(left).state.grains.size(), broken.grains.size() - 1);
+}
+
+// A station's steps count from where its way began, also where the run was stopped on that way.
+TEST_F(PartTest, CountsTheStepsOfAStationFromItsOwnBeginning) {
+  const auto plan = [](std::int64_t most) {
+    return read_scenario(
+        "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
+        "[[stage]]\nname = \"one\"\npath = \"isotropic\"\npressure = 1.5e5\n"
+        "[[stage]]\nname = \"two\"\npath = \"triaxial\"\nconfining_pressure = 1.5e5\naxial_strain = 0.02\n"
+        "increment = 0.02\n[equilibrium]\nsteps = " +
+            std::to_string(most),
+        "test", {});
+  };
+  const Scenario free = plan(100000);
+  const io::Snapshot start = prepare(testing::packed(free.model, 1e5, 60), free);
+  const Outcome whole = run(start, free, {});
+  const std::vector<double>& step = whole.file.series.at("step").values;
+  ASSERT_EQ(step.size(), 3U);
+  ASSERT_GT(step[2] - step[1], 1000) << "a report comes every 512 steps of a way";
+  {
+    auto kept = part();
+    const StopSignals signals;
+    const auto stop_in_two = [](double, const std::string& detail) {
+      if (detail.starts_with("two")) std::raise(SIGTERM);
+    };
+    EXPECT_THROW(run(start, free, stop_in_two, {&kept, 300, &signals}), Error);
+  }
+  const Scenario bounded = plan(static_cast<std::int64_t>(step[2] - step[1]) + 1);
+  auto resumed = part();
+  ASSERT_GT(resumed.last_step(), static_cast<std::int64_t>(step[1])) << "it was stopped within the second stage";
+  const Outcome rest = run(start, bounded, {}, {&resumed, 300, nullptr});
+  io::test::expect_same(rest.file.series, whole.file.series);
+  EXPECT_EQ(static_cast<double>(rest.price.steps), step[2]);
+  EXPECT_EQ(rest.price.contact_steps, whole.price.contact_steps);
+}
+
+TEST(Resume, GoesOnAtTheStepAndTimeOfItsState) {
+  io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
+  state.step = 500, state.time = 0.25;
+  Simulation s(state, testing::sand(), {});
+  const double dt = s.time_step();
+  for (int k = 0; k < 3; ++k) s.step();
+  EXPECT_EQ(s.steps(), 503);
+  EXPECT_EQ(s.snapshot().step, 503);
+  EXPECT_NEAR(s.time(), 0.25 + 3 * dt, 1e-15);
 }
 
 TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { testing::expect_no_drift(100, 10'000); }

@@ -188,7 +188,13 @@ TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
     EXPECT_GT(e.frictional, 0.1 * e.boundary_work);
     EXPECT_GT(e.damping, 0);
     EXPECT_GE(e.rolling_plastic, 0);
-    EXPECT_LT(std::abs(e.error()), 1e-3 * e.boundary_work);
+    EXPECT_LT(std::abs(e.error()), 3e-4 * e.boundary_work);  // of second order in the step: 1e-4 is found
+    // The balance takes whatever friction is said to dissipate, since the law's own energy is what is left of the work
+    // on its springs. That has to be small by itself. Linear: the law slips by full radii, the surfaces by the overlap
+    // less, 1e-3 of them. Hertz: a spring that is sheared while its overlap falls keeps its force, not its energy (2.6
+    // %).
+    const bool is_linear = std::holds_alternative<std::vector<Linear::Material>>(model.materials);
+    EXPECT_LT(std::abs(e.law), (is_linear ? 3e-3 : 0.04) * e.boundary_work);
   }
 }
 

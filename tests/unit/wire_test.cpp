@@ -160,5 +160,31 @@ TEST(Geotextile, MultiplesOfKnownOnes) {
   EXPECT_EQ(sources.size(), 2U) << "what was read is named for the history";
 }
 
+// Layers lie side by side: at the same strain a multiple bears so many times the force, loading and unloading, and is
+// slack below the same plastic strain.
+TEST(Geotextile, AMultipleUnloadsAsManyTimesAsSteeply) {
+  std::vector<io::Source> sources;
+  const auto read = [&](const std::string& keys) {
+    Settings table = Settings::parse(keys, "test");
+    return read_geotextile(table, sources);
+  };
+  const auto expect_times = [](double times, const WireCurve& many, const WireCurve& one) {
+    EXPECT_DOUBLE_EQ(many.unloading, times * one.unloading);
+    EXPECT_EQ(many.strain, one.strain);
+    WireMemory of_many, of_one;
+    for (const double strain : {0.02, 0.1, 0.09, 0.06, 0.05, 0.12})
+      EXPECT_NEAR(pull(many, strain, of_many), times * pull(one, strain, of_one), 1e-12 * times * one.tension.back())
+          << times << " at " << strain;
+  };
+  const WireCurve pp = read("curve = \"PP\"\n");
+  EXPECT_DOUBLE_EQ(pp.unloading, pp.tension[0] / pp.strain[0]);
+  expect_times(0.5, read("curve = \"0.5PP\"\n"), pp);
+  expect_times(2, read("curve = \"2PP\"\n"), pp);
+  expect_times(6, read("curve = \"2PP\"\nmultiple = 3\n"), pp);
+  const std::string steeper = pe_points + "unloading_slope = 600\n";
+  EXPECT_EQ(read(steeper).unloading, 600);
+  expect_times(2.5, read(steeper + "multiple = 2.5\n"), read(steeper));
+}
+
 }  // namespace
 }  // namespace soilweave::dem

@@ -1,0 +1,218 @@
+// What cells, plates and paths are asked for and when they have it; what a forecast makes of it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "dem/forecast.h"
+#include "dem/run.h"
+#include "support/assemblies.h"
+#include "support/impact.h"
+
+namespace soilweave::dem {
+namespace {
+
+const std::string contact =
+    "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
+    "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = \"none\"\n";
+
+Scenario scenario(const std::string& stages, const std::string& before = "") {
+  return read_scenario(before + contact + stages, "test.toml", {});
+}
+
+std::unique_ptr<Path> path(const std::string& name, const std::string& keys) {
+  Settings table = Settings::parse(keys, "test.toml");
+  std::unique_ptr<Path> p = read_path(name, table);
+  table.finish();
+  return p;
+}
+
+PathState under(int dimension, const Vec3& stress) { return {dimension, stress.asDiagonal(), Vec3::Zero()}; }
+
+TEST(Servo, HasNotSettledAboveItsStressNorBelowIt) {
+  const Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  Tolerances tolerances;
+  tolerances.unbalanced_force = 1;
+  const auto settled = [&](double share, int axis) {
+    AxisGoals goals;
+    for (int a = 0; a < 3; ++a)
+      goals[static_cast<std::size_t>(a)] = {AxisGoal::Kind::stress, (a == axis ? share : 1) * s.measures().stress(a, a),
+                                            1};
+    return Servo::settled(goals, 3, tolerances, s);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_TRUE(settled(1, axis));
+    // The tolerance is a thousandth of the goal.
+    EXPECT_FALSE(settled(1 / 1.0011, axis)) << "stress above its goal";
+    EXPECT_FALSE(settled(1 / 0.9989, axis)) << "stress below its goal";
+    EXPECT_TRUE(settled(1 / 1.0009, axis));
+  }
+}
+
+TEST(Run, LowersAStressToItsGoal) {
+  const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 5e4\n");
+  const io::RunFile file = run(prepare(testing::packed(plan.model, 1e5), plan), plan, {}).file;
+  for (const char* stress : {"stress_xx", "stress_yy", "stress_zz"})
+    EXPECT_NEAR(file.series.at(stress).values.back(), 5e4, 1e-3 * 5e4);
+}
+
+// A sphere on a plate presses it with its weight: that load has arrived, and neither a smaller nor a larger one.
+TEST(Rig, ALoadHasArrivedWhereTheGrainsBearIt) {
+  constexpr double radius = 0.01, g = 9.81;
+  const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
+  test::Sphere s{radius, 2650, Vec3(0.1, 0.1, radius), Vec3::Zero()};
+  // Fn = 4/3 E* sqrt(R) d^1.5, E* of two equal solids.
+  s.position.z() -= std::pow(s.mass() * g / (4.0 / 3.0 * 1e9 / (2 * 0.96) * std::sqrt(radius)), 2.0 / 3.0);
+  Simulation simulation(test::scene({s}, true), {std::vector<HertzMindlin::Material>{m, m, m}},
+                        test::undamped(1e-6, g));
+  const auto arrived = [&](double share) {
+    Rig rig({RigPart{"plate", false, 0, 0}});
+    rig.begin_stage();
+    const std::vector<DriveGoal> goals = {{"plate", DriveGoal::Kind::load, Vec3::UnitZ(), share * s.mass() * g, 1e-6}};
+    rig.drive(goals, 0, simulation);
+    return rig.arrived(goals, 1e-3, simulation);
+  };
+  EXPECT_TRUE(arrived(1));
+  EXPECT_FALSE(arrived(0.99)) << "pressed by more than the load";
+  EXPECT_FALSE(arrived(1.01)) << "pressed by less than the load";
+}
+
+TEST(Path, PlatesThatBothMoveTakeHalfTheWayAtHalfTheSpeedEach) {
+  const std::string keys = "height = 0.2\nstations = [0.1, -0.05]\nrate = 0.3\n";
+  for (const std::size_t station : {0U, 1U}) {
+    const double strain = station ? -0.05 : 0.1;
+    const auto both = path("uniaxial", keys)->drives(station);
+    const auto upper = path("uniaxial", keys + "moving = \"upper\"\n")->drives(station);
+    ASSERT_EQ(both.size(), 2U);
+    ASSERT_EQ(upper.size(), 1U);
+    Vec3 closed = Vec3::Zero();
+    for (const DriveGoal& goal : both) {
+      EXPECT_DOUBLE_EQ(goal.value, 0.5 * 0.2 * strain);
+      EXPECT_DOUBLE_EQ(goal.speed, 0.5 * 0.2 * 0.3);
+      closed += (goal.part == "bottom" ? 1 : -1) * goal.value * goal.direction;
+    }
+    EXPECT_DOUBLE_EQ(closed.z(), 0.2 * strain);
+    EXPECT_DOUBLE_EQ(upper[0].value, 0.2 * strain);
+    EXPECT_DOUBLE_EQ(upper[0].speed, 0.2 * 0.3);
+    EXPECT_EQ(upper[0].part, "top");
+    EXPECT_EQ(upper[0].direction, Vec3(-Vec3::UnitZ()));
+  }
+}
+
+TEST(Path, MovesAndLoadsAreApproachedInEqualParts) {
+  const auto drive = path("drive",
+                          "parts = 4\n[[move]]\npart = \"a\"\nalong = [0, 0.3, 0.4]\ndistance = 0.02\nspeed = 1\n"
+                          "[[load]]\npart = \"b\"\nalong = [0, 0, 1]\nforce = 50\nforce_from = 10\nspeed = 1\n");
+  for (std::size_t station = 0; station < 4; ++station) {
+    const double share = 0.25 * static_cast<double>(station + 1);
+    for (const DriveGoal& goal : drive->drives(station)) {
+      const bool load = goal.kind == DriveGoal::Kind::load;
+      EXPECT_NEAR(goal.value, load ? 10 + 40 * share : 0.02 * share, 1e-12);
+      EXPECT_LT((goal.direction - (load ? Vec3(0, 0, 1) : Vec3(0, 0.6, 0.8))).norm(), 1e-15);
+    }
+  }
+}
+
+// The natural strains of all axes add up to none, in space and in the plane.
+TEST(Path, ConstantVolumeHasNoVolumetricStrainInEitherDimension) {
+  for (const int dimension : {2, 3}) {
+    const AxisGoals goals = path("constant-volume", "axial_strain = 0.02\nincrement = 0.02\nrate = 0.3\n")
+                                ->goals(0, under(dimension, Vec3(1e5, 1e5, 1e5)));
+    double strain = 0, rate = 0;
+    for (int a = 0; a < dimension; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      strain += goal.value;
+      rate += (a == dimension - 1 ? 1 : -1) * goal.max_rate;
+    }
+    EXPECT_NEAR(strain, 0, 1e-17) << dimension;
+    EXPECT_NEAR(rate, 0, 1e-15) << "and they get there together, " << dimension;
+    EXPECT_EQ(goals[static_cast<std::size_t>(dimension - 1)].value, 0.02);
+  }
+}
+
+TEST(Path, ConstantVolumeKeepsTheVoidRatioOfDisks) {
+  const Model model = testing::linear_sand();
+  Simulation s(testing::packed(model, 1e3, 60, 2), model, {});
+  s.set_reference();
+  const double before = s.void_ratio();
+  const auto undrained = path("constant-volume", "axial_strain = 0.01\nincrement = 0.01\nrate = 5\n");
+  Servo servo;
+  const AxisGoals goals = undrained->goals(0, under(2, Vec3::Zero()));
+  while (!Servo::strained(goals, 2, s)) servo.drive(goals, 2, s), s.step();
+  EXPECT_NEAR(s.strain().y(), 0.01, 1e-9);
+  // The product of what the axes are stretched by in a step differs from one by the square of the strain of the step.
+  EXPECT_NEAR(s.void_ratio(), before, 1e-6);
+}
+
+// p = (sum of the stresses)/dimension, of which the axial one is what it is.
+TEST(Path, ConstantPLeavesTheLateralAxesWhatTheAxialOneDoesNotTake) {
+  const auto p = path("constant-p", "mean_stress = 1e5\naxial_strain = 0.1\n");
+  EXPECT_DOUBLE_EQ(p->goals(0, under(3, Vec3(9e4, 9e4, 1.6e5)))[0].value, (3e5 - 1.6e5) / 2);
+  EXPECT_DOUBLE_EQ(p->goals(0, under(2, Vec3(9e4, 1.6e5, 0)))[0].value, 2e5 - 1.6e5);
+  EXPECT_DOUBLE_EQ(p->goals(0, under(3, Vec3(1, 1, 5e5)))[0].value, 1e2) << "never a tension";
+}
+
+// ---- The forecast. Steps of a stage: each station's strain over its rate and the time step, and a rest.
+
+double steps_of(const io::Snapshot& start, const std::string& stage, const std::string& before = "") {
+  const Scenario plan = scenario("[[stage]]\n" + stage, before);
+  return forecast(prepare(start, plan), plan).stages.at(0).steps;
+}
+
+TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
+  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const auto shear = [](double strain, double increment, double rate) {
+    return fmt::format(
+        "path = \"free\"\nparts = {}\n[stage.x]\nstrain = 0\n[stage.y]\nstrain = {}\nmax_rate = {}\n"
+        "[stage.z]\nstrain = {}\nmax_rate = {}\n",
+        std::lround(strain / increment), -0.1 * strain, rate, strain, rate);
+  };
+  const double dt = Simulation(start, testing::sand(), {}).time_step();
+  const double one = steps_of(start, shear(0.02, 0.02, 0.1)), slow = steps_of(start, shear(0.02, 0.02, 0.05));
+  EXPECT_NEAR(slow - one, 0.02 / (0.05 * dt) - 0.02 / (0.1 * dt), 1e-9 * slow) << "the slowest axis rules";
+  const double rest = one - 0.02 / (0.1 * dt);
+  EXPECT_GT(rest, 0);
+  EXPECT_NEAR(steps_of(start, shear(0.02, 0.005, 0.1)) - one, 3 * rest, 1e-9 * one) << "a rest at every station";
+  // To come to rest takes as long for each e-fold of the unbalanced force: 1e-6 takes twice as long as 1e-3.
+  const double calmer = steps_of(start, shear(0.02, 0.02, 0.1), "[equilibrium]\nunbalanced_force = 1e-6\n");
+  EXPECT_NEAR(calmer - one, rest, 1e-9 * one);
+  const double damped = steps_of(start, shear(0.02, 0.02, 0.1), "[numerics]\ndamping = 0.4\n");
+  EXPECT_NEAR(one - damped, 0.5 * rest, 1e-9 * one) << "twice the damping, half the rest";
+  EXPECT_EQ(steps_of(start, shear(0.02, 0.02, 0.1), "[equilibrium]\nsteps = 100\n"), 100) << "no station takes more";
+}
+
+TEST(Forecast, CountsTheStepsOfAStressByTheStiffness) {
+  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const Simulation s(start, testing::sand(), {});
+  const double dt = s.time_step(), k = s.measures().axial_stiffness.minCoeff();
+  ASSERT_GT(k, 1.1e6);
+  const auto loaded = [&](double rate) {
+    return steps_of(start, fmt::format("path = \"k0\"\naxial_stress = [2e5, 1e6]\nmax_rate = {}\n", rate));
+  };
+  const double strain = (1e6 - s.measures().stress(2, 2)) / s.measures().axial_stiffness.z();
+  EXPECT_NEAR(loaded(1e-3) - loaded(2e-3), strain / dt * (1e3 - 5e2), 1e-9 * loaded(1e-3));
+}
+
+// Two hundred steps are timed and stand for all.
+TEST(Forecast, ItsTimeIsThatOfTheStepsTriedForAllOfThem) {
+  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const Scenario plan = scenario(
+      "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.1\nincrement = 0.01\nrate = 0.01\n"
+      "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[record]\nsnapshots = \"stations\"\n");
+  const auto clock = std::chrono::steady_clock::now();
+  const Forecast f = forecast(prepare(start, plan), plan);
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
+  const double steps = f.stages.at(0).steps + f.stages.at(1).steps;
+  EXPECT_NEAR(static_cast<double>(f.price.steps), steps, 0.5);
+  EXPECT_EQ(f.states, 12U) << "the start, ten stations and one";
+  const double tried = f.price.stepping / steps * 200;
+  EXPECT_GT(tried, 0);
+  EXPECT_LE(tried, took);
+  EXPECT_NEAR(f.price.contacts(), static_cast<double>(start.contacts.size()),
+              0.1 * static_cast<double>(start.contacts.size()));
+}
+
+}  // namespace
+}  // namespace soilweave::dem
