@@ -12,6 +12,7 @@
 #include "dem/scenario.h"
 #include "io/files.h"
 #include "io/safe_output.h"
+#include "io/spheres_text.h"
 #include "packing/cloud.h"
 #include "packing/generate.h"
 #include "packing/grading.h"
@@ -65,7 +66,7 @@ struct PackGenerate {
         "friction is lowered step by step until the void ratio is reached, and restored.");
     table.example("pack-generate --grains 300 --void-ratio 0.70 --pressure 1e5 -o packing.h5", "Toyoura grading");
     table.example("pack-generate --import spheres.txt --as-is -o imported.h5", "a packing from another code");
-    table.option(grading, "grading", "NAME|FILE", "toyoura, or a TSV with diameter [mm] and finer_by_mass [1]");
+    table.option(grading, "grading", "NAME|FILE", "toyoura, or a table: diameter [mm], finer_by_mass [%]");
     table.option(grains, grains_parameter);
     table.option(void_ratio, void_ratio_parameter);
     table.option(pressure, pressure_parameter);
@@ -77,8 +78,9 @@ struct PackGenerate {
     table.option(density, density_parameter);
     table.option(max_rate, rate_parameter);
     table.option(tolerance, tolerance_parameter);
-    table.option(import, "import", "FILE", "start from this packing (x y z r text, or a packing file)");
-    table.option(cell, "cell", "LX,LY,LZ", "periodic cell of an imported text without a ##PERIODIC:: line, m");
+    table.option(import, "import", "FILE",
+                 "start from a packing file, or from text: x y z r (disks x y r) or named columns");
+    table.option(cell, "cell", "LX,LY,LZ", "periodic cell of a text without a ##PERIODIC:: line, m; of disks LX,LY");
     table.flag(as_is, "as-is", "write the imported packing as it is, but many loose grains in spatial order");
     table.output(output, "packing to write");
     table.resume(interval);
@@ -90,15 +92,15 @@ struct PackGenerate {
     if (as_is && import.empty()) throw UsageError("--as-is needs --import FILE");
     if (!cell.empty() && import.empty()) throw UsageError("--cell needs --import FILE");
     if (!cell.empty() && is_ours()) throw UsageError("--cell: " + import.string() + " has a cell of its own");
-    if (!cell.empty()) parse_cell();
+    if (!cell.empty()) io::periodic_cell(cell, "--cell");
     const PackGenerate standard;
-    const bool new_cloud = grading != standard.grading || grains != standard.grains ||
-                           dimension != standard.dimension || mean_radius || aspect != standard.aspect ||
-                           cloud_void_ratio != standard.cloud_void_ratio;
+    const bool new_cloud = grading != standard.grading || grains != standard.grains || mean_radius ||
+                           aspect != standard.aspect || cloud_void_ratio != standard.cloud_void_ratio ||
+                           (is_ours() && dimension != standard.dimension);
     if (!import.empty() && new_cloud)
       throw UsageError(
-          "--grading, --grains, --dimension, --mean-radius, --aspect and --cloud-void-ratio are of a new "
-          "packing: leave them out with --import");
+          "--grading, --grains, --mean-radius, --aspect and --cloud-void-ratio are of a new packing, and a packing "
+          "file has a --dimension: leave them out with --import");
     const bool load =
         void_ratio || pressure != standard.pressure || max_rate != standard.max_rate || tolerance != standard.tolerance;
     if (as_is && load)
@@ -118,11 +120,14 @@ struct PackGenerate {
     document.finish();
     numerics.threads = invocation.threads;
     const double rho = read_density > 0 ? read_density : density;
-    const io::Snapshot state = import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources);
+    std::vector<std::string> notes;
+    const io::Snapshot state =
+        import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources, notes);
     const std::string law = as_is && material.empty() ? "" : document.resolved();
     const io::History history = io::extend(sources, invocation, law);
     const StopSignals signals;
     Progress progress("pack-generate", invocation.quiet);
+    for (const std::string& note : notes) progress.note("pack-generate: " + note);
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
     if (as_is) {
@@ -170,28 +175,21 @@ struct PackGenerate {
     for (double& r : radii) r *= factor;
   }
 
-  Vec3 parse_cell() const {
-    Vec3 size;
-    const char* at = cell.c_str();
-    for (int a = 0; a < 3; ++a) {
-      char* end = nullptr;
-      size[a] = std::strtod(at, &end);
-      if (end == at || !(size[a] > 0) || *end != (a < 2 ? ',' : '\0'))
-        throw UsageError("--cell " + cell + ": give three positive lengths in m, as in 0.0462,0.0461,0.0921");
-      at = end + 1;
-    }
-    return size;
-  }
-
   bool is_ours() const { return import.extension() == ".h5"; }
 
-  io::Snapshot read_import(double rho, std::vector<io::Source>& sources) const {
-    io::CellRecord given;
-    if (!cell.empty()) given.matrix = parse_cell().asDiagonal();
-    io::PackingFile file =
-        is_ours() ? io::read_state(import) : io::import_spheres(import, rho, cell.empty() ? nullptr : &given);
-    sources.push_back(file.source);
-    return packing::in_spatial_order(file.state);
+  io::Snapshot read_import(double rho, std::vector<io::Source>& sources, std::vector<std::string>& notes) const {
+    if (is_ours()) {
+      io::PackingFile file = io::read_state(import);
+      sources.push_back(file.source);
+      return packing::in_spatial_order(file.state);
+    }
+    io::SpheresOptions options{rho, {}, {}};
+    if (!cell.empty()) options.cell = io::periodic_cell(cell, "--cell");
+    if (dimension == 2 || (options.cell && !options.cell->periodic[2])) options.dimension = 2;
+    io::ImportedSpheres read = io::import_spheres(import, options);
+    sources.push_back(read.source);
+    notes = read.notes;
+    return packing::in_spatial_order(read.state);
   }
 };
 

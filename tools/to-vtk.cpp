@@ -17,6 +17,7 @@
 #include "io/files.h"
 #include "io/paraview.h"
 #include "io/provenance.h"
+#include "io/spheres_text.h"
 
 namespace soilweave {
 namespace {

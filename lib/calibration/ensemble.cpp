@@ -83,11 +83,12 @@ Ensemble from_table(const io::Series& table, Prior prior, const std::string& whe
   const auto rows = static_cast<Eigen::Index>(e.size());
   e.values.resize(rows, static_cast<Eigen::Index>(e.prior.size()));
   for (std::size_t k = 0; k < e.prior.size(); ++k) {
-    const io::Column& column = table.at(e.prior.ranges[k].name);
-    for (std::size_t i = 0; i < column.values.size(); ++i)
-      if (!std::isfinite(column.values[i]))
-        throw DataError(fmt::format("{}: {} of member {} is not finite", where, column.name, e.id[i]));
-    e.values.col(static_cast<Eigen::Index>(k)) = vector_of(column.values);
+    const Range& range = e.prior.ranges[k];
+    const std::vector<double> values = io::in_unit(table, range.name, range.unit, where);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        throw DataError(fmt::format("{}: {} of member {} is not finite", where, range.name, e.id[i]));
+    e.values.col(static_cast<Eigen::Index>(k)) = vector_of(values);
   }
   e.log_importance = optional_column(table, importance_name, rows, where);
   e.weight = optional_column(table, weight_name, rows, where);

@@ -30,12 +30,26 @@ Observable observable(const std::string& text, const io::Series& table) {
   return one;
 }
 
+/// What turns a column of a run into the observation's unit. A column without a unit holds pure numbers.
+double factor_between(const io::Column& run, const Observable& observed) {
+  if (run.unit == observed.unit) return 1;
+  if (run.unit.empty() != observed.unit.empty()) {
+    const std::string& known = run.unit.empty() ? observed.unit : run.unit;
+    if (known == "1") return 1;
+    throw DataError(fmt::format(
+        "column {} has no unit {}, and is in {} {}: write {} [{}] in the header",
+        run.unit.empty() ? run.name : observed.name, run.unit.empty() ? "in the run" : "in the observations", known,
+        run.unit.empty() ? "in the observations" : "in the run", run.unit.empty() ? run.name : observed.name, known));
+  }
+  return unit_factor(run.unit, observed.unit);
+}
+
 /// The mean of the columns of a run, in the observation's unit.
 std::vector<double> column_of(const io::Series& run, const Observable& what) {
   std::vector<double> mean(run.rows(), 0);
   for (const std::string& name : what.columns) {
     const io::Column& column = run.at(name);
-    const double factor = column.unit.empty() || what.unit.empty() ? 1 : unit_factor(column.unit, what.unit);
+    const double factor = factor_between(column, what);
     for (std::size_t r = 0; r < mean.size(); ++r)
       mean[r] += column.values[r] * factor / static_cast<double>(what.columns.size());
   }

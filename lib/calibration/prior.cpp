@@ -35,7 +35,7 @@ Range read_range(Settings& table, const std::set<std::string>& before) {
   range.long_name = table.text("long_name", range.name);
   range.scale = table.choice("scale", {"linear", "log"}, "linear") == "log" ? Scale::log : Scale::linear;
   try {
-    unit_factor(range.unit, range.unit);
+    demand_unit(range.unit);
   } catch (const DataError& error) {
     table.mistake("unit", error.what());
     range.unit = "1";

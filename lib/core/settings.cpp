@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "core/toml_depth.h"
 #include "core/units.h"
 
 namespace soilweave {
@@ -149,6 +150,8 @@ toml::node& step_into(toml::node& node, const std::string& part, std::string_vie
 
 /// A TOML value; text that is none ("100 kPa", hertz-mindlin) stands for itself.
 toml::table value_of(std::string_view text) {
+  if (const std::string excess = toml_excess(text); !excess.empty())
+    throw UsageError(fmt::format("--set: the value has {}", excess.substr(excess.find(' ') + 1)));
   try {
     return toml::parse(fmt::format("value = {}", text));
   } catch (const toml::parse_error&) {
@@ -182,6 +185,8 @@ Settings::Settings(std::shared_ptr<Document> document, std::string path, void* t
 Settings Settings::parse(std::string_view text, std::string name) {
   auto document = std::make_shared<Document>();
   document->name = std::move(name);
+  if (const std::string excess = toml_excess(text); !excess.empty())
+    throw DataError(fmt::format("{}:{}", document->name, excess));
   try {
     document->root = toml::parse(text, document->name);
   } catch (const toml::parse_error& error) {
@@ -197,6 +202,7 @@ void Settings::set(std::string_view assignment) {
   const std::string key(assignment.substr(0, equals));
   if (equals == std::string_view::npos || key.empty())
     throw UsageError(fmt::format("--set {}: write KEY=VALUE, as in --set stage.0.pressure=1e5", assignment));
+  if (!toml_excess(key).empty()) throw UsageError(fmt::format("--set: {} is no key", key.substr(0, 60) + " ..."));
   toml::node* node = &as_table(table_);
   std::size_t at = 0;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; at = dot + 1, dot = key.find('.', at))
@@ -238,7 +244,11 @@ std::int64_t Settings::integer(const Parameter& parameter, std::optional<std::in
   const bool fine = document_->mistakes.size() == before;
   if (fine && value != std::floor(value))
     mistake(parameter.name, fmt::format("{} is not a whole number", number_text(value)));
-  return std::llround(value);
+  // Beyond 2^53 not every whole number is a double, beyond 2^63 none is an integer.
+  constexpr double most = 9007199254740992.0;
+  if (fine && std::abs(value) > most)
+    mistake(parameter.name, fmt::format("{} is beyond the whole numbers that are read", number_text(value)));
+  return std::llround(std::clamp(value, -most, most));
 }
 
 std::optional<double> Settings::number_or(const Parameter& parameter, std::string_view word) {

@@ -4,12 +4,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/error.h"
+#include "core/number_word.h"
 
 namespace soilweave {
 namespace {
@@ -31,6 +35,7 @@ constexpr std::array units{
     NamedUnit{"1", {1, {}}, false},
     NamedUnit{"-", {1, {}}, false},
     NamedUnit{"%", {0.01, {}}, false},
+    NamedUnit{"\u2030", {0.001, {}}, false},
     NamedUnit{"m", {1, {0, 1, 0, 0}}, true},
     NamedUnit{"g", {1e-3, {1, 0, 0, 0}}, true},
     NamedUnit{"t", {1e3, {1, 0, 0, 0}}, false},
@@ -57,6 +62,41 @@ constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00
                               Prefix{"m", 1e-3}, Prefix{"c", 1e-2}, Prefix{"d", 1e-1},      Prefix{"k", 1e3},
                               Prefix{"M", 1e6},  Prefix{"G", 1e9}};
 
+/// Units of the field as messages offer them, the commonest of those that differ in case alone first.
+constexpr std::array common{"m",  "mm", "um", "cm", "km", "N",   "kN", "MN",  "Pa",  "kPa", "MPa", "GPa", "bar",
+                            "kg", "g",  "t",  "s",  "ms", "min", "h",  "rad", "deg", "J",   "Hz",  "%",   "1"};
+
+struct Spelling {
+  std::string_view written, symbol;
+};
+
+/// Words for units, in lower case and without a plural s.
+constexpr std::array spellings{Spelling{"metre", "m"},        Spelling{"meter", "m"},   Spelling{"millimetre", "mm"},
+                               Spelling{"millimeter", "mm"},  Spelling{"micron", "um"}, Spelling{"micrometre", "um"},
+                               Spelling{"micrometer", "um"},  Spelling{"percent", "%"}, Spelling{"pct", "%"},
+                               Spelling{"degree", "deg"},     Spelling{"sec", "s"},     Spelling{"second", "s"},
+                               Spelling{"kilopascal", "kPa"}, Spelling{"pascal", "Pa"}, Spelling{"gram", "g"},
+                               Spelling{"kilogram", "kg"},    Spelling{"hour", "h"},    Spelling{"minute", "min"},
+                               Spelling{"hr", "h"},           Spelling{"ton", "t"},     Spelling{"tonne", "t"},
+                               Spelling{"newton", "N"},       Spelling{"mu m", "um"},   Spelling{"mum", "um"}};
+
+std::string lower(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return std::tolower(c); });
+  return small;
+}
+
+/// "; did you mean 'kPa'?" for a unit that was spelt otherwise, or the units of the field.
+std::string unit_suggestion(std::string_view symbol) {
+  std::string small = lower(symbol);
+  for (const std::string_view known : common)
+    if (lower(known) == small) return fmt::format("; did you mean '{}'?", known);
+  if (small.size() > 3 && small.ends_with('s')) small.pop_back();
+  for (const Spelling& spelling : spellings)
+    if (spelling.written == small) return fmt::format("; did you mean '{}'?", spelling.symbol);
+  return fmt::format("; known: {}, and products such as kg/m3", fmt::join(common, ", "));
+}
+
 std::optional<Unit> named(std::string_view symbol) {
   for (const NamedUnit& n : units)
     if (n.symbol == symbol) return n.unit;
@@ -80,15 +120,31 @@ Unit power_of(std::string_view text) {
   std::from_chars(text.data() + symbol_end, text.data() + text.size(), power);
   if (symbol_end > 0 && text[symbol_end - 1] == '^') --symbol_end;
   const auto base = end < text.size() ? named(text.substr(0, symbol_end)) : std::nullopt;
-  if (!base) throw DataError(fmt::format("'{}' is not a known unit", text));
+  if (!base) {
+    const std::string_view symbol = end < text.size() ? text.substr(0, symbol_end) : text;
+    throw DataError(fmt::format("'{}' is not a known unit{}", text, unit_suggestion(symbol)));
+  }
   Unit result{std::pow(base->factor, power), {}};
   for (std::size_t i = 0; i < result.powers.size(); ++i) result.powers[i] = power * base->powers[i];
   return result;
 }
 
+/// The text with digits for raised digits (m², s⁻¹) and ordinary spaces, and one kind of dot.
+std::string plain_powers(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> marks{
+      {{"\u00b9", "1"}, {"\u00b2", "2"}, {"\u00b3", "3"}, {"\u2074", "4"}, {"\u207b", "-"}, {"\u22c5", "\u00b7"}}};
+  std::string plain = plain_spaces(text);
+  for (const auto& [mark, digit] : marks)
+    for (std::size_t at = plain.find(mark); at != std::string::npos; at = plain.find(mark, at + digit.size()))
+      plain.replace(at, mark.size(), digit);
+  return plain;
+}
+
 /// A product such as "N m/rad", "kg/m3", "N·m/rad": a slash divides by the one factor after it.
-Unit parsed(std::string_view text) {
+Unit parsed(std::string_view written) {
   constexpr std::string_view dot = "\u00b7";
+  const std::string plain = plain_powers(written);
+  const std::string_view text = plain;
   Unit result;
   bool divide = false;
   std::string factor;
@@ -127,17 +183,29 @@ double unit_factor(std::string_view from, std::string_view to) {
   return given.factor / wanted.factor;
 }
 
-double quantity(std::string_view text, std::string_view unit) {
-  const std::size_t first = text.find_first_not_of(" +");
-  const std::string_view trimmed = first == std::string_view::npos ? "" : text.substr(first);
+void demand_unit(std::string_view unit) { (void)parsed(unit); }
+
+double quantity(std::string_view given, std::string_view unit) {
+  const std::string plain = plain_spaces(given);
+  const std::string_view whole = trimmed(plain);
+  const std::string_view text = whole.substr(whole.starts_with('+') ? 1 : 0);
   double value = 0;
-  const auto [end, status] = std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
-  if (status != std::errc()) throw DataError(fmt::format("'{}' is not a number", text));
-  std::string_view rest = trimmed.substr(static_cast<std::size_t>(end - trimmed.data()));
-  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  if (rest.empty()) return value;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view rest = status == std::errc() ? text.substr(static_cast<std::size_t>(end - text.data())) : "";
+  // The number goes as far as marks that only numbers have; what another program writes there is told from a unit.
+  const std::size_t last = text.find_last_of("0123456789");
+  const std::size_t stop = std::min(text.find_first_not_of("0123456789.,+-eEdDqQ \u2212"), text.size());
+  const std::string_view number = trimmed(text.substr(0, std::min(stop, last == text.npos ? 0 : last + 1)));
+  if (status != std::errc() || rest.starts_with(',') ||
+      (!number.empty() && number.size() > text.size() - rest.size())) {
+    const std::string remedy = number_remedy(number);
+    if (status != std::errc() || rest.starts_with(',') || !remedy.empty())
+      throw DataError(fmt::format("'{}' is not a number{}{}", given, remedy.empty() ? "" : ": ", remedy));
+  }
+  const std::string_view symbol = trimmed(rest);
+  if (symbol.empty()) return value;
   // Powers of ten are kept exact (100 kPa is 100000 Pa to the last bit) by dividing where the factor is below one.
-  const double factor = unit_factor(rest, unit);
+  const double factor = unit_factor(symbol, unit);
   const double inverse = std::round(1 / factor);
   return factor < 1 && std::abs(inverse * factor - 1) < 1e-15 ? value / inverse : value * factor;
 }

@@ -12,8 +12,12 @@ namespace soilweave {
 /// Throws DataError naming the part that is no unit, or the two units that measure different things.
 double unit_factor(std::string_view from, std::string_view to);
 
+/// Throws DataError with the nearest unit where the text is none.
+void demand_unit(std::string_view unit);
+
 /// The number in `text`, converted to `unit`: bare numbers are in that unit already, "100 kPa" is converted.
-/// Throws DataError when the text is no number or its unit does not fit. nan and inf are read, not judged.
+/// Throws DataError when the text is no number (saying how to write it: "0,1 MPa" with a point) or its unit does not
+/// fit (naming the nearest: 'KPa'). nan and inf are read, not judged.
 double quantity(std::string_view text, std::string_view unit);
 
 }  // namespace soilweave

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/units.h"
 #include "gws/model.h"
+#include "io/table.h"
 
 namespace soilweave::gws {
 namespace {
@@ -151,25 +151,18 @@ Line stiffness_line(const std::vector<BagSeries>& series, const Soil& soil, Diff
   return line;
 }
 
-std::vector<double> in_unit(const io::Series& table, std::string_view name, std::string_view unit) {
-  const io::Column& column = table.at(name);
-  const double factor = unit_factor(column.unit.empty() ? unit : std::string_view(column.unit), unit);
-  std::vector<double> values = column.values;
-  for (double& v : values) v *= factor;
-  return values;
-}
-
 }  // namespace
 
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural) {
   BagSeries s;
   s.name = where;
-  s.strain_axial =
-      in_unit(table, !table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
-  s.strain_volumetric = in_unit(table, "strain_volumetric", "1");
-  s.mean_stress = in_unit(table, "mean_stress", "Pa");
-  s.deviatoric_stress = in_unit(table, "deviatoric_stress", "Pa");
-  s.stiffness = table.find("tensile_stiffness") ? in_unit(table, "tensile_stiffness", "N/m").at(0) : stiffness;
+  const auto column = [&](const char* name, const char* unit) { return io::in_unit(table, name, unit, where); };
+  s.strain_axial = column(!table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
+  s.strain_volumetric = column("strain_volumetric", "1");
+  s.mean_stress = column("mean_stress", "Pa");
+  s.deviatoric_stress = column("deviatoric_stress", "Pa");
+  if (table.rows() == 0) throw DataError(where + ": has no rows below its header");
+  s.stiffness = table.find("tensile_stiffness") ? column("tensile_stiffness", "N/m")[0] : stiffness;
   if (!(s.stiffness > 0))
     throw DataError(fmt::format(
         "{}: no stiffness of the geotextile: give --geotextile for it, or a column tensile_stiffness", where));
@@ -187,8 +180,8 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
     const auto axial = [&](std::size_t k) { return s.mean_stress[k] + 2 * s.deviatoric_stress[k] / 3; };
     if (axial(i) > axial(peak)) peak = i;
   }
-  for (auto* column : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
-    column->resize(peak + 1);
+  for (auto* values : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
+    values->resize(peak + 1);
   if (!s.contracting.empty()) s.contracting.resize(peak + 1);
   if (s.size() < 3)
     throw DataError(fmt::format("{}: {} rows up to the greatest axial stress; at least 3 are needed", where, s.size()));

@@ -9,7 +9,6 @@
 #include "core/data.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "core/units.h"
 #include "io/files.h"
 #include "io/table.h"
 
@@ -29,14 +28,6 @@ constexpr Parameter named(Parameter parameter, std::string_view name, std::strin
   parameter.name = name;
   parameter.sentence = sentence;
   return parameter;
-}
-
-/// The column in SI units.
-std::vector<double> in_unit(const io::Column& column, std::string_view unit) {
-  const double factor = unit_factor(column.unit.empty() ? unit : std::string_view(column.unit), unit);
-  std::vector<double> values = column.values;
-  for (double& v : values) v *= factor;
-  return values;
 }
 
 }  // namespace
@@ -90,7 +81,8 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
   const io::TextFile text = io::read_text(history, "lateral history");
   sources.push_back(text.source);
   const io::Series table = io::from_tsv(text.text, history.string());
-  return {in_unit(table.at("surcharge"), "Pa"), in_unit(table.at("lateral_stress"), "Pa")};
+  const std::string where = history.string();
+  return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where)};
 }
 
 ReadCase CaseOptions::read() const {
@@ -160,7 +152,7 @@ Points read_points(const std::filesystem::path& path, const std::string& x, cons
   const io::TextFile text = io::read_text(path, "points");
   sources.push_back(text.source);
   const io::Series table = io::from_tsv(text.text, path.string());
-  return {in_unit(table.at(x), x_unit), in_unit(table.at(y), y_unit)};
+  return {io::in_unit(table, x, x_unit, path.string()), io::in_unit(table, y, y_unit, path.string())};
 }
 
 }  // namespace soilweave::gws

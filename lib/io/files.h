@@ -106,12 +106,6 @@ bool is_hdf5(const std::filesystem::path& path);
 std::string read_kind(const std::filesystem::path& path);
 History read_history(const std::filesystem::path& path);
 
-/// Sphere packings as text: x y z r per line (blank, tab or comma separated, # comments), with or without YADE's first
-/// line "##PERIODIC:: Lx Ly Lz". Without it the cell must be given (or the packing is not periodic).
-PackingFile import_spheres(const std::filesystem::path& path, double density, const CellRecord* cell = nullptr);
-/// The inverse, in full precision, with the ##PERIODIC:: line for an upright periodic cell.
-std::string export_spheres(const Snapshot& state);
-
 /// Checks what every reader promises and every writer is given: equal lengths, finite numbers, positive radii, grains
 /// smaller than half the cell along periodic axes, contacts that name existing grains. Throws DataError naming `where`.
 void check(const Snapshot& state, const std::string& where);

@@ -1,86 +1,195 @@
-// Sphere packings as plain text: x y z r a line, as YADE and spreadsheets write them.
+// Sphere packings as plain text: one grain a line, below a header or without.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/spheres_text.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <charconv>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
-#include "io/files.h"
+#include "core/number_word.h"
+#include "core/units.h"
+#include "io/bytes.h"
+#include "io/spheres_columns.h"
+#include "io/spheres_foreign.h"
+#include "io/table.h"
 
 namespace soilweave::io {
 namespace {
 
 constexpr std::string_view periodic_mark = "##PERIODIC::";
 
-bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; }
-
-std::vector<std::string_view> words(std::string_view line) {
-  std::vector<std::string_view> found;
-  for (std::size_t at = 0; at < line.size();) {
-    while (at < line.size() && separates(line[at])) ++at;
-    const std::size_t start = at;
-    while (at < line.size() && !separates(line[at])) ++at;
-    if (at > start) found.push_back(line.substr(start, at - start));
-  }
-  return found;
+/// The separator of a first line of numbers. Commas separate where no blank stands between two of them; "1,5 2,5" has
+/// decimal commas.
+char separator_of_numbers(std::string_view line) {
+  const char separator = separator_of(line);
+  if (separator != ',') return separator == ';' ? ';' : ' ';
+  for (const std::string& cell : cells(line, ','))
+    if (cell.find_first_of(" \t") != std::string::npos) return ' ';
+  return ',';
 }
 
-std::optional<double> number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+/// True for a comment that means to give a period but does not begin as the mark does.
+bool is_like_the_mark(std::string_view comment) {
+  std::string word;
+  for (const char c : comment.substr(0, std::min<std::size_t>(comment.size(), 40)))
+    if (c != '#' && c != ' ' && c != '\t') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word.starts_with("periodic:");
 }
 
 class SpheresReader {
  public:
-  SpheresReader(const std::string& where, double density) : where_(where), density_(density) {}
+  SpheresReader(const std::string& where, const SpheresOptions& options)
+      : where_(where), options_(options), dimension_(options.dimension) {}
 
   void line(std::string_view text) {
     ++line_;
-    if (text.starts_with(periodic_mark)) return periodic_cell(words(text.substr(periodic_mark.size())));
-    const std::vector<std::string_view> found = words(text.substr(0, text.find('#')));
-    // A first line of words is a header.
-    if (found.empty() || (state_.grains.size() == 0 && !number(found[0]))) return;
-    if (found.size() < 4) fail(found.size(), "x y z r are needed");
-    sphere({value(found, 0), value(found, 1), value(found, 2)}, value(found, 3));
+    const std::string plain = plain_spaces(text);
+    const std::string_view all = trimmed(plain);
+    if (all.starts_with(periodic_mark)) return periodic_cell(all.substr(periodic_mark.size()));
+    if (all.starts_with('#')) return comment(all);
+    const std::string_view kept = trimmed(all.substr(0, all.find('#')));
+    if (kept.empty()) return;
+    if (!columns_) {
+      const char separator = separator_of(kept);
+      const std::vector<std::string> names = header_names(kept, separator);
+      if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
+    }
+    grain(kept);
   }
 
-  Snapshot finish(const CellRecord* given) {
-    if (state_.grains.size() == 0) throw DataError(where_ + ": holds no spheres; write x y z r a line");
-    if (!has_cell_ && given) state_.cell = *given;
-    if (!has_cell_ && !given) aperiodic_cell();
-    return std::move(state_);
+  ImportedSpheres finish() {
+    GrainsRecord& g = state_.grains;
+    if (g.size() == 0) throw DataError(where_ + ": holds no spheres; write x y z r a line");
+    g.dimension = dimension_.value_or(3);
+    if (g.dimension == 2) flatten();
+    if (has_cell_ && options_.cell)
+      throw DataError(where_ + ": has a ##PERIODIC:: line, so that no other cell can be given (--cell)");
+    if (options_.cell && options_.cell->periodic[2] != (g.dimension == 3))
+      throw DataError(fmt::format("{}: holds {}, whose cell has {} lengths (--cell)", where_,
+                                  g.dimension == 2 ? "disks" : "spheres", g.dimension));
+    if (!has_cell_ && options_.cell) state_.cell = *options_.cell;
+    if (!has_cell_ && !options_.cell) aperiodic_cell();
+    ImportedSpheres read{std::move(state_), {}, {}};
+    if (!columns_->unused.empty())
+      read.notes.push_back(fmt::format("{}: columns left out: {}; density and radius give the mass", where_,
+                                       fmt::join(columns_->unused, ", ")));
+    if (g.dimension == 2)
+      read.notes.push_back(fmt::format("{}: read as disks{}", where_, columns_->z ? ", their common z left out" : ""));
+    return read;
   }
 
  private:
   [[noreturn]] void fail(std::size_t column, const std::string& what) const {
     throw DataError(fmt::format("{}: line {}, column {}: {}", where_, line_, column + 1, what));
   }
-  double value(const std::vector<std::string_view>& found, std::size_t column) const {
-    const std::optional<double> v = number(found[column]);
-    if (!v) fail(column, fmt::format("\"{}\" is no finite number", found[column]));
+  [[noreturn]] void fail(const std::string& what) const {
+    throw DataError(fmt::format("{}: line {}: {}", where_, line_, what));
+  }
+  /// True for a word that is a number, or was meant to be one.
+  static bool is_number(const std::string& word) { return number_of(word) || !number_remedy(word).empty(); }
+
+  double value(const std::vector<std::string>& words, std::size_t column) const {
+    const std::optional<double> v = number_of(words[column]);
+    if (!v || !std::isfinite(*v))
+      fail(column,
+           no_number(words[column], "finite number") +
+               (separator_ == ' ' && words[column].ends_with(',') ? ": columns are separated by blanks here" : ""));
     return *v;
   }
 
-  void periodic_cell(const std::vector<std::string_view>& lengths) {
-    if (lengths.size() != 3) fail(0, "three cell lengths belong behind ##PERIODIC::");
-    for (std::size_t a = 0; a < 3; ++a) {
+  void periodic_cell(std::string_view text) {
+    if (has_cell_) fail("a second ##PERIODIC:: line; keep the one of the packing");
+    if (state_.grains.size() > 0) fail("##PERIODIC:: belongs before the first grain");
+    text = trimmed(text.substr(0, text.find('#')));
+    const std::vector<std::string> lengths = cells(text, separator_of_numbers(text));
+    if (lengths.size() != 3 && lengths.size() != 2)
+      fail(0, "three cell lengths, of disks two, belong behind ##PERIODIC::");
+    take_dimension(static_cast<int>(lengths.size()), "the ##PERIODIC:: line has");
+    for (std::size_t a = 0; a < lengths.size(); ++a) {
       const double length = value(lengths, a);
       if (!(length > 0)) fail(a, "a cell length that is not positive");
       state_.cell.matrix(static_cast<int>(a), static_cast<int>(a)) = length;
     }
-    state_.cell.periodic = {true, true, true};
+    state_.cell.periodic = {true, true, lengths.size() == 3};
     has_cell_ = true;
   }
 
-  void sphere(const Vec3& position, double radius) {
-    if (!(radius > 0)) fail(3, "a radius that is not positive");
+  /// Settles spheres or disks. Throws DataError where it was settled otherwise.
+  void take_dimension(int dimension, const std::string& said) {
+    if (dimension_ && *dimension_ != dimension)
+      fail(fmt::format("{} {} lengths where {} are read: give --dimension {}, or change the line", said, dimension,
+                       *dimension_ == 2 ? "disks" : "spheres", dimension));
+    dimension_ = dimension;
+  }
+
+  void comment(std::string_view text) {
+    if (is_like_the_mark(text)) fail(fmt::format("write {} Lx Ly Lz (disks: Lx Ly), as it stands here", periodic_mark));
+    if (state_.grains.size() > 0 || columns_) return;
+    try {
+      if (auto columns = yade_columns(text)) return take(std::move(*columns), ' ');
+    } catch (const DataError& error) {
+      fail(error.what());
+    }
+    if (auto columns = commented_columns(text)) commented_ = std::move(columns);
+  }
+
+  void header(const std::vector<std::string>& names, char separator) {
+    try {
+      // Tabs and blanks separate alike where a cell is one number.
+      take(named_columns(names), separator == '\t' ? ' ' : separator);
+    } catch (const DataError& error) {
+      fail(fmt::format("neither numbers nor a header of x y z r: {}", error.what()));
+    }
+  }
+
+  void take(SphereColumns columns, char separator) {
+    if (!columns.z && !dimension_) dimension_ = 2;
+    if (!columns.z && *dimension_ == 3) throw DataError("no column z, which spheres need");
+    columns_ = std::move(columns);
+    separator_ = separator;
+  }
+
+  /// Columns of a text whose first line is numbers.
+  void begin(std::string_view text) {
+    separator_ = separator_of_numbers(text);
+    const std::vector<std::string> words = cells(text, separator_);
+    if (commented_ && commented_->width == words.size() && (commented_->z || dimension_ != 3))
+      return take(std::move(*commented_), separator_);
+    take(plain_columns(dimension_.value_or(3)), separator_);
+    // Decimal commas between commas look like too many columns; a word with one is told as such.
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (!number_of(words[k])) value(words, k);
+    if (words.size() != columns_->width)
+      fail(
+          fmt::format("{} numbers; without a header a line is {}: name the columns in a first line, such as id x y z r",
+                      words.size(), columns_->z ? "x y z r (disks: x y r, with --dimension 2)" : "x y r"));
+  }
+
+  void grain(std::string_view text) {
+    if (!columns_) begin(text);
+    const std::vector<std::string> words = cells(text, separator_);
+    const SphereColumns& c = *columns_;
+    if (words.size() != c.width)
+      fail(std::min(words.size(), c.width),
+           fmt::format(
+               "{} values where {} belong, separated by {}{}", words.size(), c.width, separator_name(separator_),
+               separator_ == ',' && words.size() > c.width ? "; with decimal commas among them? write points" : ""));
+    for (std::size_t k = 0; k < c.width; ++k)
+      if (!c.is_unused(k)) value(words, k);  // the first column that is no number is the one to name
+    const Vec3 position(value(words, c.x), value(words, c.y), c.z ? value(words, *c.z) : 0);
+    const double size = value(words, c.size);
+    if (!(size > 0)) fail(c.size, fmt::format("a {} that is not positive", c.size_factor == 1 ? "radius" : "diameter"));
+    append(position * c.length_factor, size * c.size_factor * c.length_factor);
+  }
+
+  void append(const Vec3& position, double radius) {
     GrainsRecord& g = state_.grains;
     g.body_id.push_back(static_cast<std::int64_t>(g.size()));
     g.position.push_back(position);
@@ -88,12 +197,26 @@ class SpheresReader {
     g.velocity.emplace_back(0, 0, 0);
     g.angular_velocity.emplace_back(0, 0, 0);
     g.radius.push_back(radius);
-    g.mass.push_back(density_ * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+    const double area = std::numbers::pi * radius * radius;
+    g.mass.push_back(dimension_.value_or(3) == 2
+                         ? options_.density * area
+                         : options_.density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
     g.material_id.push_back(0);
     g.copy_id.push_back(0);
   }
 
-  /// A box that would hold the spheres and the origin: axes that are not periodic carry a length only.
+  /// Disks lie in one plane, z = 0.
+  void flatten() {
+    for (Vec3& x : state_.grains.position) {
+      if (x.z() != state_.grains.position.front().z() && &x != state_.grains.position.data())
+        throw DataError(
+            fmt::format("{}: disks lie in a plane, but z goes from {} to {}: leave out --dimension 2, or the column z",
+                        where_, state_.grains.position.front().z(), x.z()));
+    }
+    for (Vec3& x : state_.grains.position) x.z() = 0;
+  }
+
+  /// A box that would hold the grains and the origin: axes that are not periodic carry a length only.
   void aperiodic_cell() {
     const GrainsRecord& g = state_.grains;
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
@@ -102,44 +225,77 @@ class SpheresReader {
       high = high.cwiseMax((g.position[i].array() + g.radius[i]).matrix());
     }
     state_.cell.matrix = (high - low).asDiagonal();
+    if (g.dimension == 2) state_.cell.matrix(2, 2) = 1;
     state_.cell.periodic = {false, false, false};
   }
 
   const std::string& where_;
-  double density_;
+  const SpheresOptions& options_;
+  std::optional<int> dimension_;
   std::size_t line_ = 0;
   bool has_cell_ = false;
+  char separator_ = ' ';
+  std::optional<SphereColumns> columns_, commented_;
   Snapshot state_;
 };
 
-bool upright(const CellRecord& cell) {
-  return cell.periodic == std::array<bool, 3>{true, true, true} && cell.matrix.isDiagonal(0.0);
+/// True for a cell whose lengths a ##PERIODIC:: line tells whole.
+bool upright(const Snapshot& state) {
+  const bool disks = state.grains.dimension == 2;
+  return state.cell.periodic == std::array<bool, 3>{true, true, !disks} && state.cell.matrix.isDiagonal(0.0);
 }
 
 }  // namespace
 
-PackingFile import_spheres(const std::filesystem::path& path, double density, const CellRecord* cell) {
+CellRecord periodic_cell(const std::string& lengths, const std::string& what) {
+  CellRecord cell;
+  const std::vector<std::string> parts = cells(lengths, ',');
+  const std::string remedy = "give three positive lengths, of disks two, in m, as in 0.0462,0.0461,0.0921";
+  if (parts.size() != 2 && parts.size() != 3) throw UsageError(fmt::format("{} {}: {}", what, lengths, remedy));
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    double length = 0;
+    try {
+      length = quantity(parts[a], "m");
+    } catch (const DataError& error) {
+      throw UsageError(fmt::format("{} {}: {}; {}", what, lengths, error.what(), remedy));
+    }
+    if (!(length > 0 && std::isfinite(length))) throw UsageError(fmt::format("{} {}: {}", what, lengths, remedy));
+    cell.matrix(static_cast<int>(a), static_cast<int>(a)) = length;
+  }
+  cell.periodic = {true, true, parts.size() == 3};
+  return cell;
+}
+
+ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options) {
   TextFile file = read_text(path, "spheres");
-  const std::string where = path == "-" ? "standard input" : path.string();
-  if (!(density > 0 && std::isfinite(density))) throw DataError(where + ": a density that is not positive");
-  SpheresReader reader(where, density);
+  const std::string where = input_name(path);
+  if (!(options.density > 0 && std::isfinite(options.density)))
+    throw DataError(where + ": a density that is not positive");
+  if (const std::string foreign = foreign_spheres(file.text); !foreign.empty())
+    throw DataError(fmt::format("{}: {}", where, foreign));
+  SpheresReader reader(where, options);
   for (std::string_view rest = file.text; !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     reader.line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  Snapshot state = reader.finish(cell);
-  check(state, where);
-  return {std::move(state), std::move(file.source)};
+  ImportedSpheres read = reader.finish();
+  check(read.state, where);
+  read.source = std::move(file.source);
+  return read;
 }
 
 std::string export_spheres(const Snapshot& state) {
-  std::string text;
+  const bool disks = state.grains.dimension == 2;
   const Mat3& m = state.cell.matrix;
-  if (upright(state.cell)) text = fmt::format("{} {} {} {}\n", periodic_mark, m(0, 0), m(1, 1), m(2, 2));
+  std::string text;
+  if (upright(state)) text = fmt::format("{} {} {}", periodic_mark, m(0, 0), m(1, 1));
+  if (upright(state)) text += disks ? "\n" : fmt::format(" {}\n", m(2, 2));
+  if (disks) text += "x y r\n";
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const Vec3& x = state.grains.position[i];
-    text += fmt::format("{} {} {} {}\n", x.x(), x.y(), x.z(), state.grains.radius[i]);
+    text += fmt::format("{} {} ", x.x(), x.y());
+    text += disks ? fmt::format("{}\n", state.grains.radius[i]) : fmt::format("{} {}\n", x.z(), state.grains.radius[i]);
   }
   return text;
 }

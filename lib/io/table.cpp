@@ -1,4 +1,4 @@
-// Tab-separated tables to and from series.
+// Tables as text, to and from series.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/table.h"
 
@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/error.h"
+#include "core/number_word.h"
+#include "core/text.h"
+#include "core/units.h"
 
 namespace soilweave::io {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// Removes and returns what comes before the separator, or everything.
 std::string_view take(std::string_view& rest, char separator) {
@@ -29,27 +26,20 @@ std::string_view take(std::string_view& rest, char separator) {
   return part;
 }
 
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> found;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find('\t', at), line.size());
-    found.push_back(trimmed(line.substr(at, end - at)));
-    at = end + 1;
-  }
-  return found;
+/// A cell as it is meant: without outer blanks and quotes.
+std::string unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() < 2 || !cell.starts_with('"') || !cell.ends_with('"')) return std::string(cell);
+  std::string text(trimmed(cell.substr(1, cell.size() - 2)));
+  for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1)) text.erase(at, 1);
+  return text;
 }
 
-bool number(std::string_view text, double& value) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return !text.empty() && error == std::errc() && end == text.data() + text.size();
-}
-
-Column headed(std::string_view cell) {
+Column headed(const std::string& cell) {
   const std::size_t bracket = cell.rfind('[');
-  if (bracket == std::string_view::npos || !cell.ends_with(']')) return {std::string(cell), "", "", {}};
+  if (bracket == std::string::npos || !cell.ends_with(']')) return {cell, "", "", {}};
   return {std::string(trimmed(cell.substr(0, bracket))),
-          std::string(cell.substr(bracket + 1, cell.size() - bracket - 2)),
+          std::string(trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))),
           "",
           {}};
 }
@@ -62,7 +52,10 @@ class TableReader {
   void line(std::string_view text) {
     ++line_;
     if (trimmed(text).empty() || text.starts_with('#')) return;
-    table_.columns.empty() ? header(cells(text)) : row(cells(text));
+    if (!table_.columns.empty()) return row(text);
+    separator_ = separator_of(text);
+    // Names may have blanks within; a table of one column has no separator.
+    header(separator_ == ' ' ? std::vector<std::string>{unquoted(text)} : cells(text, separator_));
   }
   Series finish() {
     if (table_.columns.empty()) throw DataError(where_ + ": no header line; begin with names such as \"time [s]\"");
@@ -74,47 +67,57 @@ class TableReader {
     throw DataError(fmt::format("{}: line {}, column {}: {}", where_, line_, column + 1, what));
   }
 
-  void header(const std::vector<std::string_view>& names) {
+  void header(const std::vector<std::string>& names) {
+    std::set<std::string> known;
     for (std::size_t k = 0; k < names.size(); ++k) {
-      double ignored = 0;
-      if (number(names[k], ignored))
+      if (number_of(names[k]) || !number_remedy(names[k]).empty())
         fail(k, "a number where the header belongs; begin with names such as \"time [s]\"");
       Column column = headed(names[k]);
       if (column.name.empty()) fail(k, "a column without a name");
-      if (table_.find(column.name)) fail(k, "a second column named " + column.name);
+      if (separator_ == ' ' && column.name.find(']') != std::string::npos)
+        fail(k, "names separated by blanks; separate columns by tabs, commas or semicolons");
+      if (!known.insert(column.name).second) fail(k, "a second column named " + column.name);
       table_.columns.push_back(std::move(column));
     }
   }
 
-  void row(const std::vector<std::string_view>& values) {
+  /// Why a line has another number of values than the header.
+  std::string other_width(std::size_t values, std::string_view text) const {
     const std::size_t width = table_.columns.size();
-    if (values.size() != width)
-      fail(std::min(values.size(), width), fmt::format("{} values where the header names {} columns; separate them by "
-                                                       "single tabs",
-                                                       values.size(), width));
+    std::string why = fmt::format("{} values where the header names {} columns", values, width);
+    if (separator_ == ' ') return why + "; separate columns by tabs, commas or semicolons, the header too";
+    why += fmt::format(", separated by {}", separator_name(separator_));
+    if (separator_ == ',' && values > width) return why + "; with decimal commas among them? write decimal points";
+    if (const char other = separator_of(text); other != separator_ && values == 1)
+      return why + fmt::format("; this line has {}: use one separator throughout", separator_name(other));
+    return why + (separator_ == '\t' ? "; separate them by single tabs" : "");
+  }
+
+  void row(std::string_view text) {
+    const std::vector<std::string> values =
+        separator_ == ' ' ? std::vector<std::string>{unquoted(text)} : cells(text, separator_);
+    const std::size_t width = table_.columns.size();
+    const bool one_of_many = separator_ == ' ' && separator_of(text) != ' ' && number_remedy(values[0]).empty();
+    if (values.size() != width || one_of_many)
+      fail(std::min(values.size(), width),
+           other_width(one_of_many ? cells(text, separator_of(text)).size() : values.size(), text));
     for (std::size_t k = 0; k < width; ++k) {
-      double value = 0;
-      if (!number(values[k], value)) fail(k, fmt::format("\"{}\" is no number", values[k]));
-      table_.columns[k].values.push_back(value);
+      if (values[k].empty())
+        fail(k, fmt::format("no value of {}; fill the cell in, or leave the line out", table_.columns[k].name));
+      const std::optional<double> value = number_of(values[k]);
+      if (!value)
+        fail(k, no_number(values[k]) + (separator_ == ' ' && values[k].find(' ') != std::string::npos
+                                            ? "; separate columns by tabs, commas or semicolons"
+                                            : ""));
+      table_.columns[k].values.push_back(*value);
     }
   }
 
   const std::string& where_;
   std::size_t line_ = 0;
+  char separator_ = '\t';
   Series table_;
 };
-
-/// Levenshtein distance.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j)
-      diagonal = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, diagonal + (a[i] != b[j])}));
-  }
-  return row.back();
-}
 
 }  // namespace
 
@@ -131,10 +134,71 @@ const Column* Series::find(std::string_view name) const {
 const Column& Series::at(std::string_view name) const {
   if (const Column* column = find(name)) return *column;
   if (columns.empty()) throw DataError(fmt::format("no column {}: the table is empty", name));
-  const auto nearest = std::min_element(columns.begin(), columns.end(), [&](const Column& a, const Column& b) {
-    return distance(a.name, name) < distance(b.name, name);
-  });
-  throw DataError(fmt::format("no column {}; the nearest is {}", name, nearest->name));
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.push_back(column.name);
+  const std::string near = nearest(name, names);
+  throw DataError(fmt::format("no column {} among {}{}", name, column_names(*this),
+                              near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+}
+
+std::string column_names(const Series& table) {
+  constexpr std::size_t most = 30;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(most, table.columns.size()); ++k)
+    names += (k > 0 ? ", " : "") + table.columns[k].name;
+  if (table.columns.size() > most) names += fmt::format(" and {} more", table.columns.size() - most);
+  return names;
+}
+
+std::vector<double> in_unit(const Series& table, std::string_view name, std::string_view unit,
+                            const std::string& where) {
+  try {
+    const Column& column = table.at(name);
+    if (column.unit.empty() && unit != "1")
+      throw DataError(fmt::format("has no unit: write {} [{}] in the header", name, unit));
+    const double factor = unit_factor(column.unit.empty() ? unit : std::string_view(column.unit), unit);
+    std::vector<double> values = column.values;
+    for (double& v : values) v *= factor;
+    return values;
+  } catch (const DataError& error) {
+    const std::string column = table.find(name) ? fmt::format("column {}: ", name) : "";
+    throw DataError(fmt::format("{}: {}{}", where, column, error.what()));
+  }
+}
+
+std::vector<std::string> cells(std::string_view line, char separator) {
+  std::vector<std::string> found;
+  bool quoted = false, begun = false;
+  std::size_t start = 0;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '"') quoted = !quoted;
+    const bool ends = !quoted && (line[at] == separator || (separator == ' ' && line[at] == '\t'));
+    if (!ends) {
+      begun = true;
+      continue;
+    }
+    if (separator != ' ' || begun) found.push_back(unquoted(line.substr(start, at - start)));
+    begun = false;
+    start = at + 1;
+  }
+  if (separator != ' ' || begun) found.push_back(unquoted(line.substr(start)));
+  return found;
+}
+
+char separator_of(std::string_view header) {
+  bool quoted = false;
+  std::string marks;
+  for (const char c : header) {
+    quoted = quoted != (c == '"');
+    if (!quoted) marks += c;
+  }
+  for (const char separator : {'\t', ';', ','})
+    if (marks.find(separator) != std::string::npos) return separator;
+  return ' ';
+}
+
+std::string_view separator_name(char separator) {
+  return separator == '\t' ? "tabs" : separator == ';' ? "semicolons" : separator == ',' ? "commas" : "blanks";
 }
 
 std::string to_tsv(const Series& series) {

@@ -20,27 +20,31 @@ constexpr std::size_t slices = 100'000;
 
 Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   const io::Series table = io::from_tsv(text, where);
-  const auto named = [&](const char* name) -> const io::Column& {
-    if (const io::Column* column = table.find(name)) return *column;
-    throw DataError(fmt::format("{}: no column {}: head the columns diameter [mm] and finer_by_mass [1]", where, name));
-  };
-  const io::Column &size = named("diameter"), &finer = named("finer_by_mass");
-  const double unit = size.unit == "mm" ? 1e-3 : 1.0;
-  if (size.unit != "mm" && size.unit != "m")
-    throw DataError(fmt::format("{}: diameter is in \"{}\": write [mm] or [m]", where, size.unit));
+  for (const char* name : {"diameter", "finer_by_mass"})
+    if (!table.find(name))
+      throw DataError(fmt::format("{}: no column {} among {}: head the columns diameter [mm] and finer_by_mass [%]",
+                                  where, name, io::column_names(table)));
   Grading g;
+  g.diameter = io::in_unit(table, "diameter", "m", where);
+  g.finer = io::in_unit(table, "finer_by_mass", "1", where);
+  const std::vector<double>&given = table.at("finer_by_mass").values, &sizes = table.at("diameter").values;
+  const bool fractions = table.at("finer_by_mass").unit != "%";
+  const bool percents = fractions && std::any_of(given.begin(), given.end(), [](double f) { return f > 1; });
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double d = unit * size.values[k], f = finer.values[k];
-    if (!(d > 0) || (k > 0 && d <= g.diameter.back()))
+    const double f = g.finer[k];
+    if (!(g.diameter[k] > 0 && std::isfinite(g.diameter[k])) || (k > 0 && g.diameter[k] <= g.diameter[k - 1]))
       throw DataError(fmt::format("{}: row {}: diameter {} is not above the one before: sort the sizes, all positive",
-                                  where, k + 1, size.values[k]));
-    if (!(f >= 0 && f <= 1) || (k > 0 && f < g.finer.back()))
-      throw DataError(fmt::format("{}: row {}: finer_by_mass {} must rise from 0 to 1", where, k + 1, f));
-    g.diameter.push_back(d);
-    g.finer.push_back(f);
+                                  where, k + 1, sizes[k]));
+    if (!(f >= 0 && f <= 1) || (k > 0 && f < g.finer[k - 1]))
+      throw DataError(fmt::format("{}: row {}: finer_by_mass {} must rise from 0 to {}{}", where, k + 1, given[k],
+                                  fractions ? "1" : "100 %",
+                                  percents ? ": are these per cent? head the column finer_by_mass [%]" : ""));
   }
-  if (g.finer.empty() || std::abs(g.finer.back() - 1) > 1e-12)
-    throw DataError(fmt::format("{}: the last finer_by_mass must be 1", where));
+  if (g.finer.empty()) throw DataError(where + ": no rows below the header");
+  if (std::abs(g.finer.back() - 1) > 1e-12)
+    throw DataError(
+        fmt::format("{}: the last finer_by_mass is {} {}, not all: add the row of the largest diameter, with {}", where,
+                    given.back(), table.at("finer_by_mass").unit, fractions ? "1" : "100"));
   return g;
 }
 

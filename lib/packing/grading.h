@@ -15,7 +15,8 @@ struct Grading {
   std::vector<double> diameter;
   std::vector<double> finer;
 
-  /// From a table with the columns diameter (m or mm) and finer_by_mass. Throws DataError naming document and row.
+  /// From a table with the columns diameter (a length, as [mm]) and finer_by_mass (a share: [%] or [1]). Throws
+  /// DataError naming document and row.
   static Grading from_tsv(std::string_view text, const std::string& where);
   /// The curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
   static Grading toyoura();

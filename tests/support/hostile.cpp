@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "calibration/prior.h"
 #include "core/error.h"
@@ -20,6 +20,7 @@
 #include "gws/geotextile.h"
 #include "gws/soil.h"
 #include "io/files.h"
+#include "io/spheres_text.h"
 #include "io/table.h"
 #include "packing/grading.h"
 #include "packing/plan.h"
@@ -88,11 +89,9 @@ void table(std::string_view bytes) {
 
 void spheres(std::string_view bytes) {
   const Bytes text(bytes);
-  io::CellRecord cell;
-  cell.matrix = Mat3::Identity();
-  for (const io::CellRecord* given : {static_cast<const io::CellRecord*>(nullptr), &std::as_const(cell)})
+  for (const std::optional<io::CellRecord>& cell : {std::optional<io::CellRecord>(), std::optional(io::CellRecord())})
     expect_error_of_ours([&] {
-      const io::PackingFile read = io::import_spheres(text.path(), 2650, given);
+      const io::ImportedSpheres read = io::import_spheres(text.path(), {2650, cell, {}});
       dem::Simulation simulation(read.state, sand(), {});
       for (int step = 0; step < 2; ++step) simulation.step();
     });

@@ -215,7 +215,7 @@ PY
   refuses 65 assimilate "none of 10 runs can be used; the first: ends at t 5, the observations at 9" "${try[@]}"
   exits 0 pf-weight assimilate "${try[@]}" --until 5
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe three
-  [[ $stderr == *"no column three; the nearest is "* ]] || show
+  [[ $stderr == *"no column three among "* ]] || show
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe one=three
   [[ $stderr == *"run of member 0: no column three"* ]] || show
 }

@@ -14,6 +14,7 @@
 #include "packing/spatial_order.h"
 #include "support/assemblies.h"
 #include "support/reference.h"
+#include "support/same_state.h"
 
 namespace soilweave::packing {
 namespace {
@@ -46,6 +47,21 @@ TEST(Grading, GrainsFollowTheCurveByMass) {
       EXPECT_NEAR(finer / total, expected, 2 * std::pow(radii.front(), d) / total) << "diameter " << k;
     }
     EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
+  }
+}
+
+TEST(Grading, UnitsAreConverted) {
+  const Grading plain = Grading::from_tsv("diameter [mm]\tfiner_by_mass [1]\n6\t0\n10\t0.5\n16\t1\n", "g");
+  for (const std::string table : {"diameter [mm],finer_by_mass [%]\n6,0\n10,50\n16,100\n",
+                                  "diameter [um];finer_by_mass [1]\n6000;0\n1e4;0.5\n16000;1\n",
+                                  "finer_by_mass\tdiameter [\u00b5m]\n0\t6000\n0.5\t10000\n1\t16000\n",
+                                  "diameter [cm]\tfiner_by_mass [\u2030]\n0.6\t0\n1\t500\n1.6\t1000\n"}) {
+    const Grading read = Grading::from_tsv(table, "g");
+    ASSERT_EQ(read.diameter.size(), 3U) << table;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(read.diameter[k], plain.diameter[k], 1e-15) << table;
+      EXPECT_NEAR(read.finer[k], plain.finer[k], 1e-15) << table;
+    }
   }
 }
 
@@ -86,6 +102,19 @@ TEST(Grading, TellsWhatIsWrongWithATable) {
   EXPECT_THROW(Grading::from_tsv(head + "1\t0.2\n2\t0.1\n3\t1\n", "g"), DataError);
   EXPECT_THROW(Grading::from_tsv(head + "1\t0.2\n2\t0.9\n", "g"), DataError);
   EXPECT_THROW(Grading::from_tsv("diameter [inch]\tfiner_by_mass [1]\n1\t1\n", "g"), DataError);
+  const auto refuses = [](const std::string& table, const std::string& words) {
+    io::test::expect_error<DataError>([&] { Grading::from_tsv(table, "g"); }, words);
+  };
+  refuses("diameter [mm]\tfiner_by_mass [1]\n6\t0\n16\t100\n",
+          "g: row 2: finer_by_mass 100 must rise from 0 to 1: are these per cent? head the column finer_by_mass [%]");
+  refuses("diameter [mm]\tfiner_by_mass\n6\t0\n16\t100\n", "are these per cent?");
+  refuses("diameter [mm]\tfiner_by_mass [%]\n6\t0\n10\t0.5\n16\t1\n", "the last finer_by_mass is 1 %, not all");
+  refuses("diameter [mm]\tfiner_by_mass [%]\n6\t0\n16\t101\n", "finer_by_mass 101 must rise from 0 to 100 %");
+  refuses("diameter\tfiner_by_mass [%]\n6\t0\n16\t100\n", "g: column diameter: has no unit: write diameter [m]");
+  refuses("size [mm]\tfiner_by_mass [%]\n6\t0\n", "g: no column diameter among size, finer_by_mass: head the columns");
+  refuses("diameter [mm]\tfiner_by_mass [%]\n", "g: no rows below the header");
+  refuses("diameter [MM]\tfiner_by_mass [%]\n6\t100\n", "'MM' is not a known unit; did you mean 'mm'?");
+  refuses("diameter [mm]\tfiner_by_mass [%]\ninf\t100\n", "diameter inf is not above");
 }
 
 TEST(Cloud, HasTheVoidRatioAndNoOverlap) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "support/same_state.h"
 
 namespace soilweave {
 namespace {
@@ -215,6 +216,54 @@ TEST(Settings, ImpossibleSetsAreUsageErrors) {
   EXPECT_THROW(s.set("stage.3.steps=1"), UsageError);
   EXPECT_THROW(s.set("stage.x.steps=1"), UsageError);
   EXPECT_THROW(s.set("size.x=1"), UsageError);
+}
+
+std::string many(const std::string& piece, int times) {
+  std::string text;
+  for (int k = 0; k < times; ++k) text += piece;
+  return text;
+}
+
+TEST(Settings, DeepDocumentsAreErrorsAndDoNotOverrunTheStack) {
+  constexpr int deep = 40'000;
+  const std::string key = many("a.", deep) + "a";
+  const std::vector<std::pair<std::string, std::string>> documents{
+      {key + " = 1\n", "t:1:64: a key of more than 32 parts"},
+      {"x = 1\n[" + key + "]\n", "t:2:65: a key of more than 32 parts"},
+      {"[[" + key + "]]\n", "a key of more than 32 parts"},
+      {many("\"a\" . ", deep) + "a = 1\n", "a key of more than 32 parts"},
+      {"x = {" + key + " = 1}\n", "a key of more than 32 parts"},
+      {"x = " + many("[", deep) + many("]", deep) + "\n", "t:1:37: lists or tables more than 32 within one another"},
+      {"x = " + many("{a = ", deep) + "1" + many("}", deep) + "\n", "lists or tables more than 32"},
+      {"x = '''" + std::string(std::size_t{17} << 20, ' ') + "'''\n", "t:1:1: a document of 17 MiB; at most 16"}};
+  for (const auto& [document, words] : documents)
+    io::test::expect_error<DataError>([&, &text = document] { Settings::parse(text, "t"); }, words);
+  Settings s = Settings::parse("size = 1\n", "t");
+  io::test::expect_error<UsageError>([&] { s.set(key + "=1"); }, "is no key");
+  io::test::expect_error<UsageError>([&] { s.set("size={" + key + "=1}"); }, "a key of more than 32 parts");
+}
+
+TEST(Settings, DotsInStringsCommentsAndNumbersAreNoParts) {
+  const std::string dots = many(".", 100);
+  const std::string text = "# " + dots + "\na = \"" + dots + "\\\"" + dots + "\" # " + dots + "\nb = '" + dots +
+                           "'\nc = '''\n" + dots + "'\n'''\nd = [" + many("1.5, ", 100) + "1.5]\ne = [" +
+                           many("[1.0], ", 100) + "]\n";
+  EXPECT_EQ(Settings::parse(text, "t").text("b"), dots);
+}
+
+TEST(Settings, DecimalCommasAndUnitsInOtherLettersAreToldAsSuch) {
+  Settings s = Settings::parse("size = \"0,5 m\"\n[a]\nsize = \"5 MM\"\n", "t");
+  s.number(size);
+  s.table("a").number(size);
+  EXPECT_EQ(mistakes_of(s),
+            "t:1: size: '0,5 m' is not a number: write 0.5, with a decimal point\n"
+            "t:3: a.size: 'MM' is not a known unit; did you mean 'mm'?");
+}
+
+TEST(Settings, WholeNumbersBeyondTheirRangeAreErrors) {
+  Settings s = Settings::parse("steps = 1e300\n", "t");
+  s.integer({"steps", "1"});
+  EXPECT_EQ(mistakes_of(s), "t:1: steps: 1e+300 is beyond the whole numbers that are read");
 }
 
 TEST(Settings, ResolvedIsTheSameForTheSameContentInAnyOrder) {

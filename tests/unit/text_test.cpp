@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/number_word.h"
 #include "core/units.h"
 
 namespace soilweave {
@@ -73,6 +74,15 @@ TEST(Quantity, ConvertsEveryUnitOfTheField) {
   EXPECT_DOUBLE_EQ(quantity("9.81 m/s2", "m/s2"), 9.81);
   EXPECT_DOUBLE_EQ(quantity("1 t/m3", "kg/m3"), 1000);
   EXPECT_EQ(quantity(" +2.5e-3", "Pa"), 2.5e-3);
+  EXPECT_DOUBLE_EQ(quantity("2 N/mm\u00b2", "Pa"), 2e6);
+  EXPECT_DOUBLE_EQ(quantity("2 kN/m\u00b2", "Pa"), 2000);
+  EXPECT_DOUBLE_EQ(quantity("2 kN m\u207b\u00b2", "Pa"), 2000);
+  EXPECT_DOUBLE_EQ(quantity("2650 kg/m\u00b3", "kg/m3"), 2650);
+  EXPECT_DOUBLE_EQ(quantity("2.65 g/cm3", "kg/m3"), 2650);
+  EXPECT_DOUBLE_EQ(quantity("5 \u2030", "1"), 0.005);
+  EXPECT_DOUBLE_EQ(quantity("50 \u03bcm", "m"), 50e-6);
+  EXPECT_EQ(quantity("100\u00a0kPa", "Pa"), 1e5);
+  EXPECT_EQ(quantity(" 100\u202fkPa ", "Pa"), 1e5);
 }
 
 TEST(Quantity, RefusesWhatIsNoNumberNoUnitOrAnotherDimension) {
@@ -86,10 +96,35 @@ TEST(Quantity, RefusesWhatIsNoNumberNoUnitOrAnotherDimension) {
   };
   EXPECT_EQ(message("many", "Pa"), "'many' is not a number");
   EXPECT_EQ(message("", "Pa"), "'' is not a number");
-  EXPECT_EQ(message("3 furlong", "m"), "'furlong' is not a known unit");
+  EXPECT_EQ(message("3 furlong", "m").find("'furlong' is not a known unit; known: m, mm, um"), 0U);
+  EXPECT_EQ(message("100 KPa", "Pa"), "'KPa' is not a known unit; did you mean 'kPa'?");
+  EXPECT_EQ(message("1 mpa", "Pa"), "'mpa' is not a known unit; did you mean 'MPa'?");
+  EXPECT_EQ(message("1 KN/m2", "Pa"), "'KN' is not a known unit; did you mean 'kN'?");
+  EXPECT_EQ(message("5 microns", "m"), "'microns' is not a known unit; did you mean 'um'?");
+  EXPECT_EQ(message("1 MM2", "m2"), "'MM2' is not a known unit; did you mean 'mm'?");
   EXPECT_EQ(message("3 m2", "m"), "'m2' does not measure what 'm' measures");
   EXPECT_EQ(message("3 N m", "N m/rad"), "'N m' does not measure what 'N m/rad' measures");
-  EXPECT_EQ(message("1,5", "m"), "',5' is not a known unit");
+  EXPECT_EQ(message("1,5", "m"), "'1,5' is not a number: write 1.5, with a decimal point");
+  EXPECT_EQ(message("0,1 MPa", "Pa"), "'0,1 MPa' is not a number: write 0.1, with a decimal point");
+  EXPECT_EQ(message(",5 MPa", "Pa"), "',5 MPa' is not a number: write .5, with a decimal point");
+  EXPECT_EQ(message("1.000,5 m", "m"),
+            "'1.000,5 m' is not a number: write its digits without commas, with one decimal point");
+  EXPECT_EQ(message("1 000 Pa", "Pa"), "'1 000 Pa' is not a number: write 1000, without blanks");
+  EXPECT_EQ(message("1\u202f000\u00a0Pa", "Pa"), "'1\u202f000\u00a0Pa' is not a number: write 1000, without blanks");
+  EXPECT_EQ(message("1.0D+03 Pa", "Pa"), "'1.0D+03 Pa' is not a number: write 1.0e+03");
+  EXPECT_EQ(message("\u22125 m", "m"), "'\u22125 m' is not a number: write -5, with the minus sign of the keyboard");
+  EXPECT_EQ(message("1e999", "m").find("'1e999' is not a number: it is beyond the range"), 0U);
+}
+
+TEST(NumberWord, IsReadWholeOrNotAtAll) {
+  EXPECT_EQ(number_of("+1.5e3"), 1500);
+  for (const char* word : {"", "+", "++1", "+-1", "1,5", "1.0D+00", "1e999", "0x10", "1 ", "1.0O"})
+    EXPECT_FALSE(number_of(word)) << word;
+  EXPECT_EQ(no_number("1.0D+00"), "\"1.0D+00\" is no number: write 1.0e+00");
+  EXPECT_EQ(no_number("10,5", "finite number"), "\"10,5\" is no finite number: write 10.5, with a decimal point");
+  EXPECT_EQ(no_number("50 %"), "\"50 %\" is no number: write the number, and [%] behind the name of its column");
+  EXPECT_EQ(no_number("x"), "\"x\" is no number");
+  EXPECT_EQ(trimmed("\u00a0 \t1\u202f\r\n"), "1");
 }
 
 TEST(Quantity, BareNumbersAreTakenAsTheyAre) { EXPECT_TRUE(std::isnan(quantity("nan", "Pa"))); }
