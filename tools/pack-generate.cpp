@@ -99,8 +99,8 @@ struct PackGenerate {
                            (is_ours() && dimension != standard.dimension);
     if (!import.empty() && new_cloud)
       throw UsageError(
-          "--grading, --grains, --mean-radius, --aspect and --cloud-void-ratio are of a new packing, and a packing "
-          "file has a --dimension: leave them out with --import");
+          "--grading, --grains, --mean-radius, --aspect, --cloud-void-ratio and, beside a packing file, --dimension "
+          "are of a new packing: leave them out with --import");
     const bool load =
         void_ratio || pressure != standard.pressure || max_rate != standard.max_rate || tolerance != standard.tolerance;
     if (as_is && load)

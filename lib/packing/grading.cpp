@@ -43,8 +43,8 @@ Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   if (g.finer.empty()) throw DataError(where + ": no rows below the header");
   if (std::abs(g.finer.back() - 1) > 1e-12)
     throw DataError(
-        fmt::format("{}: the last finer_by_mass is {} {}, not all: add the row of the largest diameter, with {}", where,
-                    given.back(), table.at("finer_by_mass").unit, fractions ? "1" : "100"));
+        fmt::format("{}: the last finer_by_mass is {}{}, not all: add the row of the largest diameter, with {}", where,
+                    given.back(), fractions ? "" : " %", fractions ? "1" : "100"));
   return g;
 }
 

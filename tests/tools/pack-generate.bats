@@ -96,8 +96,9 @@ unmade() {
   refused 64 "are of a new packing: leave them out with --import" --import open.txt --grains 500 -o out.h5
   refused 64 "would change the packing: leave out --as-is" --import packing.h5 --as-is --void-ratio 0.7 -o out.h5
   refused 64 "--cell: packing.h5 has a cell of its own" --import packing.h5 --cell 1,1,1 -o out.h5
-  refused 64 "give three positive lengths in m" --import open.txt --cell 4,4 -o out.h5
-  refused 64 "give three positive lengths in m" --import open.txt --cell 4,nan,4 -o out.h5
+  refused 64 "are of a new packing" --import packing.h5 --dimension 2 -o out.h5
+  refused 64 "give three positive lengths, of disks two, in m" --import open.txt --cell 4 -o out.h5
+  refused 64 "give three positive lengths, of disks two, in m" --import open.txt --cell 4,nan,4 -o out.h5
 }
 
 @test "errors: an input that is missing, a folder, damaged, or something else" {
@@ -107,7 +108,7 @@ unmade() {
   refused 65 ".: a directory; name a file in it" --import . -o out.h5
   unmade 65 ".: a directory; name a file in it" --grading . -o out.h5
   unmade 65 ".: a directory; name a file in it" --material . -o out.h5
-  refused 65 "/dev/null: holds no spheres; write x y z r a line" --import /dev/null -o out.h5
+  refused 65 "/dev/null: the file is empty (the spheres)" --import /dev/null -o out.h5
   head -c 3000 packing.h5 > cut.h5
   refused 65 "cut.h5: truncated: 3000 bytes of $(stat -Lc %s packing.h5)" --import cut.h5 --as-is -o out.h5
   cp open.txt words.h5
@@ -134,13 +135,47 @@ unmade() {
     refused 65 "spheres.txt: line 3, column 2: \"$text\" is no finite number" --import spheres.txt --as-is -o out.h5
   done
   spheres "3 1 1"
-  refused 65 "spheres.txt: line 3, column 4: x y z r are needed" --import spheres.txt --as-is -o out.h5
+  refused 65 "spheres.txt: line 3, column 4: 3 values where 4 belong, separated by blanks" --import spheres.txt --as-is -o out.h5
   spheres "3 1 1 -0.5"
   refused 65 "spheres.txt: line 3, column 4: a radius that is not positive" --import spheres.txt --as-is -o out.h5
   printf '##PERIODIC:: 4 -4 4\n1 1 1 0.5\n' > spheres.txt
   refused 65 "line 1, column 2: a cell length that is not positive" --import spheres.txt --as-is -o out.h5
   printf '##PERIODIC:: 4 4\n1 1 1 0.5\n' > spheres.txt
-  refused 65 "three cell lengths belong behind ##PERIODIC::" --import spheres.txt --as-is -o out.h5
+  refused 65 "line 2: 4 numbers; without a header a line is x y r" --import spheres.txt --as-is -o out.h5
+  printf '##PERIODIC:: 4\n1 1 1 0.5\n' > spheres.txt
+  refused 65 "three cell lengths, of disks two, belong behind ##PERIODIC::" --import spheres.txt --as-is -o out.h5
+}
+
+@test "columns by name, disks and what was left out; the text comes back" {
+  printf 'id,x [mm],y [mm],z [mm],diameter [mm]\r\n7,1000,1000,50,1000\r\n8,3000,1000,50,500\r\n' > rods.csv
+  exits 0 pack-generate --import rods.csv --as-is -o spheres.h5
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == "pack-generate: rods.csv: columns left out: id; density and radius give the mass" ]] || show
+  to-vtk --text spheres.h5 | diff <(printf '1 1 0.05 0.5\n3 1 0.05 0.25\n') -
+  exits 0 pack-generate --import rods.csv --dimension 2 --cell 4,4 --as-is -o disks.h5
+  [[ $stderr == *"rods.csv: read as disks, their common z left out"* ]] || show
+  to-vtk --text disks.h5 > disks.txt
+  diff <(printf '##PERIODIC:: 4 4\nx y r\n1 1 0.5\n3 1 0.25\n') disks.txt
+  pack-generate --quiet --import disks.txt --as-is -o again.h5
+  to-vtk --text again.h5 | diff disks.txt -
+}
+
+@test "what a refusal of another program's format names as a way to convert it works" {
+  printf 'ITEM: TIMESTEP\n%s\nITEM: ATOMS id type x y z radius\n1 1 1 1 1 0.5\n2 1 3 1 1 0.5\n' 0 > FILE
+  cat FILE FILE > twice && mv twice FILE
+  converts() {
+    call pack-generate --import FILE --as-is -o out.h5
+    [[ $status -eq 65 && $stderr =~ by:\ (.*\>\ NEW) ]] || show
+    eval "${BASH_REMATCH[1]}"
+    pack-generate --quiet --import NEW --as-is --force -o out.h5
+    to-vtk --text out.h5 | diff <(printf '1 1 1 0.5\n3 1 1 0.5\n') -
+    rm out.h5
+  }
+  converts
+  printf '2\nLattice="4 0 0 0 4 0 0 0 4" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 1 1 0.5\nA 3 1 1 0.5\n' > FILE
+  converts
+  printf '2 0 0 0 0 4 4 4\n1 1 1 0 0 0 0.5 0 0 0 0 0 0 0\n3 1 1 0 0 0 0.5 0 0 0 0 0 0 0\n9 9\n' > FILE
+  converts
 }
 
 @test "errors: grains that overlap, that are too large for the cell, a cell that is not periodic" {
@@ -168,13 +203,13 @@ unmade() {
   printf 'diameter [mm]\tfiner_by_mass [1]\n2\t0.5\n1\t1\n' > grading.tsv
   unmade 65 "grading.tsv: row 2: diameter 1 is not above the one before" --grading grading.tsv -o out.h5
   printf 'diameter [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t0.9\n' > grading.tsv
-  unmade 65 "grading.tsv: the last finer_by_mass must be 1" --grading grading.tsv -o out.h5
+  unmade 65 "grading.tsv: the last finer_by_mass is 0.9, not all: add the row" --grading grading.tsv -o out.h5
   printf 'diameter [mm]\tfiner_by_mass [1]\n1\tnan\n2\t1\n' > grading.tsv
   unmade 65 "grading.tsv: row 1: finer_by_mass nan must rise from 0 to 1" --grading grading.tsv -o out.h5
   printf 'diameter [inch]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
-  unmade 65 "diameter is in \"inch\": write [mm] or [m]" --grading grading.tsv -o out.h5
+  unmade 65 "grading.tsv: column diameter: 'inch' is not a known unit; known: m, mm" --grading grading.tsv -o out.h5
   printf 'size [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
-  unmade 65 "grading.tsv: no column diameter: head the columns diameter [mm] and finer_by_mass [1]" \
+  unmade 65 "grading.tsv: no column diameter among size, finer_by_mass: head the columns diameter [mm] and finer_by_mass [%]" \
     --grading grading.tsv -o out.h5
   printf 'diameter [mm]\tfiner_by_mass [1]\n1 0.5\n' > grading.tsv
   unmade 65 "grading.tsv: line 2, column 2: 1 values where the header names 2 columns" --grading grading.tsv -o out.h5
