@@ -61,7 +61,8 @@ class SpheresReader {
       const std::vector<std::string> names = header_names(kept, separator);
       if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
     }
-    grain(kept);
+    // The last cells of a row may be empty: its tabs count.
+    grain(std::string_view(plain).substr(0, plain.find('#')));
   }
 
   ImportedSpheres finish() {
@@ -142,8 +143,7 @@ class SpheresReader {
 
   void header(const std::vector<std::string>& names, char separator) {
     try {
-      // Tabs and blanks separate alike where a cell is one number.
-      take(named_columns(names), separator == '\t' ? ' ' : separator);
+      take(named_columns(names), separator);
     } catch (const DataError& error) {
       fail(fmt::format("neither numbers nor a header of x y z r: {}", error.what()));
     }
@@ -158,7 +158,7 @@ class SpheresReader {
 
   /// Columns of a text whose first line is numbers.
   void begin(std::string_view text) {
-    separator_ = separator_of_numbers(text);
+    separator_ = separator_of_numbers(trimmed(text));
     const std::vector<std::string> words = cells(text, separator_);
     if (commented_ && commented_->width == words.size() && (commented_->z || dimension_ != 3))
       return take(std::move(*commented_), separator_);

@@ -35,13 +35,24 @@ std::string unquoted(std::string_view cell) {
   return text;
 }
 
+bool is_unit(const std::string& text) {
+  try {
+    demand_unit(text);
+    return !text.empty();
+  } catch (const DataError&) {
+    return false;
+  }
+}
+
+/// "p [kPa]", and as other programs write it "p (kPa)": round brackets may also be part of a name.
 Column headed(const std::string& cell) {
-  const std::size_t bracket = cell.rfind('[');
-  if (bracket == std::string::npos || !cell.ends_with(']')) return {cell, "", "", {}};
-  return {std::string(trimmed(cell.substr(0, bracket))),
-          std::string(trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))),
-          "",
-          {}};
+  const std::size_t open = cell.find_last_of("[(");
+  const bool square = cell.ends_with(']'), round = cell.ends_with(')');
+  if (open == std::string::npos || !(square ? cell[open] == '[' : round && cell[open] == '('))
+    return {cell, "", "", {}};
+  const std::string unit(trimmed(std::string_view(cell).substr(open + 1, cell.size() - open - 2)));
+  if (round && !is_unit(unit)) return {cell, "", "", {}};
+  return {std::string(trimmed(std::string_view(cell).substr(0, open))), unit, "", {}};
 }
 
 /// One line of the table; counts lines and columns for the messages.

@@ -101,7 +101,8 @@ TEST_F(Spheres, first_lines_are_numbers_headers_or_errors) {
 
 TEST_F(Spheres, columns_go_by_their_names) {
   reads("x y z r\n1 2 3 0.25\n4 5 6 0.5\n");
-  reads("R\tZ\tY\tX\n0.25\t3\t2\t1\n0.5 6 5 4\n");
+  reads("R\tZ\tY\tX\n0.25\t3\t2\t1\n0.5\t6\t5\t4\n");
+  reads("x\ty\tz\tr\tmass [g]\n1\t2\t3\t0.25\t\n4\t5\t6\t0.5\t7\n");
   reads("id x y z diameter type\n7 1 2 3 0.5 A\n8 4 5 6 1 B\n");
   reads("x [mm] y [mm] z [mm] Radius [mm]\n1000 2000 3000 250\n4000 5000 6000 500\n");
   reads("x (mm);y (mm);z (mm);d (mm)\n1000;2000;3000;500\n4000;5000;6000;1000\n");
@@ -131,6 +132,7 @@ TEST_F(Spheres, separators_are_not_guessed) {
   refuses("x,y,z,r\n10,5,20,5,30,5,5,0\n", "8 values where 4 belong, separated by commas; with decimal commas among");
   refuses("x y z r\n1, 2, 3, 0.5\n", "line 2, column 1: \"1,\" is no finite number: columns are separated by blanks");
   refuses("x,y,z,r\n1 2 3 0.5\n", "line 2, column 2: 1 values where 4 belong, separated by commas");
+  refuses("x\ty\tz\tr\n1 2 3 0.5\n", "line 2, column 2: 1 values where 4 belong, separated by tabs");
   refuses("1;2;3;0.5\n1 2 3 0.5\n", "line 2, column 2: 1 values where 4 belong, separated by semicolons");
 }
 

@@ -64,6 +64,11 @@ TEST(Table, takes_the_separator_of_its_header) {
     EXPECT_EQ(series.columns[1].values, std::vector<double>{2});
   }
   EXPECT_EQ(from_tsv("\"a \"\"b\"\", c\",d\n1,2\n", "t").columns[0].name, "a \"b\", c");
+  const Series round = from_tsv("p (kN/m\u00b2),finer (%),q (first),r ()\n1,2,3,4\n", "t");
+  EXPECT_EQ(round.columns[0].unit, "kN/m\u00b2");
+  EXPECT_EQ(round.columns[1].unit, "%");
+  EXPECT_EQ(round.columns[2].name, "q (first)");
+  EXPECT_EQ(round.columns[3].name, "r ()");
 }
 
 TEST(Table, tells_separators_and_decimal_commas) {
