@@ -211,6 +211,23 @@ TEST(Energies, FrictionTakesItsImpulseTimesTheMeanSlip) {
   expect_heat_of_oblique_impact(HertzMindlin::Material{1e14, 0.2, std::atan(0.2), {}, {}, {}}, 1e-10);
 }
 
+// Head on, at speed v with restitution e, the dashpot takes (m*/2) v^2 (1 - e^2).
+TEST(Energies, TheDashpotTakesWhatRestitutionLeaves) {
+  const double e = 0.6, v = 2;
+  const HertzMindlin::Material hertz{1e9, 0.2, 0, e, {}, {}};
+  const Linear::Material m{1e9, 0.5, 0, e, {}, {}};
+  for (const Model& model : {Model{std::vector<HertzMindlin::Material>{hertz, hertz}}, three(m)}) {
+    const Sphere a{R, density, Vec3(0.4, 0.4, 0.4), Vec3(0, 0, v / 2)},
+        b{R, density, Vec3(0.4, 0.4, 0.4 + 2 * R), Vec3(0, 0, -v / 2)};
+    Simulation simulation(scene({a, b}, false), model, undamped(1e-8));
+    do simulation.step();
+    while (simulation.measures().contacts > 0);
+    const double taken = 0.25 * mass * v * v * (1 - e * e);
+    EXPECT_NEAR(simulation.energies().viscous, taken, 1e-3 * taken);
+    EXPECT_NEAR(simulation.energies().kinetic, 0.25 * mass * v * v * e * e, 1e-3 * taken);
+  }
+}
+
 // A grain grows at constant density: spheres as the cube, disks as the square, of their radius.
 TEST(Energies, MassOfScaledGrainsFollowsTheirVolume) {
   for (const int dimension : {3, 2}) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/error.h"
 #include "dem/forecast.h"
 #include "dem/run.h"
 #include "support/assemblies.h"
@@ -74,9 +75,65 @@ TEST(Rig, ALoadHasArrivedWhereTheGrainsBearIt) {
     rig.drive(goals, 0, simulation);
     return rig.arrived(goals, 1e-3, simulation);
   };
+  const double overlap = radius - s.position.z();  // Hertz's tangent, 2 E* sqrt(R d), is what a plate's control goes by
+  const double tangent = 2 * 1e9 / (2 * 0.96) * std::sqrt(radius * overlap);
+  EXPECT_NEAR(simulation.plate_loads()[0].stiffness, tangent, 1e-9 * tangent);
   EXPECT_TRUE(arrived(1));
   EXPECT_FALSE(arrived(0.99)) << "pressed by more than the load";
   EXPECT_FALSE(arrived(1.01)) << "pressed by less than the load";
+}
+
+// A plate of a mass that meets no grain falls freely under its load, less the damping from its second step on.
+TEST(Rig, APlateOfAMassIsAcceleratedByWhatTheGrainsDoNotBear) {
+  const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
+  const test::Sphere far{0.01, 2650, Vec3(0.1, 0.1, 0.15), Vec3::Zero()};
+  constexpr double dt = 1e-5, load = 3, weight = 0.5, damping = 0.25;
+  Simulation simulation(test::scene({far}, true), {std::vector<HertzMindlin::Material>{m, m, m}}, test::undamped(dt));
+  Rig rig({RigPart{"plate", false, 0, weight}});
+  rig.begin_stage();
+  const auto velocity = [&](const DriveGoal& goal) {
+    rig.drive({goal}, damping, simulation);
+    const Vec3 v = simulation.planes().all[0].velocity;
+    simulation.step();
+    return v;
+  };
+  const DriveGoal pressed{"plate", DriveGoal::Kind::load, Vec3::UnitZ(), load, 1};
+  const double gain = dt * load / weight;
+  EXPECT_NEAR(velocity(pressed).z(), gain, 1e-12 * gain);
+  EXPECT_NEAR(velocity(pressed).z(), gain * (1 + (1 - damping)), 1e-12 * gain);
+  // Moved along its load, to either side, it carries the load no more.
+  const DriveGoal moved{"plate", DriveGoal::Kind::displacement, -Vec3::UnitZ(), 1, 0.3};
+  EXPECT_EQ(velocity(moved), Vec3(0, 0, -0.3));
+}
+
+// Displacements count from the start of each stage, and the last step of a way is as long as what is left.
+TEST(Rig, DisplacementsCountFromTheStartOfTheStage) {
+  const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
+  const test::Sphere far{0.01, 2650, Vec3(0.1, 0.1, 0.15), Vec3::Zero()};
+  Simulation simulation(test::scene({far}, true), {std::vector<HertzMindlin::Material>{m, m, m}}, test::undamped(1e-3));
+  Rig rig({RigPart{"plate", false, 0, 0}});
+  const std::vector<DriveGoal> goals = {{"plate", DriveGoal::Kind::displacement, Vec3::UnitY(), 2.5e-3, 1}};
+  for (const double reached : {2.5e-3, 5e-3}) {
+    rig.begin_stage();
+    int steps = 0;
+    for (; !rig.moved(goals) && steps < 10; ++steps) rig.drive(goals, 0, simulation), simulation.step();
+    EXPECT_EQ(steps, 3) << "two whole ones and a half";
+    EXPECT_NEAR(simulation.planes().all[0].point.y(), reached, 1e-15);
+  }
+}
+
+// A plane may press on a grain at the start by a fiftieth of its radius and no more.
+TEST(Prepare, RefusesPlanesThatStandInTheGrains) {
+  const io::Snapshot grain = test::scene({{0.01, 2650, Vec3(0.1, 0.1, 0.1), Vec3::Zero()}}, false);
+  const auto prepared = [&](double depth) {
+    const Scenario plan = scenario(
+        fmt::format("[[plane]]\nname = \"top\"\npoint = [0, 0, {}]\nnormal = [0, 0, -1]\n[[stage]]\npath = \"drive\"\n"
+                    "[[stage.move]]\npart = \"top\"\nalong = [0, 0, 1]\ndistance = 1e-3\nspeed = 1\n",
+                    0.11 - depth));
+    return prepare(grain, plan);
+  };
+  EXPECT_NO_THROW(prepared(0.019 * 0.01));
+  EXPECT_THROW(prepared(0.021 * 0.01), DataError);
 }
 
 TEST(Path, PlatesThatBothMoveTakeHalfTheWayAtHalfTheSpeedEach) {

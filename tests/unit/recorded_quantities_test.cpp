@@ -1,0 +1,123 @@
+// Quantities that a run records and guards watch, of a few grains whose numbers can be counted by hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "dem/guard.h"
+#include "dem/overlap.h"
+#include "dem/record.h"
+#include "support/assemblies.h"
+#include "support/impact.h"
+
+namespace soilweave::dem {
+namespace {
+
+using test::scene;
+using test::Sphere;
+using test::undamped;
+
+constexpr double R = 0.01, density = 2650, E = 1e8;
+
+Model linear() {
+  const Linear::Material m{E, 0.5, 0.5, {}, {}, {}};
+  return {std::vector<Linear::Material>{m, m, m}};
+}
+Sphere at(double x, double radius = R) { return {radius, density, Vec3(x, 0.1, 0.1), Vec3::Zero()}; }
+
+double recorded(const Simulation& simulation, int dimension, const char* name) {
+  io::Series series = empty_series();
+  record(simulation, dimension, 0, series);
+  return series.at(name).values.at(0);
+}
+
+// Three grains in a row and one apart: 1, 2, 1 and 0 contacts.
+TEST(Recorded, RattlersCountInTheCoordinationNumberAloneThatSaysSo) {
+  io::Snapshot state = scene({at(0), at(1.99 * R), at(3.98 * R), at(9 * R)}, false);
+  state.grains.material_id.assign(4, 0);
+  const Simulation s(state, linear(), undamped(1e-6));
+  EXPECT_DOUBLE_EQ(recorded(s, 3, "coordination_number"), 2.0 * 2 / 4);
+  EXPECT_DOUBLE_EQ(recorded(s, 3, "mechanical_coordination_number"), (2.0 * 2 - 2) / (4 - 1 - 2));
+  // The overlap is 0.01 R; the smaller of two radii counts.
+  EXPECT_NEAR(s.largest_overlap(), 0.01, 1e-12);
+  const Simulation unequal(scene({at(0), at(2.99 * R, 2 * R)}, false), linear(), undamped(1e-6));
+  EXPECT_NEAR(unequal.largest_overlap(), 0.01, 1e-12);
+}
+
+// In the plane the deviatoric strain is the difference of the two principal ones; in space of a triaxial test 2/3 of
+// the difference.
+TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
+  for (const int dimension : {2, 3}) {
+    const Model model = testing::linear_sand();
+    Simulation s(testing::packed(model, 1e3, 60, dimension), model, {});
+    s.set_reference();
+    Mat3 gradient = Mat3::Zero();
+    gradient(dimension - 1, dimension - 1) = -1;
+    s.set_velocity_gradient(gradient);
+    for (int k = 0; k < 10; ++k) s.step();
+    const double axial = s.strain()[dimension - 1];
+    ASSERT_GT(axial, 1e-5);
+    EXPECT_NEAR(recorded(s, dimension, "strain_deviatoric"), (dimension == 3 ? 2.0 / 3.0 : 1) * axial, 1e-14);
+    EXPECT_NEAR(recorded(s, dimension, "strain_volumetric"), axial, 1e-14);
+    EXPECT_EQ(recorded(s, dimension, "strain_axial"), axial);
+  }
+}
+
+// Slowed to a share of its speed and spin, a grain has its square of the energy left; damping has the rest.
+TEST(Recorded, DragTakesOfMotionAndOfRotationAlike) {
+  Sphere s = at(0.1);
+  s.velocity = Vec3(3, 0, 4), s.spin = Vec3(0, 600, 0);
+  Simulation simulation(scene({s}, false), linear(), undamped(1e-6));
+  const double energy = 0.5 * s.mass() * (25 + 0.4 * R * R * 600 * 600);
+  EXPECT_NEAR(simulation.kinetic_energy(), energy, 1e-12 * energy);
+  simulation.slow_motion(0.5);
+  EXPECT_NEAR(simulation.kinetic_energy(), 0.25 * energy, 1e-12 * energy);
+  EXPECT_NEAR(simulation.energies().damping, 0.75 * energy, 1e-12 * energy);
+}
+
+TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
+  Simulation s(testing::packed(testing::sand(), 1e5, 60), testing::sand(), {});
+  Mat3 gradient = Mat3::Zero();
+  gradient(0, 2) = 0.5;
+  s.set_velocity_gradient(gradient);
+  for (int k = 0; k < 200; ++k) s.step();
+  const Energies before = s.energies();
+  ASSERT_GT(before.frictional, 0);
+  s.scale_radii(1.0005);
+  const Energies after = s.energies();
+  EXPECT_NEAR(after.law, before.law, 1e-9 * before.frictional);
+  EXPECT_NEAR(after.boundary_work - before.boundary_work, after.elastic() - before.elastic(), 1e-9 * after.elastic());
+}
+
+// The fastest grain goes a hundredth of the smallest radius in a step, and no slower than it may.
+TEST(Recorded, AFastGrainShortensTheStep) {
+  Sphere slow = at(0.02), fast = at(0.1, 2 * R);
+  fast.velocity = Vec3(0, 3000, 4000);
+  Simulation simulation(scene({slow, fast}, false), linear(), {});
+  const double calm = simulation.time_step();
+  simulation.step();
+  ASSERT_LT(simulation.time_step(), calm);
+  EXPECT_NEAR(simulation.time_step(), 1e-2 * R / 5000, 1e-15 * R);
+}
+
+// The limit is a share of all energy that there was and is: turned over, at the start, in motion and stored.
+TEST(Guard, WeighsTheErrorByAllEnergyTurnedOver) {
+  Numerics numerics;
+  numerics.limits.energy_error = 0.1;
+  const io::Snapshot state = scene({at(0.1)}, false);
+  const Guard guard(numerics, Bodies(state.grains), Cell(state.cell, 3), Planes(state.planes));
+  Energies e;
+  e.turned_over = 2, e.initial = 1, e.kinetic = 3, e.elastic_shear = 4;
+  const auto with_error = [&](double error) {
+    e.boundary_work = e.kinetic + e.elastic() - e.initial + error;
+    return e;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_NO_THROW(guard.balance(1, with_error(sign * 0.999)));
+    EXPECT_THROW(guard.balance(1, with_error(sign * 1.001)), PhysicsError);
+  }
+}
+
+}  // namespace
+}  // namespace soilweave::dem
