@@ -85,11 +85,13 @@ struct FemDem {
     fem::Scenario plan = fem::read_scenario(text.text, scenario.string(), overrides, std::move(given));
     plan.model.threads = invocation.threads;
     if (plan.model.law) states.clear();
-    if (check) return io::write_bytes("-", fem::forecast(plan, states));
     const fem::Ranks ranks;
+    Doubts doubts = ranks.first() ? Doubts("fem-dem") : Doubts();
+    doubts.add_all(plan.model.soil.mesh.doubts);
+    if (check) return io::write_bytes("-", fem::forecast(plan, states));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
     const fem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
-    const io::History history = io::extend(sources, invocation, plan.resolved);
+    const io::History history = io::with_doubts(io::extend(sources, invocation, plan.resolved), doubts);
     const StopSignals signals;
     std::optional<io::SafeOutput> safe;
     if (ranks.first()) safe.emplace(output, history, invocation);

@@ -50,7 +50,7 @@ constexpr std::array kinds{
          "ELF"sv,
          "a program", true},
     Kind{"version https://git-lfs"sv, "a Git LFS pointer, not the file itself; fetch it with git lfs pull", true},
-    Kind{"$MeshFormat"sv, "a binary Gmsh mesh; write it as ASCII (gmsh -0 FILE -o NEW -format msh41)", false},
+    Kind{"$MeshFormat"sv, "a binary Gmsh mesh; write it as ASCII (gmsh FILE -save -o NEW.msh)", false},
     Kind{"# vtk DataFile"sv, "a binary VTK file; write it as ASCII", false},
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -62,6 +63,11 @@ const Boundary& Mesh::boundary(const std::string& name) const {
   if (found != boundaries.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& [known, ignored] : boundaries) names.push_back(known);
+  if (names.empty())
+    throw DataError(
+        fmt::format("the mesh has no boundary \"{}\", nor any other: name one in Gmsh, as Physical "
+                    "Curve(\"{}\") = {{1}};",
+                    name, name));
   throw DataError(fmt::format("the mesh has no boundary \"{}\"{}", name, suggestion(name, names)));
 }
 
@@ -82,6 +88,52 @@ std::vector<Index> Mesh::line(const std::vector<std::string>& names) const {
   if (line.size() != edges.size() + 1)
     throw DataError(fmt::format("the boundaries {} are not connected to one line", fmt::join(names, ", ")));
   return line;
+}
+
+std::vector<std::array<Index, 2>> Mesh::coincident() const {
+  Vec2 low = nodes.front(), high = low;
+  for (const Vec2& x : nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const double near = 1e-8 * (high - low).norm();
+  std::vector<Index> order(nodes.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return nodes[a].x() < nodes[b].x(); });
+  // Runs of nodes of nearly one x, each by y.
+  std::vector<std::array<Index, 2>> pairs;
+  for (Index from = 0, to = 0; from < order.size(); from = to) {
+    for (to = from + 1; to < order.size() && nodes[order[to]].x() - nodes[order[to - 1]].x() <= near;) ++to;
+    const auto first = order.begin() + static_cast<std::ptrdiff_t>(from),
+               last = order.begin() + static_cast<std::ptrdiff_t>(to);
+    std::sort(first, last, [&](Index a, Index b) { return std::pair(nodes[a].y(), a) < std::pair(nodes[b].y(), b); });
+    for (auto at = first; at + 1 < last; ++at)
+      if ((nodes[at[1]] - nodes[at[0]]).norm() <= near)
+        pairs.push_back({std::min(at[0], at[1]), std::max(at[0], at[1])});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<Mesh::Piece> Mesh::pieces() const {
+  // A node leads on towards the first of its piece.
+  std::vector<Index> to(nodes.size());
+  std::iota(to.begin(), to.end(), Index{0});
+  const auto first = [&](Index n) {
+    while (to[n] != n) n = to[n] = to[to[n]];
+    return n;
+  };
+  for (const auto& e : elements)
+    for (Index k = 1; k < nodes_of_element(); ++k) {
+      const Index a = first(e[0]), b = first(e[k]);
+      to[std::max(a, b)] = std::min(a, b);
+    }
+  std::map<Index, Piece> of;
+  std::map<Index, double> counts;
+  for (const auto& e : elements) ++of[first(e[0])].elements;
+  for (Index n = 0; n < nodes.size(); ++n)
+    if (const auto piece = of.find(first(n)); piece != of.end())
+      piece->second.middle += nodes[n], ++counts[piece->first];
+  std::vector<Piece> all;
+  for (auto& [n, piece] : of) piece.middle /= counts[n], all.push_back(piece);
+  return all;
 }
 
 Mesh rectangle(double width, double height, Index columns, Index rows, Shape shape) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/memory.h"
 
 namespace soilweave::fem {
 namespace {
@@ -57,6 +58,12 @@ Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), r
 }
 
 void Model::make_points() {
+  double grains = 0;
+  for (const io::Snapshot& packing : setup_.packings) grains += static_cast<double>(packing.grains.size());
+  if (setup_.packings.size() == 1) grains *= static_cast<double>(soil_->points());
+  if (!setup_.law)
+    demand_memory(bytes_of_grain * grains, fmt::format("the {:.4g} grains of {} points", grains, soil_->points()),
+                  "take a coarser mesh or smaller packings");
   for (Index p = 0; p < soil_->points(); ++p) {
     if (setup_.law)
       points_.push_back(std::make_unique<ContinuumPoint>(*setup_.law));

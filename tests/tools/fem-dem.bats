@@ -93,6 +93,36 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   refuses 64 fem-dem "name the file to write with -o" elastic.toml
 }
 
+# mesh TRIANGLE...: two triangles of a unit square, by nodes counter-clockwise from (0, 0), with a word for each.
+mesh() {
+  printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$PhysicalNames' 2 '1 1 "bottom"' '1 2 "top"' '$EndPhysicalNames' '$Nodes' 4 \
+    '1 0 0 0' '2 1 0 0' '3 1 1 0' '4 0 1 0' '$EndNodes' '$Elements' $(($# + 2)) '1 1 2 1 1 1 2' '2 1 2 2 2 3 4'
+  local number=3 nodes
+  for nodes; do printf '%d 2 2 %d 1 %s\n' $number $number "$nodes" && number=$((number + 1)); done
+  printf '%s\n' '$EndElements'
+}
+
+@test "meshes of Gmsh are read as they are, and what was done to them is said" {
+  sed '/^\[mesh\]/,/^rows/d; /^\[geosynthetic/,/^$/d; s/"left"/"bottom"/; s/"right"/"bottom"/; s/^initial_stress.*//' elastic.toml > square.toml
+  mesh "1 2 3" "1 3 4" > plain.msh
+  mesh "1 2 3" "1 3 4" "1 2 3" "1 3 4" > groups.msh
+  mesh "3 2 1" "1 3 4" > clockwise.msh
+  local file series
+  fem-dem --quiet square.toml --mesh plain.msh -o plain.h5
+  series=$(fem-dem --table series plain.h5)
+  for file in groups clockwise; do
+    exits 0 fem-dem --quiet square.toml --mesh $file.msh -o $file.h5
+    [[ $file == groups || $stderr == "fem-dem: doubt: clockwise.msh: 1 of 2 elements, element 3 the first, are clockwise: turned round" ]] ||
+      show "not said"
+    [[ $(fem-dem --table series $file.h5 | cut -f 1-3) == $(cut -f 1-3 <<< "$series") ]] || show "$file: another series"
+  done
+  to-vtk --history clockwise.h5 | grep -q mesh_turned || show "not in the file"
+  mesh "1 2 3" "1 2 4" > overlap.msh
+  refuses 65 fem-dem "overlap.msh:20: element 4 and element 3 lie on the same side" square.toml --mesh overlap.msh -o out.h5
+  printf '\0' >> plain.msh
+  refuses 65 fem-dem "a binary Gmsh mesh" square.toml --mesh plain.msh -o out.h5
+}
+
 @test "what breaks is named, and left to be looked at" {
   mentions 70 fem-dem "of the geosynthetic broke: its tension of" --quiet elastic.toml --set geosynthetic.strength=500 -o out.h5
   # shellcheck disable=SC2154  # set by mentions

@@ -169,8 +169,8 @@ TEST(Gmsh, refuses_with_the_line_and_the_remedy) {
   refused("2.2 0 8", "2.2 1 8", "two.msh:2: the mesh is binary");
   refused("2.2 0 8", "3.0 0 8", "has the format 3");
   refused("4 0 2 0\n", "4 0 2 1\n", "is not in the plane z = 0");
-  refused("3 2 2 2 1 1 2 4", "3 3 2 2 1 1 2 4 4", "has elements of type 3");
-  refused("3 2 2 2 1 1 2 4", "3 2 2 2 1 1 4 2", "element 0 has the area -2 m2");
+  refused("3 2 2 2 1 1 2 4", "3 3 2 2 1 1 2 4 4", "two.msh:22: the mesh has, as element 3, a 4-node quadrilateral");
+  refused("3 2 2 2 1 1 2 4", "3 2 2 2 1 1 2 2", "two.msh:22: element 3 names a node twice");
   refused("3 2 2 2 1 1 2 4", "3 2 2 2 1 1 2 8", "names the node 8");
   refused("2 1 2 1 1 2 1", "2 1 2 1 1 3 1", "an edge that is no side of an element");
   refused("$EndElements", "", "ends too early");
