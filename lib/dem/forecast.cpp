@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/memory.h"
 #include "io/files.h"
 
 namespace soilweave::dem {
@@ -86,14 +87,6 @@ double peak_memory() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
-std::string bytes_text(double bytes) {
-  for (const char* unit : {"B", "kB", "MB"}) {
-    if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, unit);
-    bytes /= 1000;
-  }
-  return fmt::format("{:.3g} GB", bytes);
 }
 
 std::string time_text(double seconds) {

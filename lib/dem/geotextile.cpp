@@ -64,14 +64,15 @@ WireCurve from_file(const std::filesystem::path& path, std::vector<io::Source>& 
 
 }  // namespace
 
-WireCurve read_geotextile(Settings& table, std::vector<io::Source>& sources) {
+WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFiles& files,
+                          std::vector<io::Source>& sources) {
   const double factor = table.number(multiple, 1.0);
   WireCurve curve;
   double layers = 1;
   if (table.has("curve")) {
     const std::string name = table.text("curve");
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
-      curve = from_file(name, sources);
+      curve = from_file(files.path(key + ".curve", name), sources);
     } else {
       const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), layers);
       if (failure != std::errc()) layers = 1;

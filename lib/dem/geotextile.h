@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "core/named_file.h"
 #include "core/settings.h"
 #include "dem/wire.h"
 #include "io/provenance.h"
@@ -11,7 +13,9 @@
 namespace soilweave::dem {
 
 /// A [[geotextile]] table: `curve` (a name of data/geotextiles, also as a multiple, 3PP, or a TOML file) or the lists
-/// `strain` and `tension`; `multiple`; `unloading_slope`. Mistakes go to the table. Files read are added to `sources`.
-WireCurve read_geotextile(Settings& table, std::vector<io::Source>& sources);
+/// `strain` and `tension`; `multiple`; `unloading_slope`. key: the table's own, "geotextile.0". Mistakes go to the
+/// table. Files read are added to `sources`.
+WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFiles& files,
+                          std::vector<io::Source>& sources);
 
 }  // namespace soilweave::dem

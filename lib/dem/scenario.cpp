@@ -191,7 +191,10 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   s.density.push_back(read_density(document));
   for (Settings table : document.tables("material"))
     s.density.push_back(table.has("density") ? table.number(density_parameter) : s.density.front());
-  for (Settings table : document.tables("geotextile")) s.model.geotextiles.push_back(read_geotextile(table, s.sources));
+  for (Settings table : document.tables("geotextile")) {
+    const std::string key = fmt::format("geotextile.{}", s.model.geotextiles.size());
+    s.model.geotextiles.push_back(read_geotextile(table, key, {name, overrides}, s.sources));
+  }
   s.numerics = read_numerics(document);
   s.tolerances = read_tolerances(document, s.largest_station);
   s.servo = read_servo(document);

@@ -113,7 +113,10 @@ std::array<int, 3> cells_of(const Container& bag, double spacing, double outside
     for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
     return length;
   };
-  const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / spacing))); };
+  constexpr double most = 1e8;  // no memory holds so many nodes; more would not be counted
+  const auto cells = [&](double length) {
+    return static_cast<int>(std::lround(std::clamp(length / spacing, 1.0, most)));
+  };
   const int down = cells(bag.high().z() - bag.low().z() + 2 * outside);
   const auto across = [&](Eigen::Index axis) { return cells(0.5 * hoop(axis) - down * spacing); };
   return {across(0), across(1), down};

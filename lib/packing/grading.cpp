@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "io/table.h"
 
 namespace soilweave::packing {
@@ -64,6 +65,7 @@ double Grading::quantile(double fraction) const {
 }
 
 std::vector<double> Grading::radii(std::size_t n, int dimension) const {
+  demand_memory(bytes_of_grain * static_cast<double>(n), std::to_string(n) + " grains", "give fewer");
   const auto number = [&](std::size_t k) {
     const double d = quantile((static_cast<double>(k) + 0.5) / slices);
     return std::pow(d, -dimension);

@@ -9,9 +9,11 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/memory.h"
+#include "core/named_file.h"
 #include "dem/bodies.h"
 #include "dem/scenario.h"
-#include "io/files.h"
+#include "io/bytes.h"
 #include "packing/cushion.h"
 #include "packing/surface.h"
 #include "packing/tile.h"
@@ -26,9 +28,10 @@ std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
 }
 
-void read_container(Settings& document, Plan& plan) {
+void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
   static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
   static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
+  static constexpr Parameter unit{"scale", "1", 0, 1e6, true, "m in the surface's unit of length, 0.001 for mm"};
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   Settings table = document.table("container");
   const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
@@ -42,9 +45,13 @@ void read_container(Settings& document, Plan& plan) {
     if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
     plan.container = std::move(box);
   } else if (shape == "surface") {
-    const std::string file = table.text("file");
-    plan.sources.push_back(io::read_text(file, "surface").source);
-    plan.container = std::make_unique<Surface>(file);
+    const std::string word = table.text("file");
+    const double size = table.number(unit, 1.0);
+    if (!word.empty()) {
+      const std::filesystem::path file = files.path("container.file", word);
+      plan.sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
+      plan.container = std::make_unique<Surface>(file.string(), size);
+    }
   }
   if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
 }
@@ -85,15 +92,50 @@ double reach_of_soil(const Plan& plan, int axis) {
   return std::max(plan.container->high()[axis], -plan.container->low()[axis]) - plan.soil_depth();
 }
 
-// As many copies as cover the soil's part of the container, centred on the origin.
-std::array<int, 3> covering(const io::Snapshot& volume, const Plan& plan) {
-  std::array<int, 3> n = {1, 1, 1};
+// As many copies as cover the soil's part of the container, centred on the origin; real numbers, since a container in
+// another unit of length asks for more than whole ones count.
+Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
+  Vec3 n;
   for (int a = 0; a < 3; ++a) {
     const double reach = 2 * reach_of_soil(plan, a);
-    n[static_cast<std::size_t>(a)] =
-        std::max(1, static_cast<int>(std::ceil(reach / volume.cell.matrix(a, a) * (1 - 1e-9))));
+    n[a] = std::max(1.0, std::ceil(reach / volume.cell.matrix(a, a) * (1 - 1e-9)));
   }
   return n;
+}
+
+// What the copies take while they are laid: their grains once, their contacts twice, in lists that grow by halves.
+double bytes_of_copies(const io::Snapshot& volume, double copies) {
+  constexpr double grain = 3 * sizeof(Vec3) + sizeof(Vec4) + 3 * sizeof(double) + 2 * sizeof(std::int32_t);
+  constexpr double contact = 4 * sizeof(Vec3) + sizeof(Vec3i) + 4 * sizeof(double);
+  return 1.5 * copies *
+         (grain * static_cast<double>(volume.grains.size()) +
+          2 * contact * static_cast<double>(volume.contacts.size()));
+}
+
+// Refuses, before anything is made, a container for more grains than memory holds.
+std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
+  Vec3 n = covering(volume, plan);
+  if (plan.copies) n = Vec3((*plan.copies)[0], (*plan.copies)[1], (*plan.copies)[2]);
+  const std::string lack = lack_of_memory(bytes_of_copies(volume, n.prod()));
+  if (lack.empty()) return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
+  const Vec3 size = plan.container->high() - plan.container->low();
+  throw DataError(
+      fmt::format("the container of {:.4g} x {:.4g} x {:.4g} m is covered by {:.3g} grains ({:.3g} copies of the "
+                  "representative volume), which {}; lengths are in m: are these millimetres? give container.scale = "
+                  "0.001 for a surface, a unit (\"40 mm\") for others; or take coarser grains (grains.scale)",
+                  size.x(), size.y(), size.z(), n.prod() * static_cast<double>(volume.grains.size()), n.prod(), lack));
+}
+
+void demand_room_for_nodes(const Plan& plan) {
+  double nodes = 0;
+  if (plan.wrapping) {
+    const Vec3 n((*plan.wrapping)[0], (*plan.wrapping)[1], (*plan.wrapping)[2]);
+    nodes = 2 * (n.x() * n.y() + n.y() * n.z() + n.z() * n.x());
+  }
+  for (const Plan::Sheet& s : plan.sheets) nodes += (s.cells[0] + 1.0) * (s.cells[1] + 1.0);
+  constexpr double of_node = 450;  // B, with two yarns and its place in the mesh
+  demand_memory(of_node * nodes, fmt::format("the {:.3g} nodes of the geotextile", nodes),
+                "give it fewer cells, or a wider spacing");
 }
 
 void demand_cover(const io::Snapshot& block, const Plan& plan) {
@@ -132,7 +174,7 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   Plan plan;
-  read_container(document, plan);
+  read_container(document, {name, overrides}, plan);
   read_fabrics(document, plan);
   Settings grains = document.table("grains");
   plan.scale = grains.number(size, 1.0);
@@ -154,10 +196,11 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
                       const std::function<void(double)>& laid) {
   io::Snapshot state;
+  demand_room_for_nodes(plan);
   if (plan.container) {
     io::Snapshot volume = representative_volume;
     scale(volume, plan.scale);
-    const io::Snapshot block = tile(volume, plan.copies.value_or(covering(volume, plan)));
+    const io::Snapshot block = tile(volume, copies_in(volume, plan));
     demand_cover(block, plan);
     state = filter(block, [&](std::size_t i) {
       return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();

@@ -5,7 +5,6 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -20,6 +19,7 @@
 
 #include <algorithm>
 #include <boost/variant/get.hpp>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -27,6 +27,8 @@
 #include <variant>
 
 #include "core/error.h"
+#include "io/bytes.h"
+#include "io/stl.h"
 #include "io/vtk.h"
 
 #if __has_include(<CGAL/AABB_traits_3.h>)
@@ -55,7 +57,10 @@ void say_nothing(const char*, const char*, const char*, int, const char*) {}
 
 void demand_near(double coordinate, const std::string& path) {
   if (!(std::abs(coordinate) <= farthest))
-    throw DataError(fmt::format("'{}' has a corner more than {} m away; lengths are in m", path, farthest));
+    throw DataError(
+        fmt::format("'{}' has a corner more than {} m away; lengths are in m: are these millimetres? "
+                    "container.scale = 0.001 makes them m",
+                    path, farthest));
 }
 
 /// Returns the T that a result of CGAL holds, or a null pointer. CGAL 6 returns standard variants, CGAL 5 those of
@@ -69,7 +74,7 @@ const T* held(const Variant& result) {
   return boost::get<T>(&result);
 }
 
-// A surface whose triangles, of a VTK file, meet edge to edge.
+// A surface whose triangles meet edge to edge.
 bool join(const io::TriangleSoup& soup, Triangles& triangles) {
   std::vector<Kernel::Point_3> points;
   for (const Vec3& x : soup.points) points.emplace_back(x.x(), x.y(), x.z());
@@ -80,29 +85,33 @@ bool join(const io::TriangleSoup& soup, Triangles& triangles) {
   return true;
 }
 
-// Of the forms CGAL reads by itself, only STL withstands damaged files.
-Triangles read(const std::string& path) {
-  const std::string form = std::filesystem::path(path).extension();
-  if (form != ".stl" && form != ".vtp")
-    throw DataError(fmt::format("'{}': a surface is read from .stl or .vtp; convert it", path));
-  if (form == ".vtp" && io::read_vtp == nullptr)
+io::TriangleSoup soup_of(const std::string& path) {
+  std::string form = std::filesystem::path(path).extension();
+  std::transform(form.begin(), form.end(), form.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (form == ".stl") return io::read_stl(io::read_bytes(path), path);
+  if (form != ".vtp") throw DataError(fmt::format("'{}': a surface is read from .stl or .vtp; convert it", path));
+  if (io::read_vtp == nullptr)
     throw DataError(fmt::format("'{}': this program was built without VTK; convert the surface to .stl", path));
-  const io::TriangleSoup soup = form == ".vtp" ? io::read_vtp(path) : io::TriangleSoup();
-  for (const Vec3& x : soup.points)
+  return io::read_vtp(path);
+}
+
+Triangles read(const std::string& path, double scale) {
+  io::TriangleSoup soup = soup_of(path);
+  for (Vec3& x : soup.points) {
+    x *= scale;
     for (const double coordinate : x) demand_near(coordinate, path);
+  }
   CGAL::set_error_handler(say_nothing);  // or it would print what it also throws, in terms of its own sources
   Triangles triangles;
   bool known = false;
   try {
-    known = form == ".vtp" ? join(soup, triangles)
-                           : pmp::IO::read_polygon_mesh(path, triangles, CGAL::parameters::verbose(false));
+    known = join(soup, triangles);
   } catch (const std::exception&) {
     known = false;
   }
   if (!known || triangles.is_empty())
-    throw DataError(fmt::format("'{}' is no surface whose triangles meet edge to edge", path));
-  for (const auto vertex : triangles.vertices())
-    for (int a = 0; a < 3; ++a) demand_near(triangles.point(vertex)[a], path);
+    throw DataError(
+        fmt::format("'{}' is no surface whose {} triangles meet edge to edge; mend it", path, soup.triangles.size()));
   std::size_t border = 0;
   for (const auto edge : triangles.edges()) border += triangles.is_border(edge);
   if (border > 0)
@@ -116,8 +125,8 @@ Triangles read(const std::string& path) {
 }  // namespace
 
 struct Surface::Mesh {
-  explicit Mesh(const std::string& path)
-      : triangles(read(path)), tree(faces(triangles).begin(), faces(triangles).end(), triangles), side(tree) {
+  Mesh(const std::string& path, double scale)
+      : triangles(read(path, scale)), tree(faces(triangles).begin(), faces(triangles).end(), triangles), side(tree) {
     tree.accelerate_distance_queries();
   }
   Triangles triangles;
@@ -125,7 +134,7 @@ struct Surface::Mesh {
   CGAL::Side_of_triangle_mesh<Triangles, Kernel> side;
 };
 
-Surface::Surface(const std::string& path) : path_(path), mesh_(std::make_unique<Mesh>(path)) {
+Surface::Surface(const std::string& path, double scale) : path_(path), mesh_(std::make_unique<Mesh>(path, scale)) {
   const CGAL::Bbox_3 box = pmp::bbox(mesh_->triangles);
   low_ = {box.xmin(), box.ymin(), box.zmin()}, high_ = {box.xmax(), box.ymax(), box.zmax()};
   enclosed_ = pmp::volume(mesh_->triangles);
@@ -141,6 +150,7 @@ double Surface::depth(const Vec3& point) const {
 }
 
 double Surface::volume(double depth) const {
+  if (depth <= 0) return enclosed_;
   if (depths_.empty()) {
     const Vec3 extent = high_ - low_;
     const double spacing = extent.maxCoeff() / fineness;
@@ -151,7 +161,7 @@ double Surface::volume(double depth) const {
     std::sort(depths_.begin(), depths_.end());
   }
   const auto deeper = static_cast<double>(depths_.end() - std::lower_bound(depths_.begin(), depths_.end(), depth));
-  return depth <= 0 ? enclosed_ : enclosed_ * deeper / static_cast<double>(depths_.size());
+  return enclosed_ * deeper / static_cast<double>(depths_.size());
 }
 
 Chart Surface::chart() const {

@@ -14,9 +14,9 @@ namespace soilweave::packing {
 /// What a closed surface of triangles encloses.
 class Surface final : public Container {
  public:
-  /// Reads STL or VTP, lengths in m. Throws DataError where it is no surface, or one that is open, cuts itself or
-  /// encloses nothing.
-  explicit Surface(const std::string& path);
+  /// Reads STL, binary or text, or VTP. scale: m in the file's unit of length. Throws DataError where it is no surface,
+  /// or one that is open, cuts itself or encloses nothing.
+  explicit Surface(const std::string& path, double scale = 1);
   ~Surface() override;
   double depth(const Vec3& point) const override;
   Vec3 low() const override { return low_; }

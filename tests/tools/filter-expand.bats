@@ -168,6 +168,52 @@ TOML
   refuses 66 filter-expand "none.stl" packing.h5 cut.toml --set container.file=none.stl -o out.h5
 }
 
+@test "a surface may be binary, in millimetres, and lies beside its plan; one for more grains than memory holds is refused" {
+  mkdir plans
+  stl plans/cube.stl 0
+  printf '%s\n' '[container]' 'shape = "surface"' 'file = "cube.stl"' '[contact]' 'law = "hertz-mindlin"' 'young_modulus = "4 GPa"' \
+    'poisson_ratio = 0.33' 'friction_angle = 29' > plans/cut.toml
+  filter-expand --quiet packing.h5 plans/cut.toml -o text.h5
+  to-vtk --text text.h5 > text.txt
+  awk '$1 == "vertex" { $2 *= 1000; $3 *= 1000; $4 *= 1000 } { print }' plans/cube.stl > mm.stl
+  "$PYTHON" - plans/cube.stl binary.STL << 'PYTHON'
+import struct, sys
+corners = [[float(x) for x in line.split()[1:]] for line in open(sys.argv[1]) if line.startswith("vertex")]
+with open(sys.argv[2], "wb") as file:
+    file.write(b"solid, though binary".ljust(80) + struct.pack("<I", len(corners) // 3))
+    for k in range(0, len(corners), 3):
+        file.write(struct.pack("<12fH", 0, 0, 0, *sum(corners[k:k + 3], []), 0))
+PYTHON
+  # What --set names is looked for in the working folder.
+  filter-expand --quiet packing.h5 plans/cut.toml --set container.file=binary.STL -o binary.h5
+  filter-expand --quiet packing.h5 plans/cut.toml --set container.file=mm.stl --set container.scale=0.001 -o mm.h5
+  local file
+  for file in binary mm; do cmp text.txt <(to-vtk --text $file.h5) || show "$file: other grains"; done
+  head -c 400 binary.STL > short.stl
+  refuses 65 filter-expand "counts 12 triangles, which take 684 bytes, but it has 400" packing.h5 plans/cut.toml --set container.file=short.stl -o out.h5
+  refuses 65 filter-expand "are these millimetres? give container.scale = 0.001" packing.h5 plans/cut.toml --set container.file=mm.stl -o out.h5
+  sed '/^file/d; s/surface/box/' plans/cut.toml > box.toml
+  refuses 65 filter-expand "the container of 100 x 100 x 40 m is covered by" packing.h5 box.toml \
+    --set 'container.low=[-50,-50,-20]' --set 'container.high=[50,50,20]' -o out.h5
+  refuses 66 filter-expand 'no such file; container.file names "none.stl", looked for in the working folder' packing.h5 plans/cut.toml \
+    --set container.file=none.stl -o out.h5
+  rm plans/cube.stl
+  refuses 66 filter-expand 'plans/cube.stl: no such file; container.file names "cube.stl", looked for beside plans/cut.toml' packing.h5 \
+    plans/cut.toml -o out.h5
+  (ulimit -v 4000000 && refuses 65 pack-generate "100000000 grains take about 100 GB of memory, and 4.1 GB are at hand" --grains 1e8 -o out.h5)
+}
+
+@test "a curve that a scenario names lies beside it" {
+  mkdir loads
+  sed 's/^yarn_strain.*/curve = "yarn.toml"/; /^yarn_tension/d' press.toml > loads/press.toml
+  refuses 66 run-dem 'loads/yarn.toml: no such file; geotextile.0.curve names "yarn.toml", looked for beside loads/press.toml' bag.h5 \
+    loads/press.toml -o out.h5
+  grep '^yarn_' press.toml > loads/yarn.toml
+  run-dem --check bag.h5 loads/press.toml > /dev/null
+  mv loads/yarn.toml .
+  run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
+}
+
 # surface FILE SHAPE: an egg, or a ring, of triangles, as STL or VTP.
 surface() {
   "$PYTHON" - "$1" "$2" << 'PY'
