@@ -304,9 +304,13 @@ soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on fail
 	@BIN=$(CURDIR)/$(B)/bin bash tests/soak/faults.sh
 	@SOILWEAVE_TEST_LIMIT=7200 $(B)/tests/soak --gtest_brief=1
 
+.PHONY: hostile
+hostile: $(TOOLS) ## 5000 hostile inputs to every reader and option; failing ones are kept in build/hostile (minutes)
+	@$(or $(PYTHON),/usr/bin/python3) tests/fuzz/hostile.py --bin $(CURDIR)/$(B)/bin --jobs $(JOBS)
+
 .PHONY: fuzz fuzz-targets
 fuzz-targets: $(FUZZED)
-fuzz: $(TOOLS) ## every reader under libFuzzer, FUZZ_TIME=600 s each (needs clang)
+fuzz: $(TOOLS) hostile ## every reader under libFuzzer, FUZZ_TIME=600 s each (needs clang)
 	@command -v clang++ > /dev/null || { echo "make fuzz: clang++ is missing; run: apt-get install clang" >&2; exit 1; }
 	@$(AGAIN) FUZZ=1 fuzz-targets
 	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
