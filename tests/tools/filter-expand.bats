@@ -200,7 +200,7 @@ PYTHON
   rm plans/cube.stl
   refuses 66 filter-expand 'plans/cube.stl: no such file; container.file names "cube.stl", looked for beside plans/cut.toml' packing.h5 \
     plans/cut.toml -o out.h5
-  (ulimit -v 4000000 && refuses 65 pack-generate "100000000 grains take about 100 GB of memory, and 4.1 GB are at hand" --grains 1e8 -o out.h5)
+  (ulimit -v 4000000 && refuses 65 pack-generate "100000000 grains take about 100 GB of memory, and 4.1 GB are at hand" --grains 100000000 -o out.h5)
 }
 
 @test "a curve that a scenario names lies beside it" {
