@@ -85,7 +85,7 @@ echo "== $here: the same"
 owner make -j"$jobs" all
 owner make -j"$jobs" PROFILE=quick OUT=$out quickstart ch5
 
-# Packings, runs and tables; figures and pages come out as the gnuplot of a release draws them.
+# Packings, runs and tables; figures and pages come out as the Matplotlib or gnuplot of a release draws them.
 kept() {
   (cd "$1/$out" && find quickstart ch5 -type f \( -name '*.h5' -o -name '*.tsv' -o -name '*.txt' \) | LC_ALL=C sort)
 }
@@ -98,7 +98,7 @@ differences=$(
 count() {
   grep -cE "$1" <<< "$both" || true
 }
-packings=$(count '^quickstart/packing_.*\.h5$') runs=$(count '^quickstart/runs/.*\.h5$') tables=$(count '^quickstart/.*\.(tsv|txt)$')
+packings=$(count '^quickstart/packing_.*\.h5$') runs=$(count '^quickstart/triaxial_.*\.h5$') tables=$(count '^quickstart/.*\.(tsv|txt)$')
 ((packings > 0 && runs > 0 && tables > 0)) || stop "quickstart wrote $packings packings, $runs runs and $tables tables: nothing to compare"
 compared="$packings packings, $runs runs and $tables tables of quickstart, $(count '^ch5/') files of ch5"
 [[ -z $differences ]] || printf '%s\n' "$differences"
