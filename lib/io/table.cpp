@@ -166,7 +166,7 @@ std::vector<double> in_unit(const Series& table, std::string_view name, std::str
   try {
     const Column& column = table.at(name);
     if (column.unit.empty() && unit != "1")
-      throw DataError(fmt::format("has no unit: write {} [{}] in the header", name, unit));
+      throw DataError(fmt::format("has no unit: write it in the header, such as {} [{}]", name, unit));
     const double factor = unit_factor(column.unit.empty() ? unit : std::string_view(column.unit), unit);
     std::vector<double> values = column.values;
     for (double& v : values) v *= factor;

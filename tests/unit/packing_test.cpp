@@ -110,7 +110,8 @@ TEST(Grading, TellsWhatIsWrongWithATable) {
   refuses("diameter [mm]\tfiner_by_mass\n6\t0\n16\t100\n", "are these per cent?");
   refuses("diameter [mm]\tfiner_by_mass [%]\n6\t0\n10\t0.5\n16\t1\n", "the last finer_by_mass is 1 %, not all");
   refuses("diameter [mm]\tfiner_by_mass [%]\n6\t0\n16\t101\n", "finer_by_mass 101 must rise from 0 to 100 %");
-  refuses("diameter\tfiner_by_mass [%]\n6\t0\n16\t100\n", "g: column diameter: has no unit: write diameter [m]");
+  refuses("diameter\tfiner_by_mass [%]\n6\t0\n16\t100\n",
+          "g: column diameter: has no unit: write it in the header, such as diameter [m]");
   refuses("size [mm]\tfiner_by_mass [%]\n6\t0\n", "g: no column diameter among size, finer_by_mass: head the columns");
   refuses("diameter [mm]\tfiner_by_mass [%]\n", "g: no rows below the header");
   refuses("diameter [MM]\tfiner_by_mass [%]\n6\t100\n", "'MM' is not a known unit; did you mean 'mm'?");

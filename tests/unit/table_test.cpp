@@ -99,7 +99,7 @@ TEST(Table, converts_columns_by_their_units) {
   const auto refuses = [&](const char* name, const char* unit, const std::string& words) {
     expect_error<DataError>([&] { in_unit(table, name, unit, "t"); }, words);
   };
-  refuses("d", "m", "t: column d: has no unit: write d [m] in the header");
+  refuses("d", "m", "t: column d: has no unit: write it in the header, such as d [m]");
   refuses("e", "Pa", "t: column e: 'KPa' is not a known unit; did you mean 'kPa'?");
   refuses("b", "Pa", "t: column b: 'um' does not measure what 'Pa' measures");
   refuses("x", "Pa", "t: no column x among a, b, c, d, e, f");
