@@ -122,7 +122,7 @@ struct PackGenerate {
     const double rho = read_density > 0 ? read_density : density;
     std::vector<std::string> notes;
     const io::Snapshot state =
-        import.empty() ? make_cloud(rho, invocation.seed, sources) : read_import(rho, sources, notes);
+        import.empty() ? make_cloud(rho, invocation.seed, sources, notes) : read_import(rho, sources, notes);
     const std::string law = as_is && material.empty() ? "" : document.resolved();
     const io::History history = io::extend(sources, invocation, law);
     const StopSignals signals;
@@ -149,7 +149,8 @@ struct PackGenerate {
             .damping = numerics.damping};
   }
 
-  io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources) const {
+  io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources,
+                          std::vector<std::string>& notes) const {
     packing::Grading curve;
     if (grading == "toyoura") {
       curve = packing::Grading::toyoura();
@@ -157,6 +158,7 @@ struct PackGenerate {
       const io::TextFile table = io::read_text(grading, "grading");
       sources.push_back(table.source);
       curve = packing::Grading::from_tsv(table.text, grading);
+      if (const std::string lack = curve.left_out(); !lack.empty()) notes.push_back(grading + ": " + lack);
     }
     const int d = static_cast<int>(dimension);
     std::vector<double> radii = curve.radii(static_cast<std::size_t>(grains), d);

@@ -54,6 +54,12 @@ Grading Grading::toyoura() {
           {0.013, 0.021, 0.058, 0.174, 0.811, 0.927, 1.0}};
 }
 
+std::string Grading::left_out() const {
+  if (!(finer.front() > 0) || diameter.size() == 1) return "";
+  return fmt::format("what is finer than {:.4g} mm, {:.3g} % of the mass, is left out", 1e3 * diameter.front(),
+                     100 * finer.front());
+}
+
 double Grading::quantile(double fraction) const {
   fraction = finer.front() + fraction * (1 - finer.front());
   const auto above = std::upper_bound(finer.begin(), finer.end(), fraction);

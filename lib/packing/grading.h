@@ -21,6 +21,9 @@ struct Grading {
   /// The curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
   static Grading toyoura();
 
+  /// Returns what the packing lacks of the curve, "what is finer than 0.075 mm, 10 % of the mass, is left out"; empty
+  /// where the curve begins at nothing.
+  std::string left_out() const;
   /// Diameter below which a fraction lies of the mass coarser than the first point, m.
   double quantile(double fraction) const;
   /// n radii (m), largest first, at the mid-quantiles of the distribution by number that belongs to the curve in this

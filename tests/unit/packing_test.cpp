@@ -65,6 +65,12 @@ TEST(Grading, UnitsAreConverted) {
   }
 }
 
+TEST(Grading, SaysWhatIsLeftOut) {
+  EXPECT_EQ(Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\n0.075\t10\n1\t100\n", "g").left_out(),
+            "what is finer than 0.075 mm, 10 % of the mass, is left out");
+  EXPECT_EQ(Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\n0.075\t0\n1\t100\n", "g").left_out(), "");
+}
+
 TEST(Grading, OneSizeIsACurve) {
   const Grading curve = Grading::from_tsv("diameter [mm]\tfiner_by_mass [1]\n3\t1\n", "g");
   for (const double r : curve.radii(5, 3)) EXPECT_DOUBLE_EQ(r, 1.5e-3);
