@@ -303,6 +303,7 @@ TEST(Check, tells_what_is_wrong_with_a_state) {
   wrong("holds no grains", [](Snapshot& s) { s.grains = {}; });
   wrong("time is not finite", [](Snapshot& s) { s.time = std::nan(""); });
   wrong("the cell vectors span no volume", [](Snapshot& s) { s.cell.matrix(2, 2) = 0; });
+  wrong("the cell vectors span no volume, or are left-handed", [](Snapshot& s) { s.cell.matrix.col(0) *= -1; });
   wrong("the velocity gradient is not finite", [](Snapshot& s) { s.cell.velocity_gradient(0, 0) = std::nan(""); });
   wrong("grain 3 (body_id 997): radius is not positive", [](Snapshot& s) { s.grains.radius[3] = 0; });
   wrong("grain 3 (body_id 997): mass is not positive", [](Snapshot& s) { s.grains.mass[3] = -1; });

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "dem/guard.h"
-#include "dem/overlap.h"
+#include "dem/price.h"
 #include "dem/record.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
@@ -64,6 +64,24 @@ TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   }
 }
 
+// Stretched along its normal by a strain, a contact of branch l resists with l^2 kn, over the volume; against a plane l
+// is the distance to it, between grains that of their centres.
+TEST(Recorded, StiffnessOfTheCellIsThatOfItsBranches) {
+  const double kn = E * R, overlap = 0.01 * R;
+  Sphere low = at(0.1);
+  low.position.z() = R - overlap;
+  const Simulation on_plane(scene({low}, true), linear(), undamped(1e-6));
+  Sphere high = low;
+  high.position.z() += 2 * R - overlap;
+  const Simulation pair(scene({low, high}, false), linear(), undamped(1e-6));
+  const double plane_branch = R - overlap, branch = 2 * R - overlap;
+  const Vec3 against_plane = on_plane.volume() * on_plane.measures().axial_stiffness,
+             between = pair.volume() * pair.measures().axial_stiffness;
+  EXPECT_NEAR(against_plane.z(), kn * plane_branch * plane_branch, 1e-9 * kn * R * R);
+  EXPECT_NEAR(between.z(), kn * branch * branch, 1e-9 * kn * R * R);
+  EXPECT_EQ(between.x(), 0);
+}
+
 // Slowed to a share of its speed and spin, a grain has its square of the energy left; damping has the rest.
 TEST(Recorded, DragTakesOfMotionAndOfRotationAlike) {
   Sphere s = at(0.1);
@@ -99,6 +117,24 @@ TEST(Recorded, AFastGrainShortensTheStep) {
   simulation.step();
   ASSERT_LT(simulation.time_step(), calm);
   EXPECT_NEAR(simulation.time_step(), 1e-2 * R / 5000, 1e-15 * R);
+}
+
+// What a run took is told of all of it, also of what was done before it was stopped.
+TEST(Recorded, APriceGoesOnFromWhatIsKept) {
+  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  Simulation before(start, testing::sand(), {});
+  for (int k = 0; k < 100; ++k) before.step();
+  ASSERT_GT(before.step_times().looked_at, 0);
+  PriceClock clock, again;
+  Archive kept;
+  clock.archive(before, 0, kept);
+  Archive given(kept.numbers(), "memory");
+  const Simulation after(start, testing::sand(), {});
+  again.archive(after, 0, given);
+  const Price price = again.price(after, 0);
+  EXPECT_EQ(price.times.looked_at, before.step_times().looked_at);
+  for (std::size_t k = 0; k < price.times.seconds.size(); ++k)
+    EXPECT_EQ(price.times.seconds[k], before.step_times().seconds[k]);
 }
 
 // The limit is a share of all energy that there was and is: turned over, at the start, in motion and stored.
