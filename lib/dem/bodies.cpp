@@ -81,6 +81,12 @@ double Bodies::smallest_mass() const {
   return smallest;
 }
 
+double Bodies::smallest_inertia() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < size(); ++i) smallest = std::min(smallest, inertia(i));
+  return smallest;
+}
+
 double Bodies::total_mass() const {
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i) sum += mass(i);

@@ -90,6 +90,7 @@ struct Bodies {
   double largest_radius() const;
   double smallest_radius() const;
   double smallest_mass() const;
+  double smallest_inertia() const;
   double total_mass() const;
   /// What a record holds beside what is here: the identities.
   static io::GrainsRecord identities(io::GrainsRecord record);

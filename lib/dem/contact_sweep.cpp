@@ -88,18 +88,21 @@ class LawSweep final : public ContactSweep {
     return {total[0], total[1], total[2], total[3]};
   }
 
-  double stiffness(double radius, double overlap, std::int32_t materials) const override {
+  PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const override {
     Kinematics<double> kinematics{};
     kinematics.normal = {1, 0, 0};
     kinematics.overlap = overlap;
     kinematics.r1 = kinematics.r2 = radius;
     kinematics.R_star = radius / 2, kinematics.per_reach = 0.5 / radius;
     kinematics.m1 = kinematics.m2 = 1;
-    double largest = 0;
+    PairStiffness largest;
     for (const auto& couple : couples_.of_first(materials)) {
       Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
       Books<double> books;
-      largest = std::max(largest, Law::respond(couple, kinematics, 0.0, memory, books).normal_stiffness);
+      const Response<double> r = Law::respond(couple, kinematics, 0.0, memory, books);
+      largest.normal = std::max(largest.normal, r.normal_stiffness);
+      largest.rotational =
+          std::max({largest.rotational, r.rolling_stiffness, dimension == 3 ? r.twisting_stiffness : 0});
     }
     return largest;
   }

@@ -45,6 +45,11 @@ class AroundChunk {
   virtual void after(std::size_t chunk) = 0;   // all have
 };
 
+/// Stiffnesses of one contact: normal, N/m, and the larger one of rolling and, in space, twisting, N m/rad.
+struct PairStiffness {
+  double normal = 0, rotational = 0;
+};
+
 class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
@@ -59,9 +64,9 @@ class ContactSweep {
   /// Changes nothing else. Returns the affine stiffness times squared branch along the axes, summed over contacts, N m.
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
-  /// Largest normal stiffness of a grain of a material below `materials` and an equal one of any material at the given
-  /// overlap, N/m: bounds the step before contacts form.
-  virtual double stiffness(double radius, double overlap, std::int32_t materials) const = 0;
+  /// Returns the largest stiffnesses of a grain of a material below `materials` and an equal one of any material at the
+  /// given radius and overlap, m: they bound the step before contacts form (step_bound.h).
+  virtual PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const = 0;
 };
 
 /// The sweep for the law and materials of a model, eight contacts at a time where the processor has AVX-512, else four:

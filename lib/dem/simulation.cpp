@@ -15,6 +15,7 @@
 #include "dem/motion.h"
 #include "dem/neighbours.h"
 #include "dem/overlap.h"
+#include "dem/step_bound.h"
 #include "dem/step_passes.h"
 
 namespace soilweave::dem {
@@ -30,8 +31,6 @@ constexpr std::int64_t guard_interval = 256;
 // Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
 // may be too long by the root of that at most, which its safety covers.
 constexpr double overlap_growth = 2;
-// Overlap over radius of the contact that bounds the step while no stiffer one exists.
-constexpr double reference_overlap = 1e-4;
 // The fastest grain, or plane, moves at most this fraction of the smallest radius in a step.
 constexpr double largest_move = 1e-2;
 
@@ -49,11 +48,11 @@ struct Simulation::Impl {
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         guard(settings, bodies, cell, planes),
-        smallest_radius(bodies.smallest_radius()),
-        smallest_mass(bodies.smallest_mass()),
+        smallest(bodies),
         time(state.time),
         steps(state.step) {
     bodies.set_fabric(yarns.fabric_of());
+    smallest = Smallest(bodies);  // nodes do not rotate
     contacts.threads = numerics.threads;
     list_recorded(state.contacts, bodies, contacts);
     record.contacts = {};
@@ -104,7 +103,7 @@ struct Simulation::Impl {
     a.item("damping", numerics.damping);
     a.item("stable_time_step", stable), a.item("time_step", time_step);
     a.item("overlap_at_estimate", estimated_at), a.item("overlap_at_look", looked_at);
-    a.item("contacts_at_estimate", contacts_at_estimate);
+    a.item("contacts_at_estimate", contacts_at_estimate), a.whole("rotation_bounds", rotation_bounds);
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
@@ -127,7 +126,8 @@ struct Simulation::Impl {
     const SweepSums before = sums;
     const Mat3 gradient = cell.velocity_gradient();
     const bool look_at_stiffness =
-        numerics.watch_stiffness && (steps + 1) % (calm() ? calm_stiffness_interval : stiffness_interval) == 0;
+        numerics.watch_stiffness &&
+        (rotation_bounds || (steps + 1) % (calm() ? calm_stiffness_interval : stiffness_interval) == 0);
     motion.set_out(cell, numerics.gravity, numerics.damping, dt, bodies);
     PassTime beside_sweep;
     StepPasses passes(list_outlasts_step(), contacts, motion, bodies, clock.on() ? &beside_sweep : nullptr);
@@ -164,7 +164,7 @@ struct Simulation::Impl {
   // grains comes after the forces are collected, by which their speed is foreseen.
   bool list_outlasts_step() const {
     return planes.all.empty() && !yarns.any() && clamps.all.empty() &&
-           neighbours.outlast(motion.gain_bound(smallest_mass), cell.velocity_gradient(), time_step);
+           neighbours.outlast(motion.gain_bound(smallest.mass), cell.velocity_gradient(), time_step);
   }
 
   void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
@@ -207,7 +207,7 @@ struct Simulation::Impl {
 
   // No overlap may be deeper than this share of the smallest radius, m; once one was, since its grains are larger, the
   // next look comes when it has grown.
-  double alarm() const { return std::max(numerics.limits.overlap * smallest_radius, 1.1 * looked_at); }
+  double alarm() const { return std::max(numerics.limits.overlap * smallest.radius, 1.1 * looked_at); }
   void look_at_overlap() {
     looked_at = sums.largest_overlap;
     if (const DeepestContact c = deepest(); c.relative > numerics.limits.overlap)
@@ -234,17 +234,16 @@ struct Simulation::Impl {
 
   // s, from the grains' stiffnesses, which are used up.
   double stability_limit() {
-    const double r = smallest_radius;
-    const auto materials = 1 + *std::max_element(bodies.material.begin(), bodies.material.end());
-    const double reference =
-        std::sqrt(2.0 * smallest_mass / (4.0 * sweep->stiffness(r, reference_overlap * r, materials)));
+    const StepBound to_come = bound_to_come(*sweep, bodies, smallest);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
-    return std::min({reference, nodes, motion.stable_time_step(contacts, bodies)});
+    const double others = std::min({to_come.translation, nodes, motion.stable_time_step(contacts, bodies)});
+    rotation_bounds = to_come.rotation < others;
+    return std::min(others, to_come.rotation);
   }
 
   // Whether the largest overlap is so many times what it was when the step was last estimated.
   bool outgrown(double times) const {
-    return sums.largest_overlap > times * std::max(estimated_at, reference_overlap * smallest_radius);
+    return sums.largest_overlap > times * std::max(estimated_at, reference_overlap * smallest.radius);
   }
   bool calm() const {
     return !yarns.any() && !outgrown(calm_overlap_growth) &&
@@ -262,8 +261,8 @@ struct Simulation::Impl {
 
   void limit_move(double fastest) {
     time_step = stable;
-    if (!numerics.time_step && fastest * stable > largest_move * smallest_radius)
-      time_step = largest_move * smallest_radius / fastest;
+    if (!numerics.time_step && fastest * stable > largest_move * smallest.radius)
+      time_step = largest_move * smallest.radius / fastest;
   }
 
   double fastest_plane() const {
@@ -289,11 +288,14 @@ struct Simulation::Impl {
   SweepSums sums;
   Measures measures;
   Energies energies;
-  double smallest_radius, smallest_mass;  // m, kg
+  Smallest smallest;
   double stable = 0, time_step = 0, time = 0;
   double estimated_at = 0;                // largest overlap when the step was last estimated, m
   std::int64_t contacts_at_estimate = 0;  // how many there were then
-  double looked_at = 0;                   // largest overlap when it was last compared with the grains' own radii, m
+  // Whether rolling or twisting in contacts still to come bounds the step. Each contact that a grain gets then counts
+  // at full stiffness at once, so that the stiffness is looked at in every step.
+  bool rotation_bounds = false;
+  double looked_at = 0;  // largest overlap when it was last compared with the grains' own radii, m
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
@@ -363,8 +365,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   Impl& s = *impl_;
   const Energies before = s.stored();
   s.bodies.scale_radii(factor, stretch);
-  s.smallest_radius = s.bodies.smallest_radius();
-  s.smallest_mass = s.bodies.smallest_mass();
+  s.smallest = Smallest(s.bodies);
   s.neighbours = Neighbours(s.bodies.largest_radius());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.meet();

@@ -68,7 +68,7 @@ class Grower {
         node_(analysis::nodes(start)) {
     const double r = *std::max_element(start.grains.radius.begin(), start.grains.radius.end());
     const double u = growth.negligible * r;
-    least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1) * u;
+    least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1, 3).normal * u;
     if (last) {
       at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
       history_ = std::move(last->series);
