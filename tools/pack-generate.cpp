@@ -1,7 +1,6 @@
 // pack-generate: from a grading curve to a packing of given void ratio at given pressure.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -14,48 +13,38 @@
 #include "io/safe_output.h"
 #include "io/spheres_text.h"
 #include "packing/cloud.h"
+#include "packing/doubtful.h"
 #include "packing/generate.h"
 #include "packing/grading.h"
 #include "packing/spatial_order.h"
+#include "packing/standard.h"
 
 namespace {
 
 using namespace soilweave;
 
-constexpr Parameter grains_parameter{"grains", "1", 10, 1e8, false, "number of grains", "fewer cannot carry a load"};
+constexpr Parameter grains_parameter{
+    "grains", "1", 10, 1e8, false, "number of grains; more for a wide grading", "fewer cannot carry a load"};
 constexpr Parameter void_ratio_parameter{"void_ratio", "1", 0, 5, true, "void ratio to reach"};
-constexpr Parameter pressure_parameter{"pressure",
-                                       "Pa",
-                                       0,
-                                       1e12,
-                                       true,
-                                       "isotropic pressure it holds at",
-                                       "a packing needs contacts, and contacts need a pressure"};
+constexpr Parameter pressure_parameter{
+    "pressure", "Pa", 0, 1e12, true, "isotropic pressure it holds at", "contacts need a pressure"};
 constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean radius the grading is scaled to"};
 constexpr Parameter cloud_parameter{
     "cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud", "grains placed at random jam below it"};
 constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
 constexpr Parameter dimension_parameter{"dimension", "1", 2, 3, false, "3 for spheres, 2 for disks"};
+constexpr Parameter coarsest_parameter{"coarsest", "m", 0, 1e3, true, "coarser grains of the grading are left out"};
 constexpr Parameter density_parameter{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included"};
-constexpr Parameter rate_parameter{"max_rate", "1/s", 0, 1e3, true, "largest strain rate while compressing"};
+constexpr Parameter rate_parameter{"max_rate", "1/s", 0,
+                                   1e3,        true,  "largest strain rate of compression [1, or fit for the size]"};
 constexpr Parameter tolerance_parameter{"tolerance", "1", 0, 1, true, "unbalanced force of an equilibrium"};
-
-// Thesis Table 3.1, soil.
-constexpr std::string_view default_material =
-    "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
-    "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = \"none\"\n";
-
-// Solid volume per grain of the thesis's representative volume of 1000 grains, 46.2202 x 46.1205 x 92.1203 mm at a void
-// ratio of 0.6798, m3: the built-in curve is scaled to it. Grains are of the same size however many they are, since
-// parameters that hold a length, as the absolute rolling stiffness does, belong to a size.
-constexpr double thesis_solids = 1.169e-7;
 
 struct PackGenerate {
   std::filesystem::path output, material, import;
   std::string grading = "toyoura", cell;
   std::int64_t grains = 1000, dimension = 3;
-  std::optional<double> void_ratio, mean_radius;
-  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, density = 2650e3, max_rate = 1, tolerance = 1e-3;
+  std::optional<double> void_ratio, coarsest, mean_radius, max_rate;
+  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, density = 2650e3, tolerance = 1e-3;
   double interval = 300;
   bool as_is = false;
 
@@ -71,10 +60,11 @@ struct PackGenerate {
     table.option(void_ratio, void_ratio_parameter);
     table.option(pressure, pressure_parameter);
     table.option(dimension, dimension_parameter);
+    table.option(coarsest, coarsest_parameter);
     table.option(mean_radius, radius_parameter);
     table.option(aspect, aspect_parameter);
     table.option(cloud_void_ratio, cloud_parameter);
-    table.option(material, "material", "FILE", "TOML with [contact] and [grains]; default: thesis Table 3.1");
+    table.option(material, "material", "FILE", "TOML with [contact], [grains]; default: thesis, fit for the size");
     table.option(density, density_parameter);
     table.option(max_rate, rate_parameter);
     table.option(tolerance, tolerance_parameter);
@@ -94,15 +84,14 @@ struct PackGenerate {
     if (!cell.empty() && is_ours()) throw UsageError("--cell: " + import.string() + " has a cell of its own");
     if (!cell.empty()) io::periodic_cell(cell, "--cell");
     const PackGenerate standard;
-    const bool new_cloud = grading != standard.grading || grains != standard.grains || mean_radius ||
+    const bool new_cloud = grading != standard.grading || grains != standard.grains || coarsest || mean_radius ||
                            aspect != standard.aspect || cloud_void_ratio != standard.cloud_void_ratio ||
                            (is_ours() && dimension != standard.dimension);
     if (!import.empty() && new_cloud)
       throw UsageError(
-          "--grading, --grains, --mean-radius, --aspect, --cloud-void-ratio and, beside a packing file, --dimension "
-          "are of a new packing: leave them out with --import");
-    const bool load =
-        void_ratio || pressure != standard.pressure || max_rate != standard.max_rate || tolerance != standard.tolerance;
+          "--grading, --grains, --coarsest, --mean-radius, --aspect, --cloud-void-ratio and, beside a packing file, "
+          "--dimension are of a new packing: leave them out with --import");
+    const bool load = void_ratio || pressure != standard.pressure || max_rate || tolerance != standard.tolerance;
     if (as_is && load)
       throw UsageError(
           "--void-ratio, --pressure, --max-rate and --tolerance would change the packing: leave out --as-is");
@@ -110,71 +99,76 @@ struct PackGenerate {
 
   void run(const tool::Invocation& invocation) const {
     std::vector<io::Source> sources;
-    const io::TextFile text =
-        material.empty() ? io::TextFile{std::string(default_material), {}} : io::read_text(material, "material");
-    if (!material.empty()) sources.push_back(text.source);
-    Settings document = Settings::parse(text.text, material.empty() ? "default material" : material.string());
-    const dem::Model model = dem::read_model(document);
-    const double read_density = dem::read_density(document);
-    dem::Numerics numerics = dem::read_numerics(document);
-    document.finish();
-    numerics.threads = invocation.threads;
-    const double rho = read_density > 0 ? read_density : density;
+    std::optional<packing::Contacts> given;
+    if (!material.empty()) {
+      const io::TextFile text = io::read_text(material, "material");
+      sources.push_back(text.source);
+      given = packing::Contacts(text.text, material.string());
+    }
+    const double rho = given && given->density > 0 ? given->density : density;
     std::vector<std::string> notes;
-    const io::Snapshot state =
-        import.empty() ? make_cloud(rho, invocation.seed, sources, notes) : read_import(rho, sources, notes);
-    const std::string law = as_is && material.empty() ? "" : document.resolved();
-    const io::History history = io::extend(sources, invocation, law);
+    std::optional<packing::Room> room;
+    if (import.empty()) room = read_room(sources, notes);
+    const io::Snapshot state = room ? make_cloud(*room, rho, invocation) : read_import(rho, sources, notes);
+    const double radius = packing::mean_radius(state);
+    packing::Contacts contacts =
+        given ? *given : packing::Contacts(packing::default_material(radius), "default material");
+    contacts.numerics.threads = invocation.threads;
+    const io::History history = io::extend(sources, invocation, as_is && !given ? "" : contacts.resolved);
     const StopSignals signals;
     Progress progress("pack-generate", invocation.quiet);
     for (const std::string& note : notes) progress.note("pack-generate: " + note);
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
     if (as_is) {
-      const dem::Simulation checked(state, model, numerics);  // refuses grains that overlap too much
+      const dem::Simulation checked(state, contacts.model, contacts.numerics);  // refuses grains that overlap too much
       return void(safe.write([&] { io::write_packing(output, state, history); }));
     }
+    packing::Recipe recipe;
+    recipe.pressure = pressure, recipe.void_ratio = void_ratio, recipe.tolerances.unbalanced_force = tolerance;
+    recipe.max_rate = max_rate.value_or(given ? 1 : packing::default_rate(radius));
+    recipe.damping = contacts.numerics.damping, recipe.room = room;
     const packing::Report report = [&](double f, const std::string& detail) { progress.update(f, detail); };
     packing::Result result =
-        packing::compact(state, model, numerics, recipe(numerics), report, {safe.part(), interval, &signals});
-    result.price.output += safe.write([&] { io::write_packing(output, result.state, history); });
+        packing::compact(state, contacts.model, contacts.numerics, recipe, report, {safe.part(), interval, &signals});
+    const std::vector<Doubt> about = packing::doubts_about(result.state, contacts.model, room);
+    Doubts("pack-generate").add_all(about);
+    Doubts doubts;
+    if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // said by the error below
+    doubts.add_all(about);
+    const io::History with = io::with_doubts(history, doubts);
+    result.price.output += safe.write([&] { io::write_packing(output, result.state, with); });
     if (output != "-") progress.note("pack-generate: " + result.price.line());
+    if (result.unheld) throw TargetNotReached(*result.unheld);
   }
 
-  packing::Recipe recipe(const dem::Numerics& numerics) const {
-    return {.pressure = pressure,
-            .void_ratio = void_ratio,
-            .tolerances = {.unbalanced_force = tolerance},
-            .max_rate = max_rate,
-            .damping = numerics.damping};
-  }
-
-  io::Snapshot make_cloud(double rho, std::uint64_t seed, std::vector<io::Source>& sources,
-                          std::vector<std::string>& notes) const {
-    packing::Grading curve;
-    if (grading == "toyoura") {
-      curve = packing::Grading::toyoura();
-    } else {
+  // The grading and the cell that its grains are to fill.
+  packing::Room read_room(std::vector<io::Source>& sources, std::vector<std::string>& notes) const {
+    packing::Grading curve = packing::Grading::toyoura();
+    if (grading != "toyoura") {
       const io::TextFile table = io::read_text(grading, "grading");
       sources.push_back(table.source);
       curve = packing::Grading::from_tsv(table.text, grading);
       if (const std::string lack = curve.left_out(); !lack.empty()) notes.push_back(grading + ": " + lack);
     }
-    const int d = static_cast<int>(dimension);
-    std::vector<double> radii = curve.radii(static_cast<std::size_t>(grains), d);
-    scale(radii);
-    return packing::cloud(radii, cloud_void_ratio, {1, d == 2 ? aspect : 1.0, aspect}, d, rho, seed);
+    if (coarsest) curve = curve.up_to(*coarsest);
+    return {curve, static_cast<int>(dimension), {1, dimension == 2 ? aspect : 1.0, aspect}, cloud_void_ratio};
   }
 
-  void scale(std::vector<double>& radii) const {
-    double sum = 0, cubes = 0;
-    for (const double r : radii) sum += r, cubes += r * r * r;
-    double factor = 1;
+  // A number of grains that was given is kept; the default one is raised to what a wide grading takes.
+  io::Snapshot make_cloud(const packing::Room& room, double rho, const tool::Invocation& invocation) const {
+    const auto names_grains = [](const std::string& word) { return word.starts_with("--grains"); };
+    auto n = static_cast<std::size_t>(grains);
+    if (std::none_of(invocation.arguments.begin(), invocation.arguments.end(), names_grains))
+      n = packing::enough_grains(room, void_ratio, n);
+    if (void_ratio) room.at(*void_ratio).demand(n);
+    room.demand(n);
+    std::vector<double> radii = room.curve.radii(n, room.dimension);
     if (mean_radius)
-      factor = *mean_radius * static_cast<double>(radii.size()) / sum;
+      packing::scale_to_mean(*mean_radius, radii);
     else if (grading == "toyoura")
-      factor = std::cbrt(thesis_solids * static_cast<double>(radii.size()) / (4.0 / 3.0 * std::numbers::pi * cubes));
-    for (double& r : radii) r *= factor;
+      packing::scale_to_thesis(radii);
+    return packing::cloud(radii, cloud_void_ratio, room.proportions, room.dimension, rho, invocation.seed);
   }
 
   bool is_ours() const { return import.extension() == ".h5"; }

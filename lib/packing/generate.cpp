@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "dem/moment.h"
 #include "dem/scenario.h"
+#include "packing/ahead.h"
 
 namespace soilweave::packing {
 namespace {
@@ -24,8 +25,13 @@ constexpr std::int64_t room_interval = 8;  // steps
 // While friction is being lowered the equilibria need not be as good as the last one.
 constexpr double coarse_equilibrium = 10;
 
-// What is being done, each until an equilibrium.
-enum class Phase { compressing, choosing, lowering, restoring, ending, done };
+// A void ratio is held at rest within this many tolerances.
+constexpr double held = 4;
+// A new attempt begins at a multiple of all the intervals at which a simulation looks at itself.
+constexpr std::int64_t first_step_multiple = 512;
+
+// What is being done, each until an equilibrium. `bare`: friction was lowered to nothing, and is restored once more.
+enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
 
 // How far the work is.
 struct Position {
@@ -35,11 +41,21 @@ struct Position {
   double lowered = 0, lowest = 0;    // rad
   double aim = 0, at_restoring = 0;  // void ratios
   double lead = 0;  // void ratio that falls a little after friction is restored: that much is left for it
+  // Of an attempt after the first: by how much those before it fell below the target; rad, friction angles at which
+  // clouds came to rest looser and denser than it; the one that this cloud is compressed at, 0: full friction.
+  double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
+  double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without any
+  std::int64_t attempt = 0;
+  std::int64_t skipped = 0;        // numbers of steps that no attempt took
+  std::int64_t contact_steps = 0;  // of the attempts before
 
   void archive(Archive& a) {
     a.whole("phase", phase), a.item("phase_first_step", first);
     a.item("friction", friction), a.item("lowered", lowered), a.item("lowest", lowest);
     a.item("aim", aim), a.item("at_restoring", at_restoring), a.item("lead", lead);
+    a.item("least_lead", least_lead), a.item("loose_angle", loose_angle), a.item("dense_angle", dense_angle);
+    a.item("cloud_angle", cloud_angle), a.item("loosest", loosest), a.item("frictionless", frictionless);
+    a.item("attempt", attempt), a.item("skipped_steps", skipped), a.item("contact_steps_before", contact_steps);
   }
 };
 
@@ -47,7 +63,9 @@ class Compaction {
  public:
   Compaction(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
              const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
-      : model_(model),
+      : cloud_(cloud),
+        model_(model),
+        numerics_(numerics),
         recipe_(recipe),
         report_(report),
         dimension_(cloud.grains.dimension),
@@ -65,6 +83,7 @@ class Compaction {
       if (at_.friction > 0) set_friction(at_.friction);
     } else {
       if (recipe.void_ratio) demand_room(*recipe.void_ratio);
+      demand_feasible(simulation_, model, recipe, mean_radius(cloud), dimension_, numerics.limits.overlap);
       simulation_.set_damping(recipe.damping);
     }
     const dem::AxisGoal goal{dem::AxisGoal::Kind::stress, recipe.pressure, recipe.max_rate};
@@ -73,14 +92,15 @@ class Compaction {
 
   Result run() {
     while (at_.phase != Phase::done) go_on();
-    if (recipe_.void_ratio) demand_held(*recipe_.void_ratio);
     demand_room(simulation_.void_ratio());
     simulation_.set_reference();
     simulation_.set_velocity_gradient(Mat3::Zero());
     io::Snapshot state = simulation_.snapshot();
     state.step = 0;
     state.time = 0;
-    return {std::move(state), simulation_.void_ratio(), at_.lowest, clock_.price(simulation_, keeper_.seconds())};
+    dem::Price price = clock_.price(simulation_, keeper_.seconds());
+    price.steps -= at_.skipped, price.contact_steps += at_.contact_steps;
+    return {std::move(state), simulation_.void_ratio(), at_.lowest, price, unheld()};
   }
 
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
@@ -95,12 +115,8 @@ class Compaction {
   void go_on() {
     switch (at_.phase) {
       case Phase::compressing:
-        settle("compression", 0);
-        demand_room(simulation_.void_ratio());
-        if (recipe_.void_ratio) demand_looser(*recipe_.void_ratio);
-        at_.lead = recipe_.void_ratio_tolerance;
-        at_.lowered = angle_;
-        return enter(Phase::choosing);
+        if (!settle("compression", too_dense())) demand_room(simulation_.void_ratio());
+        return compressed();
       case Phase::choosing:
         return choose();
       case Phase::lowering:
@@ -114,7 +130,11 @@ class Compaction {
         return enter(Phase::choosing);
       case Phase::ending:
         settle("friction restored", 0);
-        return enter(Phase::done);
+        return conclude();
+      case Phase::bare:
+        settle("friction restored", 0);
+        if (is_held()) return enter(Phase::done);
+        return refuse_denser();
       case Phase::done:
         return;
     }
@@ -124,17 +144,19 @@ class Compaction {
   void choose() {
     if (!recipe_.void_ratio) return enter(Phase::done);
     const double target = *recipe_.void_ratio, now = simulation_.void_ratio();
-    if (now <= target + recipe_.void_ratio_tolerance) {
+    // An attempt after the first takes what will do, rather than set off another fall.
+    const double close = at_.attempt == 0 ? 1 : 0.75 * held;
+    if (now <= target + close * recipe_.void_ratio_tolerance) {
       if (at_.lowered == angle_) return enter(Phase::done);
       set_friction(angle_);
       return enter(Phase::ending);
     }
     at_.lowered *= recipe_.friction_factor;
-    if (at_.lowered < dem::lowest_friction)
-      throw TargetNotReached(
-          fmt::format("void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}; "
-                      "raise the pressure, lower the rolling stiffness, or widen the grading",
-                      target, recipe_.pressure, now));
+    if (at_.lowered < dem::lowest_friction) {
+      at_.frictionless = now;
+      set_friction(angle_);
+      return enter(Phase::bare);
+    }
     at_.lowest = at_.lowered;
     set_friction(at_.lowered);
     at_.aim = target + std::min(at_.lead, 0.5 * (now - target));
@@ -146,30 +168,106 @@ class Compaction {
     const Vec3 widths = simulation_.cell_matrix().inverse().rowwise().norm().cwiseInverse();
     const double shrunk = std::pow((1 + void_ratio) / (1 + simulation_.void_ratio()), 1.0 / dimension_);
     const double narrowest = shrunk * widths.head(dimension_).minCoeff();
-    if (largest_ >= widest_grain * narrowest)
-      throw DataError(
-          fmt::format("at a void ratio of {:.4g} the cell is {:.4g} m wide, and the largest grain is {:.4g} m across: "
-                      "not less than half the cell; take more grains or a more even cell",
-                      void_ratio, narrowest, largest_));
+    if (largest_ < widest_grain * narrowest) return;
+    const std::size_t grains = simulation_.grains();
+    if (recipe_.room) recipe_.room->at(void_ratio).refuse(grains, narrowest / largest_);
+    throw DataError(fmt::format(
+        "at a void ratio of {:.4g} the cell is {:.3g} diameters of the largest grain wide, not less than half the "
+        "cell: at least {} are needed; take at least {:.0f} such grains, or a more even cell",
+        void_ratio, narrowest / largest_, least_diameters,
+        1.1 * static_cast<double>(grains) * std::pow(least_diameters * largest_ / narrowest, dimension_)));
+  }
+
+  bool is_held() const {
+    return std::abs(simulation_.void_ratio() - *recipe_.void_ratio) <= held * recipe_.void_ratio_tolerance;
+  }
+
+  // Void ratio at which an attempt ends while the cloud is compressed, since its friction is too low. 0: the first and
+  // the last attempt go on to the end.
+  double too_dense() const {
+    if (at_.attempt == 0 || at_.attempt + 1 == recipe_.most_attempts) return 0;
+    return *recipe_.void_ratio - held * recipe_.void_ratio_tolerance;
+  }
+
+  // The cloud has been compressed, at full friction in the first attempt.
+  void compressed() {
+    const double now = simulation_.void_ratio();
+    if (at_.attempt == 0) {
+      at_.loosest = now;
+      if (recipe_.void_ratio) demand_looser(*recipe_.void_ratio);
+    }
+    at_.lead = std::max(recipe_.void_ratio_tolerance, at_.least_lead);
+    at_.lowered = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
+    if (now <= too_dense()) {
+      at_.dense_angle = at_.lowered;
+      return begin_again();
+    }
+    enter(Phase::choosing);
+  }
+
+  // At rest with all friction: done, or looser than the target still, or once more from the cloud.
+  void conclude() {
+    const double fallen = *recipe_.void_ratio - simulation_.void_ratio();
+    if (is_held()) return enter(Phase::done);
+    if (fallen < 0) return enter(Phase::choosing);
+    if (at_.attempt + 1 == recipe_.most_attempts) return enter(Phase::done);
+    at_.least_lead += fallen;
+    at_.loose_angle = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
+    begin_again();
+  }
+
+  // Compresses the cloud anew at a friction between those that left it looser and denser than the target, and then
+  // restores friction earlier by as much as the grains fell. Grains that support each other barely do not stop where
+  // they are told to: they come to rest at few void ratios, but at others from another friction.
+  void begin_again() {
+    Position next;
+    next.attempt = at_.attempt + 1;
+    next.least_lead = at_.least_lead, next.loosest = at_.loosest;
+    next.loose_angle = at_.loose_angle, next.dense_angle = at_.dense_angle;
+    next.contact_steps = at_.contact_steps + simulation_.contact_steps();
+    if (at_.attempt > 0 || at_.loosest > *recipe_.void_ratio + held * recipe_.void_ratio_tolerance)
+      next.cloud_angle = 0.5 * (next.loose_angle + next.dense_angle);
+    io::Snapshot start = cloud_;
+    start.step = (simulation_.steps() / first_step_multiple + 1) * first_step_multiple;
+    next.skipped = at_.skipped + start.step - simulation_.steps();
+    simulation_ = dem::Simulation(start, model_, numerics_);
+    simulation_.set_damping(recipe_.damping);
+    servo_ = dem::Servo();
+    at_ = next;
+    if (at_.cloud_angle > 0) set_friction(at_.cloud_angle);
+    enter(Phase::compressing);
   }
 
   void demand_looser(double target) const {
-    const double loosest = simulation_.void_ratio();
-    if (loosest >= target - recipe_.void_ratio_tolerance) return;
-    throw TargetNotReached(fmt::format(
-        "void ratio {:.4f} is not reached at {:.4g} Pa: at the full friction angle of {:.4g} deg the packing is "
-        "already at "
-        "{:.4f}; raise the friction angle or the rolling stiffness, lower the pressure, or ask for a denser packing",
-        target, recipe_.pressure, angle_ / degree, loosest));
+    if (at_.loosest >= target - recipe_.void_ratio_tolerance) return;
+    throw TargetNotReached(
+        fmt::format("void ratio {:.4f} is not reached at {:.4g} Pa: at the full friction angle of {:.4g} deg the "
+                    "packing is already at "
+                    "{:.4f}; ask for at most {:.4f}",
+                    target, recipe_.pressure, angle_ / degree, at_.loosest, downwards(at_.loosest)));
   }
 
-  void demand_held(double target) const {
-    if (std::abs(simulation_.void_ratio() - target) <= 4 * recipe_.void_ratio_tolerance) return;
+  [[noreturn]] void refuse_denser() const {
+    const double densest = simulation_.void_ratio();
     throw TargetNotReached(fmt::format(
-        "void ratio {:.4f} is not held at {:.4g} Pa: the packing settled at {:.4f} as friction was restored; "
-        "lower the rate (--max-rate) or raise the damping",
-        target, recipe_.pressure, simulation_.void_ratio()));
+        "void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}, and is at {:.4f} "
+        "with all friction restored; ask for one from {:.4f} to {:.4f}",
+        *recipe_.void_ratio, recipe_.pressure, at_.frictionless, densest, upwards(densest), downwards(at_.loosest)));
   }
+
+  std::optional<std::string> unheld() const {
+    if (!recipe_.void_ratio || is_held()) return std::nullopt;
+    return fmt::format(
+        "void ratio {:.4f} is not held at {:.4g} Pa: in {} attempts the packing settled elsewhere as friction was "
+        "restored, "
+        "at last at {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
+        *recipe_.void_ratio, recipe_.pressure, at_.attempt + 1, simulation_.void_ratio(),
+        held * recipe_.void_ratio_tolerance);
+  }
+
+  // To the four digits of a message, towards what is in reach.
+  static double upwards(double void_ratio) { return std::ceil(1e4 * void_ratio) / 1e4; }
+  static double downwards(double void_ratio) { return std::floor(1e4 * void_ratio) / 1e4; }
 
   void set_friction(double angle) {
     at_.friction = angle;
@@ -189,15 +287,24 @@ class Compaction {
       if (dem::Servo::settled(goals_, dimension_, tolerances, simulation_)) return false;
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (report_ && steps % dem::report_interval == 0) tell(stage);
-      if (steps > recipe_.largest_stage)
-        throw TargetNotReached(
-            fmt::format("{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio "
-                        "{:.4f}): raise the "
-                        "damping or loosen the tolerance",
-                        stage, recipe_.pressure, steps, simulation_.unbalanced_force(),
-                        recipe_.tolerances.unbalanced_force, simulation_.void_ratio()));
+      if (steps > recipe_.largest_stage) throw TargetNotReached(unsettled(stage, steps));
       keeper_.after_step([this] { return moment(); });
     }
+  }
+
+  std::string unsettled(const char* stage, std::int64_t steps) const {
+    if (simulation_.measures().contacts == 0)
+      return fmt::format(
+          "{}: grains have not come together after {} steps (void ratio {:.4f}): raise the rate (--max-rate) or scale "
+          "the "
+          "density (--density)",
+          stage, steps, simulation_.void_ratio());
+    return fmt::format(
+        "{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio {:.4f}): loosen "
+        "the "
+        "tolerance (--tolerance) or raise numerics.damping (--material)",
+        stage, recipe_.pressure, steps, simulation_.unbalanced_force(), recipe_.tolerances.unbalanced_force,
+        simulation_.void_ratio());
   }
 
   io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), {}, servo_, at_); }
@@ -210,7 +317,9 @@ class Compaction {
                         mean(m.stress, dimension_), e, simulation_.unbalanced_force()));
   }
 
+  const io::Snapshot& cloud_;
   dem::Model model_;
+  dem::Numerics numerics_;
   const Recipe& recipe_;
   const Report& report_;
   int dimension_;

@@ -5,12 +5,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dem/control.h"
 #include "dem/keeper.h"
 #include "dem/model.h"
 #include "dem/price.h"
 #include "io/records.h"
+#include "packing/standard.h"
 
 namespace soilweave::packing {
 
@@ -23,6 +25,8 @@ struct Recipe {
   double damping = 0.2;                    // Cundall's, throughout
   double friction_factor = 0.8;            // of the friction angle, each time equilibrium is reached
   std::int64_t largest_stage = 2'000'000;  // steps after which an equilibrium counts as unreachable
+  int most_attempts = 8;                   // at a void ratio that is not held at rest, each restoring friction earlier
+  std::optional<Room> room = {};           // of the grading; where it is known, errors say how many grains are enough
 };
 
 struct Result {
@@ -30,15 +34,20 @@ struct Result {
   double void_ratio = 0;
   double friction_angle = 0;  // rad, the lowest used
   dem::Price price;
+  /// Where no attempt held the void ratio asked for: the message that says which one the state holds.
+  std::optional<std::string> unheld;
 };
 
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
 /// Compresses the assembly isotropically to the pressure at full friction, then lowers the friction step by step
 /// (thesis §3.2.2) and restores it as the void ratio passes the target, until equilibrium at the pressure and full
-/// friction holds the target. Throws TargetNotReached with the void ratio reached and the reason; DataError where the
-/// cell is not periodic, or is or will be less than two of the largest grains wide. With a folder to keep it in, the
-/// work goes on from what is there and ends in the same packing, bit by bit; Stopped after a signal.
+/// friction holds the target. Where grains settle below the target as friction is restored, the work begins anew from
+/// the cloud and restores friction earlier, by as much as they fell; if no attempt holds the target, Result::unheld
+/// says so. Throws TargetNotReached where the target is out of reach, with the void ratios measured at full friction
+/// and without; DataError where the cell is not periodic or not two of the largest grains wide, or where before the
+/// first step it is clear that the pressure is too high for the grains or that the cloud will not close. With a folder
+/// to keep it in, the work goes on from what is there and ends in the same packing, bit by bit; Stopped after a signal.
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
                const Report& report = {}, const dem::Safekeeping& safekeeping = {});
 

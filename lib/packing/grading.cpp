@@ -60,6 +60,26 @@ std::string Grading::left_out() const {
                      100 * finer.front());
 }
 
+Grading Grading::up_to(double coarsest) const {
+  if (coarsest < diameter.front() || (coarsest == diameter.front() && finer.front() == 0))
+    throw DataError(fmt::format("nothing of the grading is finer than {:.4g} mm: its finest size is {:.4g} mm",
+                                1e3 * coarsest, 1e3 * diameter.front()));
+  if (coarsest >= diameter.back()) return *this;
+  Grading cut;
+  double share = finer.front();
+  for (std::size_t k = 0; k < diameter.size() && diameter[k] <= coarsest; ++k) {
+    cut.diameter.push_back(diameter[k]), cut.finer.push_back(finer[k]);
+    share = finer[k];
+  }
+  const std::size_t next = cut.diameter.size();
+  if (cut.diameter.back() < coarsest) {
+    share += (finer[next] - share) * (coarsest - diameter[next - 1]) / (diameter[next] - diameter[next - 1]);
+    cut.diameter.push_back(coarsest), cut.finer.push_back(share);
+  }
+  for (double& f : cut.finer) f /= share;
+  return cut;
+}
+
 double Grading::quantile(double fraction) const {
   fraction = finer.front() + fraction * (1 - finer.front());
   const auto above = std::upper_bound(finer.begin(), finer.end(), fraction);

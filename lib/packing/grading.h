@@ -24,6 +24,9 @@ struct Grading {
   /// Returns what the packing lacks of the curve, "what is finer than 0.075 mm, 10 % of the mass, is left out"; empty
   /// where the curve begins at nothing.
   std::string left_out() const;
+  /// The curve without what is coarser than `diameter`, m. Throws DataError where nothing is left.
+  Grading up_to(double diameter) const;
+
   /// Diameter below which a fraction lies of the mass coarser than the first point, m.
   double quantile(double fraction) const;
   /// n radii (m), largest first, at the mid-quantiles of the distribution by number that belongs to the curve in this

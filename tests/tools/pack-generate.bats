@@ -59,12 +59,14 @@ unmade() {
 }
 
 @test "nobody at a terminal: quiet, and nothing but the packing on standard output" {
-  small -o - > piped.h5 2> said
+  local undoubted=(--grains 200 --aspect 1 --void-ratio 0.7 --pressure 1e5)
+  pack-generate --quiet "${undoubted[@]}" -o file.h5
+  pack-generate --quiet "${undoubted[@]}" -o - > piped.h5 2> said
   [[ ! -s said ]] || show "$(cat said)"
-  pack-generate --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 -o - > loud.h5 2> said
+  pack-generate "${undoubted[@]}" -o - > loud.h5 2> said
   [[ ! -s said ]] || show "a short run needs no lines: $(cat said)"
-  same_bytes packing.h5 piped.h5
-  same_bytes packing.h5 loud.h5
+  same_bytes file.h5 piped.h5
+  same_bytes file.h5 loud.h5
 }
 
 @test "an import comes back as text, and its cell can be given" {
@@ -189,13 +191,50 @@ unmade() {
   refused 65 "the packing's cell is not periodic" --import open.txt -o out.h5
 }
 
-@test "errors: too few grains for the cell they will have are told at once" {
-  unmade 65 "not less than half the cell; take more grains" --grains 20 --void-ratio 0.7 -o out.h5
-  unmade 65 "more than half the cell; take more grains or a more even cell" --aspect 0.2 -o out.h5
-  unmade 65 "not less than half the cell; take more grains" --grains 12 -o out.h5
+@test "errors: too few grains for the cell they will have are told at once, with a number and a size that do" {
+  local message="not less than half the cell: at least 2.03 are needed; leave out grains coarser than"
+  unmade 65 "$message" --grains 20 --void-ratio 0.7 -o out.h5
+  [[ $stderr =~ \(--coarsest\ ([0-9.]+mm)\),\ or\ take\ at\ least\ ([0-9]+)\ grains ]] || show "no remedy"
+  local size=${BASH_REMATCH[1]} number=${BASH_REMATCH[2]}
+  exits 0 small --grains "$number" --void-ratio 0.7 -o more.h5
+  exits 0 small --grains 20 --void-ratio 0.7 --coarsest "$size" -o finer.h5
+  unmade 65 "take at least 650 grains (--grains)" --aspect 0.2 -o out.h5
+  unmade 65 "$message" --grains 12 -o out.h5
   # Whoever asks for ten million steps waits for none of them.
   SECONDS=0
   unmade 65 "not less than half the cell" --grains 20 --void-ratio 0.7 --max-rate 1e-6 -o out.h5
+  [[ $SECONDS -le 5 ]] || show "noticed after $SECONDS s"
+}
+
+@test "sand of true size packs at the first command, and the file states the stiffness that belongs to it" {
+  printf 'diameter [mm]\tfiner_by_mass [1]\n0.1\t0\n0.2\t0.5\n0.4\t1\n' > sand.tsv
+  exits 0 pack-generate --grading sand.tsv --grains 200 --aspect 1 --void-ratio 0.7 --pressure 1e5 -o sand.h5
+  to-vtk --history sand.h5 | grep -q 'stiffness = [0-9.]*e-0[67]' || show "$(to-vtk --history sand.h5)"
+  to-vtk --history packing.h5 | grep -q 'stiffness = 0.13$' || show "$(to-vtk --history packing.h5)"
+}
+
+@test "a wide grading gets the grains it needs unless a number is given" {
+  printf 'diameter [mm]\tfiner_by_mass [1]\n1\t0\n1.5\t0.4\n3\t0.8\n6\t1\n' > wide.tsv
+  unmade 65 "take at least" --grading wide.tsv --grains 200 --aspect 0.5 --void-ratio 0.5 -o wide.h5
+  exits 1 pack-generate --grading wide.tsv --aspect 0.5 --void-ratio 2 --pressure 1e7 --tolerance 5e-2 -o wide.h5
+  [[ $stderr == *"ask for at most"* ]] || show "the grains did not come together"
+}
+
+@test "what is doubtful is said and lies in the file" {
+  exits 0 small -o doubtful.h5
+  [[ $stderr == *"pack-generate: doubt: the coordination number is "* && $stderr == *"diameters of the largest grain wide, below 3"* ]] ||
+    show "nothing said"
+  to-vtk --history doubtful.h5 | grep -q "coordination number" || show "not in the file"
+  printf '[contact]\nlaw = "hertz-mindlin"\nyoung_modulus = "4 GPa"\npoisson_ratio = 0.33\nfriction_angle = 29\n' > m.toml
+  printf '[contact.rolling]\nstiffness = 13\nlimit = "none"\n' >> m.toml
+  exits 0 small --material m.toml -o stiff.h5
+  [[ $stderr == *"doubt: rolling stiffness 13 N m/rad is 1e+02 times what belongs"* ]] || show "no doubt"
+}
+
+@test "errors: what cannot come to rest is told before the first step" {
+  SECONDS=0
+  unmade 65 "would overlap by about" --pressure 1e9 -o out.h5
+  unmade 65 "raise the rate to" --density 2650 --max-rate 1e-4 -o out.h5
   [[ $SECONDS -le 5 ]] || show "noticed after $SECONDS s"
 }
 
@@ -231,6 +270,8 @@ unmade() {
 
 @test "errors: void ratios out of reach say what was reached and why" {
   unmade 1 "without friction the packing stays at 0." --void-ratio 0.2 -o out.h5
+  [[ $stderr =~ ask\ for\ one\ from\ (0\.[0-9]+) ]] || show "no range"
+  exits 0 small --void-ratio "${BASH_REMATCH[1]}" -o dense.h5
   unmade 1 "at the full friction angle of 29 deg the packing is already at 0." --void-ratio 1.5 -o out.h5
 }
 

@@ -1,0 +1,25 @@
+// What is foreseen of a compaction before its first step: how deep grains will overlap, how long a cloud takes to
+// close. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/model.h"
+#include "dem/simulation.h"
+#include "packing/generate.h"
+
+namespace soilweave::packing {
+
+/// Returns the mean overlap over the radius, expected in grains of the first material and of this radius (m) under an
+/// isotropic pressure (Pa; 2D: N/m). A pressure is p = Z (1 - n) f/(4 pi r^2) for spheres, p = Z (1 - n) f/(2 pi r) for
+/// disks, from Love-Weber's sum over Z/2 contacts a grain with branches 2 r; with Z (1 - n) = 3 (spheres: 5 contacts at
+/// a porosity of 0.4) the law gives the overlap that bears f.
+double expected_overlap(const dem::Model& model, double radius, double pressure, int dimension);
+
+/// Returns the pressure at which that overlap is this share of the radius, Pa.
+double pressure_at_overlap(const dem::Model& model, double radius, double overlap, int dimension);
+
+/// Throws DataError where grains would overlap by more than `largest` of their radius at the pressure, as a guard of
+/// the run would find; or where grains without contacts would take more steps to come together than an equilibrium may.
+void demand_feasible(const dem::Simulation& cloud, const dem::Model& model, const Recipe& recipe, double mean_radius,
+                     int dimension, double largest);
+
+}  // namespace soilweave::packing

@@ -1,0 +1,234 @@
+// What pack-generate takes by default belongs to grains of any size; what cannot be is told before the first step; a
+// void ratio is held at rest, or the one that is in reach is named. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "core/error.h"
+#include "dem/bodies.h"
+#include "dem/step_bound.h"
+#include "packing/ahead.h"
+#include "packing/doubtful.h"
+#include "support/assemblies.h"
+
+namespace soilweave::packing {
+namespace {
+
+constexpr double thesis_radius = 2.953e-3;
+
+io::Snapshot sparse(std::size_t grains, double void_ratio = 2.0) {
+  std::vector<double> radii = Grading::toyoura().radii(grains, 3);
+  scale_to_thesis(radii);
+  return cloud(radii, void_ratio, {1, 1, 1}, 3, 2650e3, 3);
+}
+
+// All lengths times `factor`, at the same density.
+io::Snapshot scaled(io::Snapshot state, double factor) {
+  state.cell.matrix *= factor;
+  for (Vec3& x : state.grains.position) x *= factor;
+  for (double& r : state.grains.radius) r *= factor;
+  for (double& m : state.grains.mass) m *= factor * factor * factor;
+  return state;
+}
+
+dem::Model sand_with_moments(double stiffness) {
+  const dem::Resistance moment{stiffness, dem::Resistance::Scale::absolute, {}, dem::Resistance::Arm::mean_radius};
+  return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, 29 * testing::degree, {}, moment, moment}}};
+}
+
+// The message of the error of this type that `work` throws; "" without one.
+template <class Error, class Work>
+std::string message_of(const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The number behind these words of a message.
+double number_after(const std::string& words, const std::string& message) {
+  const std::size_t at = message.find(words);
+  EXPECT_NE(at, std::string::npos) << message;
+  return at == std::string::npos ? 0 : std::strtod(message.c_str() + at + words.size(), nullptr);
+}
+
+TEST(Standard, ThesisGrainsHaveTheThesisStiffnessAndOthersByTheCubeOfTheirSize) {
+  for (const std::size_t n : {10, 60, 1000})
+    EXPECT_EQ(default_rotational_stiffness(mean_radius(sparse(n))), 0.13) << n << " grains";
+  EXPECT_EQ(default_rate(thesis_radius), 1);
+  EXPECT_NEAR(default_rotational_stiffness(0.1 * thesis_radius), 0.13e-3, 0.001e-3);
+  EXPECT_NEAR(default_rate(0.1 * thesis_radius), 10, 0.01);
+  EXPECT_DOUBLE_EQ(default_rotational_stiffness(8e-3), 8 * default_rotational_stiffness(4e-3));
+  EXPECT_NE(default_material(thesis_radius).find("stiffness = 0.13\n"), std::string::npos);
+  const Contacts contacts(default_material(1e-4), "default");
+  EXPECT_EQ(std::get<std::vector<dem::HertzMindlin::Material>>(contacts.model.materials)[0].twisting.stiffness,
+            default_rotational_stiffness(1e-4));
+}
+
+// Powers of two scale without rounding: the smaller soil makes the same packing, bit by bit.
+TEST(Standard, ASoilScaledInSizeMakesTheSamePacking) {
+  const double factor = 0x1p-5;
+  Recipe recipe;
+  recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2;
+  const io::Snapshot large = sparse(60);
+  const Result one = compact(large, sand_with_moments(0.13), {}, recipe);
+  recipe.max_rate /= factor;
+  const Result other = compact(scaled(large, factor), sand_with_moments(0.13 * std::pow(factor, 3)), {}, recipe);
+  EXPECT_EQ(one.void_ratio, other.void_ratio);
+  EXPECT_EQ(one.price.steps, other.price.steps);
+  for (std::size_t i = 0; i < 60; ++i)
+    EXPECT_EQ(Vec3(factor * one.state.grains.position[i]), other.state.grains.position[i]);
+}
+
+// A stiffness against rolling that no overlap has to build up bounds the step of a cloud, and its grains come to rest.
+TEST(StepBound, CountsMomentsOfContactsStillToCome) {
+  const io::Snapshot state = sparse(60);
+  const dem::Model model = sand_with_moments(130);
+  const dem::Bodies bodies(state.grains);
+  const dem::Smallest smallest(bodies);
+  const dem::StepBound bound = dem::bound_to_come(*dem::make_contact_sweep(model), bodies, smallest);
+  EXPECT_DOUBLE_EQ(bound.rotation, std::sqrt(2 * 0.4 * smallest.mass * std::pow(smallest.radius, 2) / 130));
+  EXPECT_LT(bound.rotation, 0.1 * bound.translation);
+  EXPECT_DOUBLE_EQ(dem::Simulation(state, model, {}).time_step(), 0.8 * bound.rotation);
+  const dem::StepBound thesis = dem::bound_to_come(*dem::make_contact_sweep(testing::sand()), bodies, smallest);
+  EXPECT_GT(thesis.rotation, thesis.translation);  // its packings keep their steps
+  Recipe recipe;
+  recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2;
+  EXPECT_NO_THROW(compact(state, sand_with_moments(3), {}, recipe));
+}
+
+TEST(Ahead, ExpectsTheOverlapThatAPackingHas) {
+  const io::Snapshot state = testing::packed(testing::sand(), 1e6, 100);
+  double mean = 0;
+  for (const double u : state.contacts.overlap) mean += u / static_cast<double>(state.contacts.size());
+  const double r = mean_radius(state), expected = expected_overlap(testing::sand(), r, 1e6, 3);
+  EXPECT_NEAR(mean / r, expected, 0.3 * expected);
+  EXPECT_NEAR(pressure_at_overlap(testing::sand(), r, expected, 3), 1e6, 1e3);
+}
+
+TEST(Ahead, RefusesAPressureThatPushesGrainsThroughEachOtherAndNamesOneThatDoesNot) {
+  Recipe recipe;
+  recipe.pressure = 1e9, recipe.tolerances.unbalanced_force = 1e-2;
+  const std::string said = message_of<DataError>([&] { compact(sparse(60), testing::sand(), {}, recipe); });
+  recipe.pressure = number_after("lower the pressure to ", said);
+  EXPECT_LT(recipe.pressure, 2e8);
+  EXPECT_NO_THROW(compact(sparse(60), testing::sand(), {}, recipe));
+}
+
+TEST(Ahead, RefusesACloudThatDoesNotCloseAndNamesRateAndDensityThatCloseIt) {
+  io::Snapshot light = sparse(60);
+  for (double& m : light.grains.mass) m *= 1e-9;
+  Recipe recipe;
+  recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2, recipe.max_rate = 0.1;
+  const auto work = [&] { compact(light, testing::sand(), {}, recipe); };
+  const std::string said = message_of<DataError>(work);
+  const double rate = number_after("raise the rate to ", said), density = number_after("scale the density by ", said);
+  for (double& m : light.grains.mass) m *= density;
+  EXPECT_NO_THROW(work());
+  for (double& m : light.grains.mass) m /= density;
+  recipe.max_rate = rate;
+  EXPECT_NO_THROW(work());
+}
+
+TEST(Room, NamesANumberOfGrainsAndASizeThatAreEnough) {
+  const Grading wide{{1e-3, 2e-3, 5e-3, 10e-3, 20e-3}, {0, 0.1, 0.3, 0.5, 1}};
+  const Room room{wide, 3, {1, 1, 1}, 0.7};
+  const std::string said = message_of<DataError>([&] { room.demand(300); });
+  const auto grains = static_cast<std::size_t>(number_after("take at least ", said));
+  EXPECT_GE(room.diameters(grains), least_diameters) << said;
+  EXPECT_LT(room.diameters(grains), 1.3 * chosen_diameters) << said;
+  const double coarsest = 1e-3 * number_after("leave out grains coarser than ", said);
+  const Room finer{wide.up_to(coarsest), 3, {1, 1, 1}, 0.7};
+  EXPECT_NO_THROW(finer.demand(300)) << said;
+  EXPECT_EQ(enough_grains(Room{Grading::toyoura(), 3, {1, 1, 2}, 2.5}, 0.68, 1000), 1000u);
+  EXPECT_GE(enough_grains(room, 0.7, 300), grains);
+}
+
+TEST(Grading, IsCutAtASize) {
+  const Grading curve{{1, 2, 4}, {0.2, 0.6, 1}};
+  const Grading cut = curve.up_to(3);
+  EXPECT_EQ(cut.diameter, (std::vector<double>{1, 2, 3}));
+  EXPECT_DOUBLE_EQ(cut.finer[1], 0.75);
+  EXPECT_EQ(cut.finer[2], 1);
+  EXPECT_EQ(curve.up_to(2).diameter, (std::vector<double>{1, 2}));
+  EXPECT_EQ(curve.up_to(9).diameter, curve.diameter);
+  EXPECT_THROW(curve.up_to(0.5), DataError);
+}
+
+TEST(Compact, NamesTheVoidRatiosInReachAndTheyAre) {
+  Recipe recipe;
+  recipe.pressure = 1e5;
+  recipe.void_ratio = 1.5;
+  const auto work = [&] { return compact(sparse(80), testing::sand(), {}, recipe); };
+  const double loosest = number_after("ask for at most ", message_of<TargetNotReached>(work));
+  recipe.void_ratio = 0.2;
+  const double densest = number_after("ask for one from ", message_of<TargetNotReached>(work));
+  EXPECT_LT(densest, loosest - 0.05);
+  for (const double e : {densest, loosest}) {
+    recipe.void_ratio = e;
+    const Result result = work();
+    EXPECT_NEAR(result.void_ratio, e, 0.002);
+    EXPECT_FALSE(result.unheld);
+  }
+}
+
+// So narrow a tolerance is missed at the first attempt; further ones come from the same cloud.
+TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
+  Recipe recipe;
+  recipe.pressure = 1e5;
+  recipe.void_ratio = 0.72, recipe.void_ratio_tolerance = 2e-5;
+  recipe.most_attempts = 1;
+  const Result once = compact(sparse(80), testing::sand(), {}, recipe);
+  ASSERT_TRUE(once.unheld);
+  EXPECT_NEAR(number_after("at last at ", *once.unheld), once.void_ratio, 1e-4);
+  recipe.most_attempts = 12;
+  const Result often = compact(sparse(80), testing::sand(), {}, recipe);
+  EXPECT_GT(often.price.steps, once.price.steps);
+  EXPECT_LT(std::abs(often.void_ratio - 0.72), std::abs(once.void_ratio - 0.72));
+  const dem::Simulation s(often.state, testing::sand(), {});
+  EXPECT_LE(s.unbalanced_force(), 1e-3);
+  EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 2e2);
+}
+
+TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {
+  EXPECT_FALSE(stiffness_doubt(testing::sand(), thesis_radius));
+  EXPECT_FALSE(stiffness_doubt(testing::linear_sand(), 1e-4));
+  const auto doubt = stiffness_doubt(testing::sand(), 1e-4);
+  ASSERT_TRUE(doubt);
+  const double fit = number_after("write ", doubt->sentence);
+  EXPECT_NEAR(fit, default_rotational_stiffness(1e-4), 0.01 * fit);
+  EXPECT_FALSE(stiffness_doubt(sand_with_moments(fit), 1e-4));
+}
+
+TEST(Doubtful, AGradingWhoseCoarseHalfHasNoGrainsIsDoubtedWithTheNumberThatHasThem) {
+  const Room wide{{{1e-3, 2e-3, 5e-3, 10e-3, 20e-3, 40e-3}, {0, 0.1, 0.3, 0.5, 0.6, 1}}, 3, {1, 1, 1}, 0.7};
+  const auto doubt = grading_doubt(wide, 300);
+  ASSERT_TRUE(doubt);
+  EXPECT_FALSE(grading_doubt(wide, static_cast<std::size_t>(number_after("take ", doubt->sentence))));
+  EXPECT_FALSE(grading_doubt(Room{Grading::toyoura(), 3, {1, 1, 2}, 0.7}, 1000));
+}
+
+TEST(Doubtful, RattlersCoordinationAndCellAreSaid) {
+  const io::Snapshot small = testing::packed(testing::sand(), 1e3, 60);
+  io::Snapshot loose = small;
+  const std::size_t half = small.grains.size();
+  loose.cell.matrix.col(2) *= 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    loose.grains.position.push_back(small.grains.position[i] + small.cell.matrix.col(2));
+    loose.grains.radius.push_back(1e-4), loose.grains.mass.push_back(1);
+    loose.grains.orientation.push_back(small.grains.orientation[i]);
+    loose.grains.velocity.push_back(Vec3::Zero()), loose.grains.angular_velocity.push_back(Vec3::Zero());
+    loose.grains.material_id.push_back(0), loose.grains.copy_id.push_back(0);
+    loose.grains.body_id.push_back(static_cast<std::int64_t>(half + i));
+  }
+  std::string keys;
+  for (const Doubt& doubt : doubts_about(loose, testing::sand(), std::nullopt)) keys += doubt.key + " ";
+  EXPECT_EQ(keys.find("rattlers coordination cell "), 0u) << keys;
+}
+
+}  // namespace
+}  // namespace soilweave::packing
