@@ -308,6 +308,10 @@ soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on fail
 hostile: $(TOOLS) ## 5000 hostile inputs to every reader and option; failing ones are kept in build/hostile (minutes)
 	@$(or $(PYTHON),/usr/bin/python3) tests/fuzz/hostile.py --bin $(CURDIR)/$(B)/bin --jobs $(JOBS)
 
+.PHONY: soils
+soils: $(TOOLS) ## ten soils at four void ratios, each packed at the first command (minutes)
+	@BIN=$(CURDIR)/$(B)/bin OUT=$(CURDIR)/$(B)/soils JOBS=$(JOBS) bash tests/soils.sh
+
 .PHONY: fuzz fuzz-targets
 fuzz-targets: $(FUZZED)
 fuzz: $(TOOLS) hostile ## every reader under libFuzzer, FUZZ_TIME=600 s each (needs clang)
