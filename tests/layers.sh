@@ -34,7 +34,8 @@ only() {
   done < <(grep -rnE "^ *#include [<\"]$pattern" "${folders[@]}" --include='*.cpp' --include='*.h' 2>/dev/null)
 }
 only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/hdf5_id.h'
-only 'io/hdf5_' 'lib tools' 'lib/io/hdf5_memory.h lib/io/hdf5_memory.cpp lib/io/store_read.cpp lib/io/store_write.cpp'
+only 'io/hdf5_' 'lib tools' \
+  'lib/io/hdf5_memory.h lib/io/hdf5_memory.cpp lib/io/hdf5_guard.h lib/io/hdf5_guard.cpp lib/io/store_read.cpp lib/io/store_write.cpp'
 only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp lib/packing/surface.cpp'
 only 'vtk' 'lib tools' 'lib/io/vtk.cpp lib/io/vtk_read.cpp'
 only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'
@@ -91,11 +92,11 @@ while IFS= read -r line; do
 done < <(grep -rnwE 'T[O]DO|F[I]XME|X[X]X|H[A]CK|N[O]LINT' lib tools tests pipelines Makefile .ci 2>/dev/null \
   | grep -v '^Binary')
 
-# Nothing of ours ends a process or talks on standard error from the library; core/tool and core/progress are the doors.
+# Nothing of ours ends a process or talks on standard error from the library; core/tool and core/terminal are the doors.
 while IFS= read -r line; do
   fault "$line: throw an error of core/error.h instead"
 done < <(grep -rnE 'std::cerr|std::exit|[^_a-z.]exit\(|std::abort|stderr' lib --include='*.cpp' --include='*.h' \
-  | grep -vE '^lib/core/(tool|progress)\.cpp:')
+  | grep -vE '^lib/core/tool\.cpp:')
 
 if ((faults > 0)); then
   echo "tests/layers.sh: $faults faults" >&2

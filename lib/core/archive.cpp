@@ -5,19 +5,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
 
 namespace soilweave {
+namespace {
+
+constexpr const char* remedy = "it was changed, or is of another version: give --force without --resume to begin anew";
+constexpr double most_exact = 9007199254740992.0;  // 2^53: whole numbers up to here are doubles
+
+}  // namespace
 
 Archive::Archive(Numbers numbers, std::string where)
     : numbers_(std::move(numbers)), where_(std::move(where)), giving_back_(true) {}
 
 const std::vector<double>& Archive::kept(const std::string& name) const {
   const auto found = numbers_.find(name);
-  if (found == numbers_.end())
-    throw DataError(fmt::format("{}: keeps no {}; it is of another version: begin anew", where_, name));
+  if (found == numbers_.end()) throw DataError(fmt::format("{}: keeps no {}; {}", where_, name, remedy));
+  if (std::any_of(found->second.begin(), found->second.end(), [](double x) { return std::isnan(x); }))
+    throw DataError(fmt::format("{}: keeps a {} that is not a number; {}", where_, name, remedy));
   return found->second;
 }
 
@@ -28,8 +36,8 @@ void Archive::numbers_of(const std::string& name, double* values, std::size_t le
   }
   const std::vector<double>& from = kept(name);
   if (from.size() != length)
-    throw DataError(fmt::format("{}: keeps {} numbers of {} where {} belong; it is of another version: begin anew",
-                                where_, from.size(), name, length));
+    throw DataError(
+        fmt::format("{}: keeps {} numbers of {} where {} belong; {}", where_, from.size(), name, length, remedy));
   std::copy(from.begin(), from.end(), values);
 }
 
@@ -64,6 +72,8 @@ void Archive::item(const std::string& name, double& value) { numbers_of(name, &v
 void Archive::item(const std::string& name, std::int64_t& value) {
   auto number = static_cast<double>(value);
   numbers_of(name, &number, 1);
+  if (number != std::nearbyint(number) || std::abs(number) > most_exact)
+    throw DataError(fmt::format("{}: keeps a {} of {}, which is no whole number; {}", where_, name, number, remedy));
   value = static_cast<std::int64_t>(number);
 }
 
@@ -71,10 +81,12 @@ void Archive::item(const std::string& name, Vec3& value) { numbers_of(name, valu
 void Archive::item(const std::string& name, Mat3& value) { numbers_of(name, value.data(), 9); }
 
 void Archive::item(const std::string& name, std::vector<double>& values) {
-  if (giving_back_)
+  if (!giving_back_)
+    numbers_[name] = values;
+  else if (values.empty())
     values = kept(name);
   else
-    numbers_[name] = values;
+    numbers_of(name, values.data(), values.size());
 }
 
 }  // namespace soilweave

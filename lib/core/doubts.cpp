@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/terminal.h"
 
 namespace soilweave {
 
@@ -15,8 +16,7 @@ void Doubts::add(const Doubt& doubt) {
   if (tool_.empty()) return;
   // A progress line on a terminal stands where the doubt is to be written.
   const std::string clear = isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
-  std::fputs((clear + tool_ + ": doubt: " + doubt.sentence + "\n").c_str(), stderr);
-  std::fflush(stderr);
+  tell(clear + printable(tool_ + ": doubt: " + doubt.sentence) + "\n");
 }
 
 void Doubts::add_all(const std::vector<Doubt>& doubts) {

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
+
+#include "core/terminal.h"
 
 namespace soilweave {
 namespace {
@@ -18,6 +19,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr double terminal_interval = 0.1;  // s
 constexpr double line_interval = 30;       // s
+constexpr std::string_view clear_line = "\r\033[K";
 
 std::string span_text(double seconds) {
   const long s = std::lround(seconds);
@@ -36,7 +38,7 @@ Progress::Progress(std::string name, bool quiet)
       last_(terminal_ ? start_ - std::chrono::hours(1) : start_) {}
 
 Progress::~Progress() {
-  if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+  if (shown_ && terminal_) tell(clear_line);
 }
 
 void Progress::update(double fraction, std::string_view detail) {
@@ -51,14 +53,13 @@ void Progress::update(double fraction, std::string_view detail) {
   const std::string left = gone > 0.01 ? fmt::format(", {} left", span_text(elapsed * (1 - done) / gone)) : "";
   const std::string line =
       fmt::format("{} {:3.0f} %{}{}{}", name_, 100 * done, left, detail.empty() ? "" : ", ", detail);
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  tell(fmt::format("{}{}{}", terminal_ ? clear_line : "", printable(line), terminal_ ? "" : "\n"));
   shown_ = true;
 }
 
 void Progress::note(std::string_view line) {
   if (quiet_) return;
-  fmt::print(stderr, "{}{}\n", shown_ && terminal_ ? "\r\033[K" : "", line);
+  tell(fmt::format("{}{}\n", shown_ && terminal_ ? clear_line : "", printable(line)));
   shown_ = false;
 }
 

@@ -14,7 +14,8 @@
 #include <sstream>
 #include <utility>
 
-#include "core/error.h"
+#include "core/mistakes.h"
+#include "core/terminal.h"
 #include "core/text.h"
 #include "core/toml_depth.h"
 #include "core/units.h"
@@ -375,8 +376,8 @@ void Settings::finish() const {
   if (mistakes.empty()) return;
   std::stable_sort(mistakes.begin(), mistakes.end());
   std::string all;
-  for (const Document::Mistake& m : mistakes) all += (all.empty() ? "" : "\n") + m.text;
-  throw DataError(all);
+  for (const Document::Mistake& m : mistakes) all += (all.empty() ? "" : "\n") + printable(m.text);
+  throw Mistakes(all);
 }
 
 std::string Settings::resolved() const {

@@ -9,14 +9,17 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <new>
 
-#include "core/error.h"
+#include "core/mistakes.h"
 #include "core/processor.h"
+#include "core/terminal.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "core/tool_table.h"
 
 namespace soilweave::tool {
@@ -26,41 +29,35 @@ namespace fs = std::filesystem;
 
 int code(Exit status) { return static_cast<int>(status); }
 
-void complain(const std::string& tool, std::string_view message) {
-  for (const std::string& line : lines_of(message)) fmt::print(stderr, "{}: {}\n", tool, line);
+void complain(const std::string& tool, std::string_view line) { tell(fmt::format("{}: {}\n", tool, printable(line))); }
+void complain(const std::string& tool, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) complain(tool, std::string_view(line));
+}
+
+/// The tool at work. A library that gives up (OpenMP's, without threads) calls exit(1), which would say that a target
+/// was not reached; only a function that exit() itself calls can tell the two apart, and it takes no argument.
+const std::string* at_work = nullptr;
+void exit_of_a_library() {
+  if (!at_work) return;
+  complain(*at_work, std::string_view("a library ended the program, for the reason before this line; try --threads 1"));
+  _exit(code(Exit::internal));
+}
+
+/// From here on: what would end the program, or take the number of a standard stream, does not.
+void take_precautions() {
+  link_processor_check();
+  occupy_standard_streams();
+  // A reader that goes away must not kill us before the files are in order; writing then fails with EPIPE. A limit on
+  // the size of files is a disk that is full: writing fails with EFBIG.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+  static const int registered = std::atexit(exit_of_a_library);
+  if (registered != 0) throw Error(Exit::internal, "the C library can note no function for the end of the program");
 }
 
 /// Whether nobody reads standard output any more: a reader such as head has seen enough.
 bool output_pipe_broken() {
   pollfd descriptor{STDOUT_FILENO, POLLOUT, 0};
   return poll(&descriptor, 1, 0) == 1 && (descriptor.revents & POLLERR) != 0;
-}
-
-void check_input(const fs::path& path) {
-  if (path == "-") return;
-  std::error_code failure;
-  const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status)) throw MissingInput(fmt::format("{}: no such file; check the name", path.string()));
-  if (access(path.c_str(), R_OK) != 0)
-    throw MissingInput(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
-}
-
-void check_output(const Table::Impl& table) {
-  const fs::path path = table.output->has_filename() ? *table.output : table.output->parent_path();
-  const bool force = table.invocation.force || table.invocation.resume, may_be_folder = table.output_is_folder;
-  if (path.empty() || path == "-") return;
-  std::error_code failure;
-  if (!may_be_folder && (!table.output->has_filename() || fs::is_directory(path, failure)))
-    throw CannotCreate(fmt::format("{}: is a directory; name a file to be written", table.output->string()));
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, failure))
-    throw CannotCreate(
-        fmt::format("{}: cannot be created: {} is not a directory; make it first", path.string(), folder.string()));
-  if (access(folder.c_str(), W_OK) != 0)
-    throw CannotCreate(
-        fmt::format("{}: cannot be created: {}: {}", path.string(), folder.string(), std::strerror(errno)));
-  if (!force && (fs::is_regular_file(path, failure) || fs::is_directory(path, failure)))
-    throw CannotCreate(fmt::format("{}: exists; give --force to overwrite it", path.string()));
 }
 
 std::string asked_text(Table::Impl& table, Ask ask) {
@@ -81,15 +78,16 @@ std::string asked_text(Table::Impl& table, Ask ask) {
 
 /// Everything that needs no data: usage, then inputs, then the output, so that hours of work are not lost at their end.
 void prepare(Table::Impl& table, const Program& program, std::vector<std::string>& mistakes) {
+  // A line's end in what was typed is a character of it.
+  for (std::string& mistake : mistakes) mistake = printable(mistake);
   try {
     if (table.understood && program.validate) program.validate();
   } catch (const UsageError& error) {
     for (std::string& line : lines_of(error.what())) mistakes.push_back(std::move(line));
   }
   if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
-  for (const Positional& place : table.inputs)
-    for (const std::string& file : place.given) check_input(file);
-  if (table.writes()) check_output(table);
+  check_files(table);
+  if (table.has("threads")) demand_threads(table.invocation.threads);
 }
 
 void run(Table::Impl& table, int argc, char** argv, const Program& program) {
@@ -121,11 +119,13 @@ void close_output() {
 }  // namespace
 
 int start(int argc, char** argv, const Program& program) {
-  link_processor_check();
-  // A reader that goes away must not kill us before the files are in order; writing then fails with EPIPE.
-  std::signal(SIGPIPE, SIG_IGN);
   std::string name = argc > 0 ? fs::path(argv[0]).filename().string() : "soilweave";
+  struct AtWork {
+    explicit AtWork(const std::string& tool) { at_work = &tool; }
+    ~AtWork() { at_work = nullptr; }
+  } const now(name);
   try {
+    take_precautions();
     Table table;
     program.options(table);
     bool& quiet = table.impl().invocation.quiet;
@@ -136,14 +136,21 @@ int start(int argc, char** argv, const Program& program) {
     run(table.impl(), argc, argv, program);
     close_output();
     return code(Exit::done);
+  } catch (const UsageError& error) {
+    complain(name, lines_of(error.what()));
+    return code(error.status());
+  } catch (const Mistakes& error) {
+    complain(name, lines_of(error.what()));
+    return code(error.status());
   } catch (const Error& error) {
     if (error.status() == Exit::io && output_pipe_broken()) return code(Exit::done);
-    complain(name, error.what());
+    complain(name, std::string_view(error.what()));
     return code(error.status());
   } catch (const std::bad_alloc&) {
-    complain(name, "not enough memory; use fewer grains or a machine with more");
+    complain(name, std::string_view("not enough memory; use fewer grains or a machine with more"));
   } catch (const std::exception& error) {
-    complain(name, fmt::format("unexpected: {}; this is a defect, please report it", error.what()));
+    const std::string what = fmt::format("unexpected: {}; this is a defect, please report it", error.what());
+    complain(name, std::string_view(what));
   }
   return code(Exit::internal);
 }

@@ -49,6 +49,8 @@ class Table {
   void output(std::filesystem::path& field, std::string sentence);
   /// The same for a tool that can do without a file (because it prints).
   void optional_output(std::filesystem::path& field, std::string sentence);
+  /// An option that names one more file to be written, under the same terms; declare it beside output().
+  void also_output(std::filesystem::path& field, std::string_view name, std::string sentence);
   /// The same for a tool that writes a folder of files.
   void output_folder(std::filesystem::path& field, std::string sentence);
 

@@ -133,11 +133,16 @@ void Table::optional_inputs(std::vector<std::filesystem::path>& field, std::stri
 void Table::output(std::filesystem::path& field, std::string sentence) {
   impl_->output = &field;
   impl_->output_required = field.empty();
-  option(field, "output,o", "FILE", sentence + ", - for standard output");
+  also_output(field, "output,o", sentence + ", - for standard output");
   bool& force = impl_->invocation.force;
   flag(force, "force", "overwrite an existing output file");
   for (auto entry = impl_->options.end() - 2; entry != impl_->options.end(); ++entry) entry->general = true;
   unrecorded("force");
+}
+
+void Table::also_output(std::filesystem::path& field, std::string_view name, std::string sentence) {
+  option(field, name, "FILE", sentence);
+  impl_->options.back().writes = true;
 }
 
 void Table::optional_output(std::filesystem::path& field, std::string sentence) {

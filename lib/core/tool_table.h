@@ -28,6 +28,7 @@ struct Entry {
   std::vector<std::string> choices;
   bool general = false;                                                  // listed after the tool's own options
   bool recorded = true;                                                  // part of Invocation::command
+  bool writes = false;                                                   // names a file to be written
   std::vector<std::string> given;                                        // raw values, in order
   std::function<std::optional<std::string>(const std::string&)> assign;  // the mistake, if any
   std::function<std::string()> value;                                    // canonical text of the field now
@@ -68,6 +69,10 @@ std::string verb_name(Table& verb);
 
 /// Reads the arguments into the fields. Returns what was asked; every mistake is appended to `mistakes`.
 Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
+
+/// Everything about files that can be known before the work. Throws MissingInput, DataError for inputs; CannotCreate
+/// for outputs: no place for one, one that exists without --force, one that is an input or another output.
+void check_files(const Table::Impl& table);
 
 /// Tool and result-relevant options that differ from their defaults, in table order, quoted for a shell where needed.
 std::string canonical_command(const Table::Impl& table);

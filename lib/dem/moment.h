@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/error.h"
 #include "dem/price.h"
 #include "dem/simulation.h"
 #include "io/part.h"
@@ -17,6 +18,14 @@ io::Moment moment_of(const Simulation& simulation, PriceClock& clock, double kee
   (parts.archive(archive), ...);
   clock.archive(simulation, keeping, archive);
   return {simulation.snapshot(), table, archive.numbers()};
+}
+
+/// Throws DataError where a number that a checkpoint keeps cannot be one of this run (an edited file). file: the
+/// checkpoint; what: names the number.
+inline void demand_kept(bool possible, const std::filesystem::path& file, const char* what) {
+  if (!possible)
+    throw DataError(file.string() + ": keeps a " + what +
+                    " that this run cannot have; it was changed: give --force without --resume to begin anew");
 }
 
 }  // namespace soilweave::dem

@@ -112,7 +112,22 @@ class Runner {
     servo_.archive(kept_), rig_.archive(kept_), pace_.archive(kept_);
     at_.archive(kept_);
     clock_.archive(simulation_, keeper_.seconds(), kept_);
+    demand_place();
     for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
+  }
+
+  void demand_place() const {
+    const std::vector<Stage>& stages = scenario_.stages;
+    const bool among = at_.stage < stages.size();
+    demand_kept(among || (at_.stage == stages.size() && !at_.begun), keeper_.part().last(), "stage");
+    demand_kept(at_.station <= (among ? stages[at_.stage].path->stations() : 0), keeper_.part().last(), "station");
+    demand_kept(at_.done <= total_, keeper_.part().last(), "number of stations done");
+    demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
+    const std::vector<io::Column>&found = result_.series.columns, wanted = empty_series().columns;
+    const bool same_table =
+        found.size() >= wanted.size() &&
+        std::equal(wanted.begin(), wanted.end(), found.begin(), [](auto& a, auto& b) { return a.name == b.name; });
+    demand_kept(same_table && result_.series.rows() > 0, keeper_.part().last(), "table");
   }
 
   io::Moment moment() {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "fem/bars.h"
@@ -69,7 +70,14 @@ void Bars::archive(Archive& a) {
   for (std::size_t b = 0; b < broken_.size(); ++b) broken_[b] = broken.at(b) != 0;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     Contact& c = contacts_[k];
-    c.segment = static_cast<std::size_t>(contacts.at(5 * k));
+    const double segment = contacts.at(5 * k), segments = static_cast<double>(lines_[c.line].x.size()) - 1;
+    if (!(segment >= 0 && segment < segments && segment == std::floor(segment)))
+      throw DataError(
+          fmt::format("the checkpoint has bar contact {} at segment {} of {}: it was changed; give --force without "
+                      "--resume to begin "
+                      "anew",
+                      k, segment, segments));
+    c.segment = static_cast<std::size_t>(segment);
     c.shear = contacts.at(5 * k + 1), c.normal = contacts.at(5 * k + 2);
     c.direction = Vec2(contacts.at(5 * k + 3), contacts.at(5 * k + 4));
   }

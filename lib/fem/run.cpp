@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dem/moment.h"
 #include "fem/record.h"
 
 namespace soilweave::fem {
@@ -190,6 +191,9 @@ class Runner {
     if (ranks_.size() > 1) numbers = Archive::unpacked(ranks_.told(last ? Archive::packed(numbers) : std::string()));
     Archive a(std::move(numbers), where);
     archive(a);
+    const auto among = [](std::int64_t n, std::int64_t most) { return n >= 0 && n <= most; };
+    dem::demand_kept(among(done_, outputs_), where, "number of outputs");
+    dem::demand_kept(model_.steps() >= 0 && among(since_output_, model_.steps()), where, "number of steps");
     if (resting_) model_.relax(scenario_.quasi_static->damping);
   }
 

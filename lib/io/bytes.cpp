@@ -3,6 +3,7 @@
 #include "io/bytes.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +14,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/output_path.h"
+#include "io/temporary.h"
 
 namespace soilweave::io {
 namespace {
@@ -20,6 +23,28 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string reason() { return std::strerror(errno); }
+
+/// What helps against the failure of a write, from errno: room on the disk, a greater quota, a higher limit.
+std::string remedy() {
+  switch (errno) {
+    case ENOSPC:
+      return "; make room or write elsewhere";
+    case EDQUOT:
+      return "; your share of the disk is used up: remove files, ask for more (quota), or write elsewhere";
+    case EFBIG:
+      return "; files may not be larger here: raise the limit (ulimit -f) or write elsewhere";
+    default:
+      return "; write elsewhere";
+  }
+}
+
+/// Waits until a descriptor that does not wait by itself is ready; false where the failure of a call was another one.
+bool waited(int descriptor, short wanted) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN) return false;
+  pollfd ready{descriptor, wanted, 0};
+  return ::poll(&ready, 1, -1) == 1 || errno == EINTR;
+}
 
 /// A file descriptor that is closed at the end of its scope.
 class Descriptor {
@@ -46,7 +71,7 @@ std::string read_all(int descriptor, const std::string& where) {
   for (;;) {
     bytes.resize(std::max(bytes.capacity(), length + block));
     const ssize_t got = ::read(descriptor, bytes.data() + length, bytes.size() - length);
-    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && waited(descriptor, POLLIN)) continue;
     if (got < 0) throw IoError(where + ": reading failed: " + reason());
     if (got == 0) break;
     length += static_cast<std::size_t>(got);
@@ -58,8 +83,8 @@ std::string read_all(int descriptor, const std::string& where) {
 void write_all(int descriptor, std::string_view bytes, const std::string& where) {
   while (!bytes.empty()) {
     const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) throw IoError(where + ": writing failed: " + reason() + "; make room or write elsewhere");
+    if (put < 0 && waited(descriptor, POLLOUT)) continue;
+    if (put < 0) throw IoError(where + ": writing failed: " + reason() + remedy());
     bytes.remove_prefix(static_cast<std::size_t>(put));
   }
 }
@@ -80,36 +105,12 @@ void write_in_place(const fs::path& path, std::string_view bytes) {
   if (!d.close()) throw IoError(path.string() + ": writing failed: " + reason());
 }
 
-/// The temporary file, removed unless it was renamed.
-class Temporary {
- public:
-  explicit Temporary(const fs::path& target)
-      : path_(target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".tmp")) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    if (!renamed_) ::unlink(path_.c_str());
-  }
-  const fs::path& path() const { return path_; }
-  void rename(const fs::path& target) {
-    if (::rename(path_.c_str(), target.c_str()) != 0)
-      throw CannotCreate(target.string() + ": cannot be created: " + reason());
-    renamed_ = true;
-  }
-
- private:
-  fs::path path_;
-  bool renamed_ = false;
-};
-
 void replace(const fs::path& path, std::string_view bytes) {
   Temporary temporary(path);
-  Descriptor d(::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!d) throw CannotCreate(path.string() + ": cannot be created: " + reason() + "; check its folder");
-  write_all(d.number(), bytes, path.string());
-  if (::fsync(d.number()) != 0) throw IoError(path.string() + ": syncing failed: " + reason());
-  if (!d.close()) throw IoError(path.string() + ": writing failed: " + reason());
-  temporary.rename(path);
+  write_all(temporary.descriptor(), bytes, path.string());
+  if (::fsync(temporary.descriptor()) != 0) throw IoError(path.string() + ": syncing failed: " + reason() + remedy());
+  if (!temporary.close()) throw IoError(path.string() + ": writing failed: " + reason() + remedy());
+  temporary.rename();
   sync_folder(folder_of(path));
 }
 
@@ -138,18 +139,24 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
   if (path.empty()) throw CannotCreate("no output file named");
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) throw CannotCreate(path.string() + ": a directory; name a file in it");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, bytes);
-  // A link keeps pointing to the file it names: that file is replaced, not the link.
-  replace(fs::is_symlink(fs::symlink_status(path, ignored)) ? fs::weakly_canonical(path) : path, bytes);
+  if (fs::is_directory(path, ignored)) throw CannotCreate(path.string() + ": a directory; name a file in it");
+  if (written_in_place(path)) return write_in_place(path, bytes);
+  // A link keeps pointing to the file it names: that file is made or replaced, not the link.
+  const fs::path file = followed(path);
+  remove_left_temporaries(folder_of(file), file.filename().string());
+  replace(file, bytes);
 }
+
+void write_own_bytes(const fs::path& path, std::string_view bytes) { replace(path, bytes); }
 
 void make_folder(const fs::path& path) {
   if (::mkdir(path.c_str(), 0777) == 0) return sync_folder(folder_of(path));
   const std::string why = reason();
   std::error_code ignored;
-  if (!fs::is_directory(path, ignored)) throw CannotCreate(path.string() + ": cannot be created: " + why);
+  const fs::file_status there = fs::symlink_status(path, ignored);
+  if (fs::is_symlink(there))
+    throw CannotCreate(path.string() + ": is a link, and a folder of its own belongs there; remove the link");
+  if (!fs::is_directory(there)) throw CannotCreate(path.string() + ": cannot be created: " + why);
 }
 
 }  // namespace soilweave::io

@@ -13,12 +13,16 @@ namespace soilweave::io {
 std::string read_bytes(const std::filesystem::path& path);
 
 /// Writes under a temporary name in the same folder, syncs, renames, syncs the folder; an existing file stays as it was
-/// until then, and after any failure. Devices and pipes are written in place; "-" is standard output.
-/// Throws CannotCreate, IoError.
+/// until then, and after any failure, and its permissions stay. A link's target is made or replaced, not the link.
+/// Devices and pipes are written in place; "-" is standard output. Throws CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes a folder, so that it is still there after a crash; one that is there already is left as it is. Throws
-/// CannotCreate.
+/// The same for a file in a folder that the program made for itself: whatever has the name, a link too, is replaced,
+/// and nothing is cleaned up.
+void write_own_bytes(const std::filesystem::path& path, std::string_view bytes);
+
+/// Makes a folder, so that it is still there after a crash; one that is there already is left as it is, a link to one
+/// is refused. Throws CannotCreate.
 void make_folder(const std::filesystem::path& path);
 
 /// How messages call a path: "standard input" for "-".

@@ -63,22 +63,43 @@ RunFile run_in(OpenFile& file) {
   return run;
 }
 
-/// The series once more where H5MD looks for them, by links: no value is kept twice.
-void link_observables(Writer& file, const Series& series) {
-  if (!series.find("step") || !series.find("time")) return;
+/// The row of the series that each state belongs to: the last one of its step. Empty where a state has none.
+std::vector<std::size_t> rows_of(const std::vector<Snapshot>& states, const Column& steps) {
+  std::vector<std::size_t> rows;
+  for (const Snapshot& state : states) {
+    const auto found = std::find(steps.values.rbegin(), steps.values.rend(), static_cast<double>(state.step));
+    if (found == steps.values.rend()) return {};
+    rows.push_back(static_cast<std::size_t>(steps.values.rend() - found) - 1);
+  }
+  return rows;
+}
+
+/// The series once more where H5MD looks for them. Readers of H5MD take the values frame by frame: they get those of
+/// the states, beside the clock of the trajectory. Where a state has no row all of the series is there, by links.
+void write_observables(Writer& file, const Series& series, const std::vector<Snapshot>& states) {
+  const Column* steps = series.find("step");
+  if (!steps || !series.find("time")) return;
+  const std::vector<std::size_t> rows = rows_of(states, *steps);
+  const std::string clock = rows.empty() ? series_group : "/particles/grains/position";
   for (const Column& column : series.columns) {
     if (column.name == "step" || column.name == "time") continue;
     const std::string element = "/observables/" + column.name;
-    file.link(series_group + "/" + column.name, element + "/value");
-    file.link(series_group + "/step", element + "/step");
-    file.link(series_group + "/time", element + "/time");
+    if (rows.empty()) {
+      file.link(series_group + "/" + column.name, element + "/value");
+    } else {
+      std::vector<double> values;
+      for (const std::size_t row : rows) values.push_back(column.values.at(row));
+      file.write<double>(element + "/value", values, {values.size()}, {column.unit, column.long_name});
+    }
+    for (const char* name : {"/step", "/time"}) file.link(clock + name, element + name);
   }
 }
 
 /// What a run of either kind went through: its series, the scenario, the work it took.
-void write_course(Writer& file, const Series& series, const std::string& scenario, Work work) {
+void write_course(Writer& file, const Series& series, const std::vector<Snapshot>& states, const std::string& scenario,
+                  Work work) {
   write_columns(file, series_group, series);
-  link_observables(file, series);
+  write_observables(file, series, states);
   file.write_text("/scenario", scenario, label_of("/scenario"));
   if (work.steps > 0)
     for (const auto& [place, number] : numbers_of(work))
@@ -153,14 +174,15 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
   }
   write_file(path, "run", history, [&](Writer& file) {
     write_states(file, states, history);
-    write_course(file, run.series, run.scenario, run.work);
+    write_course(file, run.series, run.snapshots, run.scenario, run.work);
   });
 }
 
 void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history) {
   write_file(path, "multiscale", history, [&](Writer& file) {
     write_recorded(file, run.groups, run.frames, history);
-    write_course(file, run.series, run.scenario, run.work);
+    // Frames of several packings at once are no trajectory of one: their series has no value a frame.
+    write_course(file, run.series, {}, run.scenario, run.work);
   });
 }
 

@@ -29,7 +29,7 @@ void write_moment(const std::filesystem::path& path, const Moment& moment, const
   for (const auto& [name, values] : moment.numbers)
     file.write<double>(child_path(numbers_group, name), values, {values.size()},
                        {std::string(e.units), std::string(e.long_name)});
-  write_bytes(path, file.image());
+  write_own_bytes(path, file.image());
 }
 
 Moment read_moment(const std::filesystem::path& path, History& history) {

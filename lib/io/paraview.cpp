@@ -9,6 +9,7 @@
 #include "io/bytes.h"
 #include "io/show_script.h"
 #include "io/table.h"
+#include "io/temporary.h"
 
 namespace soilweave::io {
 namespace {
@@ -50,6 +51,7 @@ ParaviewFolder::ParaviewFolder(fs::path folder, bool force, bool compress)
     if (!fs::is_empty(folder_) && !force)
       throw CannotCreate(folder_.string() + " holds files already: name another folder, or replace them with --force");
     remove_former(folder_);
+    remove_left_temporaries(folder_, "");
   } catch (const fs::filesystem_error& error) {
     throw CannotCreate("cannot use the folder " + folder_.string() + ": " + error.code().message());
   }
@@ -62,12 +64,12 @@ void ParaviewFolder::add(const std::string& group, std::size_t index, const VtkP
   std::string number = std::to_string(index);
   if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
   const std::string file = group + "_" + number + (grid ? ".vtu" : ".vtp");
-  write_bytes(folder_ / file, grid ? to_vtu(picture, compress_) : to_vtp(picture, compress_));
+  write_own_bytes(folder_ / file, grid ? to_vtu(picture, compress_) : to_vtp(picture, compress_));
   frames.push_back({picture.time, file});
 }
 
 void ParaviewFolder::add_table(const std::string& name, const std::string& csv) {
-  write_bytes(folder_ / (name + ".csv"), csv);
+  write_own_bytes(folder_ / (name + ".csv"), csv);
 }
 
 void ParaviewFolder::finish() const {
@@ -76,9 +78,9 @@ void ParaviewFolder::finish() const {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n  <Collection>\n";
     for (const auto& [time, file] : frames) text += pvd_line(time, file);
-    write_bytes(folder_ / (group + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
+    write_own_bytes(folder_ / (group + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
   }
-  write_bytes(folder_ / "show.py", show_script);
+  write_own_bytes(folder_ / "show.py", show_script);
 }
 
 }  // namespace soilweave::io

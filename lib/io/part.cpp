@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,6 +26,14 @@ constexpr std::string_view left_name = "stopped.h5";
 // Of moments that are not recorded, the newest and the one before it.
 constexpr std::size_t kept_files = 2;
 const std::string recorded_steps = "recorded_steps";
+
+/// Throws CannotCreate for a folder that another user made where all users may: what is written there would be theirs.
+void demand_own(int folder, const fs::path& path) {
+  struct stat own = {}, around = {};
+  if (folder < 0 || ::fstat(folder, &own) != 0 || ::stat((path / "..").c_str(), &around) != 0) return;
+  if (own.st_uid != ::geteuid() && own.st_uid != around.st_uid && (around.st_mode & S_ISVTX) != 0)
+    throw CannotCreate(path.string() + ": belongs to another user, in a folder of all users; write elsewhere");
+}
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
@@ -67,11 +76,12 @@ Part::Part(const fs::path& output, History history, Entry entry)
   } catch (const CannotCreate& error) {
     throw CannotCreate(fmt::format("{}: cannot be created: {}", output.string(), error.what()));
   }
-  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   try {
     // Where the file system knows no locks, two runs of one output are the user's to avoid.
     if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
       throw CannotCreate(folder_.string() + ": another process is at work on this run; wait for it, or stop it");
+    demand_own(lock_, folder_);
     files_ = part_files(folder_);
     enter(entry);
   } catch (...) {
@@ -119,7 +129,7 @@ void Part::find_last() {
       const std::vector<double>& steps = moment.numbers[recorded_steps];
       const bool whole = std::all_of(steps.begin(), steps.end(), [&](double step) {
         return std::any_of(files_.begin(), files_.end(),
-                           [&](const PartFile& f) { return f.recorded && f.step == static_cast<std::int64_t>(step); });
+                           [&](const PartFile& f) { return f.recorded && static_cast<double>(f.step) == step; });
       });
       if (!whole) continue;
       last_ = std::move(moment);
@@ -158,6 +168,9 @@ void Part::keep(Moment moment, bool recorded) {
   if (recorded) steps.push_back(static_cast<double>(file.step));
   try {
     write_moment(path_of(file), moment, history_);
+  } catch (const DataError& error) {
+    // The run made what no file may hold, and would make it again: it is its physics that went wrong, not a file.
+    throw PhysicsError(fmt::format("step {}: the state cannot be kept: {}", file.step, error.what()));
   } catch (const Error&) {
     // Renamed, but the folder could not be synced: it is there all the same.
     std::error_code ignored;
@@ -208,6 +221,8 @@ Error Part::explained(const Error& error) const {
     line += fmt::format("; {} is whole: the same command with --resume goes on from there", file.string());
   else if (!file.empty())
     line += fmt::format("; {} is gone, and with it what was recorded: run it again", folder_.string());
+  else
+    line += "; nothing is kept yet: run it again";
   return {error.status(), line};
 }
 

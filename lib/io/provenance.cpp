@@ -9,6 +9,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/terminal.h"
 
 namespace soilweave::io {
 namespace {
@@ -88,13 +89,15 @@ std::string describe(const History& history) {
   std::string text;
   for (std::size_t k = 0; k < history.size(); ++k) {
     const ProvenanceRecord& record = history[k];
-    text += fmt::format("{}{}. {} {}\n  command: {}\n  seed: {}\n", k ? "\n" : "", k, record.tool, record.version,
-                        record.command, record.seed);
+    text += fmt::format("{}{}. {} {}\n  command: {}\n  seed: {}\n", k ? "\n" : "", k, printable(record.tool),
+                        printable(record.version), printable(record.command), record.seed);
     for (const InputRecord& input : record.inputs)
-      text += fmt::format("  input: {}, {}, sha256 {}\n", input.role,
-                          input.origin < 0 ? "from outside" : fmt::format("made by {}", input.origin), input.sha256);
-    for (const Doubt& doubt : record.doubts) text += fmt::format("  doubt: {}: {}\n", doubt.key, doubt.sentence);
-    if (!record.scenario.empty()) text += "  scenario:\n" + indented(record.scenario);
+      text += fmt::format("  input: {}, {}, sha256 {}\n", printable(input.role),
+                          input.origin < 0 ? "from outside" : fmt::format("made by {}", input.origin),
+                          printable(input.sha256));
+    for (const Doubt& doubt : record.doubts)
+      text += fmt::format("  doubt: {}: {}\n", printable(doubt.key), printable(doubt.sentence));
+    if (!record.scenario.empty()) text += "  scenario:\n" + indented(printable(record.scenario, "\n\t"));
   }
   return text;
 }

@@ -11,7 +11,7 @@
 
 namespace soilweave::io {
 
-inline constexpr std::int64_t format_major = 1, format_minor = 2;
+inline constexpr std::int64_t format_major = 1, format_minor = 3;
 
 enum class Type { float64, int64, int32, uint8, text };
 

@@ -24,6 +24,9 @@ class Check {
 
   void all() const {
     if (!std::isfinite(state_.time)) fail("time is not finite");
+    // Steps are counted on from here, and kept as doubles in tables.
+    if (state_.step < 0 || state_.step > std::int64_t{1} << 53)
+      fail(fmt::format("the step number is {}; it counts from 0", state_.step));
     lengths();
     cell();
     for (std::size_t i = 0; i < state_.grains.size(); ++i) grain(i);

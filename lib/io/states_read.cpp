@@ -33,6 +33,8 @@ class StatesReader {
 
   std::vector<Snapshot> read() {
     if (extents_['F'] == 0) file_.fail(grains, "holds no state; make the file again");
+    if (extents_['N'] == 0) file_.fail(grains, "holds no grains; make the file again");
+    file_.claim(grains, count({extents_['F'], sizeof(Snapshot)}));
     read_clock();
     read_cell();
     moving([&](const std::string& path, auto member) { read_frames(path, path, &Snapshot::grains, member); });
@@ -49,12 +51,20 @@ class StatesReader {
   template <class T>
   std::vector<T> get(const std::string& path, const std::string& in_schema, bool frames = true) const {
     std::vector<T> values = file_.read<T>(path, resolve(entry(in_schema).shape, extents_, frames));
+    demand_unit(path, entry(in_schema).units);
     if constexpr (std::is_same_v<T, double>)
       for (std::size_t k = 0; k < values.size(); ++k)
         if (!std::isfinite(values[k]))
           file_.fail(path, fmt::format("holds {} as value {} of {}; the run that made it went wrong", values[k], k,
                                        values.size()));
     return values;
+  }
+
+  /// What another program says the numbers of a trajectory are in must be what they are read as.
+  void demand_unit(const std::string& path, std::string_view wanted) const {
+    if (!path.starts_with("/particles") || !file_.has_attribute(path, "unit")) return;
+    if (const std::string unit = file_.text_attribute(path, "unit"); unit != wanted)
+      file_.fail(path, fmt::format("is in the unit \"{}\"; {} is read here", unit, wanted));
   }
 
   template <class Record, class Items>
@@ -73,6 +83,7 @@ class StatesReader {
   void read_element(const std::string& path, std::vector<T> GrainsRecord::*member) {
     if (file_.is_group(path)) return read_frames(path + "/value", path, &Snapshot::grains, member);
     const std::vector<T> values = get<T>(path, path, false);
+    file_.claim(path, count({extents_['F'], extents_['N'], sizeof(T)}));
     for (Snapshot& state : states_) state.grains.*member = values;
   }
 
@@ -98,6 +109,9 @@ class StatesReader {
     const std::vector<std::string> boundary = file_.text_attributes(box, "boundary");
     const auto axes = static_cast<std::size_t>(dimension_);
     if (boundary.size() != axes) file_.fail(box, "has an attribute boundary of another length than its dimension");
+    for (const std::string& word : boundary)
+      if (word != "periodic" && word != "none")
+        file_.fail(box, "has an attribute boundary of \"" + word + "\"; \"periodic\" and \"none\" are known");
     for (std::size_t f = 0; f < states_.size(); ++f) {
       CellRecord& cell = states_[f].cell;
       cell.matrix = matrix_of_rows(edges.data() + f * axes * axes, dimension_).transpose();

@@ -32,7 +32,7 @@ class StatesWriter {
     moving([&](const std::string& path, auto member) { write_frames(path, path, &Snapshot::grains, member); });
     lasting([&](const std::string& path, auto member) { write_element(path, member); });
     for (const char* name : {"/orientation", "/velocity", "/angular_velocity"}) share_clock(grains + name);
-    file_.attribute(grains + "/orientation", "order", std::string("wxyz"));
+    file_.variable_text(grains + "/orientation", "order", "wxyz");
     for (const char* name : {"/velocity", "/angular_velocity"}) file_.attribute(grains + name, "time_offset", -0.5);
     write_cell();
     for (std::size_t frame = 0; frame < states_.size(); ++frame) write_contacts(frame);
@@ -47,8 +47,17 @@ class StatesWriter {
   void put(const std::string& path, const std::string& in_schema, const std::vector<T>& values, bool frames = true) {
     const Entry& e = entry(in_schema);
     file_.write<T>(path, values, resolve(e.shape, extents_, frames), {std::string(e.units), std::string(e.long_name)});
-    // H5MD's name of the unit, left out for pure numbers as its module `units` wants it.
-    if (e.units != "1") file_.attribute(path, "unit", std::string(e.units));
+    put_unit(path, std::string(e.units));
+  }
+
+  /// H5MD's name of the unit, left out for pure numbers as its module `units` wants it. MDAnalysis, whose units of
+  /// length end at the nanometre, opens no file whose positions are said to be in m.
+  void put_unit(const std::string& path, const std::string& unit) {
+    if (unit == "1" || path == grains + "/position/value") return;
+    if (path.starts_with("/particles"))
+      file_.variable_text(path, "unit", unit);
+    else
+      file_.attribute(path, "unit", unit);
   }
 
   template <class Record, class Items>
@@ -76,11 +85,11 @@ class StatesWriter {
     const std::string creator = history.empty() ? "soilweave" : history.back().tool;
     for (const char* path : {"/h5md/author", "/h5md/creator", "/h5md/modules/units"}) file_.group(path);
     file_.attribute("/h5md", "version", std::vector<std::int64_t>{1, 1});
-    file_.attribute("/h5md/author", "name", std::string("not recorded"));
-    file_.attribute("/h5md/creator", "name", creator);
-    file_.attribute("/h5md/creator", "version", history.empty() ? std::string("unknown") : history.back().version);
+    file_.variable_text("/h5md/author", "name", "not recorded");
+    file_.variable_text("/h5md/creator", "name", creator);
+    file_.variable_text("/h5md/creator", "version", history.empty() ? std::string("unknown") : history.back().version);
     file_.attribute("/h5md/modules/units", "version", std::vector<std::int64_t>{1, 0});
-    file_.attribute("/h5md/modules/units", "system", std::string("SI"));
+    file_.variable_text("/h5md/modules/units", "system", "SI");
     std::vector<std::int64_t> steps;
     std::vector<double> times;
     for (const Snapshot* state : states_) {
@@ -107,7 +116,7 @@ class StatesWriter {
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
       boundary.push_back(states_.front()->cell.periodic[a] ? "periodic" : "none");
     file_.attribute(box, "dimension", std::int64_t{dimension});
-    file_.attribute(box, "boundary", boundary);
+    file_.variable_texts(box, "boundary", boundary);
   }
 
   void write_cell() {

@@ -39,6 +39,10 @@ class Writer {
   /// T: double, int64, uint64.
   template <class T>
   void attribute(const std::string& path, const std::string& name, T value);
+  /// A text, or a row of texts, of variable length: Python has them as str, where fixed lengths are bytes to it. They
+  /// lie in a heap without a checksum: for what others read, and for words that our reader knows all of.
+  void variable_text(const std::string& path, const std::string& name, const std::string& text);
+  void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
 
   /// A second name for an object (a hard link).
   void link(const std::string& target, const std::string& path);
@@ -53,7 +57,9 @@ class Writer {
   std::int64_t file_ = -1;
 };
 
-/// A file read from its bytes. Every error is a DataError of one line: file, path within it, what is wrong.
+/// A file read from its bytes. Every error is a DataError of one line: file, path within it, what is wrong. Nothing
+/// outside the file is read: external links and storage and virtual datasets are refused, and so are values that were
+/// never written, for which HDF5 would give zeros.
 class Reader {
  public:
   /// where: what messages call the file. Rejects what is not HDF5, and truncated files.
@@ -63,6 +69,7 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
 
   const std::string& where() const { return where_; }
+  /// Throws DataError where the path leads out of the file (an external or user-defined link).
   bool has(const std::string& path) const;
   bool is_group(const std::string& path) const;
   /// Names in a group, sorted.
@@ -87,12 +94,17 @@ class Reader {
     return integers<T>(path, name, {}).front();
   }
 
+  /// Counts bytes of memory that something in the file asks for; read() does it by itself. All together they are
+  /// bounded by the bytes of the file, whatever it declares. Throws DataError beyond.
+  void claim(const std::string& path, Extent bytes) const;
+
   /// Throws DataError: "FILE: PATH what".
   [[noreturn]] void fail(const std::string& path, const std::string& what) const;
 
  private:
   std::int64_t file_ = -1;
   std::string bytes_, where_;
+  mutable Extent claimed_ = 0;
 };
 
 }  // namespace soilweave::io

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "io/hdf5_guard.h"
 #include "io/hdf5_memory.h"
 #include "io/store.h"
 #include "io/superblock.h"
@@ -15,17 +16,21 @@ namespace {
 using hdf5::Id;
 using hdf5::native;
 
-/// A dataset, or an attribute of an object, with its space and type; negative identifiers where it is not there.
+/// A dataset, or an attribute of an object, with its space and type; negative identifiers where it is not there, or
+/// where `refusal` says why it is not read.
 struct Opened {
   Opened(hid_t file, const std::string& path)
       : id(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose),
-        space(id >= 0 ? H5Dget_space(id) : -1, H5Sclose),
-        type(id >= 0 ? H5Dget_type(id) : -1, H5Tclose) {}
+        refusal(id >= 0 ? hdf5::refusal(id) : ""),
+        space(id >= 0 && refusal.empty() ? H5Dget_space(id) : -1, H5Sclose),
+        type(id >= 0 && refusal.empty() ? H5Dget_type(id) : -1, H5Tclose) {}
   Opened(hid_t file, const std::string& path, const std::string& name)
       : id(H5Aopen_by_name(file, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose),
         space(id >= 0 ? H5Aget_space(id) : -1, H5Sclose),
         type(id >= 0 ? H5Aget_type(id) : -1, H5Tclose) {}
-  Id id, space, type;
+  Id id;
+  std::string refusal;
+  Id space, type;
 };
 
 Shape extents_of(hid_t space) {
@@ -35,15 +40,19 @@ Shape extents_of(hid_t space) {
   return Shape(extents.begin(), extents.end());
 }
 
-/// Strings of fixed or variable length; read(type, buffer) does the reading. most: bytes that can be there.
+/// Strings of fixed or variable length; read(type, buffer) does the reading. most: bytes that can be there. Few strings
+/// of variable length may be there, since all of them can name the same bytes.
 template <class Read>
 bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>& texts, const Read& read) {
+  constexpr hssize_t most_variable = 16;
   const hssize_t n = H5Sget_simple_extent_npoints(object.space);
   const std::size_t width = H5Tget_size(object.type);
   if (H5Tget_class(object.type) != H5T_STRING || n < 0 || width > most || static_cast<std::size_t>(n) > most / width)
     return false;
+  const bool variable = H5Tis_variable_str(object.type) > 0;
+  if (variable && n > most_variable) return false;
   texts.resize(static_cast<std::size_t>(n));
-  if (H5Tis_variable_str(object.type) > 0) {
+  if (variable) {
     std::vector<char*> pointers(texts.size());
     if (!read(object.type, pointers.data())) return false;
     for (std::size_t k = 0; k < texts.size(); ++k) texts[k] = pointers[k] ? pointers[k] : "";
@@ -74,10 +83,19 @@ void Reader::fail(const std::string& path, const std::string& what) const {
 
 bool Reader::has(const std::string& path) const {
   if (path == "/") return true;
-  for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
-    if (H5Lexists(file_, path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
-    if (slash == std::string::npos) return H5Oexists_by_name(file_, path.c_str(), H5P_DEFAULT) > 0;
-  }
+  const hdf5::Way way = hdf5::way_to(file_, path);
+  if (!way.refusal.empty()) throw DataError(where_ + ": " + way.refusal);
+  return way.there;
+}
+
+void Reader::claim(const std::string& path, Extent bytes) const {
+  // Far more than any packing unpacks to: a lattice of equal grains at rest is about a hundredth of its numbers.
+  constexpr Extent packed = 256, free = Extent{256} << 20;
+  const Extent most = free + packed * bytes_.size();
+  claimed_ = bytes > most - std::min(claimed_, most) ? most + 1 : claimed_ + bytes;
+  if (claimed_ > most)
+    fail(path, "claims " + std::to_string(bytes) + " bytes of values, more than a file of " +
+                   std::to_string(bytes_.size()) + " bytes can hold; make the file again");
 }
 
 bool Reader::is_group(const std::string& path) const {
@@ -103,6 +121,7 @@ std::vector<std::string> Reader::children(const std::string& path) const {
 Shape Reader::shape(const std::string& path) const {
   if (!has(path)) fail(path, "is missing; make the file again");
   const Opened dataset(file_, path);
+  if (!dataset.refusal.empty()) fail(path, dataset.refusal);
   if (dataset.space < 0) fail(path, "is no dataset; make the file again");
   return extents_of(dataset.space);
 }
@@ -111,15 +130,18 @@ bool Reader::is_integer(const std::string& path) const { return H5Tget_class(Ope
 
 template <class T>
 std::vector<T> Reader::read(const std::string& path, const Shape& expected) const {
-  const Shape found = shape(path);
-  if (found != expected) fail(path, "has the shape " + print(found) + " where " + print(expected) + " belongs");
+  if (!has(path)) fail(path, "is missing; make the file again");
   const Opened dataset(file_, path);
+  if (!dataset.refusal.empty()) fail(path, dataset.refusal);
+  if (dataset.space < 0) fail(path, "is no dataset; make the file again");
+  const Shape found = extents_of(dataset.space);
+  if (found != expected) fail(path, "has the shape " + print(found) + " where " + print(expected) + " belongs");
   if (H5Tget_class(dataset.type) != H5Tget_class(native<T>()) || H5Tget_size(dataset.type) > sizeof(T))
     fail(path, "holds another type of value than belongs there");
-  // Deflate packs zeros about a thousandfold at best: what claims more never was in this file.
-  constexpr Extent most_packed = 2048;
+  const hdf5::Unpacked unpacked = hdf5::unpacked(dataset.id, dataset.space, dataset.type);
+  claim(path, std::max<Extent>(unpacked.bytes, count(Shape{count(found), sizeof(T)})));
+  if (!unpacked.gap.empty()) fail(path, unpacked.gap + "; make the file again");
   const Extent n = count(found);
-  if (n / most_packed > bytes_.size()) fail(path, "claims " + print(found) + " values, more than the file can hold");
   std::vector<T> values(n);
   if (n > 0 && H5Dread(dataset.id, native<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail(path, "is damaged: a checksum or a length is wrong; copy or make the file again");
@@ -133,7 +155,13 @@ template std::vector<std::uint8_t> Reader::read(const std::string&, const Shape&
 std::string Reader::read_text(const std::string& path) const {
   if (!has(path)) fail(path, "is missing; make the file again");
   const Opened dataset(file_, path);
+  if (!dataset.refusal.empty()) fail(path, dataset.refusal);
   std::vector<std::string> texts;
+  if (dataset.space >= 0) {
+    const hdf5::Unpacked unpacked = hdf5::unpacked(dataset.id, dataset.space, dataset.type);
+    claim(path, unpacked.bytes);
+    if (!unpacked.gap.empty()) fail(path, unpacked.gap + "; make the file again");
+  }
   const auto read = [&](hid_t memory, void* buffer) {
     return H5Dread(dataset.id, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer) >= 0;
   };

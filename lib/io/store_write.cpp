@@ -144,6 +144,17 @@ void Writer::attribute(const std::string& path, const std::string& name, const s
   write_attribute(file_, path, name, H5T_NATIVE_INT64, {values.size()}, values.data());
 }
 
+void Writer::variable_text(const std::string& path, const std::string& name, const std::string& text) {
+  const char* const words = text.c_str();
+  write_attribute(file_, path, name, string_type(H5T_VARIABLE), {}, &words);
+}
+
+void Writer::variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts) {
+  std::vector<const char*> words;
+  for (const std::string& text : texts) words.push_back(text.c_str());
+  write_attribute(file_, path, name, string_type(H5T_VARIABLE), {texts.size()}, words.data());
+}
+
 template <class T>
 void Writer::attribute(const std::string& path, const std::string& name, T value) {
   write_attribute(file_, path, name, native<T>(), {}, &value);

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/number_word.h"
+#include "core/terminal.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -217,8 +218,8 @@ std::string to_tsv(const Series& series) {
   for (const Column& column : series.columns) {
     if (column.values.size() != series.rows())
       throw DataError("column " + column.name + " has another length than the first");
-    text += (&column == series.columns.data() ? "" : "\t") + column.name;
-    if (!column.unit.empty()) text += " [" + column.unit + "]";
+    text += (&column == series.columns.data() ? "" : "\t") + printable(column.name);
+    if (!column.unit.empty()) text += " [" + printable(column.unit) + "]";
   }
   text += '\n';
   for (std::size_t r = 0; r < series.rows(); ++r) {

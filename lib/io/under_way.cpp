@@ -65,6 +65,9 @@ std::vector<PartFile> part_files(const fs::path& folder) {
   std::vector<PartFile> files;
   std::error_code failure;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    // A link leads to what is not of this run, and reading a pipe would wait for ever.
+    std::error_code unknown;
+    if (!fs::is_regular_file(entry.symlink_status(unknown))) continue;
     const std::string name = entry.path().filename().string();
     if (const std::int64_t step = step_in(name, state_name); step >= 0) files.push_back({step, true});
     if (const std::int64_t step = step_in(name, checkpoint_name); step >= 0) files.push_back({step, false});

@@ -71,6 +71,9 @@ class Grower {
     least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1, 3).normal * u;
     if (last) {
       at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
+      dem::demand_kept(at_.stage >= Stage::growing && at_.stage <= Stage::done, keeper_.part().last(), "stage");
+      dem::demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
+      dem::demand_kept(at_.round >= 0, keeper_.part().last(), "round");
       history_ = std::move(last->series);
     }
     simulation_.set_damping(growth.damping);

@@ -80,6 +80,8 @@ class Compaction {
         throw DataError("the packing's cell is not periodic and cannot be compressed: give its lengths (--cell)");
     if (last) {
       servo_.archive(kept_), at_.archive(kept_), clock_.archive(simulation_, 0, kept_);
+      dem::demand_kept(at_.phase >= Phase::compressing && at_.phase <= Phase::done, keeper_.part().last(), "phase");
+      dem::demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
       if (at_.friction > 0) set_friction(at_.friction);
     } else {
       if (recipe.void_ratio) demand_room(*recipe.void_ratio);

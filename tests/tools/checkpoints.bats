@@ -271,3 +271,29 @@ command with --resume goes on from there" said || show "$(< said)"
   [[ $output == *'stage "triaxial": 4 stations, about '* && $output != *'as given'* ]] || show "wanted a guess, for nothing is paced"
   exits 65 run-dem --check packing.h5 short.toml --set numerics.dampng=1
 }
+
+@test "a checkpoint that was edited is refused with a remedy that works" {
+  "$PYTHON" -c 'import h5py' || skip "no Python with h5py"
+  begin_long
+  kill -s TERM $run
+  wait $run || true
+  cp -r out.h5.part kept
+  local value words
+  while read -r value words; do
+    rm -rf out.h5.part
+    cp -r kept out.h5.part
+    "$PYTHON" -c "
+import glob, h5py
+for name in glob.glob('out.h5.part/*.h5'): h5py.File(name, 'r+')['checkpoint/stage'][...] = float('$value')"
+    mentions 65 run-dem "$words" --quiet packing.h5 short.toml --set stage.1.rate=1e-6 --resume -o out.h5
+    [[ $stderr == *"give --force without --resume to begin anew" ]] || show "no remedy"
+  done << 'CASES'
+99 keeps a stage that this run cannot have
+-1 keeps a stage that this run cannot have
+0.5 keeps a stage of 0.5, which is no whole number
+nan keeps a stage that is not a number
+1e300 which is no whole number
+CASES
+  timeout --preserve-status -s TERM 1 run-dem --quiet packing.h5 short.toml --set stage.1.rate=1e-6 --force -o out.h5 2> said || status=$?
+  [[ $status -eq 75 ]] || show "status $status: $(< said)"
+}

@@ -154,7 +154,7 @@ std::string head(const std::vector<std::int64_t>& version, const std::string& ki
 
 TEST_F(Files, newer_major_version_is_refused_and_newer_minor_read) {
   test::put_bytes(path, head({2, 5}, "packing"));
-  expect_error<DataError>([&] { read_packing(path); }, "has the format version 2.5, this program reads 1.2 at most");
+  expect_error<DataError>([&] { read_packing(path); }, "has the format version 2.5, this program reads 1.3 at most");
   test::put_bytes(path, head({1, 9}, "packing"));
   expect_error<DataError>([&] { read_packing(path); }, "/particles/grains/box has no attribute dimension");
   test::put_bytes(path, head({1, 0}, "tapestry"));

@@ -140,6 +140,25 @@ TEST(Archive, GivesBackWhatItKept) {
   io::test::expect_error<DataError>([&] { given.item("vector", number); }, "here: keeps 3 numbers of vector");
 }
 
+TEST(Archive, RefusesNumbersThatWereChanged) {
+  const auto refused = [](std::vector<double> kept, const auto& take, const std::string& words) {
+    Archive given({{"n", std::move(kept)}}, "file");
+    io::test::expect_error<DataError>([&] { take(given); }, words);
+  };
+  const auto whole = [](Archive& a) {
+    std::size_t n = 0;
+    a.whole("n", n);
+  };
+  const auto two = [](Archive& a) {
+    std::vector<double> values(2);
+    a.item("n", values);
+  };
+  refused({std::nan("")}, whole, "file: keeps a n that is not a number");
+  refused({0.5}, whole, "which is no whole number");
+  refused({1e300}, whole, "give --force without --resume to begin anew");
+  refused({1, 2, 3}, two, "keeps 3 numbers of n where 2 belong");
+}
+
 class PartTest : public ::testing::Test {
  protected:
   PartTest() : folder_(fs::temp_directory_path() / ("soilweave-part-" + std::to_string(::getpid()))) {
@@ -215,6 +234,28 @@ TEST_F(PartTest, RefusesAnotherRunAndWorkThatWouldBeLost) {
   history_[0].seed = 1;
   io::test::expect_error<DataError>([&] { part(); }, "is of a run whose seed differs");
   EXPECT_EQ(part(io::Part::Entry::resume_or_anew).last_step(), -1);
+}
+
+TEST_F(PartTest, FollowsNoLinkOutOfItsFolder) {
+  { part().keep(moment(10), false); }
+  const fs::path kept = folder_ / "out.h5.part/checkpoint-000000000010.h5", far = folder_ / "far.h5";
+  fs::rename(kept, far);
+  fs::create_symlink(far, kept);
+  EXPECT_EQ(part().last_step(), -1);
+  part().keep(moment(10), false);
+  EXPECT_FALSE(fs::is_symlink(kept));
+  EXPECT_TRUE(fs::is_regular_file(far));
+  fs::rename(folder_ / "out.h5.part", folder_ / "elsewhere");
+  fs::create_directory_symlink("elsewhere", folder_ / "out.h5.part");
+  io::test::expect_error<CannotCreate>([&] { part(); }, "is a link");
+}
+
+// It would be made again by whoever goes on: no remedy of a file's.
+TEST_F(PartTest, AStateThatNoFileMayHoldIsTheRunsOwnFault) {
+  auto kept = part();
+  io::Moment wrong = moment(7);
+  wrong.state.grains.orientation[2] *= 1.1;
+  io::test::expect_error<PhysicsError>([&] { kept.keep(wrong, false); }, "step 7: the state cannot be kept");
 }
 
 TEST_F(PartTest, BelongsToOneProcess) {

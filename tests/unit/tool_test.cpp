@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// A tool with one option of each kind; it prints what it was given.
 struct Sample {
-  fs::path input, output, curve;
+  fs::path input, output, curve, side;
   std::vector<fs::path> more;
   double pressure = 1000;
   std::optional<double> friction;
@@ -50,6 +50,7 @@ struct Sample {
     t.seed();
     t.threads();
     t.output(output, "what to write");
+    t.also_output(side, "side", "what else to write");
   }
   void validate() const {
     if (text && law != "linear") throw UsageError("--text: goes with --law linear only\n--law: linear is meant");
@@ -194,8 +195,44 @@ TEST_F(Tool, AnOutputThatCannotBeIsRefusedBeforeAnyWork) {
   EXPECT_EQ(o.status, 73);
   EXPECT_EQ(o.err, "sample: .: is a directory; name a file to be written\n");
   EXPECT_FALSE(fs::exists("worked"));
-  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "b.h5", "--force"}, work).status, 0);
+  std::ofstream("old.h5") << "x";
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "old.h5", "--force"}, work).status, 0);
   EXPECT_TRUE(fs::exists("worked"));
+}
+
+TEST_F(Tool, NoOutputIsAnInputOrAnotherOutput) {
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& line) {
+    arguments.insert(arguments.begin(), {"in.h5", "b.h5", "--force"});
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.status, 73);
+    EXPECT_EQ(o.err, "sample: " + line + "\n");
+  };
+  fs::create_symlink("b.h5", "link.h5");
+  fs::create_hard_link("b.h5", "hard.h5");
+  std::ofstream("c.tsv") << "x";
+  for (const std::string name : {"b.h5", "./b.h5", "link.h5", "hard.h5"})
+    refused({"-o", name}, name + ": is read by this command and would be lost; name another file with --output");
+  refused({"-o", "out.h5", "--side", "link.h5"},
+          "link.h5: is read by this command and would be lost; name another file with --side");
+  refused({"-o", "c.tsv", "--curve", "c.tsv"},
+          "c.tsv: is read by this command and would be lost; name another file with --output");
+  refused({"-o", "out.h5", "--side", "./out.h5"}, "./out.h5: is to be written by --output and --side; name two files");
+  refused({"-o", "out.h5", "--side", "none/x"}, "none/x: cannot be created: none is not a directory; make it first");
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--side", "c.tsv"}).err,
+            "sample: c.tsv: exists; give --force to overwrite it\n");
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "/dev/null", "--side", "/dev/null"}).status, 0);
+}
+
+TEST_F(Tool, WordsCannotSteerTheTerminal) {
+  EXPECT_EQ(run({"in.h5", "a\nb\x1b[2J", "-o", "-"}).err, "sample: a\\nb\\x1b[2J: no such file; check the name\n");
+  EXPECT_EQ(run({"in.h5", "b.h5", "-o", "-", "--law", "\x1b]0;x\x07\n"}).err,
+            "sample: --law: '\\x1b]0;x\\x07\\n' is not one of linear, hertz-mindlin\n");
+}
+
+TEST_F(Tool, ALibraryThatEndsTheProgramIsNoTargetMissed) {
+  const Outcome o = run({"in.h5", "b.h5", "-o", "-"}, [] { std::exit(1); });
+  EXPECT_EQ(o.status, 70);
+  EXPECT_NE(o.err.find("a library ended the program"), std::string::npos);
 }
 
 TEST_F(Tool, EveryErrorHasItsStatusAndOneLine) {
