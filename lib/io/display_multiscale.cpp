@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/display_multiscale.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 #include "core/error.h"
@@ -21,12 +24,18 @@ const Series& demanded(const MultiscaleFile& run, const char* name) {
   throw DataError(run.source.role + ": has no table \"" + name + "\": no mesh can be shown");
 }
 
-// Rows of the elements: of the table in `rows`, in the order of their nodes.
-std::vector<std::size_t> of_corners(const Series& elements, std::size_t corners) {
-  std::vector<std::size_t> nodes;
+// The row that a table names by a number; a file may hold any.
+std::size_t row_of(double number, std::size_t rows, const std::string& what) {
+  if (number >= 0 && number < static_cast<double>(rows) && number == std::floor(number))
+    return static_cast<std::size_t>(number);
+  throw DataError(fmt::format("{} {}, and there are {}: the file is damaged", what, number, rows));
+}
+
+// The elements' corner nodes, by number, in the order of the elements.
+std::vector<double> of_corners(const Series& elements, std::size_t corners) {
+  std::vector<double> nodes;
   for (std::size_t e = 0; e < elements.rows(); ++e)
-    for (std::size_t k = 0; k < corners; ++k)
-      nodes.push_back(static_cast<std::size_t>(elements.at("node_" + std::to_string(k)).values[e]));
+    for (std::size_t k = 0; k < corners; ++k) nodes.push_back(elements.at("node_" + std::to_string(k)).values[e]);
   return nodes;
 }
 
@@ -41,8 +50,7 @@ Series element_means(const Series& points, const TableState& state, std::size_t 
     Column mean{column.name, column.unit, column.long_name, std::vector<double>(elements, 0)};
     std::vector<double> number(elements, 0);
     for (const std::size_t r : state.rows) {
-      const auto e = static_cast<std::size_t>(element[r]);
-      if (e >= elements) throw DataError("a point names an element that is none");
+      const std::size_t e = row_of(element[r], elements, "a point names the element");
       mean.values[e] += column.values[r];
       ++number[e];
     }
@@ -64,7 +72,7 @@ std::vector<VtkPicture> show_mesh(const MultiscaleFile& run) {
   const Series &elements = demanded(run, "elements"), &nodes = demanded(run, "nodes"),
                &points = demanded(run, "points");
   const std::size_t corners = elements.find("node_3") ? 4 : 3;
-  const std::vector<std::size_t> corner_nodes = of_corners(elements, corners);
+  const std::vector<double> corner_nodes = of_corners(elements, corners);
   const auto states = states_of(nodes), point_states = states_of(points);
   if (states.size() != point_states.size()) throw DataError("the tables of nodes and points have other outputs");
   std::vector<VtkPicture> pictures;
@@ -74,7 +82,8 @@ std::vector<VtkPicture> show_mesh(const MultiscaleFile& run) {
     picture.shape = corners == 3 ? VtkShape::triangle : VtkShape::quad;
     picture.grid = true;
     std::vector<std::size_t> rows;
-    for (const std::size_t n : corner_nodes) rows.push_back(states[k].rows.at(n));
+    for (const double n : corner_nodes)
+      rows.push_back(states[k].rows[row_of(n, states[k].rows.size(), "an element names the node")]);
     for (const std::size_t r : rows) picture.points.emplace_back(nodes.at("x").values[r], nodes.at("y").values[r], 0);
     picture.point_data = arrays_of(nodes, rows);
     const Series means = element_means(points, point_states[k], elements.rows());

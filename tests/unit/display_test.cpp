@@ -11,6 +11,7 @@
 
 #include "analysis/stress.h"
 #include "core/error.h"
+#include "io/display_multiscale.h"
 #include "io/display_table.h"
 
 namespace soilweave::io {
@@ -304,6 +305,24 @@ TEST(DisplayTable, CsvHasAHeaderAndShortestExactNumbers) {
   Series table;
   table.columns = {column("a", {0.1, 2}), column("b", {1e-9, -3})};
   EXPECT_EQ(to_csv(table), "a,b\n0.1,1e-09\n2,-3\n");
+}
+
+TEST(Display, a_mesh_whose_numbers_name_nothing_is_refused) {
+  const auto column = [](const std::string& name, const std::vector<double>& values) {
+    return Column{name, "1", name, values};
+  };
+  const auto file = [&](double node, double element) {
+    MultiscaleFile run;
+    run.groups = {{"elements", "", {{column("node_0", {0}), column("node_1", {1}), column("node_2", {node})}}},
+                  {"nodes", "", {{column("x", {0, 1, 0}), column("y", {0, 0, 1}), column("u", {1, 2, 3})}}},
+                  {"points", "", {{column("element", {element}), column("p", {5})}}}};
+    return run;
+  };
+  EXPECT_EQ(show_mesh(file(2, 0)).size(), 1U);
+  for (const double wrong : {-1.0, 3.0, 0.5, std::nan("")}) {
+    EXPECT_THROW(show_mesh(file(wrong, 0)), DataError) << "node " << wrong;
+    EXPECT_THROW(show_mesh(file(2, wrong)), DataError) << "element " << wrong;
+  }
 }
 
 }  // namespace
