@@ -1,5 +1,8 @@
 // fem-dem: finite elements whose points are packings of grains, coupled to a geosynthetic of bars.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +64,7 @@ struct FemDem {
   void validate() const {
     if (check + take.has_value() + !table.empty() > 1)
       throw UsageError("--check, --take and --table exclude each other");
+    if (take && *take != std::floor(*take)) throw UsageError(fmt::format("--take {}: points are whole numbers", *take));
     if (output.empty() && !check && table.empty()) throw UsageError("name the file to write with -o");
   }
 

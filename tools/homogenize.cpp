@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -159,7 +160,7 @@ struct Homogenize {
     for (const char* at = text.c_str(); *at;) {
       char* end = nullptr;
       numbers.push_back(std::strtod(at, &end));
-      if (end == at || (*end && *end != ',')) return {};
+      if (end == at || (*end && *end != ',') || !std::isfinite(numbers.back())) return {};
       at = *end ? end + 1 : end;
     }
     return numbers;

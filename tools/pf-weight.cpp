@@ -154,6 +154,10 @@ struct Resample {
     const Ensemble before = calibration::read_ensemble(posterior, {}, sources);
     if (before.weight.size() == 0)
       throw DataError(fmt::format("{}: has no weights; assimilate observations first", posterior.string()));
+    if (!(before.weight.sum() > 0))
+      throw DataError(
+          fmt::format("{}: all weights are zero: no set is left to go on from; assimilate again, with a larger --error",
+                      posterior.string()));
     if (keep && before.rounds.empty())
       throw DataError(fmt::format(
           "{}: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep",

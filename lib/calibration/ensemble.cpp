@@ -47,8 +47,19 @@ Vector optional_column(const io::Series& table, const char* name, Eigen::Index r
   const io::Column* column = table.find(name);
   if (column == nullptr) return name == weight_name ? Vector() : Vector(Vector::Zero(rows));
   for (const double v : column->values)
-    if (std::isnan(v)) throw DataError(fmt::format("{}: {}: holds NaN; every member needs a number", where, name));
+    if (!std::isfinite(v))
+      throw DataError(fmt::format("{}: {}: holds {}; every member needs a finite number", where, name, v));
   return vector_of(column->values);
+}
+
+/// Empty where the ensemble has no weights yet.
+Vector read_weights(const io::Series& table, Eigen::Index rows, const std::string& where) {
+  const Vector weight = optional_column(table, weight_name, rows, where);
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (weight[i] < 0)
+      throw DataError(
+          fmt::format("{}: {}: row {}: {} is negative; weights are 0 or more", where, weight_name, i + 1, weight[i]));
+  return weight;
 }
 
 std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& where) {
@@ -91,7 +102,7 @@ Ensemble from_table(const io::Series& table, Prior prior, const std::string& whe
     e.values.col(static_cast<Eigen::Index>(k)) = vector_of(values);
   }
   e.log_importance = optional_column(table, importance_name, rows, where);
-  e.weight = optional_column(table, weight_name, rows, where);
+  e.weight = read_weights(table, rows, where);
   if ((e.log_importance.array() == 0).all()) e.rounds = from_prior(e.size());
   return e;
 }

@@ -295,6 +295,16 @@ Vec3 Settings::vector(const Parameter& parameter, std::optional<Vec3> fallback) 
   return fallback.value_or(Vec3::Zero());
 }
 
+std::optional<Vec3> Settings::vector_or(const Parameter& parameter, std::string_view word) {
+  const toml::node* node = asked_node(*document_, path_, table_, parameter.name);
+  if (const auto* text = node ? node->as_string() : nullptr; text != nullptr) {
+    if (text->get() == word) return std::nullopt;
+    mistake(parameter.name, fmt::format("{} is neither a vector nor \"{}\"", written(*node), word));
+    return Vec3::Zero();
+  }
+  return vector(parameter);
+}
+
 std::string Settings::text(std::string_view key, std::optional<std::string> fallback) {
   const toml::node* node = asked_node(*document_, path_, table_, key);
   if (node == nullptr) {

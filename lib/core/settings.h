@@ -30,6 +30,8 @@ class Settings {
   std::optional<double> number_or(const Parameter& parameter, std::string_view word);
   std::vector<double> numbers(const Parameter& parameter, std::optional<std::vector<double>> fallback = std::nullopt);
   Vec3 vector(const Parameter& parameter, std::optional<Vec3> fallback = std::nullopt);
+  /// A vector or the word `word` (as in point = "touch"): nullopt for the word.
+  std::optional<Vec3> vector_or(const Parameter& parameter, std::string_view word);
   std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
   std::string choice(std::string_view key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);

@@ -15,6 +15,9 @@ namespace {
 constexpr double widest_grain = 0.4999;
 // Unbalanced force below which a deep overlap is a matter of load, not of motion.
 constexpr double quiet = 0.1;
+// Mean stress over the stiffness of the contacts: Hertzian spheres that overlap by a tenth of their radius have about
+// this much. Stiff grains that are flung into each other stay far below.
+constexpr double soft = 0.03;
 
 bool finite(const Lane4& r) { return std::isfinite(r[0]) && std::isfinite(r[1]) && std::isfinite(r[2]); }
 
@@ -62,11 +65,14 @@ void Guard::finite(std::int64_t step, const Bodies& bodies, double force, double
       step, force, spent, lower_step()));
 }
 
-void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force) const {
-  const bool loaded = unbalanced_force < quiet && !fixed_step_;
+void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
+                     const Measures& measures) const {
+  const double stiffness = measures.axial_stiffness.head(dimension_).mean();
+  const bool squeezed = mean(measures.stress, dimension_) > soft * stiffness;
+  const bool loaded = squeezed || (unbalanced_force < quiet && !fixed_step_);
   throw PhysicsError(fmt::format(
       "step {}: {}, more than the {:.3g} % of guards.overlap: {}", step, deepest, 100 * limits_.overlap,
-      loaded ? "the load is too high for grains of this stiffness; lower it, or take stiffer grains"
+      loaded ? "the load is too high for grains of this stiffness; lower it, or raise contact.young_modulus"
              : fmt::format("grains move too far in a step; {}, lower the loading rate, or check the packing",
                            lower_step())));
 }

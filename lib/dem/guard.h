@@ -23,7 +23,8 @@ class Guard {
   /// velocity that is none leaves finite.
   void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
   /// A contact is deeper than it may be. deepest: names it, "grains 3 and 5 overlap by ..."
-  [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force) const;
+  [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
+                             const Measures& measures) const;
   /// No grain spans half the cell along a periodic axis.
   void room(std::int64_t step, const Cell& cell) const;
   /// Energy is neither created nor lost, kinetic energy being that of the moment.

@@ -5,9 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "dem/bodies.h"
+#include "dem/described.h"
 
 namespace soilweave::dem {
 namespace {
@@ -49,43 +55,135 @@ bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
                     [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
 }
 
-void demand_known(const io::Snapshot& state, const Scenario& scenario) {
-  const auto materials = std::visit([](const auto& m) { return m.size(); }, scenario.model.materials);
-  for (const std::int32_t id : state.grains.material_id)
-    if (id < 0 || static_cast<std::size_t>(id) >= materials)
-      throw DataError(fmt::format(
-          "the packing has grains of material {}, the scenario describes {}: add [[material]] tables", id, materials));
-  for (const std::int32_t id : state.yarns.geotextile_id)
-    if (static_cast<std::size_t>(id) >= scenario.model.geotextiles.size())
+// The stress of a cell is that of its contacts: yarns would stretch for nothing.
+void demand_yarns_open(const io::Snapshot& state) {
+  if (state.yarns.size() == 0) return;
+  for (std::size_t a = 0; a < 3; ++a)
+    if (state.cell.periodic[a])
       throw DataError(
-          fmt::format("the packing has yarns of geotextile {}, the scenario describes {}: add "
-                      "[[geotextile]] tables",
-                      id, scenario.model.geotextiles.size()));
+          fmt::format("the packing has yarns, and its cell is periodic along {}: the stress of a periodic cell does "
+                      "not count yarns; lay the geotextile in an open cell, as filter-expand does",
+                      "xyz"[a]));
 }
 
-// Planes that the run brings along must not stand inside what it loads.
-void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
-  for (const PartSetting& p : scenario.parts) {
-    if (p.part.is_clamp) {
-      if (nodes_within(state, p.low, p.high).empty())
-        throw DataError(fmt::format("clamp \"{}\" holds no node of a geotextile: move its box", p.part.name));
-      continue;
+// Strain along the loading axis by which snapshots are named, at every station, as far as it is known beforehand.
+struct KnownStations {
+  std::vector<double> strains;
+  bool all = true;  // false: some stage begins at a strain that only the run finds
+};
+
+KnownStations known_stations(const io::Snapshot& packing, const Scenario& scenario) {
+  const int axis = packing.grains.dimension - 1;
+  const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
+  KnownStations known;
+  // Natural strain since the packing's reference, as Simulation::strain() has it.
+  std::optional<double> start = 0.0 - std::log(packing.cell.deformation_gradient(axis, axis));
+  for (const Stage& stage : scenario.stages) {
+    if (stage.reset_strain) start = 0.0;
+    std::optional<double> last = start;
+    for (std::size_t station = 0; station < stage.path->stations(); ++station) {
+      const double nominal = stage.path->nominal_strain(station);
+      const AxisGoal goal = stage.path->goals(station, unloaded)[static_cast<std::size_t>(axis)];
+      const bool strained = goal.kind == AxisGoal::Kind::strain;
+      if (!std::isnan(nominal)) {
+        known.strains.push_back(nominal);
+      } else if (strained && start) {
+        known.strains.push_back(*start + goal.value);
+      } else if (strained) {
+        known.all = false;
+      }
+      last = !strained ? std::nullopt : start ? std::optional(*start + goal.value) : std::nullopt;
     }
-    const Vec3 normal = state.planes.normal[p.part.number].normalized();
-    std::vector<bool> node(state.grains.size(), false);
-    for (const auto& ends : state.yarns.nodes)
-      for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
-    const Plane plane{state.planes.point[p.part.number], normal, Vec3::Zero(), 0,
-                      static_cast<Partners>(state.planes.partners[p.part.number])};
-    for (std::size_t i = 0; i < state.grains.size(); ++i) {
-      const double r = state.grains.radius[i], gap = (state.grains.position[i] - plane.point).dot(normal) - r;
-      if (plane.touches(node[i]) && gap < -deepest_start * r)
-        throw DataError(
-            fmt::format("plane \"{}\" starts inside the grains: grain {} reaches {:.3g} m beyond it; move "
-                        "its point outwards by that much",
-                        p.part.name, i, -gap));
-    }
+    start = last;
   }
+  return known;
+}
+
+void demand_recorded(const io::Snapshot& packing, const Scenario& scenario) {
+  if (scenario.snapshots.which != SnapshotRule::Which::list) return;
+  const KnownStations known = known_stations(packing, scenario);
+  if (!known.all) return;
+  std::string lost;
+  for (const double strain : scenario.snapshots.strains) {
+    if (std::any_of(known.strains.begin(), known.strains.end(),
+                    [&](double s) { return std::abs(s - strain) < station_tolerance; }))
+      continue;
+    lost += (lost.empty() ? "" : ", ") + number_text(strain);
+    const auto nearest = std::min_element(known.strains.begin(), known.strains.end(), [&](double a, double b) {
+      return std::abs(a - strain) < std::abs(b - strain);
+    });
+    if (nearest != known.strains.end()) lost += fmt::format(" (the nearest is {:.6g})", *nearest);
+  }
+  if (!lost.empty())
+    throw DataError(fmt::format("record.strains: {}: no station has this axial strain; give strains of stations{}",
+                                lost, known.strains.empty() ? ", which no stage here has: leave the list out" : ""));
+}
+
+std::vector<bool> nodes_of(const io::Snapshot& state) {
+  std::vector<bool> node(state.grains.size(), false);
+  for (const auto& ends : state.yarns.nodes)
+    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
+  return node;
+}
+
+Plane plane_of(const io::Snapshot& state, std::size_t k) {
+  return {state.planes.point[k], state.planes.normal[k].normalized(), Vec3::Zero(), 0,
+          static_cast<Partners>(state.planes.partners[k])};
+}
+
+// Puts planes where they just touch the outermost grain that they meet.
+void put_in_touch(io::Snapshot& state, const Scenario& scenario) {
+  const std::vector<bool> node = nodes_of(state);
+  for (const std::size_t k : scenario.touching) {
+    const Plane plane = plane_of(state, k);
+    double lowest = std::numeric_limits<double>::infinity();
+    Vec3 middle = Vec3::Zero();
+    double met = 0;
+    for (std::size_t i = 0; i < state.grains.size(); ++i) {
+      if (!plane.touches(node[i])) continue;
+      lowest = std::min(lowest, state.grains.position[i].dot(plane.normal) - state.grains.radius[i]);
+      middle += state.grains.position[i], met += 1;
+    }
+    if (met == 0) throw DataError(fmt::format("plane {}: point = \"touch\": no grain is its partner", k));
+    middle /= met;
+    state.planes.point[k] = middle + (lowest - middle.dot(plane.normal)) * plane.normal;
+  }
+}
+
+std::string name_of(std::size_t plane, const Scenario& scenario) {
+  for (const PartSetting& p : scenario.parts)
+    if (!p.part.is_clamp && p.part.number == plane) return "\"" + p.part.name + "\"";
+  return std::to_string(plane);
+}
+
+// Planes that the run brings along must not stand inside what it loads. Plates may press a little at the start, planes
+// without a name as deep as contacts may be.
+void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
+  const std::vector<bool> node = nodes_of(state);
+  for (std::size_t k = 0; k < scenario.planes.point.size(); ++k) {
+    const std::string name = name_of(k, scenario);
+    const double allowed = name.front() == '"' ? deepest_start : scenario.numerics.limits.overlap;
+    const Plane plane = plane_of(state, k);
+    std::size_t deepest = 0, inside = 0;
+    double depth = 0;
+    for (std::size_t i = 0; i < state.grains.size(); ++i) {
+      const double r = state.grains.radius[i], gap = (state.grains.position[i] - plane.point).dot(plane.normal) - r;
+      if (!plane.touches(node[i]) || !(gap < -allowed * r)) continue;
+      ++inside;
+      if (-gap > depth) depth = -gap, deepest = i;
+    }
+    if (inside > 0)
+      throw DataError(fmt::format(
+          "plane {} starts inside the grains: {} of them reach beyond it, the deepest, grain {}, by {:.4g} m; move its "
+          "point by that much against its normal, or give point = \"touch\"",
+          name, inside, deepest, depth));
+  }
+}
+
+void demand_held(const io::Snapshot& state, const Scenario& scenario) {
+  for (const PartSetting& p : scenario.parts)
+    if (p.part.is_clamp && nodes_within(state, p.low, p.high).empty())
+      throw DataError(fmt::format("clamp \"{}\" holds no node of a geotextile: move its box", p.part.name));
 }
 
 }  // namespace
@@ -104,21 +202,37 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
 
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   demand_periodic(packing, scenario);
-  demand_known(packing, scenario);
+  demand_yarns_open(packing);
+  demand_recorded(packing, scenario);
   io::Snapshot state = packing;
+  // Planes of an earlier run stay where the scenario has none.
+  if (!scenario.planes.point.empty()) state.planes = scenario.planes;
+  described(state, scenario.model);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const double density = scenario.density[static_cast<std::size_t>(state.grains.material_id[i])];
     if (density > 0) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
   }
-  if (!scenario.planes.point.empty()) {
-    state.planes = scenario.planes;
-    // Contacts with planes of an earlier run are not with these.
-    if (!are_parallel(packing.planes, state.planes)) state.contacts = without_planes(state.contacts);
-  }
+  put_in_touch(state, scenario);
+  // Contacts with planes of an earlier run are not with these.
+  if (!scenario.planes.point.empty() && !are_parallel(packing.planes, state.planes))
+    state.contacts = without_planes(state.contacts);
+  demand_footing(state, scenario.numerics.gravity);
   demand_outside(state, scenario);
+  demand_held(state, scenario);
   state.step = 0;
   state.time = 0;
   return state;
+}
+
+void demand_stable(Simulation& simulation, const Numerics& numerics) {
+  if (!numerics.time_step) return;
+  const double limit = simulation.stability_limit();
+  if (*numerics.time_step <= limit) return;
+  // Rounded down, so that the limit that is told is a step that is taken.
+  const double digit = std::pow(10, std::floor(std::log10(limit)) - 3);
+  throw DataError(fmt::format(
+      "the time step of {:.4g} s is over the stable one of {:.4g} s: lower numerics.time_step, or leave it out",
+      *numerics.time_step, std::floor(limit / digit) * digit));
 }
 
 }  // namespace soilweave::dem

@@ -5,14 +5,19 @@
 #include <vector>
 
 #include "dem/scenario.h"
+#include "dem/simulation.h"
 #include "io/records.h"
 
 namespace soilweave::dem {
 
 /// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
-/// Throws DataError where the packing names materials or geotextiles the scenario lacks, a stage loads an axis that is
-/// not periodic, a plane starts inside the grains, or a clamp holds nothing.
+/// Planes that are to touch are put there. Throws DataError where the packing names materials or geotextiles the
+/// scenario lacks, a stage loads an axis that is not periodic, yarns lie in a periodic cell, gravity has nothing to
+/// press on, a plane starts inside the grains, a clamp holds nothing, or a strain to record meets no station.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
+
+/// Throws DataError where a fixed time step is over the stability limit of the simulation's present contacts.
+void demand_stable(Simulation& simulation, const Numerics& numerics);
 
 /// The nodes of geotextiles in an upright box, m, ascending.
 std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high);

@@ -27,7 +27,8 @@ bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int 
   if (rule.which == SnapshotRule::Which::stations) return true;
   if (rule.which == SnapshotRule::Which::ends) return false;
   const double strain = std::isnan(nominal) ? simulation.strain()[axis] : nominal;
-  return std::any_of(rule.strains.begin(), rule.strains.end(), [&](double s) { return std::abs(s - strain) < 1e-7; });
+  return std::any_of(rule.strains.begin(), rule.strains.end(),
+                     [&](double s) { return std::abs(s - strain) < station_tolerance; });
 }
 
 std::vector<RigPart> parts_of(const Scenario& scenario) {
@@ -78,7 +79,10 @@ class Runner {
     result_.series = last ? std::move(last->series) : empty_series();
     result_.scenario = scenario.resolved;
     for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
-    if (last) go_on();
+    if (last)
+      go_on();
+    else
+      demand_stable(simulation_, scenario.numerics);
   }
 
   Outcome run() {
@@ -262,27 +266,26 @@ class Runner {
     throw TargetNotReached(fmt::format(
         "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
         stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
-        scenario_.tolerances.unbalanced_force, likely_cause(goals)));
+        scenario_.tolerances.unbalanced_force, likely_cause(stage, goals)));
   }
 
-  std::string likely_cause(const AxisGoals& goals) const {
+  std::string likely_cause(const Stage& stage, const AxisGoals& goals) const {
     const Measures& m = simulation_.measures();
     const Mat3 gradient = simulation_.snapshot().cell.velocity_gradient;
-    bool met = true;
     for (int a = 0; a < dimension_; ++a) {
       const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
       if (goal.kind != AxisGoal::Kind::stress) continue;
       if (std::abs(goal.value - m.stress(a, a)) <= scenario_.tolerances.stress * std::abs(goal.value)) continue;
-      met = false;
+      const char* held = std::abs(gradient(a, a)) > 0.999 * goal.max_rate ? "raise max_rate or equilibrium.steps" : "";
       if (m.axial_stiffness[a] == 0)
-        return fmt::format("axis {} meets no resistance: the packing is too loose to carry; start from a denser one",
-                           "xyz"[a]);
-      if (std::abs(gradient(a, a)) > 0.999 * goal.max_rate)
-        return fmt::format("axis {} is held back by its largest rate: raise max_rate or equilibrium.steps", "xyz"[a]);
+        return fmt::format("axis {} meets no resistance, the grains do not touch yet: {}", "xyz"[a],
+                           *held ? held : "raise equilibrium.steps, or start from a denser packing");
+      if (*held) return fmt::format("axis {} is held back by its largest rate: {}", "xyz"[a], held);
     }
-    if (met && simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
-        scenario_.numerics.damping < 0.05)
-      return "the grains do not come to rest: raise numerics.damping";
+    if (simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
+        stage.damping.value_or(scenario_.numerics.damping) < 0.05)
+      return fmt::format("the grains do not come to rest: raise {}",
+                         stage.damping ? "the stage's damping" : "numerics.damping");
     return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }
 

@@ -54,6 +54,7 @@ SnapshotRule read_snapshots(Settings& document) {
   if (which == "list") {
     rule.which = SnapshotRule::Which::list;
     rule.strains = table.numbers(strains);
+    if (rule.strains.empty()) table.mistake("strains", "is an empty list; give strains, or snapshots = \"ends\"");
   }
   return rule;
 }
@@ -104,6 +105,8 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   stage.way_unbalanced_force = table.number(on_the_way, 0);
   if (table.has("rest_drag")) stage.rest_drag = table.number(drag);
   stage.path = read_path(path, table);
+  if (stage.path && stage.path->stations() == 0)
+    table.mistake("", "has no stations: its list is empty; name one at least, or leave the stage out");
   if (stage.path && stage.path->stations() > 0)
     for (const DriveGoal& goal : stage.path->drives(0))
       if (std::none_of(parts.begin(), parts.end(), [&](const PartSetting& p) { return p.part.name == goal.part; }))
@@ -111,7 +114,8 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   return stage;
 }
 
-io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vector<PartSetting>& parts) {
+io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vector<PartSetting>& parts,
+                             std::vector<std::size_t>& touching) {
   static constexpr Parameter point{"point", "m", -1e6, 1e6, false, "a point of the plane"};
   static constexpr Parameter normal{"normal", "1", -1, 1, false, "normal towards the grains"};
   static constexpr Parameter velocity{"velocity", "m/s", -1e6, 1e6, false, "constant velocity of the plane"};
@@ -119,7 +123,9 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vec
                                       1e3,        false, "0: [contact], 1 and on: the [[material]] tables"};
   io::PlanesRecord planes;
   for (Settings table : document.tables("plane")) {
-    planes.point.push_back(table.vector(point));
+    const std::optional<Vec3> at = table.vector_or(point, "touch");
+    if (!at) touching.push_back(planes.point.size());
+    planes.point.push_back(at.value_or(Vec3::Zero()));
     planes.normal.push_back(table.vector(normal));
     if (planes.normal.back().norm() == 0) table.mistake("normal", "is zero: give the direction towards the grains");
     planes.velocity.push_back(table.vector(velocity, Vec3::Zero()));
@@ -199,7 +205,8 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   s.tolerances = read_tolerances(document, s.largest_station);
   s.servo = read_servo(document);
   s.snapshots = read_snapshots(document);
-  s.planes = read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials), s.parts);
+  s.planes =
+      read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials), s.parts, s.touching);
   read_clamps(document, s.parts);
   for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table, s.parts));
   if (s.stages.empty() && !document.has("stage"))

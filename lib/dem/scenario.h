@@ -31,6 +31,8 @@ struct SnapshotRule {
   Which which = Which::ends;
   std::vector<double> strains;  // loading-axis strains, for `list`
 };
+/// Distance below which a strain to record is a station's.
+inline constexpr double station_tolerance = 1e-7;
 
 /// A plane or clamp that can be driven, and for a clamp the upright box of the nodes it holds, m.
 struct PartSetting {
@@ -49,6 +51,7 @@ struct Scenario {
   SnapshotRule snapshots;
   std::vector<Stage> stages;
   io::PlanesRecord planes;
+  std::vector<std::size_t> touching;  // planes whose point prepare() finds, where they touch the grains
   std::vector<PartSetting> parts;
   std::vector<io::Source> sources;  // files that the scenario named
   std::string resolved;             // the TOML with overrides applied, for provenance

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "dem/contact_sweep.h"
 #include "dem/contacts_record.h"
+#include "dem/described.h"
 #include "dem/guard.h"
 #include "dem/ledger.h"
 #include "dem/motion.h"
@@ -39,7 +40,7 @@ constexpr double largest_move = 1e-2;
 struct Simulation::Impl {
   Impl(const io::Snapshot& state, const Model& model, const Numerics& settings, Archive* kept)
       : numerics(settings),
-        record(state),
+        record(described(state, model)),
         bodies(state.grains),
         cell(state.cell, state.grains.dimension),
         planes(state.planes),
@@ -211,7 +212,7 @@ struct Simulation::Impl {
   void look_at_overlap() {
     looked_at = sums.largest_overlap;
     if (const DeepestContact c = deepest(); c.relative > numerics.limits.overlap)
-      guard.too_deep(steps, description(c), unbalanced_force());
+      guard.too_deep(steps, description(c), unbalanced_force(), measures);
   }
 
   DeepestContact deepest() const { return deepest_of(contacts_record(), bodies); }

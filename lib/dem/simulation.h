@@ -49,7 +49,7 @@ struct Energies {
 class Simulation {
  public:
   /// Takes over the state, contacts and their history included; contacts absent from the record are born at zero shear.
-  /// Throws DataError where grains overlap by more than half a radius.
+  /// Throws DataError where grains overlap by more than half a radius, or are of a material that the model lacks.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
   /// Goes on from a snapshot taken between two steps and what archive() kept then, bit by bit.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);

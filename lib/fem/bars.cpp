@@ -205,7 +205,8 @@ void Bars::touch(Contact& c, const Vec2& p, const Vec2& v, double spin, double d
   }
   if (overlap > setup_.radius)
     throw PhysicsError(fmt::format(
-        "{} {} is {:.3g} m deep in {}: it moves too fast for its stiffness; raise contact.normal_stiffness or pull "
+        "{} {} is {:.3g} m deep in {}: it moves too fast for its stiffness; raise "
+        "geosynthetic.contact.normal_stiffness or pull "
         "slower",
         c.of_interface ? "interface node" : "bar", c.bar, overlap, c.line == 0 ? "the boundary" : "a guide"));
   const Vec2 n = apart / distance, t = tangent(n);

@@ -52,7 +52,15 @@ Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), r
   if (setup_.interval > 0 && !setup_.time_step) dt_ = setup_.interval / std::ceil(setup_.interval / dt_ * (1 - 1e-12));
   double limit = dt_;
   for (const Probe& p : probes) limit = std::min(limit, setup_.grains.numerics.time_step_safety * p.limit);
-  if (setup_.grains.numerics.time_step) limit = *setup_.grains.numerics.time_step;
+  if (const auto fixed = setup_.grains.numerics.time_step; fixed) {
+    for (const Probe& p : probes)
+      if (*fixed > p.limit)
+        throw DataError(
+            fmt::format("the time step of {:.4g} s is over the stable one of {:.4g} s of the grains: lower "
+                        "numerics.time_step, or leave it out",
+                        *fixed, p.limit));
+    limit = *fixed;
+  }
   substeps_ = std::max<std::int64_t>(1, std::llround(std::ceil(dt_ / limit * (1 - 1e-12))));
   make_points();
 }

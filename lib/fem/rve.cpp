@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "dem/bodies.h"
+#include "dem/described.h"
 
 namespace soilweave::fem {
 namespace {
@@ -94,15 +95,11 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
         "a material point needs disks in a cell that is periodic along x and y (pack-generate --dimension 2)");
   if (!packing.planes.point.empty() || packing.yarns.size() > 0)
     throw DataError("a material point is of disks alone: this packing has planes or yarns");
-  const auto materials = std::visit([](const auto& m) { return m.size(); }, grains.model.materials);
+  dem::described(packing, grains.model);
   io::Snapshot state = packing;
-  for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    const std::int32_t id = state.grains.material_id[i];
-    if (id < 0 || static_cast<std::size_t>(id) >= materials)
-      throw DataError(
-          fmt::format("has disks of material {}, the scenario describes {}: add [[material]] tables", id, materials));
-    if (grains.density > 0) state.grains.mass[i] = grains.density * dem::grain_volume(2, state.grains.radius[i]);
-  }
+  if (grains.density > 0)
+    for (std::size_t i = 0; i < state.grains.size(); ++i)
+      state.grains.mass[i] = grains.density * dem::grain_volume(2, state.grains.radius[i]);
   state.step = 0;
   state.time = 0;
   state.cell.velocity_gradient.setZero();

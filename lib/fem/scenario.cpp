@@ -113,6 +113,15 @@ ContinuumLaw read_law(Settings& soil, bool limited) {
   return law;
 }
 
+// Numerics of grains within a material point, or of grains that may take the place of a continuum later.
+dem::Numerics read_grain_numerics(Settings& document) {
+  const dem::Numerics numerics = dem::read_numerics(document);
+  if (numerics.gravity != Vec3::Zero())
+    document.table("numerics")
+        .mistake("gravity", "has nowhere to act: a material point is a periodic cell without weight; leave it out");
+  return numerics;
+}
+
 void read_soil(Settings& document, ModelSetup& m) {
   static constexpr Parameter density{"density", "kg/m3", 0, 1e9, true, "of the soil, pores included"};
   static constexpr Parameter damping{"damping", "1/s", 0, 1e6, false, "viscous coefficient c of thesis Eq. 6.2"};
@@ -121,7 +130,7 @@ void read_soil(Settings& document, ModelSetup& m) {
   m.soil.damping = soil.number(damping, 0.2);
   if (material == "grains") {
     m.soil.density = soil.has("density") ? soil.number(density) : 0;
-    m.grains = {dem::read_model(document), dem::read_numerics(document), dem::read_density(document)};
+    m.grains = {dem::read_model(document), read_grain_numerics(document), dem::read_density(document)};
     return;
   }
   m.soil.density = soil.number(density);
@@ -129,7 +138,7 @@ void read_soil(Settings& document, ModelSetup& m) {
   // A user sets a problem up with a continuum, then pays for the grains: their tables may stand there already.
   if (document.has("contact")) dem::read_model(document);
   if (document.has("grains")) dem::read_density(document);
-  if (document.has("numerics") || document.has("guards")) dem::read_numerics(document);
+  if (document.has("numerics") || document.has("guards")) read_grain_numerics(document);
 }
 
 void read_edges(Settings& document, SoilSetup& soil) {

@@ -16,6 +16,7 @@
 #include "dem/bodies.h"
 #include "dem/contact_sweep.h"
 #include "dem/moment.h"
+#include "dem/prepare.h"
 #include "dem/scenario.h"
 #include "packing/tile.h"
 
@@ -75,6 +76,8 @@ class Grower {
       dem::demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
       dem::demand_kept(at_.round >= 0, keeper_.part().last(), "round");
       history_ = std::move(last->series);
+    } else {
+      dem::demand_stable(simulation_, numerics);
     }
     simulation_.set_damping(growth.damping);
     adjust();

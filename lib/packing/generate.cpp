@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dem/described.h"
 #include "dem/moment.h"
+#include "dem/prepare.h"
 #include "dem/scenario.h"
 #include "packing/ahead.h"
 
@@ -84,6 +86,8 @@ class Compaction {
       dem::demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
       if (at_.friction > 0) set_friction(at_.friction);
     } else {
+      dem::demand_footing(cloud, numerics.gravity);
+      dem::demand_stable(simulation_, numerics);
       if (recipe.void_ratio) demand_room(*recipe.void_ratio);
       demand_feasible(simulation_, model, recipe, mean_radius(cloud), dimension_, numerics.limits.overlap);
       simulation_.set_damping(recipe.damping);

@@ -78,6 +78,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   to-vtk --quiet run.h5 -o shown
   [[ -e shown/soil.pvd && -e shown/soil_000002.vtu && -e shown/geosynthetic_000002.vtp && -e shown/series.csv ]] || show "$(ls shown)"
   mentions 65 fem-dem "name it in record.points" --take 0 run.h5 -o point0.h5
+  mentions 64 fem-dem "--take 1.5: points are whole numbers" --take 1.5 run.h5 -o point.h5
   mentions 64 fem-dem "has the tables series, elements, nodes, points, bars, recorded" --table nods run.h5
 }
 

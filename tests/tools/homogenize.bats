@@ -131,6 +131,8 @@ PY
   mentions 64 homogenize "3 states, 0 to 2" --tsv --state 3 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1,1,0 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --box nan,1,0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --box=-inf,1,0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "from low to high" --tsv --box 0,1,0,x,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "needs --box, --copies or --groups" --tsv --table volumes "$IN/sheared.h5"
   mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"

@@ -242,6 +242,16 @@ PY
 }
 
 # two A B: the linear model that the examples' runs come from, of one parameter set.
+@test "resample: weights that are all zero or negative are refused" {
+  printf 'id\ta\tweight\n0\t1\t0\n1\t2\t0\n' > zero.tsv
+  exits 65 pf-weight resample zero.tsv -n 4 -o out.h5
+  [[ $stderr == "pf-weight resample: zero.tsv: all weights are zero: no set is left to go on from; assimilate again, with a larger --error" ]] ||
+    show
+  printf 'id\ta\tweight\n0\t1\t1.5\n1\t2\t-0.5\n' > negative.tsv
+  exits 65 pf-weight resample negative.tsv -n 4 -o out.h5
+  [[ $stderr == "pf-weight resample: negative.tsv: weight: row 2: -0.5 is negative; weights are 0 or more" ]] || show
+}
+
 @test "resample: rounds of 40 sets come to the parameters that the observations were made with" {
   # observed.tsv is made with a = 0.3, b = -0.4 and no noise: y = a + b t / 5, a t / 5 - b.
   local ensemble=ensemble.h5 round

@@ -1,0 +1,18 @@
+// Whether a state and the model that is to move it belong together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/model.h"
+#include "io/records.h"
+
+namespace soilweave::dem {
+
+/// Returns the state. Throws DataError where a grain, plane or yarn names a material or geotextile that the model
+/// lacks.
+const io::Snapshot& described(const io::Snapshot& state, const Model& model);
+
+/// Throws DataError where nothing could hold grains up: gravity that acts along periodic axes alone, and no plane
+/// against it.
+void demand_footing(const io::Snapshot& state, const Vec3& gravity);
+
+}  // namespace soilweave::dem

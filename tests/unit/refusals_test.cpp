@@ -1,0 +1,189 @@
+// Numbers that do not fit together: refused before anything moves, each with its reason.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "calibration/ensemble.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "dem/described.h"
+#include "dem/forecast.h"
+#include "dem/prepare.h"
+#include "dem/run.h"
+#include "fem/scenario.h"
+#include "support/assembly.h"
+#include "support/same_state.h"
+#include "support/states.h"
+
+namespace soilweave::dem {
+namespace {
+
+using analysis::test::simple_cubic;
+using io::test::expect_error;
+
+const std::string contact =
+    "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nfriction_angle = 30\n";
+const std::string triaxial =
+    "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.004\nincrement = 0.001\n";
+const std::string pressed = "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n";
+
+Scenario scenario(const std::string& text) { return read_scenario(contact + text, "test.toml", {}); }
+
+io::Snapshot grains() { return simple_cubic(3, Vec3(1, 1, 1)); }
+
+io::Snapshot with_yarn(io::Snapshot state) {
+  io::YarnsRecord& y = state.yarns;
+  y.nodes = {{0, 1}}, y.fabric = {0}, y.geotextile_id = {0}, y.family = {0}, y.rest_length = {1};
+  y.largest_strain = {0}, y.tension = {0}, y.broken = {0}, y.break_time = {0}, y.break_position = {Vec3::Zero()};
+  return state;
+}
+
+TEST(Refused, MaterialsThatNothingDescribes) {
+  const Model model = scenario(pressed).model;
+  for (const std::int32_t id : {1, -1, 2000000000}) {
+    io::Snapshot state = grains();
+    state.grains.material_id[5] = id;
+    // Whatever steps grains makes a Simulation of them.
+    expect_error<DataError>([&] { Simulation(state, model, {}); }, "add [[material]] tables");
+    expect_error<DataError>([&] { prepare(state, scenario(pressed)); }, "add [[material]] tables");
+    io::Snapshot planes = grains();
+    planes.planes = {{Vec3(0, 0, -9)}, {Vec3::UnitZ()}, {Vec3::Zero()}, {id}, {0}};
+    expect_error<DataError>([&] { described(planes, model); }, "planes of material");
+  }
+  expect_error<DataError>([&] { described(with_yarn(grains()), model); }, "add [[geotextile]] tables");
+  EXPECT_NO_THROW(described(grains(), model));
+}
+
+TEST(Refused, YarnsInAPeriodicCell) {
+  const std::string geotextile = "[[geotextile]]\nyarn_strain = [0.1]\nyarn_tension = [10]\n";
+  const Scenario plan = scenario(geotextile + pressed);
+  expect_error<DataError>([&] { prepare(with_yarn(grains()), plan); }, "does not count yarns");
+  io::Snapshot partly = with_yarn(grains());
+  partly.cell.periodic = {false, false, true};
+  const Scenario held = scenario(geotextile + "[[stage]]\npath = \"free\"\n");
+  expect_error<DataError>([&] { prepare(partly, held); }, "periodic along z");
+}
+
+TEST(Refused, GravityWithNothingToPressOn) {
+  const io::Snapshot closed = grains();
+  expect_error<DataError>([&] { demand_footing(closed, Vec3(0, 0, -9.81)); }, "fall for ever");
+  EXPECT_NO_THROW(demand_footing(closed, Vec3::Zero()));
+  io::Snapshot open = closed;
+  open.cell.periodic[2] = false;
+  EXPECT_NO_THROW(demand_footing(open, Vec3(1, 0, -9.81)));
+  expect_error<DataError>([&] { demand_footing(open, Vec3(1, 0, 0)); }, "along x");
+  io::Snapshot floor = closed;
+  floor.planes = {{Vec3(0, 0, -9)}, {Vec3::UnitZ()}, {Vec3::Zero()}, {0}, {0}};
+  EXPECT_NO_THROW(demand_footing(floor, Vec3(0, 0, -9.81)));
+  expect_error<DataError>([&] { demand_footing(floor, Vec3(0, 0, 9.81)); }, "fall for ever");
+}
+
+TEST(Refused, ATimeStepOverTheStableOne) {
+  io::Snapshot state = grains();
+  for (std::size_t i = 0; i < state.grains.size(); ++i) state.grains.position[i] *= 0.999;
+  state.cell.matrix *= 0.999;
+  state.contacts = {};
+  Simulation simulation(state, scenario(pressed).model, {});
+  const double limit = simulation.stability_limit();
+  const std::string over = "[numerics]\ntime_step = " + number_text(1.1 * limit) + "\n";
+  const Scenario plan = scenario(over + pressed);
+  expect_error<DataError>([&] { forecast(state, plan); }, "is over the stable one");
+  expect_error<DataError>([&] { run(state, plan, {}); }, "or leave it out");
+  const Scenario under = scenario("[numerics]\ntime_step = " + number_text(0.9 * limit) + "\n" + pressed);
+  EXPECT_NO_THROW(demand_stable(simulation, under.numerics));
+}
+
+TEST(Refused, StrainsThatMeetNoStation) {
+  const auto recorded = [](const std::string& strains, const std::string& stages) {
+    return scenario("[record]\nsnapshots = \"list\"\nstrains = " + strains + "\n" + stages);
+  };
+  const std::string from_zero = pressed + triaxial + "reset_strain = true\n";
+  expect_error<DataError>([&] { prepare(grains(), recorded("[0.001, 0.0015, -1]", from_zero)); },
+                          "record.strains: 0.0015 (the nearest is 0.001), -1 (the nearest is 0.001): no station");
+  EXPECT_NO_THROW(prepare(grains(), recorded("[0.001, 0.004]", from_zero)));
+  EXPECT_NO_THROW(prepare(grains(), recorded("[0.004, 0.006]", triaxial + triaxial.substr(0, triaxial.find("incre")) +
+                                                                   "increment = 0.002\n")));
+  // What pressing strains is known when it has been pressed: the run alone can tell.
+  EXPECT_NO_THROW(prepare(grains(), recorded("[0.0123]", pressed + triaxial)));
+  expect_error<DataError>([&] { prepare(grains(), recorded("[0.01]", pressed)); }, "leave the list out");
+  expect_error<DataError>([&] { recorded("[]", from_zero); }, "strains: is an empty list");
+}
+
+TEST(Refused, StagesWithoutContent) {
+  expect_error<DataError>([] { read_scenario("stage = []\n" + contact, "test.toml", {}); }, "stage: is not a list of tables");
+  expect_error<DataError>([] { scenario(""); }, "stage: is missing");
+  for (const std::string path : {"triaxial\"\nconfining_pressure = 1e5\nstations = []", "k0\"\naxial_stress = []",
+                                 "constant-volume\"\nstations = []"})
+    expect_error<DataError>([&] { scenario("[[stage]]\npath = \"" + path + "\n"); }, "has no stations");
+}
+
+TEST(Plane, ThatIsToTouchTouchesTheOutermostGrain) {
+  io::Snapshot state = grains();
+  state.cell.periodic = {false, false, false};
+  state.grains.position[4].z() -= 0.125;
+  const std::string held = "[[stage]]\npath = \"free\"\n";
+  const Scenario plan = scenario(
+      "[[plane]]\nname = \"floor\"\npoint = \"touch\"\nnormal = [0, 0, 1]\n"
+      "[[plane]]\nname = \"top\"\npoint = \"touch\"\nnormal = [0, 0, -1]\n" +
+      held);
+  const io::Snapshot ready = prepare(state, plan);
+  ASSERT_EQ(ready.planes.point.size(), 2U);
+  EXPECT_NEAR(ready.planes.point[0].z(), -0.625, 1e-12);
+  EXPECT_NEAR(ready.planes.point[1].z(), 2.5, 1e-12);
+  expect_error<DataError>(
+      [&] {
+        prepare(state, scenario("[[plane]]\npoint = \"touch\"\nnormal = [0, 0, 1]\n"
+                                "partners = \"geotextile\"\n" +
+                                held));
+      },
+      "no grain is its partner");
+  expect_error<DataError>([&] { scenario("[[plane]]\npoint = \"tuch\"\nnormal = [0, 0, 1]\n" + held); },
+                          "is neither a vector nor \"touch\"");
+}
+
+TEST(Plane, InsideTheGrainsNamesTheDeepestAndHowDeep) {
+  io::Snapshot state = grains();
+  state.cell.periodic = {false, false, false};
+  state.grains.position[4].z() -= 0.125;
+  const std::string start = "[[plane]]\nname = \"floor\"\nnormal = [0, 0, 1]\npoint = ",
+                    held = "\n[[stage]]\npath = \"free\"\n";
+  expect_error<DataError>([&] { prepare(state, scenario(start + "[0, 0, -0.45]" + held)); },
+                          "9 of them reach beyond it, the deepest, grain 4, by 0.175 m");
+  // Following it helps.
+  EXPECT_NO_THROW(prepare(state, scenario(start + "[0, 0, -0.625]" + held)));
+}
+
+}  // namespace
+}  // namespace soilweave::dem
+
+namespace soilweave {
+namespace {
+
+TEST(Refused, GravityAndFractionsOfPointsInTwoScales) {
+  const std::string text =
+      "[mesh]\nwidth = 1\nheight = 1\ncolumns = 1\nrows = 1\n[soil]\nmaterial = \"grains\"\n"
+      "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nfriction_angle = 30\n"
+      "[[support]]\non = \"all\"\nx = 0\n[time]\nduration = 1\noutput_interval = 1\n";
+  const auto read = [&](const std::string& more) { fem::read_scenario(text + more, "test.toml", {}, std::nullopt); };
+  EXPECT_NO_THROW(read(""));
+  EXPECT_NO_THROW(read("[numerics]\ngravity = [0, 0, 0]\n"));
+  io::test::expect_error<DataError>([&] { read("[numerics]\ngravity = [0, -9.81, 0]\n"); },
+                                    "numerics.gravity: has nowhere");
+  io::test::expect_error<DataError>([&] { read("[record]\npoints = [1.5]\n"); }, "1.5 is no number of a point");
+}
+
+TEST(Refused, WeightsThatAreNone) {
+  const io::test::Folder folder;
+  const auto read = [&](const std::string& weights) {
+    io::test::put_bytes(folder / "sets.tsv", "id\ta\tweight\n" + weights);
+    std::vector<io::Source> sources;
+    calibration::read_ensemble(folder / "sets.tsv", {}, sources);
+  };
+  EXPECT_NO_THROW(read("0\t1\t0.25\n1\t2\t0.75\n"));
+  io::test::expect_error<DataError>([&] { read("0\t1\t1.5\n1\t2\t-0.5\n"); }, "row 2: -0.5 is negative");
+  // All zero is what assimilation may come to: its file is read again, with another error.
+  EXPECT_NO_THROW(read("0\t1\t0\n1\t2\t0\n"));
+  io::test::expect_error<DataError>([&] { read("0\t1\tnan\n1\t2\t1\n"); }, "weight: holds nan");
+}
+
+}  // namespace
+}  // namespace soilweave
