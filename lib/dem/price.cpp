@@ -8,7 +8,12 @@ namespace soilweave::dem {
 
 double Price::share(Phase phase) const {
   if (times.looked_at == 0 || !(stepping + output > 0)) return 0;
-  return times.of(phase) * static_cast<double>(steps) / static_cast<double>(times.looked_at) / (stepping + output);
+  const double all_steps = static_cast<double>(steps) / static_cast<double>(times.looked_at);
+  double phases = 0;
+  for (const double s : times.seconds) phases += s * all_steps;
+  // Steps that were looked at may have been slow ones by chance: the phases share what stepping took, no more.
+  const double scale = phases > stepping ? stepping / phases : 1;
+  return scale * times.of(phase) * all_steps / (stepping + output);
 }
 
 std::string Price::line() const {

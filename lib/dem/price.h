@@ -20,7 +20,7 @@ struct Price {
   double contacts() const { return steps > 0 ? static_cast<double>(contact_steps) / static_cast<double>(steps) : 0; }
   /// ns of a whole step for each contact.
   double per_contact() const { return contact_steps > 0 ? 1e9 * stepping / static_cast<double>(contact_steps) : 0; }
-  /// Of all the time; a phase's by the steps that were looked at.
+  /// Share of a phase in all the time, from the steps that were looked at; the shares add up to 1 at most.
   double share(Phase phase) const;
   /// One line of it all.
   std::string line() const;
