@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "analysis/doubts.h"
 #include "analysis/volume_of_interest.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
 #include "core/tool.h"
+#include "dem/described.h"
 #include "io/bytes.h"
 #include "io/files.h"
 #include "io/safe_output.h"
@@ -52,21 +54,27 @@ struct FilterExpand {
       Progress laying("filter-expand", invocation.quiet);
       return packing::assemble(volume.state, what, [&](double done) { laying.update(done, "geotextile laid"); });
     }();
+    dem::described(start, what.model);
     Progress progress("filter-expand", invocation.quiet);
     const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {volume.source, text.source};
     sources.insert(sources.end(), what.sources.begin(), what.sources.end());
     const io::History past = io::extend(sources, invocation, what.resolved);
+    Doubts doubts(invocation.tool);
     const StopSignals signals;
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;
     if (what.growth && what.container)
       packing::aim(*what.growth, start, analysis::void_ratio(volume.state), *what.container, what.soil_depth());
-    if (!what.growth) return void(safe.write([&] { io::write_packing(output, start, past); }));
+    if (!what.growth) {
+      doubts.add_all(analysis::bag_doubts(start));
+      return void(safe.write([&] { io::write_packing(output, start, io::with_doubts(past, doubts)); }));
+    }
     packing::Grown grown =
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});
     if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
-    grown.price.output += safe.write([&] { io::write_packing(output, grown.state, past); });
+    doubts.add_all(analysis::bag_doubts(grown.state));
+    grown.price.output += safe.write([&] { io::write_packing(output, grown.state, io::with_doubts(past, doubts)); });
     if (output == "-") return;
     progress.note(fmt::format("filter-expand: {} grains, {}", start.grains.size(), grown.fill.text()));
     progress.note("filter-expand: " + grown.price.line());

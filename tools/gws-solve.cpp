@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/tool.h"
+#include "gws/doubts.h"
 #include "gws/options.h"
 #include "gws/output.h"
 #include "gws/report.h"
@@ -53,7 +54,7 @@ struct Respond {
     const gws::Response response(c);
     const auto states = response.points(static_cast<std::size_t>(points));
     Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
-    std::string text = gws::heading(c, read.soil.name);
+    std::string text = gws::heading(c, read.soil.name, bag.chose_soil());
     if (sensitivity) {
       const auto rows = gws::sensitivities(c, read.soil, share);
       groups.push_back({"sensitivity", "capacity and settlement with each constant", gws::sensitivity_table(rows)});
@@ -65,7 +66,8 @@ struct Respond {
     } else {
       text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
     }
-    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation);
+    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
+               gws::doubts(read.soil, bag.chose_soil(), {c.geotextile.stiffness}, {response.start(), response.last()}));
     gws::demand_reached(response, surcharge);
   }
 };
@@ -117,13 +119,9 @@ struct Identify {
         gws::read_points(failure, "confining_pressure", "Pa", "obliquity_at_failure", "1", sources),
         difference == "central" ? gws::Difference::central : gws::Difference::backward);
     const Groups groups = gws::groups_of(found);
-    std::size_t chosen = 0;
-    while (chosen < groups.size() && groups[chosen].name != table) ++chosen;
-    if (output.tsv && chosen == groups.size())
-      throw DataError(table + ": not identified; see the report without --tsv");
-    output.put(groups, chosen,
+    output.put(groups, output.place_of(groups, table),
                toml ? gws::soil_text(found.soil, "Identified by " + invocation.command) : gws::describe(found, series),
-               sources, scenario, invocation);
+               sources, scenario, invocation, {});
   }
 };
 
@@ -165,20 +163,24 @@ struct Design {
     const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety};
     Groups groups;
     std::string text;
+    std::vector<Doubt> doubts;
     if (chart) {
       const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
       groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
       text = gws::aligned(gws::readable(rows));
+      doubts = gws::doubts(read.soil, bag.chose_soil(), {from, to}, {});
     } else if (surcharge) {
       const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
       groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
       text = gws::describe(found, demand, c);
+      doubts = gws::doubts(read.soil, bag.chose_soil(), {found.geotextile.stiffness}, {found.start, found.factored});
     } else {
       const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, safety);
       groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
       text = gws::describe(found, demand.settlement, safety, c);
+      doubts = gws::doubts(read.soil, bag.chose_soil(), {c.geotextile.stiffness}, {found.at});
     }
-    output.put(groups, 0, text, read.sources, read.scenario, invocation);
+    output.put(groups, 0, text, read.sources, read.scenario, invocation, doubts);
   }
 };
 

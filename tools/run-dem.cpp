@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/bag.h"
+#include "analysis/doubts.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
@@ -62,7 +63,11 @@ struct RunDem {
     const io::PackingFile start = io::read_state(packing);
     io::Snapshot state = dem::prepare(start.state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
-    if (check) return io::write_bytes("-", dem::forecast(state, plan).text());
+    Doubts doubts(invocation.tool);
+    if (check) {
+      io::write_bytes("-", dem::forecast(state, plan).text());
+      return doubts.add_all(analysis::doubts_before(state, plan));
+    }
     Progress progress("run-dem", invocation.quiet);
     const dem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::extend(sources(start, text, plan), invocation, plan.resolved);
@@ -74,7 +79,8 @@ struct RunDem {
     if (state.yarns.size() > 0)
       observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals}, observe);
-    outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, history); });
+    doubts.add_all(analysis::doubts_after(state, plan, outcome.file));
+    outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, io::with_doubts(history, doubts)); });
     if (output != "-") progress.note("run-dem: " + outcome.price.line());
   }
 

@@ -223,11 +223,22 @@ Increment increment(const BagSeries& series, std::size_t i, const Soil& soil, Di
   return d;
 }
 
+Identified range_of(const std::vector<BagSeries>& series) {
+  Identified range;
+  for (const BagSeries& one : series) {
+    range.stiffness.add(one.stiffness);
+    for (const double p : one.mean_stress) range.mean_stress.add(p);
+    for (const double strain : one.strain_axial) range.axial_strain.add(strain);
+  }
+  return range;
+}
+
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference) {
   Identification found;
   found.soil = soil;
   found.soil.scatter.clear();
+  if (!series.empty()) found.soil.identified = range_of(series);
   const auto add = [&](const auto& line) {
     try {
       found.lines.push_back(line());

@@ -40,7 +40,7 @@ void CaseOptions::declare(tool::Table& t) {
   t.option(fraction, strength_fraction_range);
   t.option(width, named(bag_extent, "width", "width of the bag, B"));
   t.option(height, named(bag_extent, "height", "height of the bag after compaction, H"));
-  t.option(soil, "soil", "NAME|FILE", "constants: of data/soils, or a TOML");
+  t.option(soil, "soil", "NAME|FILE", "constants: of data/soils, or a TOML; else toyoura-gws");
   t.option(assignments, "set", "KEY=VALUE", "replace a constant, as near_failure_line.kappa=1.4");
   t.option(lateral, lateral_range);
   t.option(history, "lateral-history", "FILE", "TSV with surcharge [Pa], lateral_stress [Pa]");
@@ -88,7 +88,7 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
 ReadCase CaseOptions::read() const {
   ReadCase read;
   Case& c = read.the_case;
-  read.soil = find_soil(soil, assignments, read.sources, read.scenario);
+  read.soil = find_soil(soil.empty() ? default_soil : soil, assignments, read.sources, read.scenario);
   c.soil = read.soil.soil;
   c.geotextile = read_geotextile();
   c.bag = {width, height};

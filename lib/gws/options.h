@@ -42,6 +42,9 @@ inline constexpr Parameter lowest_stiffness{
 inline constexpr Parameter highest_stiffness{
     "to", "N/m", 0, 1e10, true, "highest stiffness", "without stiffness the geotextile holds nothing"};
 
+/// The soil whose constants are taken where none is chosen.
+inline constexpr const char* default_soil = "toyoura-gws";
+
 /// A case with where its parts came from.
 struct ReadCase {
   Case the_case;
@@ -51,7 +54,7 @@ struct ReadCase {
 };
 
 struct CaseOptions {
-  std::string geotextile, soil = "toyoura-gws";
+  std::string geotextile, soil;  // soil: empty where none was chosen
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;
   std::filesystem::path history;
@@ -62,6 +65,7 @@ struct CaseOptions {
   std::vector<std::string> mistakes(bool needs_geotextile) const;
   /// Reads the files and names. Throws DataError, MissingInput.
   ReadCase read() const;
+  bool chose_soil() const { return !soil.empty(); }
 
  private:
   Geotextile read_geotextile() const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/tool.h"
 #include "io/files.h"
 
@@ -20,9 +21,12 @@ struct Output {
   void declare(tool::Table& table);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes) const;
-  /// Prints the text, or the table `chosen` as TSV, unless the file itself goes to standard output; writes the file.
+  /// Place of the table that --tsv prints; none is needed without. Throws DataError where it was not identified.
+  std::size_t place_of(const Groups& groups, const std::string& table) const;
+  /// Prints the text, or the table `chosen` as TSV, unless the file itself goes to standard output; writes the file,
+  /// with the doubts, which are said first.
   void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
-           const std::string& scenario, const tool::Invocation& invocation) const;
+           const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;
 };
 
 }  // namespace soilweave::gws

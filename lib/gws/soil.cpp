@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -90,7 +91,36 @@ Scatter read_scatter(Settings& at, const std::string& line) {
   return scatter;
 }
 
+struct Extent {
+  Parameter parameter;
+  Span Identified::*field;
+};
+constexpr std::array extents{
+    Extent{{"stiffness", "N/m", 0, 1e12, false, "least and greatest stiffness of the geotextiles"},
+           &Identified::stiffness},
+    Extent{{"mean_stress", "Pa", 0, 1e12, false, "least and greatest mean stress of the soil"},
+           &Identified::mean_stress},
+    Extent{{"axial_strain", "1", 0, 1, false, "least and greatest axial strain"}, &Identified::axial_strain},
+};
+
+Identified read_identified(Settings table) {
+  Identified identified;
+  for (const Extent& e : extents) {
+    if (!table.has(e.parameter.name)) continue;
+    const std::vector<double> ends = table.numbers(e.parameter);
+    if (ends.size() != 2 || ends[0] > ends[1])
+      table.mistake(e.parameter.name, "is no range: give the least and the greatest value");
+    else
+      identified.*e.field = {ends[0], ends[1]};
+  }
+  return identified;
+}
+
 }  // namespace
+
+void Span::add(double value) {
+  *this = known() ? Span{std::min(low, value), std::max(high, value)} : Span{value, value};
+}
 
 double Soil::young_modulus(double J) const { return alpha * std::pow(J / 1e6, beta); }
 
@@ -117,6 +147,7 @@ SoilFile read_soil(Settings& document) {
     Settings at = scatters.table(line);
     file.scatter.push_back(read_scatter(at, line));
   }
+  file.identified = read_identified(document.table("identified"));
   return file;
 }
 
@@ -129,6 +160,14 @@ std::string soil_text(const SoilFile& file, std::string_view comment) {
     if (c.line != line) text += fmt::format("\n[{}]\n", c.line);
     line = c.line;
     text += fmt::format("{} = {}\n", c.parameter.name, number_text(file.soil.*c.field));
+  }
+  bool headed = false;
+  for (const Extent& e : extents) {
+    const Span& span = file.identified.*e.field;
+    if (!span.known()) continue;
+    if (!headed) text += "\n# Range of the series that the constants were identified on.\n[identified]\n";
+    headed = true;
+    text += fmt::format("{} = [{}, {}]\n", e.parameter.name, number_text(span.low), number_text(span.high));
   }
   for (const Scatter& s : file.scatter) {
     if (s.keys.empty()) continue;

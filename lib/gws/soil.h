@@ -49,10 +49,26 @@ struct Scatter {
   double quantile() const;  // Student's t for 95 %
 };
 
+/// From the least to the greatest value of some data.
+struct Span {
+  double low = 0, high = -1;  // high below low: not known
+
+  bool known() const { return high >= low; }
+  /// Widens the range to hold the value.
+  void add(double value);
+};
+
+/// What the bags were like that the constants were identified on: stiffness of the geotextile, N/m, mean stress of the
+/// soil, Pa, axial strain as a fraction. Beyond it the constants are extrapolated.
+struct Identified {
+  Span stiffness, mean_stress, axial_strain;
+};
+
 struct SoilFile {
   std::string name;
   Soil soil;
   std::vector<Scatter> scatter;
+  Identified identified = {};
 };
 
 /// Reads a soil, absent keys from the defaults. Mistakes go to the document; the caller calls finish().

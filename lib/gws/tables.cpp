@@ -82,13 +82,14 @@ io::Series readable(const std::vector<Point>& points) {
                            {"tension", "kN/m", "", [](P p) { return p.hoop_tension / 1e3; }}});
 }
 
-std::string heading(const Case& what, const std::string& soil) {
+std::string heading(const Case& what, const std::string& soil, bool chosen) {
   const Geotextile& g = what.geotextile;
   return fmt::format(
-      "Geotextile {}: stiffness {:.4g} kN/m, strength {:.4g} kN/m, strain at failure {:.4g} %\n"
+      "{}Geotextile {}: stiffness {:.4g} kN/m, strength {:.4g} kN/m, strain at failure {:.4g} %\n"
       "Bag {:.4g} x {:.4g} x {:.4g} mm; soil {}, Young's modulus {:.4g} MPa with this geotextile\n",
-      g.name, g.stiffness / 1e3, g.strength / 1e3, 100 * g.failure_strain, 1e3 * what.bag.width, 1e3 * what.bag.width,
-      1e3 * what.bag.height, soil, what.soil.young_modulus(g.stiffness) / 1e6);
+      chosen ? "" : "Soil " + soil + ", since no --soil is given\n", g.name, g.stiffness / 1e3, g.strength / 1e3,
+      100 * g.failure_strain, 1e3 * what.bag.width, 1e3 * what.bag.width, 1e3 * what.bag.height, soil,
+      what.soil.young_modulus(g.stiffness) / 1e6);
 }
 
 std::string verdict(const Response& response, const Case& what) {

@@ -18,7 +18,8 @@ io::Series response_table(const std::vector<Point>& points, const Case& what);
 io::Series readable(const std::vector<Point>& points);
 
 /// What the bag is, and how the response ends, in a few lines.
-std::string heading(const Case& what, const std::string& soil);
+/// chosen: false where the soil is the default; the first line then says so.
+std::string heading(const Case& what, const std::string& soil, bool chosen);
 std::string verdict(const Response& response, const Case& what);
 
 /// Throws TargetNotReached where the response ended before the surcharge asked for.

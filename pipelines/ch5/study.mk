@@ -16,12 +16,12 @@ ch5: $(C5O)/page.html ## the analytical solution for geotextile-wrapped soil, it
 
 $(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve respond --geotextile $* --points 100 --tsv $(call whole,$@)
+	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $* --points 100 --tsv $(call whole,$@)
 
 # % is GEOTEXTILE_PRESSUREkPa.
 $(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve respond --geotextile $(word 1,$(subst _, ,$*)) --lateral-stress "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa" \
+	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $(word 1,$(subst _, ,$*)) --lateral-stress "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa" \
 	  --points 100 --tsv $(call whole,$@)
 
 C5_IDENTIFY = $(BIN)/gws-solve identify $(C5_DEM) --failure $(C5_FAILURE) --difference backward
@@ -45,11 +45,11 @@ $(C5O)/bands.txt: $(BIN)/gws-solve $(C5O)/soil.toml
 	@$(C5_BANDS) | sed -n '/draws/p' | tail -n +2 $(call whole,$@)
 $(C5O)/chart.tsv: $(BIN)/gws-solve
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve design --geotextile PP --surcharge 300e3 --settlement 0.06 --safety 1.5 --chart --from 30e3 --to 1160e3 \
+	@$(BIN)/gws-solve design --geotextile PP --soil toyoura-gws --surcharge 300e3 --settlement 0.06 --safety 1.5 --chart --from 30e3 --to 1160e3 \
 	  --points 60 --tsv $(call whole,$@)
 $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 	@mkdir -p $(@D)
-	@$(BIN)/gws-solve respond --geotextile PP --sensitivity $(call whole,$@)
+	@$(BIN)/gws-solve respond --geotextile PP --soil toyoura-gws --sensitivity $(call whole,$@)
 
 $(C5O)/page.html: $(C5)/study.py $(C5)/expected.tsv $(C5)/statements.tsv $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
 	@$(STUDY_PY) $< $(C5O) --profile $(PROFILE)

@@ -187,7 +187,7 @@ dilatancy_line, stiffness, increments" "$DEM/soilbag_uniaxial_PE.tsv" --table ka
 @test "a surcharge that is not reached has status 1, its table is printed all the same" {
   exits 1 gws-solve respond --geotextile PE --surcharge 1e6
   [[ $output == *"Ultimate bearing capacity 584.6 kPa"* ]] || show
-  [[ $stderr == "gws-solve respond: 1000 kPa are not reached: the bag bears 584.592 kPa: the hoop strain reaches the stated \
+  [[ $stderr == *$'\n'"gws-solve respond: 1000 kPa are not reached: the bag bears 584.592 kPa: the hoop strain reaches the stated \
 fraction of the geotextile's strength" ]] || show
   exits 1 gws-solve design --surcharge 300e3 --settlement 0.001
 }
@@ -219,4 +219,20 @@ fraction of the geotextile's strength" ]] || show
   complains 64 gws-solve "a verb is missing; give one of respond, identify, design, or see 'gws-solve --help'"
   complains 64 gws-solve "'respnd' is no verb; did you mean 'respond'?" respnd
   complains 64 gws-solve "respond: the verb comes first: 'gws-solve respond ...'" --quiet respond
+}
+
+@test "a soil that nobody chose and constants beyond their data are said, in the file too" {
+  exits 0 gws-solve respond --geotextile PP -o out.h5
+  [[ $stderr == "gws-solve respond: doubt: the soil is toyoura-gws, since none was chosen: give --soil"* ]] || show
+  [[ $output == "Soil toyoura-gws, since no --soil is given"* ]] || show
+  exits 0 gws-solve respond --geotextile PP --soil toyoura-gws
+  [[ -z $stderr && $output == "Geotextile PP"* ]] || show "nothing is doubtful"
+  exits 0 gws-solve respond --geotextile 6PP --soil toyoura-gws -o far.h5
+  [[ $stderr == *"doubt: the constants of toyoura-gws are extrapolated: stiffness of the geotextile 1392 kN/m (identified on 53 to 696 kN/m)"* ]] ||
+    show
+  exits 0 to-vtk --history far.h5
+  [[ $output == *"  doubt: extrapolation: the constants of toyoura-gws"* ]] || show
+  # What identification read is the range of what it found.
+  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --toml
+  [[ $output == *$'[identified]\nstiffness = [53000, 232000]\n'* ]] || show
 }

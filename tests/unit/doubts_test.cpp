@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/doubts.h"
+#include "dem/price.h"
+#include "gws/doubts.h"
 #include "io/files.h"
+#include "support/assembly.h"
 #include "support/states.h"
 
 namespace soilweave {
@@ -69,6 +73,118 @@ TEST(Doubts, of_an_input_stay_in_its_record) {
   EXPECT_EQ(history[0].doubts, doubts.all());
   EXPECT_TRUE(history[1].doubts.empty());
   EXPECT_EQ(io::without_doubts(history)[0].doubts, doubts.all());
+}
+
+using analysis::test::add_grain;
+using analysis::test::simple_cubic;
+
+std::string sentence_of(const std::vector<Doubt>& doubts, const std::string& key) {
+  for (const Doubt& doubt : doubts)
+    if (doubt.key == key) return doubt.sentence;
+  return "";
+}
+
+TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
+  EXPECT_TRUE(analysis::cell_doubts(simple_cubic(4, Vec3(1, 1, 1))).empty());
+  EXPECT_TRUE(analysis::cell_doubts(simple_cubic(4, Vec3(1, 1, 0), 2)).empty());
+  const std::string said = sentence_of(analysis::cell_doubts(simple_cubic(3, Vec3(1, 1, 1))), "cell-over-grain");
+  EXPECT_NE(said.find("3 diameters of the largest grain (1 m) wide along x, below 4"), std::string::npos) << said;
+  EXPECT_NE(said.find("take 3 times the grains"), std::string::npos) << said;  // (4/3)^3
+  io::Snapshot open = simple_cubic(3, Vec3(1, 1, 1));
+  open.cell.periodic = {false, false, false};
+  EXPECT_TRUE(analysis::cell_doubts(open).empty());
+}
+
+TEST(DoubtsOfPackings, RattlersCoordinationAndIsotropy) {
+  EXPECT_TRUE(analysis::compaction_doubts(simple_cubic(3, Vec3(1, 1, 1))).empty());
+  // q/p of the stresses 1, 1 and 2: 1 / (4/3).
+  const auto uneven = analysis::compaction_doubts(simple_cubic(3, Vec3(1, 1, 2)));
+  ASSERT_EQ(uneven.size(), 1U);
+  EXPECT_NE(sentence_of(uneven, "isotropy").find("q/p is 0.75"), std::string::npos);
+  io::Snapshot loose = simple_cubic(3, Vec3(1, 1, 1));
+  for (int k = 0; k < 10; ++k) add_grain(loose, Vec3(0.5, 0.5, 0.5), 0.1);
+  const auto floating = analysis::compaction_doubts(loose);
+  ASSERT_EQ(floating.size(), 1U);
+  EXPECT_NE(sentence_of(floating, "rattlers").find("27 % of the grains"), std::string::npos);
+  for (int k = 0; k < 20; ++k) add_grain(loose, Vec3(0.5, 0.5, 0.5), 0.1);
+  EXPECT_NE(sentence_of(analysis::compaction_doubts(loose), "coordination").find("2 Nc/N is 2.84"), std::string::npos);
+  io::Snapshot bare = simple_cubic(3, Vec3(1, 1, 1));
+  bare.contacts = {};
+  EXPECT_TRUE(analysis::compaction_doubts(bare).empty());
+}
+
+// Soil in a box of nodes, joined by yarns to one bag.
+io::Snapshot bag() {
+  io::Snapshot s = simple_cubic(3, Vec3(1, 1, 1));
+  s.cell.periodic = {false, false, false};
+  for (const double x : {-1.0, 3.0})
+    for (const double y : {-1.0, 3.0})
+      for (const double z : {-1.0, 3.0}) add_grain(s, Vec3(x, y, z), 0.05);
+  for (std::int32_t k = 0; k + 1 < 8; ++k) s.yarns.nodes.push_back({27 + k, 28 + k});
+  return s;
+}
+
+TEST(DoubtsOfBags, GrainsOutsideAndSoilThatBearsNothing) {
+  EXPECT_TRUE(analysis::bag_doubts(bag()).empty());
+  io::Snapshot out = bag();
+  out.grains.position[26] = Vec3(1, 1, 4);
+  EXPECT_NE(sentence_of(analysis::bag_doubts(out), "outside").find("1 of 27 grains"), std::string::npos);
+  io::Snapshot bare = bag();
+  bare.contacts = {};
+  EXPECT_NE(sentence_of(analysis::bag_doubts(bare), "preload").find("2 Nc/N of the soil in the bag is 0"),
+            std::string::npos);
+  EXPECT_TRUE(analysis::bag_doubts(simple_cubic(3, Vec3(1, 1, 1))).empty());
+}
+
+TEST(DoubtsOfRuns, InertialNumberWithTheRateThatWouldDo) {
+  // 10 %/s, 6 mm, density scaled a thousand times, 100 kPa.
+  EXPECT_NEAR(analysis::inertial_number(0.1, 6e-3, 2650e3, 1e5), 3.089e-3, 1e-6);
+  const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));  // 1 m, 1 kg: 6/pi kg/m3
+  const auto of = [&](const std::string& rate) {
+    const dem::Scenario plan = dem::read_scenario(
+        "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nfriction_angle = 30\n"
+        "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[[stage]]\nname = \"shear\"\npath = \"triaxial\"\n"
+        "confining_pressure = 1e5\naxial_strain = 0.1\nrate = " +
+            rate + "\n",
+        "test.toml", {});
+    return sentence_of(analysis::doubts_before(start, plan), "inertia");
+  };
+  const std::string said = of("0.1");
+  EXPECT_NE(said.find("stage \"shear\" at 0.1 1/s: inertial number 4.4e-04"), std::string::npos) << said;
+  EXPECT_NE(said.find("a rate of 0.02 1/s would do"), std::string::npos) << said;
+  EXPECT_EQ(of("0.02"), "");  // following it helps
+}
+
+TEST(Price, SharesOfPhasesAddUpToTheTimeOfStepping) {
+  dem::Price price;
+  price.steps = 700, price.stepping = 10, price.output = 10;
+  price.times.looked_at = 100;
+  price.times.seconds = {2, 1, 1};  // 28 s of all steps, if those looked at were like the others: they were slow ones
+  EXPECT_DOUBLE_EQ(price.share(dem::Phase::contacts), 0.25);
+  EXPECT_DOUBLE_EQ(price.share(dem::Phase::integration), 0.125);
+  price.times.seconds = {0.4, 0.2, 0.2};
+  EXPECT_DOUBLE_EQ(price.share(dem::Phase::contacts), 0.14);
+}
+
+TEST(DoubtsOfBagsSolved, SoilNobodyChoseAndConstantsExtrapolated) {
+  gws::SoilFile soil;
+  soil.name = "sand";
+  soil.identified = {{5e4, 7e5}, {2e3, 2e6}, {0, 0.2}};
+  gws::Point inside, outside;
+  inside.soil.p = 1e5, inside.soil.strain_axial = 10;
+  outside.soil.p = 4e6, outside.soil.strain_axial = 21;
+  EXPECT_TRUE(gws::doubts(soil, true, {1e5}, {inside}).empty());
+  EXPECT_NE(sentence_of(gws::doubts(soil, false, {1e5}, {inside}), "default-soil").find("the soil is sand"),
+            std::string::npos);
+  const std::string said = sentence_of(gws::doubts(soil, true, {3e4}, {inside, outside}), "extrapolation");
+  EXPECT_NE(said.find("stiffness of the geotextile 30 kN/m (identified on 50 to 700 kN/m), mean stress 4000 kPa"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("axial strain 21 %"), std::string::npos) << said;
+  outside.soil.end = gws::End::flow;
+  EXPECT_TRUE(gws::doubts(soil, true, {1e5}, {outside}).empty());
+  soil.identified = {};
+  EXPECT_TRUE(gws::doubts(soil, true, {1}, {inside}).empty());
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+#!/usr/bin/env bats
+# Doubts on standard error and in files, and remedies: each that is followed here works.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup_file() {
+  load common
+  cd "$BATS_FILE_TMPDIR" || return
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > short.toml << 'TOML'
+[equilibrium]
+unbalanced_force = 1e-2
+[[stage]]
+path = "isotropic"
+pressure = "100 kPa"
+[[stage]]
+name = "shear"
+path = "triaxial"
+confining_pressure = "100 kPa"
+axial_strain = 0.002
+increment = 0.001
+rate = 0.5
+reset_strain = true
+TOML
+  pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 -o packing.h5
+}
+
+setup() {
+  mkdir "$BATS_TEST_TMPDIR/here"
+  cd "$BATS_TEST_TMPDIR/here" || return
+  ln -s "$BATS_FILE_TMPDIR"/* .
+}
+
+@test "doubts are said once at the end, with --quiet too, and kept in the file; --check says what is known before" {
+  local said="run-dem: doubt: stage \"shear\" at 0.5 1/s: inertial number "
+  exits 0 run-dem --quiet packing.h5 short.toml -o run.h5
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $(grep -c "^$said" <<< "$stderr") -eq 1 && $stderr == *"above 1e-04 the response depends on the rate; a rate of 0.0"* ]] ||
+    show "wanted the inertial number"
+  [[ $stderr == *"run-dem: doubt: the cell is "*" diameters of the largest grain "* ]] || show "wanted the cell"
+  ! grep -qv '^run-dem: doubt: ' <<< "$stderr" || show "wanted doubts alone"
+  exits 0 to-vtk --history run.h5
+  [[ $(grep -c '  doubt: inertia: stage "shear" at 0.5 1/s' <<< "$output") -eq 1 ]] || show "wanted it in the history"
+  exits 0 run-dem --check packing.h5 short.toml
+  [[ $stderr == *"$said"* && $output == *"time step "* ]] || show "wanted it beforehand"
+  # The rate that would do does.
+  local rate=${stderr##*a rate of }
+  exits 0 run-dem --check packing.h5 short.toml --set "stage.1.rate=${rate%% *}"
+  [[ $stderr != *"inertial number"* ]] || show "the rate does not do"
+}
+
+@test "a run with doubts that is stopped and goes on ends in the same bytes" {
+  run-dem --quiet packing.h5 short.toml -o whole.h5
+  run-dem --quiet packing.h5 short.toml --checkpoint-every 0 -o out.h5 &
+  local run=$!
+  until ls out.h5.part/state-* > going 2>&1; do sleep 0.02; done
+  kill -TERM "$run"
+  wait "$run" || true
+  exits 0 run-dem --quiet packing.h5 short.toml --resume -o out.h5
+  same_bytes whole.h5 out.h5
+  # What is finished is known to be, doubts and all.
+  exits 0 run-dem packing.h5 short.toml --resume -o out.h5
+  [[ $stderr == "run-dem: out.h5 is finished already" ]] || show
+}
+
+@test "packings whose material numbers nothing describes are refused by every tool that steps them" {
+  "$PYTHON" - << 'PY'
+import h5py, shutil
+for name, number in (("two.h5", 1), ("huge.h5", 2000000000)):
+    shutil.copyfile("packing.h5", name)
+    with h5py.File(name, "r+") as file: file["particles/grains/species"][5] = number
+PY
+  local file
+  for file in two.h5 huge.h5; do
+    refuses 65 pack-generate "add [[material]] tables" --quiet --import $file --pressure 2e5 -o out.h5
+    refuses 65 pack-generate "add [[material]] tables" --quiet --import $file --as-is -o out.h5
+    refuses 65 run-dem "add [[material]] tables" --quiet $file short.toml -o out.h5
+    refuses 65 run-dem "add [[material]] tables" --check $file short.toml
+  done
+}
+
+# follows WORDS CALL -- SETS: run-dem with the sets of CALL fails with the words, and does not with those of SETS too.
+follows() {
+  local words=$1 broken=() mended=() all=()
+  shift
+  while [[ $1 != -- ]]; do broken+=(--set "$1"); shift; done
+  shift
+  for set in "$@"; do mended+=(--set "$set"); done
+  all=("${broken[@]}" "${mended[@]}")
+  call run-dem --quiet --force packing.h5 short.toml "${broken[@]}" -o broken.h5
+  # shellcheck disable=SC2031  # status is set by run
+  [[ $status -ne 0 && $stderr == *"$words"* ]] || show "wanted a failure: $words"
+  exits 0 run-dem --quiet --force packing.h5 short.toml "${all[@]}" -o mended.h5
+  rm -rf broken.h5.part
+}
+
+@test "remedies of run-dem that are followed mend" {
+  call run-dem packing.h5 short.toml --set numerics.time_step=1e-3 -o broken.h5
+  local limit=${stderr##*over the stable one of }
+  follows "lower numerics.time_step, or leave it out" numerics.time_step=1e-3 -- numerics.time_step="${limit%% *}" \
+    stage.0.pressure=1e5 equilibrium.unbalanced_force=0.05
+  follows "the grains would fall for ever; leave it out" 'numerics.gravity=[0,0,-9.81]' -- 'numerics.gravity=[0,0,0]'
+  follows "0.0015 (the nearest is 0.001): no station has this axial strain" record.snapshots=list 'record.strains=[0.0015]' \
+    -- 'record.strains=[0.001]'
+  follows "is held back by its largest rate: raise max_rate" equilibrium.steps=3000 stage.0.pressure=2e5 stage.0.max_rate=1e-5 \
+    -- stage.0.max_rate=1
+  follows "raise equilibrium.steps" equilibrium.steps=5 -- equilibrium.steps=100000
+  follows "too high for grains of this stiffness; lower it, or raise contact.young_modulus" contact.young_modulus=2e5 \
+    -- contact.young_modulus=4e9
+  follows "the grains do not come to rest: raise numerics.damping" numerics.damping=0 equilibrium.steps=4000 \
+    equilibrium.unbalanced_force=1e-4 -- numerics.damping=0.3 equilibrium.steps=100000
+}
+
+@test "options and keys that messages name exist" {
+  local root=$BATS_TEST_DIRNAME/../.. tool verb word
+  {
+    for tool in "$BIN"/*; do
+      "$tool" --help
+      for verb in respond identify design draw assimilate resample; do "$tool" "$verb" --help || true; done
+    done
+  } > help.txt 2> /dev/null
+  # Words of string literals alone: comments speak of other programs, too.
+  grep -rhoE '"([^"\\]|\\.)*"' "$root"/lib "$root"/tools --include='*.cpp' --include='*.h' > literals.txt
+  while read -r word; do
+    grep -q -- "$word" help.txt || [[ $word == --man || $word == --completion || $word == --bind-to ]] || show "no tool has $word"
+  done < <(grep -oE '(^|[^-a-z])--[a-z][-a-z]+' literals.txt | grep -oE -- '--[-a-z]+' | sort -u)
+  local keys='(numerics|equilibrium|guards|servo|contact|container|growth|record|geosynthetic|quasi_static|time|grains)'
+  while read -r word; do
+    grep -qE "${word##*.}" "$root"/lib/*/*.md || show "no page has the key $word"
+  done < <(grep -oE "[^a-z_.]$keys\.[a-z_]+(\.[a-z_]+)?" literals.txt | grep -oE '[a-z_.]+' | sort -u)
+}
