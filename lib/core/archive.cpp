@@ -81,12 +81,14 @@ void Archive::item(const std::string& name, Vec3& value) { numbers_of(name, valu
 void Archive::item(const std::string& name, Mat3& value) { numbers_of(name, value.data(), 9); }
 
 void Archive::item(const std::string& name, std::vector<double>& values) {
-  if (!giving_back_)
-    numbers_[name] = values;
-  else if (values.empty())
+  if (giving_back_)
     values = kept(name);
   else
-    numbers_of(name, values.data(), values.size());
+    numbers_[name] = values;
+}
+
+void Archive::sized(const std::string& name, std::vector<double>& values) {
+  numbers_of(name, values.data(), values.size());
 }
 
 }  // namespace soilweave

@@ -33,6 +33,8 @@ class Archive {
   void item(const std::string& name, Vec3& value);
   void item(const std::string& name, Mat3& value);
   void item(const std::string& name, std::vector<double>& values);  // of any length
+  /// Likewise, of the length that `values` has already. Throws DataError where another length was kept.
+  void sized(const std::string& name, std::vector<double>& values);
   template <class Whole>
   void whole(const std::string& name, Whole& value) {
     auto number = static_cast<std::int64_t>(value);

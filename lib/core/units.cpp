@@ -194,7 +194,9 @@ double quantity(std::string_view given, std::string_view unit) {
   const std::string_view rest = status == std::errc() ? text.substr(static_cast<std::size_t>(end - text.data())) : "";
   // The number goes as far as marks that only numbers have; what another program writes there is told from a unit.
   const std::size_t last = text.find_last_of("0123456789");
-  const std::size_t stop = std::min(text.find_first_not_of("0123456789.,+-eEdDqQ \u2212"), text.size());
+  // A unit may begin with a digit, as in "0.5 1/s".
+  const std::size_t stop =
+      std::min({text.find_first_not_of("0123456789.,+-eEdDqQ \u2212"), text.find(" 1/"), text.size()});
   const std::string_view number = trimmed(text.substr(0, std::min(stop, last == text.npos ? 0 : last + 1)));
   if (status != std::errc() || rest.starts_with(',') ||
       (!number.empty() && number.size() > text.size() - rest.size())) {

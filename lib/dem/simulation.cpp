@@ -117,7 +117,7 @@ struct Simulation::Impl {
   // Of disks: as vectors, as records have them, they would not come back bit by bit.
   void archive_shear_forces(Archive& a) {
     std::vector<double> forces = shear_forces_of_disks(contacts);
-    a.item("shear_force", forces);
+    a.sized("shear_force", forces);
     if (a.giving_back()) set_shear_forces_of_disks(forces, contacts);
   }
 

@@ -56,7 +56,7 @@ void Bars::archive(Archive& a) {
   const auto pairs = [&a](const std::string& name, std::vector<Vec2>& values) {
     std::vector<double> flat;
     for (const Vec2& v : values) flat.insert(flat.end(), {v[0], v[1]});
-    a.item(name, flat);
+    a.sized(name, flat);
     for (std::size_t n = 0; n < values.size(); ++n) values[n] = Vec2(flat.at(2 * n), flat.at(2 * n + 1));
   };
   pairs("bars_position", x_), pairs("bars_velocity", v_), pairs("bars_force", f_);
@@ -66,7 +66,7 @@ void Bars::archive(Archive& a) {
   for (const Contact& c : contacts_)
     contacts.insert(contacts.end(),
                     {static_cast<double>(c.segment), c.shear, c.normal, c.direction[0], c.direction[1]});
-  a.item("bars_broken", broken), a.item("bars_contact", contacts);
+  a.sized("bars_broken", broken), a.sized("bars_contact", contacts);
   for (std::size_t b = 0; b < broken_.size(); ++b) broken_[b] = broken.at(b) != 0;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     Contact& c = contacts_[k];

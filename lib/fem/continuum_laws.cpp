@@ -103,7 +103,7 @@ PointEnergy ContinuumPoint::energy() const {
 void ContinuumPoint::archive(Archive& a, const std::string& prefix) {
   std::vector<double> kept(stress_.data(), stress_.data() + 4);
   kept.insert(kept.end(), {out_of_plane_, work_});
-  a.item(prefix + "stress", kept);
+  a.sized(prefix + "stress", kept);
   std::copy(kept.begin(), kept.begin() + 4, stress_.data());
   out_of_plane_ = kept.at(4), work_ = kept.at(5);
 }

@@ -18,7 +18,7 @@ Eigen::Index row(Index i) { return static_cast<Eigen::Index>(i); }
 void archive_pairs(Archive& a, const std::string& name, std::vector<Vec2>& values) {
   std::vector<double> flat;
   for (const Vec2& v : values) flat.insert(flat.end(), {v[0], v[1]});
-  a.item(name, flat);
+  a.sized(name, flat);
   for (Index i = 0; i < values.size(); ++i) values[i] = Vec2(flat.at(2 * i), flat.at(2 * i + 1));
 }
 
@@ -237,7 +237,7 @@ void Soil::archive(Archive& a) {
   for (auto* of : {&gradients_, &strains_}) {
     std::vector<double> flat;
     for (const Mat2& m : *of) flat.insert(flat.end(), m.data(), m.data() + 4);
-    a.item(of == &gradients_ ? "soil_gradient" : "soil_strain", flat);
+    a.sized(of == &gradients_ ? "soil_gradient" : "soil_strain", flat);
     for (Index p = 0; p < of->size(); ++p)
       std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(4 * p), 4, (*of)[p].data());
   }

@@ -8,7 +8,9 @@ C3V_RATE := 0.02
 # Past the greatest load; of full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
-C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE))
+C3V_STATES_quick := [0.04,0.08,0.12,0.16]
+C3V_STATES_thesis := [0.04,0.08]
+C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set record.strains=$(C3V_STATES_$(PROFILE))
 C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
 # All but the study's own volume, which the bag itself is made of, and bags that are of full size alone.
 C3_VARIANTS_quick := $(filter-out seed_$(C3_SEED) bulging_seed_%,$(shell awk -F '\t' '!/^#/ && $$1 != "name" { print $$1 }' $(C3)/variants.tsv))
@@ -55,6 +57,7 @@ $(C3V)/variants.tsv: $(C3)/variants.awk $(C3)/variants.tsv $(patsubst %,$(C3V)/%
 # volumes. At the study's own rate, past the greatest stress.
 C3K := $(C3O)/causes
 C3K_END := 0.15
+C3K_UC := --set stage.1.strain=$(C3K_END) --set record.strains=[0.04,0.08,0.12]
 C3_CAUSES_quick := bulging_corners round_corners sharp_corners unstretched meshed_evenly round_sides flatter_sides
 C3_CAUSES := $(C3_CAUSES_$(PROFILE))
 # Of full size one cause, for three volumes: what it is worth beside what chance is.
@@ -89,7 +92,7 @@ define of_cause
 $(C3K)/%/uc_$(1).h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@mkdir -p $$(@D)
 	@echo '  run   $$@'
-	@$$(call compress,$(1),--set stage.1.strain=$(C3K_END))
+	@$$(call compress,$(1),$$(C3K_UC))
 endef
 $(foreach g,$(C3K_YARNS_$(PROFILE)),$(eval $(call of_cause,$(g))))
 

@@ -23,9 +23,10 @@ refuses() {
 
 @test "respond prints a table a person can read, and what the bag bears" {
   exits 0 gws-solve respond --geotextile PP --surcharge 1000e3
-  [[ ${lines[0]} == "Geotextile PP: stiffness 232 kN/m, strength 31.75 kN/m, strain at failure 14.25 %" ]] || show
-  [[ ${lines[2]} == *surcharge*settlement*sigma_a*sigma_r*hoop* ]] || show
-  [[ ${lines[24]} =~ ^\ *1000\.0\ +8\.241 ]] || show "the last row is not 1000 kPa"
+  [[ ${lines[0]} == "Soil toyoura-gws, since no --soil is given" ]] || show
+  [[ ${lines[1]} == "Geotextile PP: stiffness 232 kN/m, strength 31.75 kN/m, strain at failure 14.25 %" ]] || show
+  [[ ${lines[3]} == *surcharge*settlement*sigma_a*sigma_r*hoop* ]] || show
+  [[ ${lines[25]} =~ ^\ *1000\.0\ +8\.241 ]] || show "the last row is not 1000 kPa"
   [[ $output == *"Ends at 1000.0 kPa at a settlement of 8.24 % (6.6 mm)"* ]] || show
   [[ $(wc -L <<<"$output") -le 140 ]] || show "lines of $(wc -L <<<"$output") columns"
   exits 0 gws-solve respond --geotextile PP

@@ -126,7 +126,7 @@ unmade() {
   "$PYTHON" -c 'import h5py' || skip "no Python with h5py"
   cp packing.h5 newer.h5
   "$PYTHON" -c "import h5py; h5py.File('newer.h5', 'r+').attrs['format_version'] = [2, 1]"
-  refused 65 "newer.h5: has the format version 2.1, this program reads 1.2 at most" --import newer.h5 --as-is -o out.h5
+  refused 65 "newer.h5: has the format version 2.1, this program reads 1.3 at most" --import newer.h5 --as-is -o out.h5
 }
 
 @test "errors: sphere texts name line and column" {

@@ -237,7 +237,7 @@ PY
     ensemble.h5 observed.tsv --runs runs.tsv
   refuses 64 assimilate "--error 0.1,x: give numbers above 0, as 0.1 or 0.1,0.02" ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,x
   refuses 64 assimilate "no runs: give --runs, as 'runs/{id}/run.h5'" ensemble.h5 observed.tsv --error 1
-  refuses 65 assimilate "--variance: 2 given; one is needed, or --covariance component" \
+  refuses 65 assimilate "--error: 2 given; one is needed, or --covariance component" \
     ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,0.2
 }
 

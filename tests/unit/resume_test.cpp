@@ -151,7 +151,7 @@ TEST(Archive, RefusesNumbersThatWereChanged) {
   };
   const auto two = [](Archive& a) {
     std::vector<double> values(2);
-    a.item("n", values);
+    a.sized("n", values);
   };
   refused({std::nan("")}, whole, "file: keeps a n that is not a number");
   refused({0.5}, whole, "which is no whole number");

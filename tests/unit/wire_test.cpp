@@ -158,7 +158,9 @@ TEST(Geotextile, RefusesCurvesThatTurnBack) {
 TEST(Geotextile, MultiplesOfKnownOnes) {
   std::vector<io::Source> sources;
   Settings one = Settings::parse("curve = \"PP\"\n", "a"), three = Settings::parse("curve = \"3PP\"\n", "b");
-  const WireCurve a = read_geotextile(one, sources), b = read_geotextile(three, sources);
+  const NamedFiles files{"test", {}};
+  const WireCurve a = read_geotextile(one, "geotextile.0", files, sources);
+  const WireCurve b = read_geotextile(three, "geotextile.0", files, sources);
   ASSERT_EQ(a.tension.size(), b.tension.size());
   for (std::size_t k = 0; k < a.tension.size(); ++k) EXPECT_DOUBLE_EQ(3 * a.tension[k], b.tension[k]);
   EXPECT_EQ(sources.size(), 2U) << "what was read is named for the history";
@@ -170,7 +172,7 @@ TEST(Geotextile, AMultipleUnloadsAsManyTimesAsSteeply) {
   std::vector<io::Source> sources;
   const auto read = [&](const std::string& keys) {
     Settings table = Settings::parse(keys, "test");
-    return read_geotextile(table, sources);
+    return read_geotextile(table, "geotextile.0", NamedFiles{"test", {}}, sources);
   };
   const auto expect_times = [](double times, const WireCurve& many, const WireCurve& one) {
     EXPECT_DOUBLE_EQ(many.unloading, times * one.unloading);
