@@ -40,8 +40,7 @@ Matrix variances(const ErrorModel& model, const Observations& observed) {
   const Eigen::Index steps = observed.values.rows(), components = observed.values.cols();
   if (model.kind == component) {
     if (static_cast<Eigen::Index>(model.size.size()) != components)
-      throw DataError(
-          fmt::format("--error: {} for {} observables; give one for each", model.size.size(), components));
+      throw DataError(fmt::format("--error: {} for {} observables; give one for each", model.size.size(), components));
     return Eigen::Map<const Vector>(model.size.data(), components).transpose().replicate(steps, 1);
   }
   if (model.size.size() != 1)

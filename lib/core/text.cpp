@@ -66,6 +66,16 @@ std::string number_text(double value) {
   return fmt::format("{}e{}", text, exponent);
 }
 
+double rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::ceil(value / unit) * unit;
+}
+
+double rounded_down(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::floor(value / unit) * unit;
+}
+
 std::string range_text(const Parameter& parameter) {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
   const bool pure = parameter.unit == "1" || parameter.unit.empty();

@@ -20,6 +20,11 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
 /// The shortest decimal text that reads back as the same double; long rows of zeros become an exponent.
 std::string number_text(double value);
 
+/// A positive number rounded to two significant digits, upwards or downwards: a value that a message names as a remedy
+/// is on the safe side of the limit that it comes from.
+double rounded_up(double value);
+double rounded_down(double value);
+
 /// "from 0 to 1 Pa", "above 0 Pa", "at least 2", … ; empty where the parameter is unbounded.
 std::string range_text(const Parameter& parameter);
 

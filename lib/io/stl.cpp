@@ -20,7 +20,7 @@ namespace soilweave::io {
 namespace {
 
 // A binary file: a header, the number of triangles, and of each its normal, its corners and two bytes more.
-constexpr std::size_t head = 80, of_triangle = 50, normal = 12;
+constexpr std::size_t head_bytes = 80, of_triangle = 50, normal = 12;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   std::uint32_t n = 0;
@@ -28,7 +28,9 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   return n;
 }
 
-std::size_t triangles_counted(std::string_view bytes) { return bytes.size() < head + 4 ? 0 : number_at(bytes, head); }
+std::size_t triangles_counted(std::string_view bytes) {
+  return bytes.size() < head_bytes + 4 ? 0 : number_at(bytes, head_bytes);
+}
 
 // Points numbered as they come, each place once.
 class Points {
@@ -53,7 +55,7 @@ TriangleSoup read_binary(std::string_view bytes, const std::string& where) {
     for (std::size_t c = 0; c < 3; ++c) {
       Vec3 x;
       for (std::size_t a = 0; a < 3; ++a) {
-        const std::uint32_t bits = number_at(bytes, head + 4 + of_triangle * t + normal * (c + 1) + 4 * a);
+        const std::uint32_t bits = number_at(bytes, head_bytes + 4 + of_triangle * t + normal * (c + 1) + 4 * a);
         float value = 0;
         std::memcpy(&value, &bits, sizeof value);
         if (!std::isfinite(value))
@@ -151,10 +153,10 @@ class Text {
 }  // namespace
 
 TriangleSoup read_stl(std::string_view bytes, const std::string& where) {
-  const std::size_t counted = triangles_counted(bytes), wanted = head + 4 + of_triangle * counted;
+  const std::size_t counted = triangles_counted(bytes), wanted = head_bytes + 4 + of_triangle * counted;
   if (bytes.size() == wanted) return read_binary(bytes, where);
   // Text that has zeros in it is told what it is instead.
-  if (bytes.find('\0') == bytes.npos || bytes.size() < head + 4 || !binary_kind(bytes).empty()) {
+  if (bytes.find('\0') == bytes.npos || bytes.size() < head_bytes + 4 || !binary_kind(bytes).empty()) {
     const std::string text = plain_text(std::string(bytes), where, "surface");
     if (!same_letters(text.substr(std::min(text.find_first_not_of(" \t\n"), text.size()), 5), "solid"))
       throw DataError(fmt::format("{}: is no surface: text that does not begin with solid is no STL", where));

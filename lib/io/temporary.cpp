@@ -24,19 +24,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view ending = ".tmp";
+constexpr std::string_view temporary_ending = ".tmp";
 constexpr std::size_t digits = 16;
 
 /// ".NAME." of a target; of a long name only as much as leaves room for the rest, within the 255 bytes of a file name.
 std::string prefix_of(std::string_view name) {
-  constexpr std::size_t longest = 255 - 2 - digits - ending.size();
+  constexpr std::size_t longest = 255 - 2 - digits - temporary_ending.size();
   return fmt::format(".{}.", name.substr(0, longest));
 }
 
 /// Whether a file name is that of a temporary file of `name`, or of any file for an empty one.
 bool is_temporary(std::string_view file, std::string_view name) {
-  if (!file.starts_with(name.empty() ? "." : prefix_of(name)) || !file.ends_with(ending)) return false;
-  file.remove_suffix(ending.size());
+  if (!file.starts_with(name.empty() ? "." : prefix_of(name)) || !file.ends_with(temporary_ending)) return false;
+  file.remove_suffix(temporary_ending.size());
   if (file.size() < digits + 2 || file[file.size() - digits - 1] != '.') return false;
   if (!name.empty() && file.size() != prefix_of(name).size() + digits) return false;
   const std::string_view number = file.substr(file.size() - digits);
@@ -74,7 +74,7 @@ Temporary::Temporary(const fs::path& target) : target_(target) {
   const std::string prefix = prefix_of(target.filename().string());
   constexpr int attempts = 100;
   for (int k = 0; k < attempts && descriptor_ < 0; ++k) {
-    path_ = target.parent_path() / (prefix + random_number() + std::string(ending));
+    path_ = target.parent_path() / (prefix + random_number() + std::string(temporary_ending));
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, replaces ? 0600 : 0666);
     if (descriptor_ < 0 && errno == EEXIST) continue;
     if (descriptor_ < 0) break;

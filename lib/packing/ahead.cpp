@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace soilweave::packing {
 namespace {
@@ -36,12 +37,6 @@ double normal_force(const dem::Model& model, double radius, double overlap) {
         return Law::respond(Law::mix(materials.front(), materials.front()), k, 0.0, memory, books).normal_force;
       },
       model.materials);
-}
-
-// Two significant digits, upwards.
-double rounded_up(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::ceil(x / unit) * unit;
 }
 
 void demand_stiff(const dem::Model& model, const Recipe& recipe, double radius, int dimension, double largest) {

@@ -28,7 +28,7 @@ constexpr std::int64_t room_interval = 8;  // steps
 constexpr double coarse_equilibrium = 10;
 
 // A void ratio is held at rest within this many tolerances.
-constexpr double held = 4;
+constexpr double tolerances_held = 4;
 // A new attempt begins at a multiple of all the intervals at which a simulation looks at itself.
 constexpr std::int64_t first_step_multiple = 512;
 
@@ -151,7 +151,7 @@ class Compaction {
     if (!recipe_.void_ratio) return enter(Phase::done);
     const double target = *recipe_.void_ratio, now = simulation_.void_ratio();
     // An attempt after the first takes what will do, rather than set off another fall.
-    const double close = at_.attempt == 0 ? 1 : 0.75 * held;
+    const double close = at_.attempt == 0 ? 1 : 0.75 * tolerances_held;
     if (now <= target + close * recipe_.void_ratio_tolerance) {
       if (at_.lowered == angle_) return enter(Phase::done);
       set_friction(angle_);
@@ -185,14 +185,14 @@ class Compaction {
   }
 
   bool is_held() const {
-    return std::abs(simulation_.void_ratio() - *recipe_.void_ratio) <= held * recipe_.void_ratio_tolerance;
+    return std::abs(simulation_.void_ratio() - *recipe_.void_ratio) <= tolerances_held * recipe_.void_ratio_tolerance;
   }
 
   // Void ratio at which an attempt ends while the cloud is compressed, since its friction is too low. 0: the first and
   // the last attempt go on to the end.
   double too_dense() const {
     if (at_.attempt == 0 || at_.attempt + 1 == recipe_.most_attempts) return 0;
-    return *recipe_.void_ratio - held * recipe_.void_ratio_tolerance;
+    return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
   }
 
   // The cloud has been compressed, at full friction in the first attempt.
@@ -231,7 +231,7 @@ class Compaction {
     next.least_lead = at_.least_lead, next.loosest = at_.loosest;
     next.loose_angle = at_.loose_angle, next.dense_angle = at_.dense_angle;
     next.contact_steps = at_.contact_steps + simulation_.contact_steps();
-    if (at_.attempt > 0 || at_.loosest > *recipe_.void_ratio + held * recipe_.void_ratio_tolerance)
+    if (at_.attempt > 0 || at_.loosest > *recipe_.void_ratio + tolerances_held * recipe_.void_ratio_tolerance)
       next.cloud_angle = 0.5 * (next.loose_angle + next.dense_angle);
     io::Snapshot start = cloud_;
     start.step = (simulation_.steps() / first_step_multiple + 1) * first_step_multiple;
@@ -268,7 +268,7 @@ class Compaction {
         "restored, "
         "at last at {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
         *recipe_.void_ratio, recipe_.pressure, at_.attempt + 1, simulation_.void_ratio(),
-        held * recipe_.void_ratio_tolerance);
+        tolerances_held * recipe_.void_ratio_tolerance);
   }
 
   // To the four digits of a message, towards what is in reach.

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "dem/bodies.h"
 #include "dem/scenario.h"
 
@@ -38,16 +39,6 @@ constexpr double narrowest = 1 / 0.495;
 double cube_ratio(double mean_radius) {
   const double ratio = std::pow(mean_radius / thesis_radius, 3);
   return std::abs(ratio - 1) < last_digit / thesis_stiffness ? 1 : ratio;
-}
-
-// Two significant digits, upwards or downwards, so that what is named does what it is named for.
-double rounded_up(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::ceil(x / unit) * unit;
-}
-double rounded_down(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::floor(x / unit) * unit;
 }
 
 }  // namespace

@@ -38,6 +38,11 @@ complains() {
   [[ -z $output ]] || show "wanted nothing on standard output"
 }
 
+# without_doubts: what was said on standard error beside doubts, which are told of the small packings of tests.
+without_doubts() {
+  grep -v ': doubt: ' <<< "$stderr" || true
+}
+
 # mentions STATUS TOOL WORDS ARGUMENTS...: one line that starts with the tool's name and holds the words.
 mentions() {
   local wanted=$1 tool=$2 words=$3

@@ -63,6 +63,7 @@ setup() {
   [[ $stderr == "run-dem: out.h5 is finished already" ]] || show
 }
 
+# shellcheck disable=SC2030  # each test is a shell of its own
 @test "packings whose material numbers nothing describes are refused by every tool that steps them" {
   "$PYTHON" - << 'PY'
 import h5py, shutil

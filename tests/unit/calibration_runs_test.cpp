@@ -201,7 +201,8 @@ TEST(Ensembles, tables_that_are_none_are_refused) {
   EXPECT_EQ(mistake("id\tE\n1\t1\n2\t1\n"), "e.tsv: E has one value only: no range to find it in; give --prior");
   EXPECT_EQ(mistake("id\n1\n"), "e.tsv: has no parameters beside id; give a column for each");
   EXPECT_EQ(mistake("id\tE\tmu\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: row 2: mu is not finite");
-  EXPECT_EQ(mistake("id\tE\tweight\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: weight: holds nan; every member needs a finite number");
+  EXPECT_EQ(mistake("id\tE\tweight\n1\t1\t2\n2\t3\tnan\n"),
+            "e.tsv: weight: holds nan; every member needs a finite number");
 }
 
 }  // namespace

@@ -109,7 +109,8 @@ TEST(Refused, StrainsThatMeetNoStation) {
 }
 
 TEST(Refused, StagesWithoutContent) {
-  expect_error<DataError>([] { read_scenario("stage = []\n" + contact, "test.toml", {}); }, "stage: is not a list of tables");
+  expect_error<DataError>([] { read_scenario("stage = []\n" + contact, "test.toml", {}); },
+                          "stage: is not a list of tables");
   expect_error<DataError>([] { scenario(""); }, "stage: is missing");
   for (const std::string path : {"triaxial\"\nconfining_pressure = 1e5\nstations = []", "k0\"\naxial_stress = []",
                                  "constant-volume\"\nstations = []"})
