@@ -58,7 +58,7 @@ ifneq ($(VTK_PREFIX),/usr)
 VTK_LIBS += -L$(VTK_PREFIX)/lib -Wl,-rpath,$(VTK_PREFIX)/lib
 endif
 
-# What the compiler would miss, by name, looked for before it starts; and what to do about one of them.
+# Headers and programs that the compiler needs are looked for before it starts; each has its remedy.
 missing = $(strip $(if $(shell command -v $(CXX)),,$(CXX)) $(foreach p,$(PACKAGES),$(shell pkg-config --exists $(p) || echo $(p))) \
   $(if $(NO_VTK)$(wildcard $(VTK_PREFIX)/include/vtk-$(VTK)/vtkVersion.h),,VTK) $(if $(and $(CLANG),$(if $(FUZZ),,other)),$(shell $(CXX) -fopenmp -include omp.h -x c++ -fsyntax-only \
   /dev/null 2> /dev/null || echo OpenMP)))
@@ -259,7 +259,7 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@$(AGAIN) test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
-# What a check leaves out is noted here: who, what and why, with tabs between them.
+# Tests that a check leaves out are noted here: program, test and reason, with tabs between them.
 SKIPPED := $(CURDIR)/build/skipped
 check: export SOILWEAVE_SKIPPED := $(SKIPPED)
 skip = { echo "== $(1): skipped: $(3)"; printf '%s\t%s\t%s\n' '$(1)' '$(2)' '$(3)' >> "$${SOILWEAVE_SKIPPED:-/dev/null}"; }
@@ -269,7 +269,7 @@ run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(JOBS) - 1)) | \
   GTEST_TOTAL_SHARDS=$(JOBS) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
 
 # In a check the unit tests run once, under the sanitizers; to compile them twice would take as long as all the tools.
-# The same bytes on every machine: no compiler may fuse products with sums by itself.
+# Machines must give the same bytes, so no compiler may fuse products with sums by itself.
 .PHONY: fused
 fused: $(B)/libsoilweave.a
 	@found=$$(objdump -d --no-show-raw-insn $< | awk '/file format/ { file = $$1 } /vfmaddsub|vfmsubadd/ { print file }' | sort -u); \

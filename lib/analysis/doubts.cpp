@@ -19,9 +19,9 @@ namespace {
 
 // Six packings of 1000 grains of the thesis are 4.8 diameters of their largest grain wide and agree to their scatter.
 constexpr double narrowest_cell = 4;
-// Those packings have 10 to 15 % of rattlers at 1 kPa.
+// Largest share of rattlers; the six packings have 10 to 15 % at 1 kPa.
 constexpr double most_rattlers = 0.25;
-// Five of those six packings are below it: shear stress that an upright cell cannot relieve.
+// Largest q/p of an isotropic state: an upright cell cannot relieve shear stress. Five of the six packings are below.
 constexpr double largest_obliquity = 0.1;
 // Soil that has been grown into a bag has 2.5 (packing::Growth).
 constexpr double loosest_bag = 2;

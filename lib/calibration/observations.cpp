@@ -30,7 +30,7 @@ Observable observable(const std::string& text, const io::Series& table) {
   return one;
 }
 
-/// What turns a column of a run into the observation's unit. A column without a unit holds pure numbers.
+/// Factor from a run's column to the observation's unit. A column without a unit holds pure numbers.
 double factor_between(const io::Column& run, const Observable& observed) {
   if (run.unit == observed.unit) return 1;
   if (run.unit.empty() != observed.unit.empty()) {

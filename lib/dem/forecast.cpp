@@ -22,8 +22,8 @@ constexpr double tried_seconds = 1;
 // Steps until grains are at rest again after a station, for each e-fold of the unbalanced force and by damping:
 // measured on 60 to 1000 grains; beyond 20 grains across, a wave takes longer.
 constexpr double settling = 20;
-// The same for each grain across of what lies open between plates, where waves come back from soft ends: the thesis's
-// bag of 69,000 grains in PP took 319,000 steps for 21 stations, foreseen are 245,000.
+// Steps until rest for each grain across a bag between plates, where waves come back from soft ends. The thesis's bag
+// of 69,000 grains in PP took 319,000 steps for 21 stations; 245,000 are foreseen.
 constexpr double swaying = 8;
 
 using Seconds = std::chrono::duration<double>;

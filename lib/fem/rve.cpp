@@ -104,7 +104,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
   state.time = 0;
   state.cell.velocity_gradient.setZero();
   state.cell.deformation_gradient.setIdentity();
-  // What the packing went through in its making is no rotation of the soil.
+  // The rotations of the disks while the packing was made are no rotation of the soil.
   std::fill(state.grains.orientation.begin(), state.grains.orientation.end(), Vec4(1, 0, 0, 0));
   return state;
 }

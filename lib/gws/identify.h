@@ -73,7 +73,7 @@ enum class Difference { central, backward };
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference);
 
-/// What the series span.
+/// Returns the ranges of stiffness, mean stress and axial strain that the series span.
 Identified range_of(const std::vector<BagSeries>& series);
 
 /// Rows of a series that count as contraction: from the first as long as the slope of eps_v over (p/p_a)^m is at least

@@ -58,8 +58,8 @@ struct Span {
   void add(double value);
 };
 
-/// What the bags were like that the constants were identified on: stiffness of the geotextile, N/m, mean stress of the
-/// soil, Pa, axial strain as a fraction. Beyond it the constants are extrapolated.
+/// Ranges of the bags that the constants were identified on: stiffness of the geotextile, N/m, mean stress of the soil,
+/// Pa, axial strain as a fraction. Beyond them the constants are extrapolated.
 struct Identified {
   Span stiffness, mean_stress, axial_strain;
 };

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 std::string reason() { return std::strerror(errno); }
 
-/// What helps against the failure of a write, from errno: room on the disk, a greater quota, a higher limit.
+/// Returns the remedy for a write that failed, from errno: room on the disk, a greater quota, a higher limit.
 std::string remedy() {
   switch (errno) {
     case ENOSPC:

@@ -17,8 +17,8 @@ std::string read_bytes(const std::filesystem::path& path);
 /// Devices and pipes are written in place; "-" is standard output. Throws CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same for a file in a folder that the program made for itself: whatever has the name, a link too, is replaced,
-/// and nothing is cleaned up.
+/// Writes likewise into a folder that the program made for itself: whatever has the name, a link too, is replaced, and
+/// nothing is cleaned up.
 void write_own_bytes(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes a folder, so that it is still there after a crash; one that is there already is left as it is, a link to one

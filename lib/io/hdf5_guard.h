@@ -1,4 +1,4 @@
-// What of HDF5 a reader refuses: whatever lies outside the file, and more values than a file of its size can hold.
+// Refuses HDF5 objects that lie outside the file, and more values than a file of its size can hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -37,7 +37,8 @@ void demand_own(int folder, const fs::path& path) {
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
-// What differs between two runs, for the message; empty: nothing. Doubts come up while a run is under way.
+// Returns what differs between two runs, for the message; empty for equal ones. Doubts are left out, since they come up
+// while a run is under way.
 std::string difference(const History& found, const History& wanted) {
   if (describe(without_doubts(found)) == describe(without_doubts(wanted))) return "";
   if (found.empty() || wanted.empty()) return "history";

@@ -1,4 +1,4 @@
-// What other programs write, and how to make plain columns of it.
+// Packings that other programs write, and how to make plain columns of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/spheres_foreign.h"
 

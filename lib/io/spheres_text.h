@@ -11,7 +11,7 @@
 
 namespace soilweave::io {
 
-/// What a text of spheres does not say itself.
+/// Properties of spheres that their text does not give.
 struct SpheresOptions {
   double density = 0;              // kg/m3, of the grains
   std::optional<CellRecord> cell;  // periodic cell of a text without a ##PERIODIC:: line

@@ -60,7 +60,7 @@ class StatesReader {
     return values;
   }
 
-  /// What another program says the numbers of a trajectory are in must be what they are read as.
+  /// Throws DataError where another program gives a trajectory in another unit than it is read in.
   void demand_unit(const std::string& path, std::string_view wanted) const {
     if (!path.starts_with("/particles") || !file_.has_attribute(path, "unit")) return;
     if (const std::string unit = file_.text_attribute(path, "unit"); unit != wanted)

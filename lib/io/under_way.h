@@ -23,7 +23,7 @@ std::string name_of(const PartFile& file);
 /// The files of a folder by step. Throws IoError where the folder cannot be read.
 std::vector<PartFile> part_files(const std::filesystem::path& folder);
 
-/// What a run has recorded so far, without disturbing it: the states it will keep, then the newest checkpoint where
+/// Reads a run so far, without disturbing it: the states it will keep, then the newest checkpoint where
 /// that is later, and the series up to there. The source's digest is that of the lines "file digest". Throws
 /// MissingInput where nothing is written yet or the run has ended meanwhile, DataError for a run of several scales or
 /// damaged files.

@@ -60,7 +60,7 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
   const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(least_cell / ratio, d);
   doubts.push_back(
       {"cell",
-       fmt::format("the cell is {:.2g} diameters of the largest grain wide, below {}: about {:.2g} grains (--grains) "
+       fmt::format("the cell is {:.2g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
                    "would fill one wide enough",
                    ratio, least_cell, more)});
 }

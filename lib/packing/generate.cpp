@@ -43,8 +43,8 @@ struct Position {
   double lowered = 0, lowest = 0;    // rad
   double aim = 0, at_restoring = 0;  // void ratios
   double lead = 0;  // void ratio that falls a little after friction is restored: that much is left for it
-  // Of an attempt after the first: by how much those before it fell below the target; rad, friction angles at which
-  // clouds came to rest looser and denser than it; the one that this cloud is compressed at, 0: full friction.
+  // Results of the attempts so far: by how much they fell below the target; rad, friction angles at which clouds came
+  // to rest looser and denser than it; the angle that this cloud is compressed at, 0 for full friction.
   double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
   double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without any
   std::int64_t attempt = 0;

@@ -103,7 +103,7 @@ Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
   return n;
 }
 
-// What the copies take while they are laid: their grains once, their contacts twice, in lists that grow by halves.
+// Memory of the copies while they are laid: their grains once, their contacts twice, in lists that grow by halves.
 double bytes_of_copies(const io::Snapshot& volume, double copies) {
   constexpr double grain = 3 * sizeof(Vec3) + sizeof(Vec4) + 3 * sizeof(double) + 2 * sizeof(std::int32_t);
   constexpr double contact = 4 * sizeof(Vec3) + sizeof(Vec3i) + 4 * sizeof(double);

@@ -1,4 +1,4 @@
-// What pack-generate takes where nothing is said.
+// Defaults of pack-generate.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/standard.h"
 

@@ -1,4 +1,4 @@
-// What pack-generate takes where nothing is said: material, rate and number of grains, each fit for the grains' size.
+// Defaults of pack-generate: material, rate and number of grains, each fit for the grains' size.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -77,7 +77,7 @@ std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, st
 
 /// Least cell width over the largest grain: the nearest image of a touching pair must be the only one (1/0.495).
 inline constexpr double least_diameters = 2.03;
-/// The same where pack-generate chooses the number of grains, with a margin for a cell that changes its proportions.
+/// Least cell width where pack-generate chooses the number of grains: a margin for a cell that changes its proportions.
 inline constexpr double chosen_diameters = 2.3;
 
 }  // namespace soilweave::packing

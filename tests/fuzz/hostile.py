@@ -42,7 +42,7 @@ RIGHT = {
     ("gws-solve", "identify"): "{response.tsv} --tsv",
     ("gws-solve", "design"): "--surcharge 3e5 --tsv",
 }
-# What reads which prepared file, by its place in a command.
+# Commands that read each prepared file, by its place in the command.
 READERS = {
     "spheres.txt": [
         "pack-generate --import @ --as-is -o out.h5",

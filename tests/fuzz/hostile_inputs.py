@@ -1,4 +1,4 @@
-# What hostile.py feeds the tools: prepared files of every kind, changed text, edited HDF5.
+# Inputs of hostile.py: prepared files of every kind, changed text, edited HDF5.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import pathlib

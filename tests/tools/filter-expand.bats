@@ -184,7 +184,7 @@ with open(sys.argv[2], "wb") as file:
     for k in range(0, len(corners), 3):
         file.write(struct.pack("<12fH", 0, 0, 0, *sum(corners[k:k + 3], []), 0))
 PYTHON
-  # What --set names is looked for in the working folder.
+  # A file that --set names is looked for in the working folder.
   filter-expand --quiet packing.h5 plans/cut.toml --set container.file=binary.STL -o binary.h5
   filter-expand --quiet packing.h5 plans/cut.toml --set container.file=mm.stl --set container.scale=0.001 -o mm.h5
   local file

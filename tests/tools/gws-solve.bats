@@ -233,7 +233,7 @@ fraction of the geotextile's strength" ]] || show
     show
   exits 0 to-vtk --history far.h5
   [[ $output == *"  doubt: extrapolation: the constants of toyoura-gws"* ]] || show
-  # What identification read is the range of what it found.
+  # The series that identification read give the range of its constants.
   exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --toml
   [[ $output == *$'[identified]\nstiffness = [53000, 232000]\n'* ]] || show
 }

@@ -178,7 +178,7 @@ TEST(Energies, APlaneThatDrawsASphereAlongFeelsItAndHeatsIt) {
   while (simulation.time() < 1.5 * 2 * speed / (7 * mu * g)) simulation.step();
   const Energies e = simulation.energies();
   const double heat = mass * speed * speed / 7;
-  // What the shear spring stores at the limit, (mu m g)^2/(2 ks), swings on as motion: 2e-5 of the heat.
+  // The energy of the shear spring at the limit, (mu m g)^2/(2 ks), swings on as motion: 2e-5 of the heat.
   EXPECT_NEAR(e.boundary_work, 2 * heat, 1e-3 * heat);
   EXPECT_NEAR(e.frictional, heat, 1e-3 * heat);
   EXPECT_NEAR(e.kinetic, heat, 1e-3 * heat);

@@ -1,4 +1,4 @@
-// What cells, plates and paths are asked for and when they have it; what a forecast makes of it.
+// Goals of cells, plates and paths, when they are reached, and the forecasts made of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -119,7 +119,7 @@ TEST(Recorded, AFastGrainShortensTheStep) {
   EXPECT_NEAR(simulation.time_step(), 1e-2 * R / 5000, 1e-15 * R);
 }
 
-// What a run took is told of all of it, also of what was done before it was stopped.
+// The cost of a run is told of all of it, also of the part before it was stopped.
 TEST(Recorded, APriceGoesOnFromWhatIsKept) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
   Simulation before(start, testing::sand(), {});

@@ -102,7 +102,7 @@ TEST(Refused, StrainsThatMeetNoStation) {
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.001, 0.004]", from_zero)));
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.004, 0.006]", triaxial + triaxial.substr(0, triaxial.find("incre")) +
                                                                    "increment = 0.002\n")));
-  // What pressing strains is known when it has been pressed: the run alone can tell.
+  // Strains of a pressing stage are known when it has been pressed: the run alone can tell.
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.0123]", pressed + triaxial)));
   expect_error<DataError>([&] { prepare(grains(), recorded("[0.01]", pressed)); }, "leave the list out");
   expect_error<DataError>([&] { recorded("[]", from_zero); }, "strains: is an empty list");

@@ -1,4 +1,4 @@
-// What reaches a terminal: words that cannot steer it, and a standard error that may be gone.
+// Words on a terminal cannot steer it, and its standard error may be gone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/terminal.h"
 

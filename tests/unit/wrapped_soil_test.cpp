@@ -135,7 +135,7 @@ TEST(Yarns, MeansAreOverTheWholeOnesOfAFamily) {
   EXPECT_NEAR(means[0].strain, 0.1, 1e-13);
   EXPECT_NEAR(means[0].tension, 20, 1e-12) << "the broken one is left out";
   EXPECT_EQ(means[0].broken, 1U);
-  // Of six yarns along y three have 0.1, three 0.3.
+  // Three of the six yarns along y have 0.1, three 0.3.
   EXPECT_NEAR(means[1].strain, 0.2, 1e-13);
   EXPECT_NEAR(means[1].tension, 40, 1e-12);
   EXPECT_EQ(means[2].whole + means[2].broken, 0U);
