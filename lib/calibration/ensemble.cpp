@@ -108,6 +108,7 @@ Ensemble from_table(const io::Series& table, Prior prior, const std::string& whe
 }
 
 Prior spanned(const io::Series& table, const std::string& where) {
+  if (table.rows() == 0) throw DataError(where + ": has no rows; give a line for each parameter set");
   Prior prior;
   for (const io::Column& column : table.columns) {
     if (column.name == "id" || column.name == importance_name || column.name == weight_name) continue;

@@ -29,7 +29,16 @@ namespace fs = std::filesystem;
 
 int code(Exit status) { return static_cast<int>(status); }
 
-void complain(const std::string& tool, std::string_view line) { tell(fmt::format("{}: {}\n", tool, printable(line))); }
+/// The line without its middle where somebody's word has made it too long to read: what follows the word is the remedy.
+std::string readable(const std::string& line) {
+  constexpr std::size_t longest = 2000, first = 400, last = 800;
+  if (line.size() <= longest) return line;
+  return line.substr(0, first) + " ... " + line.substr(line.size() - last);
+}
+
+void complain(const std::string& tool, std::string_view line) {
+  tell(printable(readable(fmt::format("{}: {}", tool, line))) + "\n");
+}
 void complain(const std::string& tool, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain(tool, std::string_view(line));
 }

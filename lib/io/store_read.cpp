@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "io/global_heap.h"
 #include "io/hdf5_guard.h"
 #include "io/hdf5_memory.h"
 #include "io/store.h"
@@ -69,6 +70,9 @@ bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>
 
 Reader::Reader(std::string bytes, std::string where) : bytes_(std::move(bytes)), where_(std::move(where)) {
   check_whole(bytes_, where_);
+  if (has_broken_heap(bytes_))
+    throw DataError(where_ +
+                    ": damaged: its texts of variable length run over their place; copy or make the file again");
   file_ = hdf5::open_in_memory(bytes_);
   if (file_ < 0) throw DataError(where_ + ": damaged: HDF5 cannot open it; copy or make the file again");
 }

@@ -199,6 +199,7 @@ TEST(Ensembles, tables_that_are_none_are_refused) {
   EXPECT_EQ(mistake("id\tE\n1\t1\n1\t2\n"), "e.tsv: row 2: id 1 is there twice");
   EXPECT_EQ(mistake("id\tE\n1.5\t1\n2\t2\n"), "e.tsv: row 1: id 1.5 is no whole number");
   EXPECT_EQ(mistake("id\tE\n1\t1\n2\t1\n"), "e.tsv: E has one value only: no range to find it in; give --prior");
+  EXPECT_EQ(mistake("id\tE\n"), "e.tsv: has no rows; give a line for each parameter set");
   EXPECT_EQ(mistake("id\n1\n"), "e.tsv: has no parameters beside id; give a column for each");
   EXPECT_EQ(mistake("id\tE\tmu\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: row 2: mu is not finite");
   EXPECT_EQ(mistake("id\tE\tweight\n1\t1\t2\n2\t3\tnan\n"),
