@@ -11,7 +11,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view signature = "GCOL\x01"sv;
-constexpr std::size_t head = 16, object_head = 16, least_heap = 4096;
+constexpr std::size_t heap_header = 16, object_header = 16, least_heap = 4096;
 
 template <class Whole>
 Whole whole_at(std::string_view bytes, std::size_t at) {
@@ -22,14 +22,14 @@ Whole whole_at(std::string_view bytes, std::size_t at) {
 
 /// True if the objects of one heap, the free space (object 0) among them, end where the heap does.
 bool is_whole(std::string_view heap) {
-  std::size_t at = head;
-  while (heap.size() - at >= object_head) {
+  std::size_t at = heap_header;
+  while (heap.size() - at >= object_header) {
     const auto index = whole_at<std::uint16_t>(heap, at);
     const auto size = whole_at<std::uint64_t>(heap, at + 8);
     const std::size_t left = heap.size() - at;
     if (size > left) return false;
-    const std::size_t taken = index == 0 ? size : object_head + (size + 7) / 8 * 8;
-    if (taken < object_head || taken > left) return false;
+    const std::size_t taken = index == 0 ? size : object_header + (size + 7) / 8 * 8;
+    if (taken < object_header || taken > left) return false;
     at += taken;
   }
   return true;
@@ -39,7 +39,7 @@ bool is_whole(std::string_view heap) {
 
 bool has_broken_heap(std::string_view bytes) {
   for (std::size_t at = bytes.find(signature); at != bytes.npos; at = bytes.find(signature, at + 1)) {
-    if (bytes.size() - at < head) return false;
+    if (bytes.size() - at < heap_header) return false;
     // These bytes may also stand among numbers: then no plausible size follows.
     const auto size = whole_at<std::uint64_t>(bytes, at + 8);
     if (size < least_heap || size % 8 != 0 || size > bytes.size() - at) continue;
