@@ -61,13 +61,13 @@ there() {
   local -a proxies
   mapfile -t proxies < <(env | grep -iE '^(http|https|no)_proxy=')
   chroot "$root" /usr/bin/env -i "${proxies[@]}" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive JOBS="$jobs" /bin/bash -c "cd /root/soilweave 2> /dev/null; $1" < /dev/null
+    DEBIAN_FRONTEND=noninteractive JOBS="$jobs" /bin/bash -c "cd /soilweave 2> /dev/null; $1" < /dev/null
 }
 
 there 'apt-get update -qq && apt-get install -qq -y --no-install-recommends make git ca-certificates' > "$root.log" 2>&1 ||
   stop "apt-get failed on $release: $(tail -n 1 "$root.log"); see $root.log"
 # A clone of this commit. What was built in it before is kept; what the studies wrote is not.
-clone=$root/root/soilweave
+clone=$root/soilweave
 [[ -d $clone/.git ]] || git clone -q --no-hardlinks . "$clone"
 git -C "$clone" fetch -q "$PWD" HEAD
 git -C "$clone" reset -q --hard FETCH_HEAD
