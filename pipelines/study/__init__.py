@@ -6,8 +6,8 @@ and draws. Everything that a study does not understand is an error with file, co
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .compare import Measure, Statement, compare, read_statements
-from .errors import StudyError
+from .errors import NotMade, StudyError
 from .run import Study, main
 from .tables import Table
 
-__all__ = ["Measure", "Statement", "Study", "StudyError", "Table", "compare", "main", "read_statements"]
+__all__ = ["Measure", "NotMade", "Statement", "Study", "StudyError", "Table", "compare", "main", "read_statements"]

@@ -1,10 +1,14 @@
-"""The one error of the studies, and the nearest known name for its messages."""
+"""The one error of the studies, the nearest known name for its messages, and what is no error: a number that is not made."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import difflib
 
 
 class StudyError(Exception):
     """One line for the reader: which file, what is wrong, what would mend it."""
+
+
+class NotMade(Exception):
+    """Raised where this profile has no number for a measure, with the reason in a few words; Study.measure() keeps it."""
 
 
 def suggestion(name, known):

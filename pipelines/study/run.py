@@ -10,7 +10,7 @@ import markupsafe
 
 from . import figures, pages
 from .compare import Measure, Statement, compare, read_statements
-from .errors import StudyError
+from .errors import NotMade, StudyError
 from .tables import write_table
 
 
@@ -36,9 +36,18 @@ class Study:
         self.measures, self.groups, self._figures = {}, [Group("Measured beside published")], []
 
     def measure(self, name, value, unit, deviation=None):
-        """Adds a measure: a number in a unit, and its standard deviation over packings where there are several."""
+        """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
+
+        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none.
+        """
         if name in self.measures:
             raise StudyError(f"{name}: is measured twice")
+        if callable(value):
+            try:
+                value = value()
+            except NotMade as reason:
+                self.unmade(name, unit, str(reason))
+                return
         self.measures[name] = Measure(float(value), unit, None if deviation is None else float(deviation))
 
     def unmade(self, name, unit, reason):

@@ -8,7 +8,7 @@ import sys
 import xml.etree.ElementTree
 
 import pytest
-from study import Measure, Statement, Study, StudyError, Table, compare, figures, read_statements
+from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, read_statements
 
 ROOT = pathlib.Path(__file__).parents[2]
 
@@ -168,6 +168,16 @@ def test_a_measure_is_made_once(tmp_path):
     study = example(tmp_path)
     with pytest.raises(StudyError, match="peak: is measured twice"):
         study.measure("peak", 1, "kPa")
+
+
+def test_a_measure_without_its_run_is_not_made_and_says_why(tmp_path):
+    def of_full_size():
+        raise NotMade("made with PROFILE=thesis")
+    study = example(tmp_path)
+    study.measure("strength", of_full_size, "kPa")
+    study.measure("strain", lambda: 0.02, "1")
+    assert study.measures["strength"] == Measure(None, "kPa", reason="made with PROFILE=thesis")
+    assert study.measures["strain"] == Measure(0.02, "1")
 
 
 @pytest.mark.parametrize("name", ["quickstart", "packings", "ch5"])
