@@ -38,7 +38,8 @@ class Study:
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
 
-        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none.
+        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none. It is
+        kept to the six digits of measured.tsv, so that a comparison is of the number that readers see.
         """
         if name in self.measures:
             raise StudyError(f"{name}: is measured twice")
@@ -48,7 +49,7 @@ class Study:
             except NotMade as reason:
                 self.unmade(name, unit, str(reason))
                 return
-        self.measures[name] = Measure(float(value), unit, None if deviation is None else float(deviation))
+        self.measures[name] = Measure(float(f"{value:.6g}"), unit, None if deviation is None else float(deviation))
 
     def unmade(self, name, unit, reason):
         """Says that this profile does not make the runs that would give the measure, and why."""
