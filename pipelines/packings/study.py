@@ -4,7 +4,7 @@
 import pathlib
 
 import numpy
-from study import Study, Table, main
+from study import Study, Table, figures, main
 
 PRESSURES = ("1e3", "1e5")  # Pa, of the compaction
 GRAINS = {"quick": (1000,), "thesis": (1000, 5000, 10000)}
@@ -41,21 +41,46 @@ def measure(study, seeds):
         study.measure("ratio_spread", max(means) / min(means) - 1, "1")
 
 
+def draw(study, seeds):
+    """Each packing's test, one line a seed, and the strength that they are held against."""
+    figure, axes = figures.panels(2)
+    n = GRAINS[study.profile][-1]
+    stated = next(s for s in study.groups[0].statements if s.name == f"ratio_{n}")
+    low, high = (float(stated.published) + sign * float(stated.tolerance) for sign in (-1, 1))
+    axes[0].fill_between([5, 8], low, high, color=figures.INK, alpha=0.15, linewidth=0, label="published, ± tolerance")
+    for s, colour in zip(seeds, figures.SERIES, strict=False):
+        for twin in TWINS[study.profile]:
+            table = Table.read(study.out / f"series_triaxial_{n}_{s}_{twin}.tsv")
+            table = table.rows(table("stage", "1") == SHEAR)
+            for a, name, unit in zip(axes, ("stress_ratio", "strain_volumetric"), ("1", "%"), strict=True):
+                a.plot(table("strain_axial", "%"), table(name, unit), color=colour, linewidth=1.1, label=None if twin else f"seed {s}")
+    ratio = "stress ratio σₐ/σᵣ"
+    figures.label(axes[0], "axial strain (%)", ratio, [ratio])
+    figures.label(axes[1], "axial strain (%)", "volumetric strain, contraction positive (%)")
+    axes[0].legend()
+    study.figure("strength", figure, f"Triaxial compression of packings of {n} grains from {len(seeds)} seeds; lines of one colour are "
+                 f"twins, moved by a millionth of a radius.", measures=[f"ratio_{n}", f"void_ratio_{n}_1e3"])
+
+
 def build(arguments):
     """Reads the tables of the packings and tests in the folder OUT and writes what was measured and compared."""
     study = Study("packings", "Packings from nothing", arguments.out, arguments.profile)
-    study.lead = ("Toyoura sand from its grading curve: a random cloud is compressed, friction is lowered until the void ratio is met "
-                  f"and then restored, from {len(arguments.seeds)} seeds at each of two pressures. Grains have the same size however "
-                  "many they are. Packings made at 1 kPa are then loaded in drained triaxial compression at 0.2 MPa. Numbers are means "
-                  "over the seeds, ± their standard deviation.")
-    study.expect(pathlib.Path(__file__).parent / "expected.tsv",
-                 note="Two packings of one sand at one void ratio do not carry the same: see their deviations.")
+    study.expect(pathlib.Path(__file__).parent / "expected.tsv")
     for n in GRAINS["thesis"][len(GRAINS[study.profile]):]:
         for name in [f"unbalanced_{n}", f"ratio_{n}", *(f"void_ratio_{n}_{p}" for p in PRESSURES)]:
             study.unmade(name, "1", "made with PROFILE=thesis")
     if len(GRAINS[study.profile]) == 1:
         study.unmade("ratio_spread", "1", "made with PROFILE=thesis")
     measure(study, arguments.seeds)
+    n = GRAINS[study.profile][-1]
+    study.lead = ("Toyoura sand from its grading curve: a random cloud is compressed, friction is lowered until the void ratio is met "
+                  f"and then restored, from {len(arguments.seeds)} seeds at each of two pressures. Packings made at 1 kPa are then loaded "
+                  "in drained triaxial compression at 0.2 MPa.")
+    study.headline = (f"All packings meet the void ratio of 0.68 ({study.say(f'void_ratio_{n}_1e3', 4)} with {n} grains), and carry "
+                      f"{study.say(f'ratio_{n}', deviation=True)} times the lateral stress, where the thesis's own packing carries {study.published(f'ratio_{n}')}.")
+    study.remark("Numbers are means over the seeds, ± their standard deviation. Grains have the same size however many they are. Two "
+                 "packings of one sand at one void ratio do not carry the same: see their deviations.")
+    draw(study, arguments.seeds)
     return study
 
 

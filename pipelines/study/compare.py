@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
 import math
-import pathlib
 
 from .errors import StudyError, suggestion
+from .tables import read_words
 from .units import factor
 
 
@@ -16,6 +16,18 @@ class Measure:
     unit: str
     deviation: float | None = None
     reason: str = ""
+
+    def within(self, name, unit):
+        """Returns value and deviation in another unit. name: for the StudyError where there is no number or no such unit."""
+        if self.value is None:
+            raise StudyError(f"{name}: has no value in this profile: {self.reason}")
+        if not math.isfinite(self.value):
+            raise StudyError(f"{name}: the measured value is {self.value}, not a number")
+        try:
+            scale = factor(self.unit, unit)
+        except StudyError as error:
+            raise StudyError(f"{name}: {error}") from error
+        return scale * self.value, None if self.deviation is None else scale * self.deviation
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,6 +44,16 @@ class Statement:
     unit: str
     source: str
     description: str
+
+    @property
+    def bound(self):
+        """The published value with its relation, as in "at most 6"."""
+        return self.published if self.relation == "within" else f"{self.relation} {self.published}"
+
+    @property
+    def margin(self):
+        """The tolerance as in "± 0.1"; empty for bounds."""
+        return f"± {self.tolerance}" if self.tolerance else ""
 
     def __post_init__(self):
         if self.relation not in RELATIONS:
@@ -51,17 +73,6 @@ class Verdict:
     measured: str
     difference: str
     met: bool
-
-    @property
-    def published(self):
-        """The published value with its relation, as in "at most 6"."""
-        s = self.statement
-        return s.published if s.relation == "within" else f"{s.relation} {s.published}"
-
-    @property
-    def tolerance(self):
-        """The tolerance as in "± 0.1"; empty for bounds."""
-        return f"± {self.statement.tolerance}" if self.statement.tolerance else ""
 
 
 # Whether a measured value, less the published one, is near enough.
@@ -85,20 +96,8 @@ def _number(name, what, text):
 
 def read_statements(path):
     """Reads expected.tsv, whose columns are those of Statement. Raises StudyError naming file and line."""
-    statements, header = [], None
-    for number, line in enumerate(pathlib.Path(path).read_text(encoding="utf-8").splitlines(), start=1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        cells = line.split("\t")
-        if header is None:
-            header = cells
-            for name in _COLUMNS:
-                if name not in header:
-                    raise StudyError(f"{path}: line {number}: has no column {name}{suggestion(name, header)}")
-            continue
-        if len(cells) != len(header):
-            raise StudyError(f"{path}: line {number}: {len(cells)} cells where the header has {len(header)}")
-        row = dict(zip(header, cells, strict=True))
+    statements = []
+    for number, row in read_words(path, _COLUMNS)[1]:
         try:
             statement = Statement(**{name: row[name] for name in _COLUMNS})
         except StudyError as error:
@@ -106,8 +105,6 @@ def read_statements(path):
         if any(s.name == statement.name and s.relation == statement.relation for s in statements):
             raise StudyError(f"{path}: line {number}: {statement.name} is stated twice")
         statements.append(statement)
-    if header is None:
-        raise StudyError(f"{path}: holds no statements")
     return statements
 
 
@@ -123,16 +120,10 @@ def compare(statements, measures):
         measure = measures[s.name]
         if measure.value is None:
             continue
-        if not math.isfinite(measure.value):
-            raise StudyError(f"{s.name}: the measured value is {measure.value}, not a number")
-        try:
-            scale = factor(measure.unit, s.unit)
-        except StudyError as error:
-            raise StudyError(f"{s.name}: {error}") from error
-        value, published = scale * measure.value, float(s.published)
+        (value, spread), published = measure.within(s.name, s.unit), float(s.published)
         difference = value - published
         met = RELATIONS[s.relation](difference, float(s.tolerance or 0))
-        deviation = "" if measure.deviation is None else f" ± {scale * measure.deviation:.2g}"
+        deviation = "" if spread is None else f" ± {spread:.2g}"
         relative = f" ({100 * difference / published:+.1f} %)" if s.relation == "within" and published != 0 else ""
         verdicts.append(Verdict(s, f"{value:.4g}{deviation}", f"{difference:+.3g}{relative}", bool(met)))
     return verdicts

@@ -4,15 +4,19 @@ import io
 import re
 
 import matplotlib
+import numpy
 
 matplotlib.use("svg")
-from matplotlib import pyplot  # noqa: E402  (the backend has to be chosen before)
+from matplotlib import pyplot, transforms  # noqa: E402  (the backend has to be chosen before)
 
 from .errors import StudyError  # noqa: E402
 
 # Okabe and Ito's colours (2008), which stay apart for readers with any of the usual colour deficiencies.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GREY = "#0072b2", "#d55e00", "#009e73", "#a3263f", "#8f5b8c", "#56b4e9", "#667080"
 SERIES = (BLUE, ORANGE, GREEN, PURPLE, RED, SKY)
+INK = "#303840"  # published and laboratory values, where no series has its own colour
+# Each geotextile has one colour on all pages.
+GEOTEXTILE = {"PE": BLUE, "0.5PP": GREY, "PP": ORANGE, "2PP": RED, "3PP": GREEN, "4PP": PURPLE, "5PP": SKY}
 
 _STYLE = {
     "font.family": "sans-serif",
@@ -64,7 +68,53 @@ def points(axes, x, y, colour, name=None):
 
 def svg(figure):
     """Returns the figure as SVG text, equal for equal figures, and closes it."""
-    text = io.StringIO()
-    figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    text = _saved(figure)
     pyplot.close(figure)
+    return text
+
+
+def panes(figure):
+    """Returns the panels of a figure as SVG texts of their own, which a narrow page can put below each other.
+
+    Axes in one place (twins) and colour bars stay with theirs. A figure with a title or a legend of its own stays whole.
+    """
+    if figure.legends or figure._suptitle is not None or len(figure.axes) < 2:  # pylint: disable=protected-access
+        return [_saved(figure)]
+    figure.draw_without_rendering()
+    groups = _groups(figure)
+    # In inches, since saving changes how many dots there are to one.
+    boxes = [transforms.Bbox.union([a.get_tightbbox() for a in group]).transformed(figure.dpi_scale_trans.inverted()).padded(0.05)
+             for group in groups]
+    texts = []
+    for group, box in zip(groups, boxes, strict=True):
+        row = [b for b in boxes if b.y0 < (box.y0 + box.y1) / 2 < b.y1]
+        crop = transforms.Bbox.from_extents(box.x0, min(b.y0 for b in row), box.x1, max(b.y1 for b in row))
+        for axes in figure.axes:
+            axes.set_visible(axes in group)
+        figure.set_layout_engine("none")  # saving sets it back, and would lay out anew what is visible
+        texts.append(_saved(figure, crop))
+    for axes in figure.axes:
+        axes.set_visible(True)
+    figure.set_layout_engine("constrained")
+    return texts
+
+
+def _groups(figure):
+    """Returns lists of axes that belong together: those in one place, and a colour bar with the axes of its picture."""
+    groups = []
+    for axes in figure.axes:
+        bar = getattr(axes, "_colorbar", None)
+        home = bar.mappable.axes if bar is not None else None
+        for group in groups:
+            if home in group or any(numpy.allclose(axes.get_position().bounds, a.get_position().bounds) for a in group):
+                group.append(axes)
+                break
+        else:
+            groups.append([axes])
+    return groups
+
+
+def _saved(figure, box=None):
+    text = io.StringIO()
+    figure.savefig(text, format="svg", bbox_inches=box, metadata={"Date": None, "Creator": None})
     return text.getvalue()

@@ -1,17 +1,23 @@
-"""What a study.py builds up, and how its files are written: measured.tsv, comparison.tsv, figures, page.html."""
+"""What a study.py builds up, and how its files are written: measured.tsv, comparison.tsv, figures, page.html, card.json."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import dataclasses
+import json
 import os
 import pathlib
+import re
 import sys
 
-import markupsafe
+from markupsafe import Markup
 
 from . import figures, pages
 from .compare import Measure, Statement, compare, read_statements
-from .errors import NotMade, StudyError
+from .errors import NotMade, StudyError, suggestion
+from .kept import read_kept
 from .tables import write_table
+from .words import quantity, spell
+
+FIRST_SCREEN = 120  # words that lead, headline and score may have together
 
 
 @dataclasses.dataclass
@@ -23,17 +29,54 @@ class Group:
     note: str = ""
 
 
+@dataclasses.dataclass(frozen=True)
+class Shown:
+    """A figure as the page shows it: its panels as markup, the sentence beneath, and what it bears out. width: in points."""
+
+    panes: list
+    width: float
+    sentence: str
+    number: str
+    claim: str
+    measures: tuple
+
+
+@dataclasses.dataclass(frozen=True)
+class Score:
+    """How well a study agrees: in words, and as a share of what is judged. total: 0 where nothing is."""
+
+    text: str
+    met: int
+    total: int
+
+    def __str__(self):
+        return self.text
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """A statement with what this run and the kept one measured; either may be missing. reason: why it is not met."""
+
+    statement: Statement
+    run: object
+    kept: object
+    reason: str
+
+
 class Study:
     """The measures, statements and figures of a study, in the order of its chapter.
 
-    name: of its folder in pipelines/. title, lead: what the page opens with; the lead says what was done, in a few
-    sentences of plain text or markup (markupsafe.Markup). seeds, out, profile: of this run of the study.
+    name: of its folder in pipelines/. judged: whether this run has the size that published values are held against; where it has
+    not, its page shows them beside its own and those of a kept run at full size, and judges the latter alone.
+    lead: what was done. headline: what came out, in one sentence with numbers from say(). Both are text or markup
+    (markupsafe.Markup), and with the score not longer than FIRST_SCREEN. history: how a file of the study came to be.
     """
 
-    def __init__(self, name, title, out, profile):
-        self.name, self.title, self.out, self.profile = name, title, pathlib.Path(out), profile
-        self.lead, self.history, self.texts = "", "", []
-        self.measures, self.groups, self._figures = {}, [Group("Measured beside published")], []
+    def __init__(self, name, title, out, profile, judged=True):
+        self.name, self.title, self.out, self.profile, self.judged = name, title, pathlib.Path(out), profile, judged
+        self.lead, self.headline, self.history, self.remarks, self.reports, self.appendices = "", "", "", [], [], []
+        self.measures, self.groups, self.checks = {}, [Group("Measured beside published")], []
+        self._figures, self._drawings, self._kept, self._reasons = [], {}, [], {}
 
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
@@ -53,6 +96,8 @@ class Study:
 
     def unmade(self, name, unit, reason):
         """Says that this profile does not make the runs that would give the measure, and why."""
+        if name in self.measures:
+            raise StudyError(f"{name}: is measured twice")
         self.measures[name] = Measure(None, unit, reason=reason)
 
     def state(self, name, relation, published, unit, source, description, tolerance=""):
@@ -62,7 +107,7 @@ class Study:
     def expect(self, path, heading="", note=""):
         """Adds the statements of a table like expected.tsv, under a heading of their own where one is given.
 
-        note: what the page says below the table, such as why something is not met.
+        note: what the page says below the table.
         """
         group = Group(heading) if heading else self.groups[0]
         if heading:
@@ -70,39 +115,151 @@ class Study:
         group.statements += read_statements(path)
         group.note = note
 
+    def accept(self, name, relation, bound, unit, description, tolerance=""):
+        """Adds a bound that a run of any size has to keep: it says whether the chain of tools works, not whether it agrees."""
+        self.checks.append(Statement(name, relation, str(bound), str(tolerance), unit, "this study", description))
+
+    def reason(self, name, text):
+        """Says why a statement on this measure is not met; its row shows it where it is not."""
+        self._reasons[name] = text
+
+    def kept(self, path):
+        """Reads what a run at full size measured: its comparison.tsv. The statements that it has are added before."""
+        pairs = read_kept(path, [s for group in self.groups for s in group.statements])
+        self._kept += pairs
+
+    def say(self, name, digits=3, unit=None, deviation=False, kept=False):
+        """Returns a measure as a sentence holds it, "585 kPa", to so many significant digits.
+
+        unit: to which it is converted. deviation: with its standard deviation. kept: of the kept run, to the digits there.
+        """
+        if kept:
+            verdict = next((v for s, v in self._kept if s.name == name), None)
+            if verdict is None:
+                raise StudyError(f"{name}: no kept run has it{suggestion(name, [s.name for s, _ in self._kept] or ['nothing'])}")
+            return quantity(verdict.measured.replace("-", "−"), verdict.statement.unit)
+        measure = self.measures.get(name)
+        if measure is None:
+            raise StudyError(f"{name}: is said but not measured{suggestion(name, self.measures)}")
+        value, spread = measure.within(name, unit or measure.unit)
+        text = spell(value, digits)
+        if deviation and spread is not None:
+            text += f" ± {spell(spread, 2)}"
+        return quantity(text, unit or measure.unit)
+
+    def published(self, name):
+        """Returns the published value of a statement as a sentence holds it, with its unit, to the digits of its table."""
+        stated = [s for group in self.groups for s in group.statements]
+        found = next((s for s in stated if s.name == name), None)
+        if found is None:
+            raise StudyError(f"{name}: is not stated{suggestion(name, [s.name for s in stated])}")
+        return quantity(found.published.replace("-", "−"), found.unit)
+
+    def remark(self, text):
+        """Adds a paragraph below the figures: what to bear in mind."""
+        self.remarks.append(text)
+
     def text(self, heading, path):
         """Adds a report that a tool printed, folded, as it stands."""
-        self.texts.append((heading, pathlib.Path(path).read_text(encoding="utf-8")))
+        self.reports.append((heading, pages.content(pathlib.Path(path))))
 
-    def figure(self, name, figure, sentence):
-        """Adds a figure, drawn with study.figures, and the sentence beneath it."""
-        self._figures.append((name, figures.svg(figure), sentence))
+    def appendix(self, heading, *items):
+        """Adds a folded part at the end: text, markup, tables (paths of .tsv, or columns by name), reports (other paths).
 
-    def verdicts(self):
-        """Each statement beside what was measured, group by group."""
-        return [(group, compare(group.statements, self.measures)) for group in self.groups if group.statements]
+        Experiments on causes belong here.
+        """
+        self.appendices.append((heading, [pages.content(item) for item in items]))
+
+    def figure(self, name, figure, sentence, number="", claim="", measures=()):
+        """Adds a figure drawn with study.figures; the first one opens the page and is on the study's card.
+
+        sentence: beneath it. number: of the thesis's figure, as in "Fig. 3.8". claim: the thesis's sentence that it bears out
+        or not. measures: names of the statements whose verdicts are shown with it.
+        """
+        words, width = re.sub(r"<[^>]*>", "", str(sentence)), 72 * figure.get_figwidth()
+        panes = [pages.pane(svg, f"{self.name}_{name}_{k}", words) for k, svg in enumerate(figures.panes(figure))]
+        self._drawings[name] = figures.svg(figure)
+        self._figures.append(Shown(panes, width, sentence, number, claim, tuple(measures)))
+
+    def picture(self, path, sentence, number="", claim="", measures=()):
+        """Adds a picture, a .png or .jpg, where figure() adds a drawing."""
+        image = pages.picture(path, re.sub(r"<[^>]*>", "", str(sentence)))
+        self._figures.append(Shown([image], 648, sentence, number, claim, tuple(measures)))
+
+    def rows(self):
+        """Returns (group, Row list) pairs: each statement that this run or the kept one measured, beside its value."""
+        stated = [s.name for group in self.groups for s in group.statements]
+        for name in [*self._reasons, *(m for shown in self._figures for m in shown.measures)]:
+            if name not in stated:
+                raise StudyError(f"{name}: is not stated{suggestion(name, stated)}")
+        groups = []
+        for group in self.groups:
+            run = {id(v.statement): v for v in compare(group.statements, self.measures)}
+            kept = {id(s): v for s, v in self._kept}
+            rows = [Row(s, run.get(id(s)), kept.get(id(s)), self._reasons.get(s.name, "")) for s in group.statements]
+            rows = [r for r in rows if r.run or r.kept]
+            if rows:
+                groups.append((group, rows))
+        return groups
+
+    def score(self, groups):
+        """Returns the Score of this run, or of the kept one where this is not judged."""
+        parts, met, total = [], 0, 0
+        for values, words in ((True, "published values within tolerance"), (False, "statements borne out")):
+            verdicts = [r.run if self.judged else r.kept for group, rows in groups if (group is self.groups[0]) == values for r in rows]
+            verdicts = [v for v in verdicts if v]
+            if verdicts:
+                parts.append(f"{sum(v.met for v in verdicts)} of {len(verdicts)} {words}")
+                met, total = met + sum(v.met for v in verdicts), total + len(verdicts)
+        if self.judged:
+            return Score(", ".join(parts), met, total)
+        said = ", ".join(parts) + " at full size" if parts else "no run at full size is kept"
+        checks = compare(self.checks, self.measures)
+        failed = [v.statement.description for v in checks if not v.met]
+        works = "" if not checks else f"; its chain of tools fails at: {', '.join(failed)}" if failed else \
+            f"; its chain of tools works ({len(checks)} of {len(checks)} checks)"
+        return Score(f"{said}; this run: {self.profile} profile, not judged{works}", met, total)
 
     def write(self):
         """Writes all files of the study into its folder, each at once whole."""
-        groups = self.verdicts()
-        verdicts = [verdict for _, some in groups for verdict in some]
+        groups = self.rows()
+        score = self.score(groups)
+        self._check_first_screen(score)
+        for name, svg in self._drawings.items():
+            _put(self.out / f"{name}.svg", svg)
+        self._write_tables(groups)
+        rows = [row for _, some in groups for row in some]
+        markup = pages.render("chapter.html", study=self, groups=groups, figures=self._figures, score=score,
+                              checks=compare(self.checks, self.measures),
+                              rows={name: [r for r in rows if r.statement.name == name] for f in self._figures for name in f.measures})
+        _put(self.out / "page.html", pages.render("page.html", title=self.title, body=markup))
+        opening = "".join(self._figures[0].panes).replace(f'"{self.name}_', f'"card_{self.name}_').replace(f"#{self.name}_", f"#card_{self.name}_")
+        _put(self.out / "card.json", json.dumps({
+            "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening},
+            ensure_ascii=False, indent=1) + "\n")
+        print(f"{self.name}: {score} (make report)")
+
+    def _check_first_screen(self, score):
+        if not (self.lead and self.headline and self._figures):
+            raise StudyError(f"{self.name}: a page opens with a lead, a headline and a figure; set study.lead and study.headline")
+        words = len(re.sub(r"<[^>]*>", " ", f"{self.lead} {self.headline} {score}").split())
+        if words > FIRST_SCREEN:
+            raise StudyError(f"{self.name}: lead, headline and score have {words} words; {FIRST_SCREEN} are what a first screen holds")
+
+    def _write_tables(self, groups):
+        """Writes what was measured, and each published value beside it."""
         made = {name: m for name, m in self.measures.items() if m.value is not None}
         _put(self.out / "measured.tsv", write_table({
             "name": list(made), "value": [m.value for m in made.values()], "unit": [m.unit for m in made.values()],
             "deviation": [m.deviation for m in made.values()]}))
+        verdicts = [r.run for _, rows in groups for r in rows if r.run]
+        stated = [v.statement for v in verdicts]
         _put(self.out / "comparison.tsv", write_table({
-            "description": [v.statement.description for v in verdicts], "unit": [v.statement.unit for v in verdicts],
-            "published": [v.published for v in verdicts], "tolerance": [v.tolerance for v in verdicts],
+            "description": [s.description for s in stated], "unit": [s.unit for s in stated],
+            "published": [s.bound for s in stated], "tolerance": [s.margin for s in stated],
             "measured": [v.measured for v in verdicts], "difference": [v.difference for v in verdicts],
-            "verdict": ["met" if v.met else "not met" for v in verdicts],
-            "source": [v.statement.source for v in verdicts]}))
-        shown = []
-        for name, svg, sentence in self._figures:
-            _put(self.out / f"{name}.svg", svg)
-            shown.append({"svg": markupsafe.Markup(pages.inline(svg, f"{self.name}_{name}")), "sentence": sentence})
-        _put(self.out / "page.html", pages.render("chapter.html", study=self, groups=groups, figures=shown))
-        met = sum(v.met for v in verdicts)
-        print(f"{self.name}: {met} published values met, {len(verdicts) - met} not met (make report)")
+            "verdict": [("met" if v.met else "not met") if self.judged else "not judged" for v in verdicts],
+            "source": [s.source for s in stated]}))
 
 
 def _put(path, text):

@@ -81,6 +81,34 @@ class Table:
         return float(numpy.interp(value, x, y))
 
 
+def read_words(path, needed=()):
+    """Reads a tab-separated table whose cells are words: returns its header and (line number, row by name) pairs.
+
+    needed: columns that it must have. Lines that begin with # are comments. Raises StudyError naming file and line.
+    """
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
+    header, rows = None, []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        cells = line.split("\t")
+        if header is None:
+            header = cells
+            for name in needed:
+                if name not in header:
+                    raise StudyError(f"{path}: line {number}: has no column {name}{suggestion(name, header)}")
+            continue
+        if len(cells) != len(header):
+            raise StudyError(f"{path}: line {number}: {len(cells)} cells where the header has {len(header)}")
+        rows.append((number, dict(zip(header, cells, strict=True))))
+    if header is None:
+        raise StudyError(f"{path}: holds no table")
+    return header, rows
+
+
 def write_table(columns):
     """Returns columns, a dictionary of heads and equally many values, as tab-separated text; None is an empty cell."""
     def cell(value):

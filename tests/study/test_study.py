@@ -1,5 +1,6 @@
 """The studies' package: what it reads, refuses, compares, draws and writes, on small tables."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import json
 import math
 import pathlib
 import re
@@ -9,6 +10,7 @@ import xml.etree.ElementTree
 
 import pytest
 from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, read_statements
+from study.words import spell
 
 ROOT = pathlib.Path(__file__).parents[2]
 
@@ -82,7 +84,8 @@ def test_relations_are_judged_in_the_unit_of_the_statement(statement, value, met
 
 def test_a_verdict_shows_value_scatter_and_difference():
     (verdict,) = compare([stated()], {"peak": Measure(2400, "Pa", 120)})
-    assert (verdict.measured, verdict.difference, verdict.published, verdict.tolerance) == ("2.4 ± 0.12", "+0.4 (+20.0 %)", "2", "± 0.5")
+    assert (verdict.measured, verdict.difference) == ("2.4 ± 0.12", "+0.4 (+20.0 %)")
+    assert (verdict.statement.bound, verdict.statement.margin) == ("2", "± 0.5")
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
@@ -130,17 +133,34 @@ def test_every_table_of_statements_in_the_tree_is_read():
             assert read_statements(path)
 
 
-def example(folder):
-    study = Study("example", "An <example>", folder, "quick")
+def example(folder, judged=True):
+    study = Study("example", "An <example>", folder, "quick", judged)
     study.lead = "Two grains & a wall."
     # A measure, its statement and a figure of it are three lines.
     study.measure("peak", 2.1, "kPa", 0.05)
     study.state("peak", "within", 2, "kPa", "thesis", "greatest stress", tolerance=0.5)
-    figure, (axes,) = figures.panels(1)
-    axes.plot([0, 1], [0, 2])
-    figures.label(axes, "axial strain (%)", "stress (kPa)")
-    study.figure("stress", figure, "Stress rises.")
+    study.figure("stress", drawing(), "Stress rises.", "Fig. 1", "stress rises.", ["peak"])
+    study.headline = f"The greatest stress is {study.say('peak')}."
     return study
+
+
+def drawing(columns=1):
+    figure, axes = figures.panels(columns)
+    for a in axes:
+        a.plot([0, 1], [0, 2])
+        figures.label(a, "axial strain (%)", "stress (kPa)")
+    return figure
+
+
+def test_the_three_lines_of_the_readme_add_a_measure_a_statement_and_a_figure(tmp_path):
+    (lines,) = re.findall(r"```python\n(.*?)```", (ROOT / "pipelines/README.md").read_text(), re.DOTALL)
+    assert lines.count("\n") == 3
+    (tmp_path / "run.tsv").write_text("stress_ratio [1]\n1\n4.4\n4.1\n")
+    study = Study("example", "Example", tmp_path, "quick")
+    exec(lines, {"study": study, "table": Table.read(tmp_path / "run.tsv"), "drawing": drawing()})  # pylint: disable=exec-used
+    study.lead, study.headline = "A test.", f"The peak is {study.say('peak')}."
+    study.write()
+    assert "peak stress ratio: <b>4.4</b>, published 4.5 ± 0.3, <span class=\"met\">" in (tmp_path / "page.html").read_text()
 
 
 def test_a_study_writes_tables_figures_and_page_and_the_same_bytes_again(tmp_path, capsys):
@@ -148,12 +168,121 @@ def test_a_study_writes_tables_figures_and_page_and_the_same_bytes_again(tmp_pat
     first = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     example(tmp_path).write()
     assert first == {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    assert sorted(first) == ["comparison.tsv", "measured.tsv", "page.html", "stress.svg"]
-    assert capsys.readouterr().out.startswith("example: 1 published values met, 0 not met")
+    assert sorted(first) == ["card.json", "comparison.tsv", "measured.tsv", "page.html", "stress.svg"]
+    assert capsys.readouterr().out.startswith("example: 1 of 1 published values within tolerance")
     page = first["page.html"].decode()
     xml.etree.ElementTree.fromstring(page)  # every tag is closed
     assert "An &lt;example&gt;" in page and "Two grains &amp; a wall." in page and "2.1 ± 0.05" in page
     assert not re.search(r'<(\w+)[^>]* id="(?!example)', page)
+    card = json.loads(first["card.json"])
+    assert card["score"]["met"] == card["score"]["total"] == 1 and 'id="card_example_stress' in card["figure"]
+
+
+def test_a_row_that_is_not_met_has_its_reason_beside_it(tmp_path):
+    study = example(tmp_path)
+    study.state("peak", "at most", 1, "kPa", "thesis", "small stress")
+    study.write()
+    assert "no reason is known" in (tmp_path / "page.html").read_text()
+    study.reason("peak", "the wall is rough")
+    study.write()
+    page = (tmp_path / "page.html").read_text()
+    assert "✗ not met</span> <small>the wall is rough</small>" in page and "no reason is known" not in page
+    study.reason("peek", "misspelt")
+    with pytest.raises(StudyError, match="peek: is not stated; did you mean 'peak'"):
+        study.write()
+
+
+def kept(folder, measured="2.3", verdict="met", tolerance="± 0.5", description="greatest stress"):
+    path = folder / "kept.tsv"
+    path.write_text("description\tunit\tpublished\ttolerance\tmeasured\tdifference\tverdict\tsource\n"
+                    f"{description}\tkPa\t2\t{tolerance}\t{measured}\t+0.3 (+15.0 %)\t{verdict}\tthesis\n")
+    return path
+
+
+def test_a_quick_run_is_shown_beside_the_kept_one_and_not_judged(tmp_path, capsys):
+    study = Study("example", "Example", tmp_path, "quick", judged=False)
+    study.measure("peak", 9, "kPa")  # far from what is published
+    study.measure("work", 1e-4, "1")
+    study.state("peak", "within", 2, "kPa", "thesis", "greatest stress", tolerance=0.5)
+    study.kept(kept(tmp_path))
+    study.accept("work", "at most", 1e-3, "1", "work left over")
+    study.lead, study.headline = "Two grains.", f"At full size {study.say('peak', kept=True)}, in this run {study.say('peak')}."
+    study.figure("stress", drawing(), "Stress rises.", measures=["peak"])
+    study.write()
+    assert capsys.readouterr().out == ("example: 1 of 1 published values within tolerance at full size; this run: quick profile, not judged; "
+                                       "its chain of tools works (1 of 1 checks) (make report)\n")
+    page = (tmp_path / "page.html").read_text()
+    assert "At full size 2.3\u00a0kPa, in this run 9.00\u00a0kPa." in page
+    assert "2.3 kPa</b> at full size" in page and "quick run: 9 kPa" in page and 'class="unmet"' not in page
+    assert (tmp_path / "comparison.tsv").read_text().splitlines()[1].split("\t")[6] == "not judged"
+    study.measures["work"] = Measure(1, "1")
+    study.write()
+    assert "its chain of tools fails at: work left over" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("change", "message"), [
+    ({"description": "greatest strain"}, "'greatest strain' is no statement of the study; did you mean 'greatest stress'"),
+    ({"tolerance": "± 0.4"}, "tolerance is '± 0.4', in the statements '± 0.5'; compare the kept run anew"),
+    ({"verdict": "not judged"}, "only runs that are judged can be kept"),
+])
+def test_a_kept_comparison_that_fits_no_statement_is_refused(tmp_path, change, message):
+    with pytest.raises(StudyError, match=rf"kept.tsv: line 2: .*{message}"):
+        example(tmp_path).kept(kept(tmp_path, **change))
+
+
+def test_numbers_in_sentences_come_from_measures(tmp_path):
+    study = example(tmp_path)
+    study.measure("load", 1731.4, "kPa")
+    study.measure("contraction", -0.01234, "1", 0.0021)
+    study.unmade("strength", "kPa", "made with PROFILE=thesis")
+    assert study.say("load") == "1730\u00a0kPa" and study.say("load", 4, "MPa") == "1.731\u00a0MPa"
+    assert study.say("contraction", 2, "%", deviation=True) == "−1.2 ± 0.21\u00a0%"
+    assert study.published("peak") == "2\u00a0kPa"
+    for name, message in (("lode", "lode: is said but not measured; did you mean 'load'"), ("strength", "made with PROFILE=thesis")):
+        with pytest.raises(StudyError, match=message):
+            study.say(name)
+    with pytest.raises(StudyError, match="peak: no kept run has it"):
+        study.say("peak", kept=True)
+
+
+@pytest.mark.parametrize(("value", "digits", "text"), [
+    (0, 3, "0"), (4.539, 3, "4.54"), (123456, 2, "120000"), (-0.00012, 2, "−0.00012"), (2.5e-9, 2, "2.5e−9"), (3e8, 1, "3e+8")])
+def test_numbers_are_spelt_to_significant_digits(value, digits, text):
+    assert spell(value, digits) == text
+
+
+def test_a_first_screen_is_short_and_whole(tmp_path):
+    study = example(tmp_path)
+    study.lead = "word " * 115
+    with pytest.raises(StudyError, match="have 128 words; 120 are what a first screen holds"):
+        study.write()
+    study.lead = ""
+    with pytest.raises(StudyError, match="opens with a lead, a headline and a figure"):
+        study.write()
+
+
+def test_panels_of_a_figure_are_cut_apart_and_its_file_is_whole(tmp_path):
+    study = example(tmp_path)
+    study.figure("two", drawing(2), "Two panels.")
+    study.write()
+    assert (tmp_path / "page.html").read_text().count('class="pane"') == 3
+    assert (tmp_path / "two.svg").read_text().count(">stress (kPa)<") == 2
+    for pane in figures.panes(drawing(2)):
+        assert pane.count(">stress (kPa)<") == 1
+
+
+def test_appendices_hold_tables_reports_and_text(tmp_path):
+    (tmp_path / "causes.tsv").write_text("bag\tstress [kPa]\nsoft\t1\n")
+    (tmp_path / "report.txt").write_text("a < b\n")
+    study = example(tmp_path)
+    study.appendix("Causes", "One.\n\nTwo.", tmp_path / "causes.tsv", {"bag": ["stiff"], "stress": [2]})
+    study.text("Report", tmp_path / "report.txt")
+    study.write()
+    page = (tmp_path / "page.html").read_text()
+    for part in ("<p>Two.</p>", "<th>stress [kPa]</th>", "<td>soft</td>", "<td>stiff</td>", "<pre>a &lt; b</pre>"):
+        assert part in page
+    with pytest.raises(StudyError, match="none.tsv: cannot be read"):
+        study.appendix("Causes", tmp_path / "none.tsv")
 
 
 def test_an_axis_without_a_unit_is_refused():

@@ -1,0 +1,23 @@
+"""Numbers as sentences hold them."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import math
+
+# A number does not part from its unit at the end of a line.
+_SPACE = "\u00a0"
+
+
+def spell(value, digits=3):
+    """Returns a finite number to so many significant digits, without an exponent from 1e-4 to 1e7: 1730, 4.54, −0.0121."""
+    if value == 0:
+        return "0"
+    power = math.floor(math.log10(abs(value)))
+    if not -5 < power < 7:
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        return f"{mantissa}e{int(exponent):+d}".replace("-", "−")
+    decimals = digits - 1 - power
+    return f"{round(value, decimals):.{max(decimals, 0)}f}".replace("-", "−")
+
+
+def quantity(text, unit):
+    """Returns a number that is spelt already with its unit; pure numbers have none."""
+    return text if unit == "1" else f"{text}{_SPACE}°" if unit == "deg" else f"{text}{_SPACE}{unit}"
