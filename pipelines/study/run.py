@@ -27,6 +27,7 @@ class Group:
     heading: str
     statements: list = dataclasses.field(default_factory=list)
     note: str = ""
+    table: str = "comparison"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -104,13 +105,15 @@ class Study:
         """Adds a published value or a statement of the thesis as a number; expect() reads a whole table of them."""
         self.groups[0].statements.append(Statement(name, relation, str(published), str(tolerance), unit, source, description))
 
-    def expect(self, path, heading="", note=""):
+    def expect(self, path, heading="", note="", table="comparison"):
         """Adds the statements of a table like expected.tsv, under a heading of their own where one is given.
 
-        note: what the page says below the table.
+        note: what the page says below the table. table: name of the file, less .tsv, that they are written to with what was
+        measured; without a heading it is comparison.
         """
         group = Group(heading) if heading else self.groups[0]
         if heading:
+            group.table = table
             self.groups.append(group)
         group.statements += read_statements(path)
         group.note = note
@@ -225,9 +228,7 @@ class Study:
         groups = self.rows()
         score = self.score(groups)
         self._check_first_screen(score)
-        for name, svg in self._drawings.items():
-            _put(self.out / f"{name}.svg", svg)
-        self._write_tables(groups)
+        self.write_tables()
         rows = [row for _, some in groups for row in some]
         markup = pages.render("chapter.html", study=self, groups=groups, figures=self._figures, score=score,
                               checks=compare(self.checks, self.measures),
@@ -246,15 +247,22 @@ class Study:
         if words > FIRST_SCREEN:
             raise StudyError(f"{self.name}: lead, headline and score have {words} words; {FIRST_SCREEN} are what a first screen holds")
 
-    def _write_tables(self, groups):
-        """Writes what was measured, and each published value beside it."""
+    def write_tables(self):
+        """Writes what was measured, each published value beside it, and the figures: all files but those of the page."""
+        for name, svg in self._drawings.items():
+            _put(self.out / f"{name}.svg", svg)
         made = {name: m for name, m in self.measures.items() if m.value is not None}
         _put(self.out / "measured.tsv", write_table({
             "name": list(made), "value": [m.value for m in made.values()], "unit": [m.unit for m in made.values()],
             "deviation": [m.deviation for m in made.values()]}))
-        verdicts = [r.run for _, rows in groups for r in rows if r.run]
+        groups = self.rows()
+        for table in dict.fromkeys(["comparison", *(group.table for group, _ in groups)]):
+            self._write_comparison(table, [r.run for group, rows in groups for r in rows if r.run and group.table == table])
+
+    def _write_comparison(self, table, verdicts):
+        """Writes the verdicts into a table of that name."""
         stated = [v.statement for v in verdicts]
-        _put(self.out / "comparison.tsv", write_table({
+        _put(self.out / f"{table}.tsv", write_table({
             "description": [s.description for s in stated], "unit": [s.unit for s in stated],
             "published": [s.bound for s in stated], "tolerance": [s.margin for s in stated],
             "measured": [v.measured for v in verdicts], "difference": [v.difference for v in verdicts],
@@ -275,9 +283,14 @@ def main(build):
     parser.add_argument("out", help="folder of the study's results, out/NAME")
     parser.add_argument("--profile", choices=["quick", "thesis"], default="quick")
     parser.add_argument("--seeds", nargs="+", type=int, default=[1], help="seeds of the packings")
+    parser.add_argument("--kept", action="store_true", help="compare and draw what is kept in OUT of runs at full size, without a page")
     arguments = parser.parse_args()
     try:
-        build(arguments).write()
+        study = build(arguments)
+        if arguments.kept:
+            study.write_tables()
+        else:
+            study.write()
     except (StudyError, OSError) as error:
         print(f"study: {error}", file=sys.stderr)
         sys.exit(65)

@@ -178,6 +178,17 @@ def test_a_study_writes_tables_figures_and_page_and_the_same_bytes_again(tmp_pat
     assert card["score"]["met"] == card["score"]["total"] == 1 and 'id="card_example_stress' in card["figure"]
 
 
+def test_statements_have_tables_of_their_own_and_kept_runs_no_page(tmp_path):
+    (tmp_path / "statements.tsv").write_text("name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
+                                             "peak\tat least\t1\t\tkPa\tthesis\tstress rises\n")
+    study = example(tmp_path)
+    study.expect(tmp_path / "statements.tsv", "Statements", table="checklist")
+    study.write_tables()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["checklist.tsv", "comparison.tsv", "measured.tsv", "statements.tsv", "stress.svg"]
+    assert [(tmp_path / f"{name}.tsv").read_text().count("\n") for name in ("comparison", "checklist")] == [2, 2]
+    assert "stress rises\tkPa\tat least 1\t\t2.1 ± 0.05\t+1.1\tmet\tthesis" in (tmp_path / "checklist.tsv").read_text()
+
+
 def test_a_row_that_is_not_met_has_its_reason_beside_it(tmp_path):
     study = example(tmp_path)
     study.state("peak", "at most", 1, "kPa", "thesis", "small stress")
