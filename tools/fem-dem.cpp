@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "analysis/tables.h"
 #include "core/error.h"
+#include "core/number_word.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
 #include "core/tool.h"
 #include "fem/record.h"
 #include "fem/run.h"
+#include "fem/tables.h"
 #include "io/bytes.h"
 #include "io/files.h"
 #include "io/safe_output.h"
@@ -35,7 +38,7 @@ struct FemDem {
   std::vector<std::filesystem::path> packings;
   std::vector<std::string> overrides;
   std::optional<double> take;
-  std::string table;
+  std::string table, columns, state = "all", place;
   double interval = 300;
   bool check = false;
 
@@ -48,7 +51,10 @@ struct FemDem {
         "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
     t.example("fem-dem --check pull.toml", "time steps, memory and time it will take, without running");
     t.example("fem-dem pull.toml -o pull.h5", "of packings: fem-dem rods.toml rods.h5 -o pull.h5");
-    t.example("fem-dem --table series pull.h5", "a table of a run as text; the others: nodes, points, bars");
+    t.example("fem-dem --table loading pull.h5",
+              "a table of a run as text; others: series, elements, nodes, points, bars");
+    t.example("fem-dem --table points --near 0.3,0 pull.h5",
+              "what the soil above the middle of the sheet went through");
     t.input(scenario, "SCENARIO", "scenario (TOML); with --take and --table a file of fem-dem");
     t.optional_inputs(packings, "PACKING", "packings or runs to start the points from");
     t.optional_output(output, "file to write");
@@ -57,6 +63,9 @@ struct FemDem {
     t.flag(check, "check", "check the input and say what the run will take; write nothing");
     t.option(take, take_parameter);
     t.option(table, "table", "NAME", "print a table of a file of fem-dem as tab-separated text, and stop");
+    t.option(columns, "columns", "NAME,NAME", "which columns --table prints, in this order; all of them otherwise");
+    t.option(state, "state", "WHICH", "rows of which states --table prints: all, first, last or a number from 0");
+    t.option(place, "near", "X,Y", "rows of the point or node alone that was nearest to this place, m, at the start");
     t.resume(interval);
     t.threads();
   }
@@ -64,6 +73,12 @@ struct FemDem {
   void validate() const {
     if (check + take.has_value() + !table.empty() > 1)
       throw UsageError("--check, --take and --table exclude each other");
+    if (table.empty() && !(columns.empty() && state == "all" && place.empty()))
+      throw UsageError("--columns, --state and --near belong to --table: give it, too");
+    if (!analysis::names_states(state))
+      throw UsageError(fmt::format("--state {}: give all, first, last or a number", state));
+    if (!place.empty()) parsed_place();
+    if (!table.empty() && !output.empty()) throw UsageError("--table prints: leave -o out, and put > FILE at the end");
     if (take && *take != std::floor(*take)) throw UsageError(fmt::format("--take {}: points are whole numbers", *take));
     if (output.empty() && !check && table.empty()) throw UsageError("name the file to write with -o");
   }
@@ -114,15 +129,23 @@ struct FemDem {
     io::write_run(output, run, io::extend({file.source}, invocation, ""));
   }
 
+  Vec2 parsed_place() const {
+    const std::vector<std::string> words = io::cells(place, ',');
+    std::vector<double> numbers;
+    for (const std::string& word : words)
+      if (const std::optional<double> number = number_of(word); number && std::isfinite(*number))
+        numbers.push_back(*number);
+    if (words.size() != 2 || numbers.size() != 2)
+      throw UsageError(fmt::format("--near {}: give x and y in m, as in 0.6,1.2", place));
+    return {numbers[0], numbers[1]};
+  }
+
   void print_table() const {
     const io::MultiscaleFile file = io::read_multiscale(scenario);
-    std::string names = "series";
-    if (table == "series") return io::write_bytes("-", io::to_tsv(file.series));
-    for (const auto& group : file.groups) {
-      if (group.name == table) return io::write_bytes("-", io::to_tsv(group.table));
-      names += ", " + group.name;
-    }
-    throw UsageError("--table " + table + ": " + scenario.string() + " has the tables " + names);
+    io::Series chosen = fem::table(file, table, scenario.string());
+    if (!place.empty()) chosen = fem::near(file, table, parsed_place());
+    if (state != "all") chosen = fem::of_state(chosen, state, table);
+    io::write_bytes("-", io::to_tsv(analysis::chosen_columns(chosen, columns)));
   }
 };
 

@@ -79,7 +79,21 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   [[ -e shown/soil.pvd && -e shown/soil_000002.vtu && -e shown/geosynthetic_000002.vtp && -e shown/series.csv ]] || show "$(ls shown)"
   mentions 65 fem-dem "name it in record.points" --take 0 run.h5 -o point0.h5
   mentions 64 fem-dem "--take 1.5: points are whole numbers" --take 1.5 run.h5 -o point.h5
-  mentions 64 fem-dem "has the tables series, elements, nodes, points, bars, recorded" --table nods run.h5
+  mentions 64 fem-dem "has the tables loading, series, elements, nodes, points, bars, recorded" --table nods run.h5
+}
+
+@test "a run says how it was loaded, what a place went through, and what there was at the end" {
+  exits 0 fem-dem --table loading --columns time,traction_y_bottom,interface_friction run.h5
+  [[ ${lines[0]} == $'time [s]\ttraction_y_bottom [Pa]\tinterface_friction [1]' && ${#lines[@]} -eq 4 ]] || show "another table"
+  exits 0 fem-dem --table points --near 0.1,0 --columns time,point run.h5
+  [[ ${#lines[@]} -eq 4 && ${lines[1]} == $'0\t0' && ${lines[3]} == *$'\t0' ]] || show "not the point at the left end"
+  exits 0 fem-dem --table nodes --state last --columns node run.h5
+  [[ $output == $'node [1]\n0\n1\n2\n3\n4\n5' ]] || show "not the six nodes of one state"
+  mentions 64 fem-dem "lies outside of the soil, which reaches from 0,0 to 0.6,0.3 m" --table points --near 0.7,0 run.h5
+  mentions 64 fem-dem "--near 0.6: give x and y in m" --table points --near 0.6 run.h5
+  mentions 64 fem-dem "belong to --table" --near 0.1,0 run.h5
+  mentions 64 fem-dem "no column 'traction_bottom'; did you mean" --table loading --columns traction_bottom run.h5
+  mentions 64 fem-dem "--table prints: leave -o out" --table loading run.h5 -o table.tsv
 }
 
 @test "what does not fit is refused before anything runs" {
