@@ -116,9 +116,8 @@ struct Assimilate {
     const auto done = calibration::assimilate(std::move(members), std::move(observed), std::move(simulated),
                                               comparison.model(), comparison.least_size, comparison.chosen_stations());
     const auto groups = calibration::groups_of(done);
-    const auto chosen = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == table; });
-    output.put(calibration::ensemble_file(done.ensemble, groups), chosen->table, calibration::describe(done), sources,
-               invocation);
+    output.put(calibration::ensemble_file(done.ensemble, groups), calibration::table_of(done, groups, table),
+               calibration::describe(done), sources, invocation);
     Progress progress("pf-weight", invocation.quiet);
     for (const std::string& warning : calibration::warnings(done)) progress.note("pf-weight assimilate: " + warning);
     if (const auto zero = calibration::all_zero(done)) throw TargetNotReached(*zero);

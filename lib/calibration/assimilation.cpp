@@ -140,6 +140,10 @@ io::Series density_table(const Assimilation& a) {
   return table;
 }
 
+double root_mean_square(const Vector& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
 io::Series runs_table(const Assimilation& a) {
   std::vector<double> fate, misfit;
   for (std::size_t i = 0; i < a.runs.fate.size(); ++i) {
@@ -152,6 +156,43 @@ io::Series runs_table(const Assimilation& a) {
   put(table, "fate", "1", "0 used, 1 missing, 2 unreadable, 3 out of order, 4 diverged, 5 too short", fate);
   put(table, "misfit", "1", "sum of squared deviations over the variance", misfit);
   put(table, "weight", "1", "posterior weight", column(a.ensemble.weight));
+  for (std::size_t k = 0; k < a.observed.observables.size(); ++k) {
+    const Observable& what = a.observed.observables[k];
+    const Vector observed = a.observed.values.col(index(k));
+    std::vector<double> absolute, relative;
+    for (const Matrix& run : a.runs.values) {
+      const bool used = run.size() > 0;
+      const Vector deviation = used ? Vector(run.col(index(k)) - observed) : Vector::Constant(1, std::nan(""));
+      absolute.push_back(root_mean_square(deviation));
+      relative.push_back(used && (observed.array() != 0).all() ? root_mean_square(deviation.cwiseQuotient(observed))
+                                                               : std::nan(""));
+    }
+    put(table, what.name + "_misfit", what.unit, "root mean square of the deviation over the stations", absolute);
+    put(table, what.name + "_misfit_relative", "1", "root mean square of the deviation over the observation", relative);
+  }
+  return table;
+}
+
+io::Series curves_table(const Assimilation& a) {
+  std::vector<double> id, steps;
+  std::vector<std::vector<double>> values(a.observed.observables.size()), observed(values.size());
+  for (std::size_t i = 0; i < a.ensemble.size(); ++i)
+    for (Eigen::Index t = 0; t < a.runs.values[i].rows(); ++t) {
+      id.push_back(static_cast<double>(a.ensemble.id[i]));
+      steps.push_back(static_cast<double>(t + 1));
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k].push_back(a.runs.values[i](t, index(k)));
+        observed[k].push_back(a.observed.values(t, index(k)));
+      }
+    }
+  io::Series table;
+  put(table, "id", "1", "number of the parameter set", id);
+  put_station(table, a, steps);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Observable& what = a.observed.observables[k];
+    put(table, what.name, what.unit, "value of the run at the station", std::move(values[k]));
+    put(table, what.name + "_observed", what.unit, "observation", std::move(observed[k]));
+  }
   return table;
 }
 
@@ -182,7 +223,9 @@ Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs
   return a;
 }
 
-std::vector<std::string> assimilation_table_names() { return {"steps", "weights", "covariance", "density", "runs"}; }
+std::vector<std::string> assimilation_table_names() {
+  return {"steps", "weights", "covariance", "density", "runs", "curves"};
+}
 
 std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a) {
   return {{"steps", "weighted means and their like, one row per observation", steps_table(a)},
@@ -190,6 +233,11 @@ std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a) {
           {"covariance", "covariance of the parameters at chosen steps", covariance_table(a)},
           {"density", "marginal posterior densities at chosen steps", density_table(a)},
           {"runs", "what became of each run", runs_table(a)}};
+}
+
+io::Series table_of(const Assimilation& a, const std::vector<io::FieldsFile::Group>& groups, std::string_view name) {
+  if (name == "curves") return curves_table(a);
+  return std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.name == name; })->table;
 }
 
 }  // namespace soilweave::calibration

@@ -36,11 +36,15 @@ struct Assimilation {
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
                         std::optional<double> least_size, const std::vector<double>& stations);
 
-/// The names of the tables below, in order.
+/// The names of the tables of groups_of, in order, and curves.
 std::vector<std::string> assimilation_table_names();
-/// steps: means, deviations and 5 and 95 % quantiles of each parameter, effective size, evidence, predictions; weights:
-/// a column a step; covariance, density: at the chosen steps; runs: what became of each.
+/// Tables for files. steps: means, deviations and 5 and 95 % quantiles of each parameter, effective size, evidence,
+/// predictions; weights: a column a step; covariance, density: at the chosen steps; runs: what became of each, and root
+/// mean squares of its deviations from the observations.
 std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a);
+/// The table with one of the names above: from `groups`, made by groups_of, or `curves`, the used runs at the stations.
+/// Files do not hold that one, since the runs do.
+io::Series table_of(const Assimilation& a, const std::vector<io::FieldsFile::Group>& groups, std::string_view name);
 
 /// What is wrong with the weights, a sentence each: degeneracy, likelihoods beyond double precision, unused runs.
 std::vector<std::string> warnings(const Assimilation& a);

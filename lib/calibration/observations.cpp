@@ -79,12 +79,25 @@ struct Unfit {
   std::string why;
 };
 
+/// The greatest value of each observable over the rows of a run. Throws Unfit.
+Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Observations& observed) {
+  Matrix values(1, index(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (std::size_t r = 0; r < columns[c].size(); ++r)
+      if (!std::isfinite(columns[c][r]))
+        throw Unfit{Fate::not_finite, fmt::format("{} of row {} is not finite", observed.observables[c].name, r + 1)};
+    values(0, index(c)) = *std::max_element(columns[c].begin(), columns[c].end());
+  }
+  return values;
+}
+
 /// A run at the stations. Throws Unfit.
 Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
   const io::Series run = selected(whole, choice.where);
   std::vector<std::vector<double>> columns;  // first, since a column that is not there is no fault of the run
   for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
   if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
+  if (choice.greatest) return greatest_values(columns, observed);
   const std::vector<double> x = column_of(run, observed.station);
   for (std::size_t r = 0; r < x.size(); ++r) {
     if (!std::isfinite(x[r]))
@@ -199,6 +212,10 @@ Observations observations(const io::Series& table, const Choice& choice, const s
   const double limit = choice.until.value_or(INFINITY);
   while (rows < at.size() && !(at[rows] > limit + 1e-9 * std::abs(limit))) ++rows;
   if (rows == 0) throw DataError(fmt::format("{}: no observations{}", where, at.empty() ? "" : " up to --until"));
+  if (choice.greatest && rows != 1)
+    throw DataError(fmt::format(
+        "{}: {} rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until",
+        where, rows));
   found.at.assign(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(rows));
   for (std::size_t r = 0; r < rows; ++r) {
     if (!std::isfinite(at[r]))
@@ -230,7 +247,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
     const io::TextFile text = io::read_text(pattern, "runs");
     sources.push_back(text.source);
     const io::Series table = io::from_tsv(text.text, pattern);
-    column_of(table, observed.station);
+    if (!choice.greatest) column_of(table, observed.station);
     members = by_member(table);
   }
   std::vector<std::pair<std::int64_t, io::Source>> read;

@@ -36,9 +36,11 @@ struct Choice {
   std::vector<std::string> observables;               // NAME or NAME=COLUMN,...; empty: all columns but the station
   std::optional<double> until;                        // the last station
   std::vector<std::pair<std::string, double>> where;  // rows of a run: COLUMN equal to the number
+  bool greatest = false;                              // compare the greatest value of a run, at no station
 };
 
-/// Throws DataError for NaN (line and column), stations that do not increase, nothing left.
+/// Throws DataError for NaN (line and column), stations that do not increase, nothing left, and more rows than the one
+/// that Choice::greatest can be compared with.
 Observations observations(const io::Series& table, const Choice& choice, const std::string& where);
 
 /// What became of a member's run.
@@ -55,8 +57,8 @@ struct Simulated {
 
 /// The runs of the members: `pattern` with {id} in it (fmt's forms, {id:06}) names a file each, an HDF5 run or a TSV;
 /// without, one TSV whose column id names the member of each row. Values at stations are interpolated between rows,
-/// never beyond them. A run that is missing or unfit is told in the result; a column that is not there throws
-/// DataError.
+/// never beyond them; with Choice::greatest each value is the greatest of the run's rows. A run that is missing or
+/// unfit is told in the result; a column that is not there throws DataError.
 Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
                     const Choice& choice, std::vector<io::Source>& sources);
 

@@ -44,6 +44,7 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.option(observables, "observe", "NAME[=COLUMN,...]", "compare with (the mean of) columns of runs; else all");
   t.option(where, "where", "COLUMN=NUMBER", "use only these rows of the runs, as stage=1");
   t.option(until, until_range);
+  t.flag(greatest, "greatest", "compare the greatest values of each run, with a single row of observations");
   t.choice(covariance, "covariance", {"uniform", "component", "relative", "largest"},
            "of the error: one variance for all, one each; a share of each value, or of the greatest");
   t.option(error, "error", "V[,V...]", "variances (uniform, component), or relative standard deviation");
@@ -67,7 +68,7 @@ void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
 }
 
 Choice ComparisonOptions::choice() const {
-  Choice chosen{station, observables, until, {}};
+  Choice chosen{station, observables, until, {}, greatest};
   for (const std::string& text : where) chosen.where.push_back(condition(text));
   return chosen;
 }

@@ -40,6 +40,7 @@ struct ComparisonOptions {
   std::string covariance = "uniform";
   std::vector<std::string> observables, where, stations;
   std::optional<double> until, least_size;
+  bool greatest = false;
 
   void declare(tool::Table& table);
   void check(std::vector<std::string>& mistakes) const;

@@ -198,7 +198,11 @@ PY
   [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
   [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01 --tsv --table runs
-  [[ ${lines[1]} == $'0\t1\tnan\t0' && ${lines[2]} == $'1\t4\tnan\t0' ]] || show
+  [[ ${lines[1]} == $'0\t1\tnan\t0\tnan'* && ${lines[2]} == $'1\t4\tnan\t0\tnan'* ]] || show
+  [[ ${lines[0]} == *$'\tone_misfit\tone_misfit_relative [1]\ttwo_misfit\ttwo_misfit_relative [1]' ]] || show
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01 --tsv --table curves
+  [[ ${lines[0]} == $'id [1]\tstep [1]\tt\tone\tone_observed\ttwo\ttwo_observed' ]] || show
+  [[ ${#lines[@]} -eq 11 && ${lines[1]} == 2$'\t'1$'\t'1$'\t'* && ${lines[6]} == 3$'\t'* ]] || show "five stations of two runs: $output"
   rm -r runs
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01
   [[ $stderr == "pf-weight assimilate: none of 4 runs can be used; the first: runs/0.tsv: no such file" ]] || show
@@ -218,6 +222,16 @@ PY
   [[ $stderr == *"no column three among "* ]] || show
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe one=three
   [[ $stderr == *"run of member 0: no column three"* ]] || show
+}
+
+@test "assimilate --greatest: a single observed value is compared with the greatest of each run" {
+  pf-weight draw prior.toml -n 3 -o ensemble.h5
+  printf 'pressure [kPa]\tpeak [1]\n200\t4.5\n400\t4.2\n' > peak.tsv
+  printf 'id\tstage\tratio\n0\t0\t9\n0\t1\t4\n0\t1\t5\n1\t1\t4.4\n1\t1\t1\n2\t1\tnan\n2\t1\t1\n' > runs.tsv
+  local try=(ensemble.h5 peak.tsv --runs runs.tsv --where stage=1 --observe peak=ratio --error 0.01 --greatest --tsv --table curves)
+  exits 0 pf-weight assimilate "${try[@]}" --until 200
+  [[ ${lines[1]} == $'0\t1\t200\t5\t4.5' && ${lines[2]} == $'1\t1\t200\t4.4\t4.5' && ${#lines[@]} -eq 3 ]] || show
+  refuses 65 assimilate "peak.tsv: 2 rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until" "${try[@]}"
 }
 
 @test "assimilate: likelihoods that are all zero are told, with status 1 and numbers all the same" {

@@ -84,6 +84,53 @@ TEST(Runs, are_interpolated_at_the_stations_in_the_units_of_the_observations) {
   EXPECT_EQ(runs.sources[0].role, "runs");
 }
 
+TEST(Runs, deviate_from_the_observations_by_root_mean_squares) {
+  Runs runs;
+  runs.add(header + "1\t0\t2\t0\t0\n1\t0.03\t2\t0\t0\n");  // ratio 2 everywhere, radial strain 0
+  runs.add(header + "1\t0\t2\t0\t0\n1\t0.01\t2\t0\t0\n");  // too short
+  const Simulated s = runs.read(compared);
+  const Prior prior{{{"a", "1", "", 0, 1, Scale::linear}}};
+  const Assimilation a = assimilate(members_at(prior, halton(2, {2}, 1)), observed(compared), s,
+                                    {ErrorModel::Kind::uniform, {1}}, std::nullopt, {});
+  const io::Series table = table_of(a, groups_of(a), "runs");
+  EXPECT_DOUBLE_EQ(table.at("ratio_misfit").values[0], std::sqrt((0 + 1 + 4) / 3.0));
+  EXPECT_DOUBLE_EQ(table.at("ratio_misfit_relative").values[0], std::sqrt((0 + 1 / 9.0 + 1 / 4.0) / 3));
+  EXPECT_DOUBLE_EQ(table.at("strain_radial_misfit").values[0], std::sqrt((0.01 + 0.09 + 0.81) / 3));
+  EXPECT_EQ(table.at("strain_radial_misfit").unit, "%");
+  EXPECT_TRUE(std::isnan(table.at("ratio_misfit").values[1]));
+  EXPECT_TRUE(std::isnan(table.at("ratio_misfit_relative").values[1]));
+  const io::Series curves = table_of(a, groups_of(a), "curves");
+  EXPECT_EQ(curves.at("id").values, (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(curves.at("strain_axial").values, (std::vector<double>{0.5, 1, 2}));
+  EXPECT_EQ(curves.at("ratio").values, (std::vector<double>{2, 2, 2}));
+  EXPECT_EQ(curves.at("ratio_observed").values, (std::vector<double>{2, 3, 4}));
+}
+
+TEST(Runs, have_no_relative_deviation_from_an_observation_of_zero) {
+  Runs runs;
+  runs.add(header + "1\t0\t2\t0\t0\n1\t0.03\t2\t0\t0\n");
+  Observations zero = observed(compared);
+  zero.values(1, 0) = 0;
+  const Prior prior{{{"a", "1", "", 0, 1, Scale::linear}}};
+  const Assimilation a = assimilate(members_at(prior, halton(1, {2}, 1)), zero, runs.read(compared),
+                                    {ErrorModel::Kind::uniform, {1}}, std::nullopt, {});
+  EXPECT_TRUE(std::isnan(table_of(a, groups_of(a), "runs").at("ratio_misfit_relative").values[0]));
+}
+
+TEST(Runs, are_compared_by_their_greatest_values_where_no_station_is_known) {
+  Runs runs;
+  runs.add("stage\tratio\n0\t9\n1\t2\n1\t5\n1\t3\n");
+  runs.add("stage\tratio\n1\t2\n1\tnan\n");
+  const Choice choice{"", {"peak=ratio"}, {}, {{"stage", 1}}, true};
+  const Observations peak = observations(io::from_tsv("pressure [kPa]\tpeak [1]\n200\t4.5\n", "peak.tsv"), choice, "");
+  const Simulated s = simulated((runs.folder / "{id}.tsv").string(), runs.ids, peak, choice, runs.sources);
+  EXPECT_EQ(s.values[0](0, 0), 5);
+  EXPECT_EQ(s.fate[1], Fate::not_finite);
+  EXPECT_EQ(s.why[1], "peak of row 2 is not finite");
+  const std::string two = "pressure\tpeak\n200\t4.5\n400\t4.2\n";
+  EXPECT_NE(mistake(two, choice).find("2 rows where --greatest compares one value of a run"), std::string::npos);
+}
+
 TEST(Runs, that_are_missing_or_unfit_have_no_values_and_a_reason) {
   Runs runs;
   const std::string good = header + "1\t0\t1\t0\t0\n1\t0.03\t6\t0\t0\n";
@@ -118,7 +165,8 @@ TEST(Runs, that_are_missing_or_unfit_have_no_values_and_a_reason) {
   for (const auto& group : groups_of(a))
     for (const io::Column& column : group.table.columns)
       for (const double value : column.values)
-        EXPECT_TRUE(std::isfinite(value) || column.name == "misfit" || column.name == "correlation")
+        EXPECT_TRUE(std::isfinite(value) || column.name.find("misfit") != std::string::npos ||
+                    column.name == "correlation")
             << group.name << " " << column.name;
 }
 
