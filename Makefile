@@ -462,7 +462,9 @@ STUDIES :=
 reproduce: ## install what is missing, build, run every study (PROFILE=quick) and write the report
 	@$(AGAIN) deps
 	@$(AGAIN) all
-	@$(AGAIN) $(STUDIES) report
+	@before=$$(ls $(OUT)/*/page.html 2> /dev/null | wc -l); began=$$SECONDS; \
+	  $(AGAIN) $(STUDIES) && echo "$$((SECONDS - began)) $$(nproc) $$before" > $(OUT)/took
+	@$(AGAIN) report
 
 # ---- The rest -------------------------------------------------------------------------------------------------------
 .PHONY: clean

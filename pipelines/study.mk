@@ -34,7 +34,9 @@ include $(sort $(wildcard pipelines/*/study.mk))
 .PHONY: report
 report: $(OUT)/report.html ## collect the pages of all studies in out/report.html
 
-PAGES := $(foreach study,$(STUDIES),$(OUT)/$(study)/page.html)
-$(OUT)/report.html: pipelines/report.sh pipelines/report.css $(PAGES)
-	@pipelines/report.sh pipelines/report.css $(PAGES) $(call whole,$@)
+# A reader begins with the quickstart, and ends with the chapters.
+READING := $(filter quickstart,$(STUDIES)) $(filter-out quickstart ch%,$(STUDIES)) $(filter ch%,$(STUDIES))
+BAG := $(wildcard pipelines/ch3/bag.png)
+$(OUT)/report.html: $(STUDY) $(READING:%=$(OUT)/%/page.html) $(OUT)/profile $(BAG) $(wildcard $(OUT)/took)
+	@$(STUDY_PY) -m study.report $(OUT) $(READING) $(BAG:%=--picture %)
 	@echo "report: $@"

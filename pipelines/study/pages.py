@@ -11,7 +11,8 @@ from markupsafe import Markup
 from .errors import StudyError
 from .tables import read_words
 
-_TEMPLATES = pathlib.Path(__file__).parent / "templates"
+_ENVIRONMENT = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent / "templates"), autoescape=True,
+                                  trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined, keep_trailing_newline=True)
 _COORDINATES = re.compile(r' (?:d|x|y|transform|viewBox)="[^"]*"')
 
 
@@ -71,6 +72,4 @@ def content(item):
 
 def render(template, **values):
     """Returns the page. Text is escaped; what is markup already is passed as markupsafe.Markup by the caller."""
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(_TEMPLATES), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined, keep_trailing_newline=True)
-    return Markup(environment.get_template(template).render(**values))
+    return Markup(_ENVIRONMENT.get_template(template).render(**values))

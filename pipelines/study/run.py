@@ -3,7 +3,6 @@
 import argparse
 import dataclasses
 import json
-import os
 import pathlib
 import re
 import sys
@@ -13,6 +12,7 @@ from markupsafe import Markup
 from . import figures, pages
 from .compare import Measure, Statement, compare, read_statements
 from .errors import NotMade, StudyError, suggestion
+from .files import put
 from .kept import read_kept
 from .tables import write_table
 from .words import quantity, spell
@@ -233,10 +233,11 @@ class Study:
         markup = pages.render("chapter.html", study=self, groups=groups, figures=self._figures, score=score,
                               checks=compare(self.checks, self.measures),
                               rows={name: [r for r in rows if r.statement.name == name] for f in self._figures for name in f.measures})
-        _put(self.out / "page.html", pages.render("page.html", title=self.title, body=markup))
+        put(self.out / "page.html", pages.render("page.html", title=self.title, body=markup))
         opening = "".join(self._figures[0].panes).replace(f'"{self.name}_', f'"card_{self.name}_').replace(f"#{self.name}_", f"#card_{self.name}_")
-        _put(self.out / "card.json", json.dumps({
-            "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening},
+        put(self.out / "card.json", json.dumps({
+            "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening,
+            "width": self._figures[0].width},
             ensure_ascii=False, indent=1) + "\n")
         print(f"{self.name}: {score} (make report)")
 
@@ -250,9 +251,9 @@ class Study:
     def write_tables(self):
         """Writes what was measured, each published value beside it, and the figures: all files but those of the page."""
         for name, svg in self._drawings.items():
-            _put(self.out / f"{name}.svg", svg)
+            put(self.out / f"{name}.svg", svg)
         made = {name: m for name, m in self.measures.items() if m.value is not None}
-        _put(self.out / "measured.tsv", write_table({
+        put(self.out / "measured.tsv", write_table({
             "name": list(made), "value": [m.value for m in made.values()], "unit": [m.unit for m in made.values()],
             "deviation": [m.deviation for m in made.values()]}))
         groups = self.rows()
@@ -262,19 +263,12 @@ class Study:
     def _write_comparison(self, table, verdicts):
         """Writes the verdicts into a table of that name."""
         stated = [v.statement for v in verdicts]
-        _put(self.out / f"{table}.tsv", write_table({
+        put(self.out / f"{table}.tsv", write_table({
             "description": [s.description for s in stated], "unit": [s.unit for s in stated],
             "published": [s.bound for s in stated], "tolerance": [s.margin for s in stated],
             "measured": [v.measured for v in verdicts], "difference": [v.difference for v in verdicts],
             "verdict": [("met" if v.met else "not met") if self.judged else "not judged" for v in verdicts],
             "source": [s.source for s in stated]}))
-
-
-def _put(path, text):
-    """Writes a file under a temporary name and renames it, so that make never meets half of it."""
-    temporary = path.with_name(f"{path.name}.{os.getpid()}")
-    temporary.write_text(text, encoding="utf-8")
-    temporary.replace(path)
 
 
 def main(build):
