@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "analysis/bag.h"
+#include "analysis/loading.h"
 #include "analysis/tables.h"
 #include "core/error.h"
 #include "core/tool.h"
 #include "io/files.h"
 #include "io/table.h"
+#include "packing/loaded_bag.h"
 
 namespace {
 
@@ -31,8 +33,10 @@ struct Tables {
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
+  Group loading{"loading", "a bag between two plates, one row per row of the series", {}};
+  Group path{"path", "paths of stress of such a bag and its groups up to the first break", {}};
 
-  std::array<Group*, 7> all() { return {&cell, &volumes, &grains, &bag, &yarns, &broken, &series}; }
+  std::array<Group*, 9> all() { return {&cell, &volumes, &grains, &bag, &yarns, &broken, &series, &loading, &path}; }
 };
 
 struct Homogenize {
@@ -47,7 +51,7 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
-    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"},
+    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path"},
              "what --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
@@ -91,13 +95,17 @@ struct Homogenize {
       add(file.snapshots.front(), file.snapshots[n], tables);
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
+    put_loading(file, tables);
     if (tsv) print(tables);
     if (!output.empty()) write(tables, file.source, invocation);
   }
 
+  /// Whether a table that takes time is written or printed.
+  bool wanted(std::string_view name) const { return !output.empty() || table == name; }
+
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables) const {
-    analysis::put_cell(tables.cell.table, s, tessellation);
-    if (s.yarns.size() > 0) analysis::put_bag(tables.bag.table, s);
+    if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
+    if (wanted("bag") && s.yarns.size() > 0) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
     const std::vector<analysis::Volume> volumes = volumes_of_interest(s);
     const bool each_grain = grains || table == "grains";
@@ -106,6 +114,23 @@ struct Homogenize {
     for (std::size_t k = 0; k < volumes.size(); ++k)
       analysis::put_volume(tables.volumes.table, first, s, static_cast<double>(k), volumes[k], local);
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
+  }
+
+  /// A file of fields has these tables where the input holds such a bag; asked for by name, what it lacks is an error.
+  void put_loading(const io::RunFile& file, Tables& tables) const {
+    const bool by_name = tsv && (table == "loading" || table == "path");
+    if (!by_name && (output.empty() || !holds_bag(file))) return;
+    const analysis::LoadedBag bag = packing::loaded_bag(file, input.string());
+    tables.loading.table = analysis::loading(file.series, bag);
+    if (wanted("path")) tables.path.table = analysis::stress_paths(file.series, file.snapshots, bag);
+  }
+  bool holds_bag(const io::RunFile& file) const {
+    try {
+      packing::loaded_bag(file, input.string());
+      return true;
+    } catch (const DataError&) {
+      return false;
+    }
   }
 
   std::vector<analysis::Volume> volumes_of_interest(const io::Snapshot& s) const {
@@ -121,12 +146,14 @@ struct Homogenize {
   }
 
   /// A line a table: its name for --table, what it holds.
-  static void print_list(const io::RunFile& file) {
+  void print_list(const io::RunFile& file) const {
     Tables tables;
+    const bool has_bag = holds_bag(file);
     const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
     for (const Group* group : tables.all()) {
       if (group == &tables.series && !has_series) continue;
       if ((group == &tables.bag || group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
+      if ((group == &tables.loading || group == &tables.path) && !has_bag) continue;
       const std::string_view also = group == &tables.volumes ? " (with --box, --copies or --groups)" : "";
       fmt::print("{}\t{}{}\n", group->name, group->long_name, also);
     }

@@ -29,22 +29,12 @@ std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std
 }
 
 void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
-  static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
-  static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
   static constexpr Parameter unit{"scale", "1", 0, 1e6, true, "m in the surface's unit of length, 0.001 for mm"};
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   Settings table = document.table("container");
   const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
-  if (shape == "pillow") {
-    plan.container = std::make_unique<Pillow>(table);
-  } else if (shape == "cushion") {
-    plan.container = std::make_unique<Cushion>(table);
-  } else if (shape == "box") {
-    auto box = std::make_unique<Box>();
-    box->lower = table.vector(low), box->upper = table.vector(high);
-    if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
-    plan.container = std::move(box);
-  } else if (shape == "surface") {
+  plan.container = read_shape(shape, table);
+  if (shape == "surface") {
     const std::string word = table.text("file");
     const double size = table.number(unit, 1.0);
     if (!word.empty()) {
@@ -59,17 +49,14 @@ void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
   static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns"};
-  static constexpr Parameter offset{"offset", "m", 0, 1e3, false, "of the nodes beyond the container's surface"};
   static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
-    plan.nodes = NodeRecipe::read(table);
+    const Laid laid = read_laid(table);
+    plan.nodes = laid.nodes, plan.outside = laid.outside;
     const bool both = table.has("cells") && table.has("spacing");
     const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
-    plan.outside = table.number(offset, plan.nodes.radius);
-    if (plan.outside > plan.nodes.radius)
-      table.mistake("offset", "is more than node_radius: the soil would fill more than the container");
     plan.even = table.flag("even", plan.even);
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container)
@@ -168,6 +155,27 @@ void scale(io::Snapshot& volume, double factor) {
 }
 
 }  // namespace
+
+std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table) {
+  static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
+  static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
+  if (shape == "pillow") return std::make_unique<Pillow>(table);
+  if (shape == "cushion") return std::make_unique<Cushion>(table);
+  if (shape != "box") return nullptr;
+  auto box = std::make_unique<Box>();
+  box->lower = table.vector(low), box->upper = table.vector(high);
+  if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
+  return box;
+}
+
+Laid read_laid(Settings& table) {
+  static constexpr Parameter offset{"offset", "m", 0, 1e3, false, "of the nodes beyond the container's surface"};
+  Laid laid{NodeRecipe::read(table), 0};
+  laid.outside = table.number(offset, laid.nodes.radius);
+  if (laid.outside > laid.nodes.radius)
+    table.mistake("offset", "is more than node_radius: the soil would fill more than the container");
+  return laid;
+}
 
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
   static constexpr Parameter size{"scale", "1", 0, 1e3, true, "of the representative volume's lengths"};

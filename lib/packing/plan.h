@@ -40,6 +40,15 @@ struct Plan {
   double soil_depth() const { return wrapping ? nodes.radius - outside : 0; }
 };
 
+/// Returns the pillow, cushion or box that a [container] table describes by numbers; none of another shape.
+std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table);
+/// The nodes of a [geotextile_mesh] and how far beyond the container's surface they lie, m.
+struct Laid {
+  NodeRecipe nodes;
+  double outside = 0;
+};
+Laid read_laid(Settings& table);
+
 /// All mistakes at once. Throws DataError.
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 

@@ -1,0 +1,18 @@
+// What a run tells of the bag that it loads: its size, geotextile and plates, from the plan, scenario and first state.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "analysis/loading.h"
+#include "io/files.h"
+
+namespace soilweave::packing {
+
+/// Returns the bag between two plates that the run loads. Its size is that of the filter-expand plan in the run's
+/// history: area and height of the faces of a pillow or cushion, of a box, or of the box around the nodes of another
+/// container. Throws DataError naming `where` and what the run lacks: a series, a geotextile around a container, that
+/// plan, or one of the plates ("top" and "bottom", or those that its stages of path "uniaxial" name).
+analysis::LoadedBag loaded_bag(const io::RunFile& run, const std::string& where);
+
+}  // namespace soilweave::packing
