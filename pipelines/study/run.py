@@ -271,13 +271,18 @@ class Study:
             "source": [s.source for s in stated]}))
 
 
-def main(build):
-    """Runs a study.py: build(study arguments) returns the Study that is then written. Errors are one line, status 65."""
+def main(build, **options):
+    """Runs a study.py: build(study arguments) returns the Study that is then written. Errors are one line, status 65.
+
+    options: arguments of this study alone, by name, each with what argparse is told, as in cases={"nargs": "+"}.
+    """
     parser = argparse.ArgumentParser(description=build.__doc__)
     parser.add_argument("out", help="folder of the study's results, out/NAME")
     parser.add_argument("--profile", choices=["quick", "thesis"], default="quick")
     parser.add_argument("--seeds", nargs="+", type=int, default=[1], help="seeds of the packings")
     parser.add_argument("--kept", action="store_true", help="compare and draw what is kept in OUT of runs at full size, without a page")
+    for name, how in options.items():
+        parser.add_argument(f"--{name}", **how)
     arguments = parser.parse_args()
     try:
         study = build(arguments)

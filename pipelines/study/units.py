@@ -14,6 +14,7 @@ _UNITS = {
     "Pa": ("stress", 1.0),
     "kPa": ("stress", 1e3),
     "MPa": ("stress", 1e6),
+    "GPa": ("stress", 1e9),
     "N": ("force", 1.0),
     "kN": ("force", 1e3),
     "N/m": ("line force", 1.0),
@@ -23,6 +24,9 @@ _UNITS = {
     "1/s": ("rate", 1.0),
     "1/m": ("stress over line force", 1.0),
     "kPa per kN/m and %": ("stress over line force and strain", 1.0),
+    # A column that holds several parameters of a calibration, each in its own unit.
+    "its own": ("value of a parameter", 1.0),
+    "1 per its own": ("density of a parameter", 1.0),
 }
 
 

@@ -9,7 +9,7 @@ import sys
 import xml.etree.ElementTree
 
 import pytest
-from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, read_statements
+from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, main, read_statements
 from study.words import spell
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -326,3 +326,12 @@ def test_a_study_without_its_tables_ends_in_one_line(tmp_path, name):
                          check=False, env={"PYTHONPATH": str(ROOT / "pipelines"), "PYTHONDONTWRITEBYTECODE": "1"})
     assert run.returncode == 65
     assert run.stderr.startswith("study: ") and run.stderr.count("\n") == 1 and ".tsv: cannot be read" in run.stderr
+
+
+def test_a_study_may_have_arguments_of_its_own(tmp_path, monkeypatch):
+    def build(arguments):
+        assert arguments.cases == ["one", "two"]
+        return example(arguments.out)
+    monkeypatch.setattr(sys, "argv", ["study.py", str(tmp_path), "--cases", "one", "two"])
+    main(build, cases={"nargs": "+"})
+    assert (tmp_path / "page.html").exists()
