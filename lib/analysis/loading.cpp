@@ -57,16 +57,18 @@ class LoadingTable {
   double apart(std::size_t i) const {
     return plate("displacement", bag_.upper, 'z')[i] - plate("displacement", bag_.lower, 'z')[i];
   }
+  /// Horizontal displacement of the upper plate less that of the lower one, m.
+  Vec2 travel(std::size_t i) const {
+    const auto along = [&](char axis) {
+      return plate("displacement", bag_.upper, axis)[i] - plate("displacement", bag_.lower, axis)[i];
+    };
+    return {along('x'), along('y')};
+  }
   /// The horizontal direction in which the upper plate travels farthest from above the lower one; x where it does not.
   Vec2 direction_of_shear() const {
     Vec2 farthest(0, 0);
-    for (std::size_t i = 0; i < run_.rows(); ++i) {
-      const auto travel = [&](char axis) {
-        return plate("displacement", bag_.upper, axis)[i] - plate("displacement", bag_.lower, axis)[i];
-      };
-      const Vec2 at(travel('x'), travel('y'));
-      if (at.norm() > farthest.norm()) farthest = at;
-    }
+    for (std::size_t i = 0; i < run_.rows(); ++i)
+      if (travel(i).norm() > farthest.norm()) farthest = travel(i);
     return farthest.norm() > 0 ? Vec2(farthest.normalized()) : Vec2(1, 0);
   }
 
@@ -75,6 +77,8 @@ class LoadingTable {
         [&](std::size_t i) { return apart(reference_) - apart(i); });
     put("strain_axial", "1", "settlement over the height of the bag as made",
         [&](std::size_t i) { return done("settlement")[i] / bag_.height; });
+    put("shear_displacement", "m", "travel of the upper plate against the lower one since the reference row",
+        [&](std::size_t i) { return shear_.dot(travel(i) - travel(reference_)); });
     const auto &above = plate("force", bag_.upper, 'z'), &below = plate("force", bag_.lower, 'z');
     put("plate_pressure", "Pa", "mean of both plates' forces over the nominal area of the bag",
         [&](std::size_t i) { return 0.5 * (std::abs(above[i]) + std::abs(below[i])) / bag_.area; });
