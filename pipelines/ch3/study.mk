@@ -1,4 +1,4 @@
-# Chapter 3: the soilbag, generated and loaded (thesis Figs. 3.3 to 3.18). PROFILE=quick: grains and yarns twice as large, rolling
+# Chapter 3: the soilbag, generated and loaded (thesis Figs. 3.2 to 3.18). PROFILE=quick: grains and yarns twice as large, rolling
 # stiffness eight times, yarns twice as strong, so that stresses are the same.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -10,15 +10,11 @@ C3O := $(OUT)/ch3
 C3_SEED_quick := 1
 C3_SEED_thesis := 3
 C3_SEED := $(C3_SEED_$(PROFILE))
+# Dead loads in N, those of study.py.
 C3_LOADS_quick := 2410 24100
 C3_LOADS_thesis := 1330 1870 2410 12050 24100 36150
 C3_LOADS := $(C3_LOADS_$(PROFILE))
-# Of the thesis's, how many one yarn stands for.
-C3_YARNS_quick := 2
-C3_YARNS_thesis := 1
 # Just past the greatest load and the greatest shear.
-C3_END_quick := 16
-C3_END_thesis := 20
 C3_UC_quick := --set stage.1.strain=0.16
 C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
 # Larger nodes stand out of the bag by as much more: its soil has the same room.
@@ -31,7 +27,8 @@ C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.
 C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.6 --set growth.measure_every=6 --set growth.overlap=2e-4 \
   --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 \
   --set material.0.twisting.stiffness=1.04
-C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=$(C3_YARNS_quick) --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
+# A yarn stands for two of the thesis's.
+C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
 # Runs side by side use the cores better than threads within one; of the full size there is one at a time.
 C3_THREADS_quick := 1
 C3_THREADS_thesis := 2
@@ -80,16 +77,20 @@ $(C3O)/sheet.h5: $(C3O)/rv.h5 $(C3)/sheet.toml $(BIN)/filter-expand
 $(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem
 	@$(BIN)/run-dem $< $(C3)/box.toml --set material.0.friction_angle=$* --threads 1 --quiet --resume --force -o $@
 
+# Bags give their loading, strips and boxes the series of their parts.
 $(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
+$(C3O)/strip_%.tsv: $(C3O)/strip_%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
+$(C3O)/box_%.tsv: $(C3O)/box_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
-$(C3O)/%_first_break.tsv: $(C3O)/%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --state last --table broken --tsv | awk 'NR <= 2' $(call whole,$@)
-$(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.awk $(BIN)/homogenize
-	@$(BIN)/homogenize $< --state last --table yarns --tsv | awk -f $(C3)/breaks.awk $(call whole,$@)
+C3_YARNS := step,family,position_x,position_y,position_z,direction_x,direction_y,length,tension,broken
+$(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.py $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state last --table yarns --columns $(C3_YARNS) --tsv | $(STUDY_PY) -m ch3.breaks $(call whole,$@)
 
 # Contacts of the bag, those of its soil alone, and those of the representative volume it is made of, unloaded until it has as few.
 C3_ROSES := $(foreach of,rv bag bag_soil,$(C3O)/$(of)_histogram.tsv $(C3O)/$(of)_rose.tsv)
@@ -101,50 +102,32 @@ $(C3O)/bag_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --table $* --tsv $(call whole,$@)
 $(C3O)/bag_soil_%.tsv: $(C3O)/bag.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --soil --table $* --tsv $(call whole,$@)
-$(C3O)/shape.tsv: $(C3)/shape.awk $(C3_ROSES)
-	@awk -f $^ $(call whole,$@)
+
+# Three states of the bag of PE for a picture: after the preload, at 12 %, the last. % is the number of the picture.
+C3_STATES := 1 4 last
+C3_PICTURES := $(foreach k,1 2 3,$(C3O)/uc_PE_grains_$(k).tsv $(C3O)/uc_PE_yarns_$(k).tsv)
+$(C3O)/uc_PE_grains_%.tsv: $(C3O)/uc_PE.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --grains --table grains --tsv \
+	  --columns position_x,position_y,position_z,radius,copy,strain_deviatoric $(call whole,$@)
+$(C3O)/uc_PE_yarns_%.tsv: $(C3O)/uc_PE.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --table yarns --columns $(C3_YARNS) --tsv $(call whole,$@)
+
+$(C3O)/provenance.txt: $(C3O)/uc_PE.h5 $(BIN)/to-vtk
+	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
 # What is measured, of each run: so little that what runs of full size leave can be kept, and compared without them.
 C3_UC := uc_PE uc_PP
 C3_SS := $(C3_LOADS:%=ss_%)
-C3_BREAKS := uc_PE_breaks uc_PE_rough_breaks
-C3_OF_RUNS := $(C3_UC) $(C3_SS) $(patsubst %,%_first_break,$(C3_UC)) \
-  $(foreach run,$(C3_UC) $(C3_SS),$(run)_fabric $(run)_groups) $(C3_BREAKS)
-C3_OF_BAG := $(C3O)/generation.tsv $(C3O)/shape.tsv
-C3_STRIPS := $(foreach g,PE PP,$(C3O)/strip_$(g).tsv)
-C3_BOXES := $(foreach a,21 25,$(C3O)/box_$(a).tsv)
+C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) uc_PE_breaks uc_PE_rough_breaks
+C3_OF_BAG := $(C3O)/generation.tsv $(C3_ROSES)
+C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
+C3_PY := $(wildcard $(C3)/*.py) $(C3)/expected.tsv $(C3)/statements.tsv $(C3)/bag.toml $(C3)/strip_plan.toml \
+  $(wildcard data/geotextiles/P?.toml) $(C3_RECORDED) $(STUDY)
 
-C3_MEASURE := $(C3)/measure.awk $(C3)/compression.awk $(C3)/shear.awk
-# Of these single settings are read.
-C3_SET := $(C3)/bag.toml $(C3)/uc.toml $(foreach g,PE PP,data/geotextiles/$(g).toml)
-# $(call measure,LOADS,YARNS,TABLES)
-measure = awk -v loads='$(1)' -v yarns=$(2) $(C3_MEASURE:%=-f %) $(3) $(C3_RECORDED)
-$(C3O)/measured.tsv: $(C3_MEASURE) $(C3_SET) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED)
-	@$(call measure,$(C3_LOADS),$(C3_YARNS_$(PROFILE)),$(filter $(C3O)/%,$^)) $(call whole,$@)
-$(C3O)/comparison.tsv: pipelines/compare.awk $(C3)/expected.tsv $(C3O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
-$(C3O)/checklist.tsv: pipelines/compare.awk $(C3)/statements.tsv $(C3O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
+$(C3O)/page.html: $(C3)/study.py $(C3_PY) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS_AND_BOXES) $(C3_PICTURES) \
+  $(C3O)/provenance.txt $(wildcard $(C3)/kept/*.tsv) $(OUT)/profile
+	@$(STUDY_PY) $< $(C3O) --profile $(PROFILE)
 
 include $(C3)/kept.mk
 include $(C3)/variants.mk
-
-# Three states of the bag of PE for a picture: after the preload, at 12 %, the last.
-C3_STATES := 1 4 last
-C3_PICTURES := $(foreach k,1 2 3,$(C3O)/section_$(k).tsv $(C3O)/face_$(k).tsv)
-$(C3O)/section_%.tsv: $(C3O)/uc_PE.h5 $(C3)/section.awk $(BIN)/homogenize
-	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --grains --table grains --tsv | awk -f $(C3)/section.awk $(call whole,$@)
-$(C3O)/face_%.tsv: $(C3O)/uc_PE.h5 $(C3)/face.awk $(BIN)/homogenize
-	@$(BIN)/homogenize $< --state $(word $*,$(C3_STATES)) --table yarns --tsv | awk -f $(C3)/face.awk $(call whole,$@)
-
-# $(call draw,FOLDER,FORMAT,LOADS,YARNS,SCRIPTS)
-draw = gnuplot -e "out='$(1)'; format='$(2)'; loads='$(3)'; yarns=$(4); end='$(C3_END_$(PROFILE))'" $(C3)/style.gp $(5)
-$(C3O)/figures: $(C3)/style.gp $(C3)/figures.gp $(C3)/pictures.gp $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_STRIPS) $(C3_BOXES) $(C3_RECORDED) $(C3_PICTURES) \
-  $(C3_ROSES) $(C3O)/generation.tsv $(wildcard $(C3_KEPT)/*.tsv)
-	@for format in svg png; do $(call draw,$(C3O),$$format,$(C3_LOADS),$(C3_YARNS_$(PROFILE)),$(C3)/figures.gp $(C3)/pictures.gp); done
-	@touch $@
-$(C3O)/page.html: $(C3)/page.sh pipelines/figure.sh pipelines/table.awk $(C3O)/comparison.tsv $(C3O)/checklist.tsv $(C3O)/shape.tsv $(C3O)/figures
-	@OUT=$(C3O) PROFILE=$(PROFILE) $(C3)/page.sh $(call whole,$@)
-	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch3: %d published values and statements met, %d not met (make report)\n", \
-	  met, not }' $(C3O)/comparison.tsv $(C3O)/checklist.tsv

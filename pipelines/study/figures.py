@@ -73,6 +73,12 @@ def svg(figure):
     return text
 
 
+def png(figure, path):
+    """Writes the figure as a PNG file, for pictures of more marks than a drawing should have, and closes it."""
+    figure.savefig(path, format="png", dpi=110, metadata={"Software": None})
+    pyplot.close(figure)
+
+
 def panes(figure):
     """Returns the panels of a figure as SVG texts of their own, which a narrow page can put below each other.
 

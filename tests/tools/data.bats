@@ -106,46 +106,7 @@ german() {
 
 @test "what is kept of the studies is compared as its statements and tables now are" {
   command -v gnuplot > /dev/null || skip "no gnuplot"
-  for chapter in 3 6; do
-    cp -r "pipelines/ch$chapter/kept" "$BATS_TEST_TMPDIR/$chapter"
-    env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s OUT="$BATS_TEST_TMPDIR/out" "C${chapter}_KEPT=$BATS_TEST_TMPDIR/$chapter" "ch$chapter-compare"
-    for table in "pipelines/ch$chapter"/kept/c[oh]*.tsv; do cmp "$table" "$BATS_TEST_TMPDIR/$chapter/${table##*/}"; done
-  done
-}
-
-@test "new lines of variants replace those of their name, others stay, those of another bag are refused, unless none of them stays" {
-  cd "$BATS_TEST_TMPDIR" || return
-  local merge=$BATS_TEST_DIRNAME/../../pipelines/ch3/merge.awk
-  printf 'variant\tload\nbag\t1\nfast\t2\n' > new.tsv
-  printf 'variant\tload\nbag\t1\nfast\t9\nseed_2\t5\n' > kept.tsv
-  run awk -f "$merge" new.tsv kept.tsv
-  [ "$output" = $'variant\tload\nbag\t1\nfast\t2\nseed_2\t5' ]
-  printf '== fast\nnew\n' > new.txt
-  printf '== fast\nold\n== seed_2\nkept\n' > kept.txt
-  run awk -f "$merge" new.txt kept.txt
-  [ "$output" = $'== fast\nnew\n== seed_2\nkept' ]
-  sed -i 's/^bag.*/bag\t3/' kept.tsv
-  run awk -f "$merge" new.tsv kept.tsv
-  [ "$status" -eq 1 ]
-  [[ "$output" == *"kept.tsv is of another bag"* ]]
-  sed -i '/^seed_2/d' kept.tsv
-  run awk -f "$merge" new.tsv kept.tsv
-  [ "$output" = "$(cat new.tsv)" ]
-}
-
-@test "bags beside one another: a column each, mean and deviation of those that have a value, the first of them apart" {
-  cd "$BATS_TEST_TMPDIR" || return
-  local beside=$BATS_TEST_DIRNAME/../../pipelines/ch3/beside.awk bag
-  mkdir bag one two
-  for bag in bag:9 one:1 two:4; do
-    printf 'description\tunit\tpublished\ttolerance\tmeasured\nload\tkPa\t3\t1\t%s\nfailure\t%%\t3\t1\t1\n' "${bag#*:}" > "${bag%:*}/comparison.tsv"
-  done
-  printf 'slope\t1\t2\t1\t7\n' >> bag/comparison.tsv
-  run awk -v leave=failure -v scatter=1 -v apart=1 -f "$beside" bag/comparison.tsv one/comparison.tsv two/comparison.tsv
-  [ "$output" = $'description\tunit\tpublished\ttolerance\tbag\tone\ttwo\tmean\tdeviation
-load\tkPa\t3\t1\t9\t1\t4\t2.5\t2.1
-slope\t1\t2\t1\t7\tnone\tnone\tnone\tnone' ]
-  run awk -v leave=failure -v scatter=1 -f "$beside" bag/comparison.tsv one/comparison.tsv two/comparison.tsv
-  [ "${lines[1]}" = $'load\tkPa\t3\t1\t9\t1\t4\t4.667\t4' ]
-  [ "${lines[2]}" = $'slope\t1\t2\t1\t7\tnone\tnone\t7\tnone' ]
+  cp -r pipelines/ch6/kept "$BATS_TEST_TMPDIR/6"
+  env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s OUT="$BATS_TEST_TMPDIR/out" "C6_KEPT=$BATS_TEST_TMPDIR/6" ch6-compare
+  for table in pipelines/ch6/kept/c[oh]*.tsv; do cmp "$table" "$BATS_TEST_TMPDIR/6/${table##*/}"; done
 }

@@ -1,0 +1,310 @@
+"""Chapter 3: its measures on small tables by hand, and on what is kept of its runs at full size."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import io
+import math
+import sys
+
+import numpy
+import pytest
+from ch3 import appendix, breaks, compression, drawing, making, pictures, shear, variants
+from ch3 import study as chapter
+from ch3.bag import HERE, UNITS, Bag, Record, Runs, Series, path_deviation, path_slope
+from matplotlib import pyplot
+from renaming import demand_columns
+from study import NotMade, Study, StudyError, Table, figures, read_statements
+
+SI = {"mm": "m", "kPa": "Pa"}
+
+
+def write(path, units, **columns):
+    """Writes a table of columns of equal length, of which a number stands for as many equal ones."""
+    length = max(numpy.size(values) for values in columns.values())
+    rows = zip(*(numpy.broadcast_to(values, length) for values in columns.values()), strict=True)
+    head = "\t".join(f"{name} [{units[name]}]" for name in columns)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join([head, *("\t".join(repr(float(x)) for x in row) for row in rows)]) + "\n")
+    return Table.read(path)
+
+
+def bag(path, **columns):
+    """Writes the loading of a bag, in SI units; columns that are not given are 1."""
+    units = {name: SI.get(unit, unit) for name, unit in UNITS.items()}
+    given = {"step": numpy.arange(numpy.size(columns["strain_axial"])), "broken_yarns": 0} | columns
+    return write(path, units, **{name: 1 for name in units} | given)
+
+
+def loaded(path, **columns):
+    """Returns a bag without groups and fabric."""
+    def absent():
+        raise NotMade("not recorded")
+    return Bag(bag(path, **columns), absent, absent)
+
+
+@pytest.fixture(name="compressed")
+def compressed_bag(tmp_path):
+    return loaded(tmp_path / "uc_PE.tsv", stage=[0, 0, 1, 1, 1, 1], strain_axial=[-0.01, 0, 0.01, 0.02, 0.03, 0.04],
+                  plate_pressure=[0, 1e3, 5e3, 10e3, 9.9e3, 4e3], broken_yarns=[0, 0, 0, 1, 2, 9],
+                  mean_stress=[0, 1e3, 2e3, 4e3, 4e3, 1e3], deviatoric_stress=[0, 1e3, 2e3, 5e3, 4e3, 1e3])
+
+
+def test_a_bag_counts_from_the_end_of_the_preload(compressed):
+    assert list(compressed["strain_axial"]) == [0, 0.01, 0.02, 0.03, 0.04]
+    assert (compressed.broken, compressed.failed) == (2, 3)
+    assert compressed.before_end(3, "failure") == 3
+    with pytest.raises(NotMade, match="failure does not come before 4 %"):
+        compressed.before_end(4, "failure")
+    with pytest.raises(NotMade, match="no station at 5 %"):
+        compressed.step_at(0.05)
+
+
+def test_a_value_is_where_another_one_first_comes_to_it_and_nowhere_else(compressed):
+    assert compressed.where("plate_pressure", 5, "strain_axial") == 0.01
+    assert compressed.where("plate_pressure", 7.5, "strain_axial") == pytest.approx(0.015)
+    assert compressed.where("strain_axial", 0, "plate_pressure") == 1
+    for at in (10.1, 0.5):
+        with pytest.raises(StudyError, match=f"uc_PE.tsv: plate_pressure does not come to {at} from below"):
+            compressed.where("plate_pressure", at, "strain_axial")
+
+
+def test_the_first_break_is_told_only_where_there_was_one(tmp_path, compressed):
+    assert compression.first_break(compressed, None) == 100
+    whole = loaded(tmp_path / "whole.tsv", stage=[0, 1], strain_axial=[0, 0.1], first_break_strain=math.nan)
+    with pytest.raises(NotMade, match="no yarn breaks before 10 %"):
+        compression.first_break(whole, None)
+
+
+def test_paths_have_the_slope_of_a_line_through_the_origin_and_their_distance_from_it(compressed):
+    p, q = compression.before_break(compressed)
+    assert path_slope(p, q) == pytest.approx((1 + 4 + 20) / (1 + 4 + 16))
+    assert path_deviation(p, q) == pytest.approx((2 * 25 / 21 - 2) / 5)
+
+
+def test_what_is_left_after_failure_is_compared_where_the_shorter_series_ends(tmp_path, compressed):
+    record = Record(write(tmp_path / "record.tsv", {"strain_axial": "%", "plate_pressure": "kPa"}, strain_axial=[0, 2, 3.5],
+                          plate_pressure=[1, 20, 10]))
+    assert compression.left_over(compressed, record, "plate_pressure") == pytest.approx((9.9 - 5.9 / 2) / 10 / (10 / 20))
+
+
+def test_groups_are_those_in_the_middle_and_the_two_at_the_edges(tmp_path):
+    units = {"step": "1", "volume_of_interest": "1", "mean_stress": "Pa", "deviatoric_stress": "Pa"}
+    groups = write(tmp_path / "groups.tsv", units, step=[0] * 4 + [1] * 4, volume_of_interest=[0, 1, 2, 3] * 2,
+                   mean_stress=[1, 2, 4, 3, 1, 2, 2, 1], deviatoric_stress=[1, 2, 4, 3, 2, 4, 4, 2])
+    one = Bag(bag(tmp_path / "uc.tsv", stage=[0, 1], strain_axial=[0, 0.01], broken_yarns=[0, 1]), lambda: groups, None)
+    assert one.middle_over_edge("mean_stress", 0) == 3 / 2 and one.middle_over_edge("mean_stress", 1) == 2
+    # The worst of the paths is that of the last group: q 3 and 2 over p 3 and 1, on a line of slope 11/10.
+    assert compression.groups_deviation(one, None) == pytest.approx(0.9 / 2)
+
+
+def test_contacts_are_spread_alike_if_cumulative_shares_differ_by_less_than_chance():
+    one, other = numpy.array([5, 3, 2]), numpy.array([10, 10])
+    assert making.distance(one, other) == pytest.approx(0.2)
+    assert making.chance(one, other) == pytest.approx(1.358 * math.sqrt(1 / 10 + 1 / 20))
+
+
+SERIES = {"force_right_y": "N", "yarn_tension_face": "N", "displacement_right_y": "m", "stage": "1", "force_left_x": "N",
+          "force_right_x": "N", "force_lid_z": "N", "displacement_left_x": "m"}
+
+
+def strip(path):
+    return write(path, SERIES, force_right_y=[0, -21, -100], yarn_tension_face=[0, 4.2, 20], displacement_right_y=[0, 0.001, 0.005])
+
+
+def box(path, held=1.0):
+    return write(path, SERIES, stage=[0, 1, 1, 1], force_left_x=[0, -100, -500 * held, -500 * held], force_right_x=0,
+                 force_lid_z=[-500, -500, -500, -500], displacement_left_x=[0, 0.001, 0.002, 0.003])
+
+
+def test_strips_and_boxes_are_measured(tmp_path):
+    assert making.stiffness(strip(tmp_path / "strip.tsv"), "PE") == pytest.approx(1)
+    assert making.strength(strip(tmp_path / "strip.tsv")) == 20
+    assert making.interface(box(tmp_path / "box.tsv")) == pytest.approx(45)
+
+
+YARNS = {"step": "1", "family": "1", "position_x": "m", "position_y": "m", "position_z": "m", "direction_x": "1", "direction_y": "1",
+         "length": "m", "tension": "N", "broken": "1"}
+
+
+def yarns(path, step=0):
+    return write(path, YARNS, step=step, family=[0, 0, 1, 2], position_x=[0.2, -0.05, 0.2, 0.2], position_y=[0, 0.1, 0, 0],
+                 position_z=[0.04, 0.04, 0.02, -0.04], direction_x=1, direction_y=0, length=0.005, tension=3, broken=[0, 1, 1, 0])
+
+
+def test_breaks_are_as_near_the_seam_as_the_outermost_yarn_lets_them(tmp_path):
+    table = breaks.breaks(yarns(tmp_path / "yarns.tsv"))
+    assert list(table["x [mm]"]) == [-50, 200] and list(table["seam [1]"]) == [0.5, 0.5]
+
+
+def test_shear_is_measured_by_hand(tmp_path):
+    s = shear.Shear(loaded(tmp_path / "ss.tsv", stage=[0, 1, 1, 2, 2], strain_axial=0, settlement=[0, 2e-3, 1e-3, 0, -1e-3],
+                           plate_shear=[0, -2e3, -4e3, -3e3, -4e3], plate_ratio=[0, 0.2, 0.4, 0.3, 0.4], shear_stress=[0, -1e3, -3e3, -2e3, -2e3],
+                           axial_stress=1e4, lateral_stress=[1e3, 1e3, 2e3, 2e3, 3e3], step=[0, 1, 2, 3, 4]))
+    assert (s.peak, s.thinnest, s.state) == (2, 1, 2)
+    assert s.lag(-1) == pytest.approx(0.2) and s.over_before("lateral_stress") == 2 and shear.dilated(s) == pytest.approx(3)
+    assert s.unsteadiness() == pytest.approx(math.sqrt((1.5**2 + 1) / 2) / 3.5)
+
+
+def test_measures_of_loads_that_are_not_there_are_not_made(tmp_path):
+    study = Study("ch3", "", tmp_path, "quick")
+    shear.measure(study, Runs(tmp_path, False, [], "not run"))
+    assert {m.value for m in study.measures.values()} == {None}
+    assert study.measures["shear_lag"].reason == "no bag is sheared"
+
+
+def test_a_table_that_is_missing_is_an_error_unless_runs_may_be(tmp_path):
+    with pytest.raises(StudyError, match="uc_PE.tsv: cannot be read"):
+        Runs(tmp_path, False, []).bag("uc_PE")
+    with pytest.raises(NotMade, match="uc_PE: not run"):
+        Runs(tmp_path, False, [], "not run").bag("uc_PE")
+
+
+def kept_study(folder):
+    study, runs = Study("ch3", "", folder, "thesis"), Runs.kept()
+    chapter.measure(study, runs)
+    return study, runs
+
+
+def test_what_is_kept_of_full_size_gives_the_comparison_that_is_kept(tmp_path):
+    study, _ = kept_study(tmp_path)
+    chapter.state(study)
+    study.write_tables()
+    for name in ("comparison", "checklist", "measured"):
+        assert (tmp_path / f"{name}.tsv").read_text() == (HERE / "kept" / f"{name}.tsv").read_text()
+
+
+def test_statements_say_something_of_their_own():
+    descriptions = [s.description for path in ("expected.tsv", "statements.tsv") for s in read_statements(HERE / path)]
+    assert len(set(descriptions)) == len(descriptions)
+    bare = [s.name for s in read_statements(HERE / "statements.tsv") if s.relation != "within" and float(s.published) == 0]
+    assert bare == []  # a change without a margin
+
+
+def small_runs(folder):
+    """Writes strips, boxes and pictures into a folder, beside the bag that is kept."""
+    for g in ("PE", "PP"):
+        strip(folder / f"strip_{g}.tsv")
+    for angle in (21, 25):
+        box(folder / f"box_{angle}.tsv", angle / 25)
+    step = int(Runs.kept().bag("uc_PE").step_at(0.12))
+    for k in pictures.STATES:
+        yarns(folder / f"uc_PE_yarns_{k}.tsv", step)
+        grains = {"position_x": "m", "position_y": "m", "position_z": "m", "radius": "m", "copy": "1", "strain_deviatoric": "1"}
+        write(folder / f"uc_PE_grains_{k}.tsv", grains, position_x=[0, 0.1], position_y=0, position_z=0, radius=0.002, copy=[-1, 0],
+              strain_deviatoric=[math.nan, 0.1])
+    for name in ("uc_PE", "uc_PE_breaks"):
+        (folder / f"{name}.tsv").write_text((HERE / "kept" / f"{name}.tsv").read_text())
+    (folder / "uc_PE_rough_breaks.tsv").write_text((HERE / "kept/uc_PE_breaks.tsv").read_text())
+
+
+class Undrawn(Study):
+    """A study whose figures are made and not rendered, which takes most of the time."""
+
+    def figure(self, *_, **__):
+        pyplot.close("all")
+
+    def picture(self, *_, **__):
+        pyplot.close("all")
+
+
+def test_each_column_that_the_chapter_reads_is_missed_by_name(tmp_path, monkeypatch):
+    def drawn(draw, runs):
+        return lambda: draw(Undrawn("ch3", "", tmp_path, "quick"), runs(), None)
+    monkeypatch.setattr(figures, "png", lambda *_: None)
+    small_runs(tmp_path)
+
+    def small():
+        return Runs(tmp_path, False, [], "not run")
+    def measured(measure):
+        return lambda: measure(Study("ch3", "", tmp_path, "thesis"), Runs.kept())
+    readers = [*map(measured, (making.measure, shear.measure, compression.measure_breaks, compression.measure)),
+               lambda: making.stiffness(small().table("strip_PE"), "PE"),
+               lambda: [making.interface(small().table(f"box_{angle}")) for angle in making.FRICTION],
+               lambda: [making.strength(small().table(f"strip_{g}")) for g in ("PE", "PP")],
+               lambda: breaks.breaks(small().table("uc_PE_yarns_1"))]
+    _, (axes,) = figures.panels(1)
+    for k in pictures.STATES:
+        readers += [lambda k=k: pictures.section(axes, small().table(f"uc_PE_grains_{k}")),
+                    lambda k=k: pictures.face(axes, small().table(f"uc_PE_yarns_{k}"))]
+    readers += [drawn(draw, Runs.kept) for draw in chapter.DRAWN_KEPT]
+    readers += [drawn(draw, small) for draw in (drawing.draw_strip, drawing.draw_box, pictures.draw_breaks, pictures.draw_bag)]
+    assert demand_columns(readers) > 150
+
+
+def test_the_appendix_says_what_kept_tables_hold(tmp_path):
+    study, runs = kept_study(tmp_path)
+    chapter.state(study)
+    appendix.add(study, runs)
+    assert len(study.appendices) == 5
+    words = appendix.Words("bulging_thesis")
+    with pytest.raises(StudyError, match="bulging_thesis.tsv: has no 'lateral stress at equal tensoin, PE'; did you mean 'lateral stress"):
+        words("lateral stress at equal tensoin, PE", "bag")
+    with pytest.raises(StudyError, match="has no 'seed_1'"):
+        words("lateral stress at equal tension, PE", "seed_1")
+
+
+def stations(folder, stress, **columns):
+    bag(folder / "uc_PE.tsv", stage=[0] + [1] * 8, strain_axial=numpy.arange(9) / 100, axial_stress=[100] + [1000 * stress * k for k in range(1, 9)],
+        plate_pressure=[100] + [1000 * stress * k for k in range(1, 9)], **columns)
+
+
+def test_fast_plates_are_beside_slow_ones_up_to_the_first_break(tmp_path):
+    stations(tmp_path / "fast", 1, broken_yarns=[0, 0, 0, 1, 1, 1, 1, 1, 1])
+    stations(tmp_path / "slow", 2)
+    assert variants.rates(tmp_path / "fast", tmp_path / "slow") == (
+        "axial strain [%]\tfast [kPa]\tslow [kPa]\tdifference [%]\n1\t1.00\t2.00\t-50.00\n2\t2.00\t4.00\t-50.00\n3\t3.00\t6.00\t-50.00\n")
+
+
+def test_variants_are_told_as_differences_from_the_bag(tmp_path):
+    stations(tmp_path / "bag", 2, broken_yarns=[0] * 8 + [1])
+    stations(tmp_path / "loose", 1, void_ratio=0.7)
+    header, first, second = variants.table(tmp_path, ["bag", "loose"]).splitlines()
+    assert header.split("\t")[:4] == ["variant", "what is varied", "void ratio under the preload", "load at 1 % [kPa]"]
+    assert first.split("\t")[3:5] == ["2.0", "+0.0"] and first.split("\t")[-4:] == ["8", "none", "none", "none"]
+    assert second.split("\t")[2:5] == ["0.7000", "1.0", "-50.0"] and second.split("\t")[-4] == "none"
+    with pytest.raises(StudyError, match=r"has no variant lose; did you mean 'loose'"):
+        variants.variant("lose")
+    assert variants.options("round_sides", "bag") == "--set container.width=0.374336 --set container.side_radius=0.04"
+
+
+def test_new_variants_replace_those_of_their_name_and_others_stay():
+    kept = "variant\tload\nbag\t1\nfast\t9\nseed_2\t5\n"
+    assert variants.merge("variant\tload\nbag\t1\nfast\t2\n", kept, "kept") == "variant\tload\nbag\t1\nfast\t2\nseed_2\t5\n"
+    assert variants.merge("== fast\nnew\n", "== fast\nold\n== seed_2\nkept\n", "kept") == "== fast\nnew\n== seed_2\nkept\n"
+    other = kept.replace("bag\t1", "bag\t3")
+    with pytest.raises(StudyError, match="kept: is of another bag"):
+        variants.merge("variant\tload\nbag\t1\nfast\t2\n", other, "kept")
+    assert variants.merge("variant\tload\nbag\t1\nfast\t2\n", other.replace("seed_2\t5\n", ""), "kept") == "variant\tload\nbag\t1\nfast\t2\n"
+
+
+def test_bags_are_beside_one_another_with_mean_and_deviation(tmp_path, monkeypatch):
+    class Told:
+        def __init__(self, measured):
+            self.measured = measured
+            self.statement = read_statements(HERE / "expected.tsv")[0]
+    told = {"bag": {"load": Told("9"), "failure": Told("1"), "slope": Told("7")}, "one": {"load": Told("1")}, "two": {"load": Told("4")}}
+    monkeypatch.setattr(variants, "verdicts", lambda folder: told[folder])
+    assert variants.beside(["bag", "one", "two"], scatter=True, apart=True).splitlines() == [
+        "description\tunit\tpublished\ttolerance\tbag\tone\ttwo\tmean\tdeviation", "load\t1\t0.675\t± 0.005\t9\t1\t4\t2.5\t2.1"]
+    assert variants.beside(["own=bag", "one"], scatter=True).splitlines()[1].endswith("\t9\t1\t5\t5.7")
+
+
+def test_the_variants_of_a_run_are_judged_as_the_study_is():
+    of = variants.verdicts(HERE / "kept")
+    kept = dict(line.split("\t")[:5:4] for line in (HERE / "kept/comparison.tsv").read_text().splitlines())
+    assert of["axial strain of the first broken yarn, PE"].measured == kept["axial strain of the first broken yarn, PE"]
+
+
+def test_the_commands_of_study_mk_end_in_one_line_where_they_cannot(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["variants", "options", "nothing", "bag"])
+    with pytest.raises(SystemExit) as end:
+        variants.main()
+    assert end.value.code == 65 and capsys.readouterr().err.count("\n") == 1
+    monkeypatch.setattr(sys, "argv", ["variants", "merge", "/nonexistent/kept.tsv"])
+    monkeypatch.setattr(sys, "stdin", io.StringIO("variant\tload\n"))
+    variants.main()
+    assert capsys.readouterr().out == "variant\tload\n"
+
+
+def test_a_series_of_another_unit_is_refused(tmp_path):
+    series = Series(write(tmp_path / "run.tsv", {"axial_stress": "N"}, axial_stress=[1]))
+    with pytest.raises(StudyError, match="run.tsv: column axial_stress: 'N' is a unit of force, 'kPa' of stress"):
+        series["axial_stress"]  # pylint: disable=pointless-statement
