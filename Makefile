@@ -264,9 +264,10 @@ SKIPPED := $(CURDIR)/build/skipped
 check: export SOILWEAVE_SKIPPED := $(SKIPPED)
 skip = { echo "== $(1): skipped: $(3)"; printf '%s\t%s\t%s\n' '$(1)' '$(2)' '$(3)' >> "$${SOILWEAVE_SKIPPED:-/dev/null}"; }
 
-# One process a core, each with its share of the tests.
-run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(JOBS) - 1)) | \
-  GTEST_TOTAL_SHARDS=$(JOBS) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
+# One process a core, each with a share of the tests that is small enough for all to end together.
+SHARES = $(shell echo $$((8 * $(JOBS))))
+run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(SHARES) - 1)) | \
+  GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
 
 # In a check the unit tests run once, under the sanitizers; to compile them twice would take as long as all the tools.
 # Machines must give the same bytes, so no compiler may fuse products with sums by itself.

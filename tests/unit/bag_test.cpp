@@ -18,6 +18,7 @@
 #include "packing/tile.h"
 #include "support/assemblies.h"
 #include "support/assembly.h"
+#include "support/distance.h"
 
 namespace soilweave::packing {
 namespace {
@@ -162,7 +163,8 @@ TEST(Cushion, IsWhatItsTwoSectionsShareLessItsCorners) {
       const double x = share(engine), y = share(engine), z = share(engine);
       const Vec3 point(0.18 + 0.05 * x, 0.18 + 0.05 * y, 0.06 * z);
       double nearest = 1;
-      for (const Vec3& s : surface) nearest = std::min(nearest, (point - s).norm());
+      for (const Vec3& s : surface) nearest = std::min(nearest, testing::squared_distance(point, s));
+      nearest = std::sqrt(nearest);
       const double depth = bag.depth(point);
       EXPECT_NEAR(std::abs(depth), nearest, 5e-4) << "by points of its surface half a millimetre apart";
       if (depth > 0) continue;

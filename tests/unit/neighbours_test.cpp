@@ -9,10 +9,13 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "dem/motion.h"
 #include "dem/pair_search.h"
 #include "support/assemblies.h"
+#include "support/distance.h"
 
 namespace soilweave::dem {
 namespace {
@@ -21,18 +24,21 @@ using Key = std::tuple<std::int32_t, std::int32_t, CellOffset>;
 
 // All pairs with a gap below the skin, by looking at each and every image.
 std::set<Key> near_by(const Bodies& bodies, const Cell& cell, double skin) {
-  std::set<Key> found;
   const auto reach = [&](int axis) { return cell.periodic(axis) ? 3 : 0; };
+  std::vector<std::pair<Vec3, CellOffset>> images;
+  for (int x = -reach(0); x <= reach(0); ++x)
+    for (int y = -reach(1); y <= reach(1); ++y)
+      for (int z = -reach(2); z <= reach(2); ++z)
+        images.emplace_back(cell.matrix() * Vec3(x, y, z), cell_offset({x, y, z}));
+  std::set<Key> found;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    for (std::size_t j = i + 1; j < bodies.size(); ++j)
-      for (int x = -reach(0); x <= reach(0); ++x)
-        for (int y = -reach(1); y <= reach(1); ++y)
-          for (int z = -reach(2); z <= reach(2); ++z) {
-            const Vec3 d = vector_of(bodies.grains[j].position) - vector_of(bodies.grains[i].position) +
-                           cell.matrix() * Vec3(x, y, z);
-            if (d.norm() < bodies.radius(i) + bodies.radius(j) + skin)
-              found.emplace(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), cell_offset({x, y, z}));
-          }
+    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+      const Vec3 back = vector_of(bodies.grains[i].position) - vector_of(bodies.grains[j].position);
+      const double touching = bodies.radius(i) + bodies.radius(j) + skin;
+      for (const auto& [shift, offset] : images)
+        if (testing::squared_distance(shift, back) < touching * touching)
+          found.emplace(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), offset);
+    }
   return found;
 }
 

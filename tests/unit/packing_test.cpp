@@ -13,6 +13,7 @@
 #include "dem/bodies.h"
 #include "packing/spatial_order.h"
 #include "support/assemblies.h"
+#include "support/distance.h"
 #include "support/reference.h"
 #include "support/same_state.h"
 
@@ -162,8 +163,11 @@ double share_side_by_side(const io::GrainsRecord& g) {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
     std::size_t nearest = i == 0 ? 1 : 0;
-    for (std::size_t j = 0; j < g.size(); ++j)
-      if (j != i && (g.position[j] - g.position[i]).norm() < (g.position[nearest] - g.position[i]).norm()) nearest = j;
+    double least = testing::squared_distance(g.position[nearest], g.position[i]);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const double here = testing::squared_distance(g.position[j], g.position[i]);
+      if (j != i && here < least) nearest = j, least = here;
+    }
     sum += (i < nearest ? nearest - i : i - nearest) <= 50 ? 1 : 0;
   }
   return sum / static_cast<double>(g.size());
