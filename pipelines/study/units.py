@@ -1,5 +1,7 @@
 """Units that tables and figures use, and the factors between them."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import math
+
 from .errors import StudyError, suggestion
 
 # Each unit with the quantity that it measures and its size in the SI unit of that quantity.
@@ -7,6 +9,7 @@ _UNITS = {
     "1": ("number", 1.0),
     "%": ("number", 1e-2),
     "m": ("length", 1.0),
+    "cm": ("length", 1e-2),
     "mm": ("length", 1e-3),
     "m2": ("area", 1.0),
     "m3": ("volume", 1.0),
@@ -20,7 +23,9 @@ _UNITS = {
     "N/m": ("line force", 1.0),
     "kN/m": ("line force", 1e3),
     "J": ("energy", 1.0),
+    "J m-1": ("energy per width", 1.0),
     "deg": ("angle", 1.0),
+    "rad": ("angle", 180 / math.pi),
     "1/s": ("rate", 1.0),
     "1/m": ("stress over line force", 1.0),
     "kPa per kN/m and %": ("stress over line force and strain", 1.0),
