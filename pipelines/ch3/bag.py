@@ -201,8 +201,8 @@ class Runs:
         return {load: self.bag(f"ss_{load}") for load in self.loads}
 
     @classmethod
-    def kept(cls):
-        """Returns what is kept of the runs at full size."""
-        folder = HERE / "kept"
+    def kept(cls, folder=HERE / "kept"):
+        """Returns what is kept of the runs at full size, in the repository or in another folder."""
+        folder = pathlib.Path(folder)
         loads = [int(path.stem[3:]) for path in folder.glob("ss_*.tsv") if path.stem[3:].isdigit()]
         return cls(folder, True, loads, "not among the kept runs")

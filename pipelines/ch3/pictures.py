@@ -4,6 +4,7 @@ import numpy
 from matplotlib.collections import EllipseCollection, LineCollection
 from study import figures
 
+from .bag import HERE
 from .breaks import FACE
 from .drawing import COLOURS
 
@@ -59,7 +60,7 @@ def face(axes, yarns):
     return lines
 
 
-def draw_bag(study, runs, _):
+def draw_bag(study, runs, kept):
     """Figs. 3.12 and 3.14: there are too many marks for a drawing."""
     bag = runs.bag("uc_PE")
     figure, axes = figures.panels(len(STATES), rows=2, width=11, height=6)
@@ -76,3 +77,5 @@ def draw_bag(study, runs, _):
     study.picture(path, "The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains that "
                   "the plane in its middle cuts, tension of the yarns on its upper face, in red where they broke.", "Figs. 3.12 and 3.14",
                   "strain localises early; at the end the geotextile is worn out in the middle.")
+    if kept:
+        study.picture(HERE / "bag.png", "The same of our run at full size.", "Figs. 3.12 and 3.14")

@@ -77,7 +77,7 @@ def build(arguments):
     """Reads the tables of the bags, strips and boxes in the folder OUT and writes what was measured, drawn and compared."""
     full = arguments.kept or arguments.profile == "thesis"
     study = Study("ch3", "The soilbag", arguments.out, "thesis" if full else arguments.profile, full)
-    runs = Runs.kept() if arguments.kept else Runs(study.out, full, LOADS[study.profile])
+    runs = Runs.kept(study.out) if arguments.kept else Runs(study.out, full, LOADS[study.profile])
     measure(study, runs)
     state(study)
     if arguments.kept:
