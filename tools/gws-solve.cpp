@@ -82,13 +82,13 @@ struct Identify {
 
   void options(tool::Table& t) {
     t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
-    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -",
-              "from a response, or analyses of grains");
-    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "a soil file: respond --soil soil.toml");
-    t.inputs(inputs, "SERIES", "TSV or fields with strain_axial and _volumetric, mean_ and deviatoric_stress");
-    t.option(geotextiles, "geotextile", "NAME|FILE", "of each series in turn, where it has no tensile_stiffness");
-    t.option(group, "group", "NAME", "table of a fields file; else cell or response");
-    t.choice(strains, "strains", {"engineering", "natural"}, "of the series; homogenize writes natural ones");
+    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -", "from a response");
+    t.example("gws-solve identify bag_PE.h5 bag_PP.h5 3PP.tsv --toml > soil.toml", "for respond --soil soil.toml");
+    t.inputs(inputs, "SERIES", "runs of bags; TSV or fields: strain_axial, _volumetric, mean_ and deviatoric_stress");
+    t.option(geotextiles, "geotextile", "NAME|FILE",
+             "of each in turn; else the run's own, or column tensile_stiffness");
+    t.option(group, "group", "NAME", "table of a fields file; else loading, response or cell");
+    t.choice(strains, "strains", {"engineering", "natural"}, "of tables; homogenize writes natural ones of cells");
     t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
     t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");
     t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
@@ -120,8 +120,8 @@ struct Identify {
         difference == "central" ? gws::Difference::central : gws::Difference::backward);
     const Groups groups = gws::groups_of(found);
     output.put(groups, output.place_of(groups, table),
-               toml ? gws::soil_text(found.soil, "Identified by " + invocation.command) : gws::describe(found, series),
-               sources, scenario, invocation, {});
+               toml ? gws::identified_soil(found, series, invocation.command) : gws::describe(found, series), sources,
+               scenario, invocation, {});
   }
 };
 

@@ -18,6 +18,8 @@ struct BagSeries {
   double stiffness = 0;  // J of its geotextile, N/m
   std::vector<double> strain_axial, strain_volumetric, mean_stress, deviatoric_stress;
   std::vector<bool> contracting;  // rows of the compression line; empty: chosen by contraction()
+  std::size_t first_row = 0;      // rows of the table or run before these
+  std::string note;               // which rows of a run these are, and whose stiffness; empty for tables
 
   std::size_t size() const { return mean_stress.size(); }
   double strain_deviatoric(std::size_t i) const { return strain_axial[i] - strain_volumetric[i] / 3; }

@@ -9,6 +9,7 @@
 #include "core/data.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "gws/bag_runs.h"
 #include "io/files.h"
 #include "io/table.h"
 
@@ -28,6 +29,15 @@ constexpr Parameter named(Parameter parameter, std::string_view name, std::strin
   parameter.name = name;
   parameter.sentence = sentence;
   return parameter;
+}
+
+/// Whether a path is a run, or the folder of one under way; standard input is not looked into.
+bool is_run(const std::filesystem::path& path) {
+  if (path == "-") return false;
+  const bool folder = std::filesystem::is_directory(path);
+  if (!folder && !io::is_hdf5(path)) return false;
+  const std::string kind = io::read_kind(path);
+  return kind == "run" || kind == "checkpoint" || kind == "packing";
 }
 
 }  // namespace
@@ -127,9 +137,14 @@ io::Series read_series(const std::filesystem::path& path, const std::string& gro
   }
   const io::FieldsFile file = io::read_fields(path, "series");
   sources.push_back(file.source);
+  std::string wanted = group;
+  // The cell of a bag is only the room around it.
+  for (const char* name : {"loading", "response", "cell"})
+    if (wanted.empty() && std::ranges::any_of(file.groups, [&](const auto& one) { return one.name == name; }))
+      wanted = name;
   std::vector<std::string> names;
   for (const auto& one : file.groups) {
-    if (one.name == group || (group.empty() && (one.name == "cell" || one.name == "response"))) return one.table;
+    if (one.name == wanted) return one.table;
     names.push_back(one.name);
   }
   throw DataError(
@@ -140,9 +155,21 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources) {
   std::vector<BagSeries> bags;
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    bags.push_back(bag_series(read_series(paths[i], group, sources), paths[i].string(),
-                              geotextiles.empty() ? 0 : find_geotextile(geotextiles[i]).stiffness, natural));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const std::string where = paths[i].string();
+    std::optional<Geotextile> given;
+    if (!geotextiles.empty()) given = find_geotextile(geotextiles[i]);
+    if (is_run(paths[i])) {
+      const io::RunFile run = io::read_states(paths[i], "series");
+      sources.push_back(run.source);
+      bags.push_back(bag_of_run(run, where, given));
+      continue;
+    }
+    const io::Series table = read_series(paths[i], group, sources);
+    const double stiffness = given ? given->stiffness : 0;
+    bags.push_back(is_loading(table) ? bag_of_loading(table, where, {stiffness, given ? "of " + given->name : ""})
+                                     : bag_series(table, where, stiffness, natural));
+  }
   return bags;
 }
 

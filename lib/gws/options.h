@@ -80,7 +80,9 @@ SoilFile find_soil(const std::string& name, const std::vector<std::string>& assi
 /// standard input.
 io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources);
 
-/// One bag a path; geotextiles: of each in turn, or none.
+/// One bag a path: a run of run-dem, RUN.part of one under way, or a table as read_series() reads it. geotextiles: of
+/// each in turn, or none. natural: strains of tables are logarithmic; those of a bag's loading are engineering ones
+/// anyhow.
 std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources);

@@ -25,6 +25,14 @@ void put(io::Series& table, std::string name, std::string unit, std::string long
   table.columns.push_back({std::move(name), std::move(unit), std::move(long_name), std::move(values)});
 }
 
+/// The notes of the series that have one, a line each.
+std::string notes(const std::vector<BagSeries>& series) {
+  std::string text;
+  for (const BagSeries& one : series)
+    if (!one.note.empty()) text += one.note + "\n";
+  return text;
+}
+
 std::string_view governing(Governs governs) {
   switch (governs) {
     case Governs::settlement:
@@ -144,7 +152,7 @@ std::vector<io::FieldsFile::Group> groups_of(const Identification& found) {
 }
 
 std::string describe(const Identification& found, const std::vector<BagSeries>& series) {
-  std::string text;
+  std::string text = notes(series);
   for (const Line& line : found.lines) {
     text += fmt::format("{}: {} points, R2 {:.4f}, residuals {:.3g}\n", line.name, line.x.size(),
                         line.fit.determination, line.fit.scatter);
@@ -156,15 +164,21 @@ std::string describe(const Identification& found, const std::vector<BagSeries>& 
           std::abs(given - value) <= std::max(half, 1e-9 * std::abs(given)) ? "inside" : "outside",
           difference(value, given));
     }
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-      if (std::abs(line.fit.studentized[i]) > outlier_distance)
-        text += fmt::format(
-            "  outlier, kept: row {} of {}: {:.4g} where the line has {:.4g}, {:+.1f} standard errors\n",
-            line.row[i] + 1, line.series[i] < series.size() ? series[line.series[i]].name : "the other test", line.y[i],
-            line.fit.fitted[i], line.fit.studentized[i]);
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+      if (std::abs(line.fit.studentized[i]) <= outlier_distance) continue;
+      const BagSeries* bag = line.series[i] < series.size() ? &series[line.series[i]] : nullptr;
+      text += fmt::format("  outlier, kept: row {} of {}: {:.4g} where the line has {:.4g}, {:+.1f} standard errors\n",
+                          line.row[i] + 1 + (bag ? bag->first_row : 0), bag ? bag->name : "the other test", line.y[i],
+                          line.fit.fitted[i], line.fit.studentized[i]);
+    }
   }
   for (const std::string& why : found.left_out) text += "not identified: " + why + "\n";
   return text;
+}
+
+std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series,
+                            const std::string& command) {
+  return soil_text(found.soil, "Identified by " + command + "\n" + notes(series));
 }
 
 std::string describe(const Design& design, const Demand& demand, const Case& bag) {

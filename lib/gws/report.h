@@ -40,6 +40,9 @@ void check_table(const std::string& name, std::vector<std::string>& mistakes);
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
 /// Lines, constants, intervals, differences from what was given, outliers, and what was left out.
 std::string describe(const Identification& found, const std::vector<BagSeries>& series);
+/// The identified soil as TOML, whose comment says by which command, and which rows of which runs.
+std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series,
+                            const std::string& command);
 
 std::string describe(const Design& design, const Demand& demand, const Case& bag);
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag);

@@ -110,19 +110,17 @@ Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& 
                   where, name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// The distance between the plates where their displacements are zero, m.
-double gap(Settings& scenario, const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
+/// What the series has the plates moved apart at the moment of the first state, m.
+double moved_apart(const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
   const io::Snapshot& start = run.snapshots.front();
-  const double apart =
-      point_of(scenario, start, bag.upper, -1, where).z() - point_of(scenario, start, bag.lower, 1, where).z();
   const std::vector<double>& step = run.series.at("step").values;
-  const auto row = std::ranges::find(step, static_cast<double>(start.step));
-  if (row == step.end())
+  const auto row = std::ranges::find(step, static_cast<double>(start.step)) - step.begin();
+  if (row == std::ssize(step))
     throw DataError(fmt::format("{}: its series has no row of step {}, that of its first state", where, start.step));
   const auto moved = [&](const std::string& name) {
-    return run.series.at("displacement_" + name + "_z").values[static_cast<std::size_t>(row - step.begin())];
+    return run.series.at("displacement_" + name + "_z").values[static_cast<std::size_t>(row)];
   };
-  return apart - (moved(bag.upper) - moved(bag.lower));
+  return moved(bag.upper) - moved(bag.lower);
 }
 
 /// By family: the mean over its yarns of the `multiple` of their geotextile in the scenario.
@@ -138,6 +136,15 @@ std::array<double, 3> multiples(Settings& scenario, const io::YarnsRecord& yarns
   }
   for (std::size_t f = 0; f < 3; ++f) sum[f] = count[f] > 0 ? sum[f] / count[f] : 1;
   return sum;
+}
+
+/// Makes the table of the loading once, to name the file beside a column that its series lacks.
+void demand_columns(const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
+  try {
+    analysis::loading(run.series, bag);
+  } catch (const DataError& error) {
+    throw DataError(fmt::format("{}: its series has {}", where, error.what()));
+  }
 }
 
 std::optional<double> first_break(const io::YarnsRecord& yarns) {
@@ -160,7 +167,10 @@ LoadedBag loaded_bag(const io::RunFile& run, const std::string& where) {
   const std::int32_t fabric = *std::ranges::min_element(start.yarns.fabric);
   measure(plan, start, fabric, where, bag);
   read_stages(scenario, bag);
-  bag.gap = gap(scenario, run, bag, where);
+  const double apart =
+      point_of(scenario, start, bag.upper, -1, where).z() - point_of(scenario, start, bag.lower, 1, where).z();
+  demand_columns(run, bag, where);
+  bag.gap = apart - moved_apart(run, bag, where);
   bag.multiple = multiples(scenario, start.yarns);
   const auto [face, side] = analysis::yarns_in_cut(start, fabric);
   bag.face_yarns = face, bag.side_yarns = side;

@@ -1,0 +1,118 @@
+// Bags in uniaxial compression between plates, read from their runs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/bag_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "analysis/loading.h"
+#include "core/data.h"
+#include "core/error.h"
+#include "core/settings.h"
+#include "io/bytes.h"
+#include "packing/loaded_bag.h"
+
+namespace soilweave::gws {
+namespace {
+
+/// The mean length at rest of the yarns on the faces of the wrapped fabric, m.
+double spacing_of_yarns(const io::YarnsRecord& yarns, std::int32_t fabric) {
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < yarns.size(); ++k)
+    if (yarns.fabric[k] == fabric && yarns.family[k] == 0) sum += yarns.rest_length[k], ++count;
+  return sum / count;
+}
+
+/// The digests of the geotextile files that the run took.
+std::vector<std::string> geotextile_files(const io::RunFile& run) {
+  std::vector<std::string> digests;
+  for (const io::ProvenanceRecord& record : run.source.history)
+    for (const io::InputRecord& input : record.inputs)
+      if (input.role == "geotextile") digests.push_back(input.sha256);
+  return digests;
+}
+
+Stiffness by_name(const std::string& name, const io::RunFile& run, const std::string& where) {
+  const Geotextile found = find_geotextile(name);
+  const std::string base = name.substr(name.find_first_not_of("0123456789.+-"));
+  const std::string digest = io::sha256(io::read_bytes(data_file("geotextiles", base + ".toml")));
+  if (std::ranges::count(geotextile_files(run), digest) == 0)
+    throw DataError(
+        fmt::format("{}: its geotextile {} is not the one of data/geotextiles any more: its file has changed "
+                    "since the run; give --geotextile FILE for it",
+                    where, name));
+  return {found.stiffness, "of geotextile " + name};
+}
+
+Stiffness by_numbers(Settings& table, const io::YarnsRecord& yarns, std::int32_t fabric, const std::string& where) {
+  static constexpr Parameter strains{"yarn_strain", "1", 0, 10, true, "strains of the curve's points"};
+  static constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
+  static constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
+  const std::vector<double> strain = table.numbers(strains), tension = table.numbers(tensions);
+  if (strain.empty() || tension.empty())
+    throw DataError(where + ": its geotextile has no curve that tells a stiffness; give --geotextile for it");
+  const double apart = spacing_of_yarns(yarns, fabric);
+  return {table.number(multiple, 1.0) * tension.back() / strain.back() / apart,
+          fmt::format("the secant to failure of its curve, over {:.3g} mm between yarns", 1e3 * apart)};
+}
+
+}  // namespace
+
+bool is_loading(const io::Series& table) {
+  return std::ranges::all_of(std::vector{"settlement", "strain_axial", "strain_volumetric", "broken_yarns"},
+                             [&](const char* name) { return table.find(name) != nullptr; });
+}
+
+BagSeries bag_of_loading(const io::Series& loading, const std::string& where, const Stiffness& stiffness) {
+  const std::vector<double>&settlement = loading.at("settlement").values, &broken = loading.at("broken_yarns").values;
+  const auto first = static_cast<std::size_t>(std::ranges::find(settlement, 0.0) - settlement.begin());
+  std::size_t end = first;
+  while (end < broken.size() && !(broken[end] > 0)) ++end;
+  const bool breaks = end < broken.size();
+  if (end < first + 3)
+    throw DataError(fmt::format(
+        "{}: {} rows from the reference row up to {}; at least 3 are needed: record more of them, "
+        "by a smaller stage.increment",
+        where, end - std::min(first, end), breaks ? "the first broken yarn" : "the end of what is recorded"));
+  io::Series rows = loading;
+  for (io::Column& column : rows.columns) {
+    column.values.resize(end);
+    column.values.erase(column.values.begin(), column.values.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  BagSeries series = bag_series(rows, where, stiffness.value, false);
+  series.first_row = first;
+  series.note = fmt::format(
+      "{}: rows {} to {} of {}, up to {}; tensile stiffness {:.4g} kN/m, {}", where, first + 1, first + series.size(),
+      settlement.size(),
+      series.size() < end - first ? "the greatest axial stress" : (breaks ? "the first broken yarn" : "the last"),
+      series.stiffness / 1e3, loading.find("tensile_stiffness") ? "of its column" : stiffness.source);
+  return series;
+}
+
+Stiffness stiffness_in(const io::RunFile& run, const std::string& where) {
+  const io::YarnsRecord& yarns = run.snapshots.front().yarns;
+  const auto wrapped = std::ranges::min_element(yarns.fabric);
+  const auto number = yarns.geotextile_id[static_cast<std::size_t>(wrapped - yarns.fabric.begin())];
+  Settings scenario = Settings::parse(run.scenario, where + ": scenario");
+  std::vector<Settings> tables = scenario.tables("geotextile");
+  Settings& table = tables.at(static_cast<std::size_t>(number));
+  if (!table.has("curve")) return by_numbers(table, yarns, *wrapped, where);
+  const std::string curve = table.text("curve");
+  if (curve.find('/') != std::string::npos || curve.ends_with(".toml"))
+    throw DataError(
+        fmt::format("{}: the curve of its geotextile is that of {}, a file which is not in the run; give "
+                    "--geotextile FILE with its stiffness",
+                    where, curve));
+  return by_name(curve, run, where);
+}
+
+BagSeries bag_of_run(const io::RunFile& run, const std::string& where, const std::optional<Geotextile>& given) {
+  const io::Series loading = analysis::loading(run.series, packing::loaded_bag(run, where));
+  return bag_of_loading(
+      loading, where,
+      given ? Stiffness{given->stiffness, "of " + given->name + ", as given"} : stiffness_in(run, where));
+}
+
+}  // namespace soilweave::gws
