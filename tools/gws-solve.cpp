@@ -83,7 +83,7 @@ struct Identify {
   void options(tool::Table& t) {
     t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
     t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -", "from a response");
-    t.example("gws-solve identify bag_PE.h5 bag_PP.h5 3PP.tsv --toml > soil.toml", "for respond --soil soil.toml");
+    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "for respond --soil; or of bag.h5, a run");
     t.inputs(inputs, "SERIES", "runs of bags; TSV or fields: strain_axial, _volumetric, mean_ and deviatoric_stress");
     t.option(geotextiles, "geotextile", "NAME|FILE",
              "of each in turn; else the run's own, or column tensile_stiffness");

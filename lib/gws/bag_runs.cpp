@@ -81,8 +81,7 @@ BagSeries bag_of_loading(const io::Series& loading, const std::string& where, co
     column.values.resize(end);
     column.values.erase(column.values.begin(), column.values.begin() + static_cast<std::ptrdiff_t>(first));
   }
-  BagSeries series = bag_series(rows, where, stiffness.value, false);
-  series.first_row = first;
+  BagSeries series = bag_series(rows, where, stiffness.value, false, first);
   series.note = fmt::format(
       "{}: rows {} to {} of {}, up to {}; tensile stiffness {:.4g} kN/m, {}", where, first + 1, first + series.size(),
       settlement.size(),

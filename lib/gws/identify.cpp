@@ -153,9 +153,11 @@ Line stiffness_line(const std::vector<BagSeries>& series, const Soil& soil, Diff
 
 }  // namespace
 
-BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural) {
+BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
+                     std::size_t first_row) {
   BagSeries s;
   s.name = where;
+  s.first_row = first_row;
   const auto column = [&](const char* name, const char* unit) { return io::in_unit(table, name, unit, where); };
   s.strain_axial = column(!table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
   s.strain_volumetric = column("strain_volumetric", "1");
@@ -171,8 +173,8 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
   std::size_t peak = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (!(s.mean_stress[i] > 0))
-      throw DataError(
-          fmt::format("{}: row {}: mean stress {} Pa; must be above 0, compression", where, i + 1, s.mean_stress[i]));
+      throw DataError(fmt::format("{}: row {}: mean stress {} Pa; must be above 0, compression", where,
+                                  first_row + i + 1, s.mean_stress[i]));
     if (natural) {
       s.strain_axial[i] = -std::expm1(-s.strain_axial[i]);
       s.strain_volumetric[i] = -std::expm1(-s.strain_volumetric[i]);

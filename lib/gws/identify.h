@@ -28,8 +28,10 @@ struct BagSeries {
 /// Columns strain_axial (or strain_zz, z being the loading axis), strain_volumetric, mean_stress, deviatoric_stress in
 /// any unit of their kind, as the tools write them; optional contracting (0 or 1) and tensile_stiffness (the same in
 /// every row; else `stiffness`, NaN: none given). natural: strains are logarithmic, as homogenize writes them. Rows
-/// after the greatest axial stress (global failure) are left out. Throws DataError naming `where`.
-BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural);
+/// after the greatest axial stress (global failure) are left out. first_row: rows that were left out before these.
+/// Throws DataError naming `where`.
+BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
+                     std::size_t first_row = 0);
 
 /// Points of one line: what is plotted, what is fitted, from which series and row.
 struct Line {

@@ -76,6 +76,29 @@ PY
   [[ $(head -1 growth.tsv) == *delaunay_volume* ]]
 }
 
+@test "a soil is identified from runs of bags as they are, as from the tables of their loading" {
+  sed '/^yarn_tension/d; s/^yarn_strain.*/curve = "1.3PE"/' press.toml > named.toml
+  run-dem --quiet bag.h5 named.toml -o named.h5
+  exits 0 gws-solve identify run.h5 named.h5
+  # The secant of the curve in the run over the yarns' distance; 1.3 times the stiffness that the file of PE states.
+  [[ $output == *"run.h5: rows 2 to 4 of 4, up to the last; tensile stiffness "*" kN/m, the secant to failure"* ]] || show
+  [[ $output == *"named.h5: rows 2 to 4 of 4, up to the last; tensile stiffness 68.9 kN/m, of geotextile 1.3PE"* ]] || show
+  near "$(sed -n 's/^run.h5: .*stiffness \([0-9.]*\) kN.*/\1/p' <<< "$output")" 52.45 1e-3
+  local options=(--geotextile PE --geotextile 1.3PE --tsv --table increments)
+  gws-solve identify run.h5 named.h5 "${options[@]}" > runs.tsv
+  homogenize run.h5 --table loading --tsv > loading.tsv
+  homogenize --quiet named.h5 -o loading.h5
+  gws-solve identify loading.tsv loading.h5 "${options[@]}" > tables.tsv
+  gws-solve identify run.h5 loading.h5 "${options[@]}" > mixed.tsv
+  same_bytes runs.tsv tables.tsv
+  same_bytes runs.tsv mixed.tsv
+  gws-solve identify run.h5 named.h5 --toml > soil.toml
+  grep -q "^# named.h5: rows 2 to 4 of 4" soil.toml || show "$(cat soil.toml)"
+  exits 65 gws-solve identify bag.h5
+  [[ $stderr == "gws-solve identify: bag.h5: has no series: it is a packing"* ]] || show
+  refuses 65 homogenize "bag.h5: has no series: it is a packing" --table loading --tsv bag.h5
+}
+
 # stops_when_full HISTORY VOID_RATIO LARGEST_COORDINATION_NUMBER: grains grow until the first measurement that misses nothing (volume
 # that stands still, overlap, contacts, void ratio), then come to rest, and the first state at rest that misses nothing either and
 # has no more contacts than asked for is the last.
