@@ -86,7 +86,8 @@ SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benc
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
-TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL))
+# plot is Python: it draws with the package of the studies, and is linked to where it lies beside that.
+TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Those of every check; soak takes minutes.
 TEST_PROGRAMS := $(foreach t,$(filter-out soak,$(TESTED)),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
 
@@ -179,6 +180,9 @@ $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 	@mkdir -p $(@D)
 	@echo '  link  $@'
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
+
+$(B)/bin/plot: tools/plot
+	@mkdir -p $(@D) && ln -sf $(CURDIR)/$< $@
 
 # A weak symbol of the archive does not call for them.
 VTK_TOOLS := $(if $(NO_VTK),,to-vtk filter-expand)
@@ -426,8 +430,9 @@ compile_commands.json: Makefile $(B)/sources ## for editors and clang tools
 	  '$(CXX) $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests $(CXXFLAGS)' "$$f"; done; echo; echo ']'; } > $@
 
 # ---- Manual pages and installation ----------------------------------------------------------------------------------
-MAN := $(patsubst tools/%.cpp,build/man/%.1,$(TOOL))
-COMPLETION := $(patsubst tools/%.cpp,build/completion/%,$(TOOL))
+MAN := $(TOOLS:$(B)/bin/%=build/man/%.1)
+COMPLETION := $(TOOLS:$(B)/bin/%=build/completion/%)
+build/man/plot.1 build/completion/plot: pipelines/study/command.py pipelines/study/kinds.py
 
 .PHONY: man
 man: $(MAN) ## manual pages, from the option tables, into build/man
@@ -447,12 +452,14 @@ test-man: $(MAN)
 install: all $(MAN) $(COMPLETION) ## tools, manual pages and completion into DESTDIR/PREFIX (/usr/local)
 	install -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(PREFIX)/share/man/man1' \
 	  '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
-	$(if $(TOOLS),install -m 755 $(TOOLS) '$(DESTDIR)$(PREFIX)/bin')
-	$(if $(MAN),install -m 644 $(MAN) '$(DESTDIR)$(PREFIX)/share/man/man1')
+	install -m 755 $(TOOLS) '$(DESTDIR)$(PREFIX)/bin'
+	install -m 644 $(MAN) '$(DESTDIR)$(PREFIX)/share/man/man1'
 	install -d '$(DESTDIR)$(PREFIX)/share/soilweave/geotextiles' '$(DESTDIR)$(PREFIX)/share/soilweave/soils'
 	install -m 644 data/geotextiles/*.toml '$(DESTDIR)$(PREFIX)/share/soilweave/geotextiles'
 	install -m 644 data/soils/*.toml '$(DESTDIR)$(PREFIX)/share/soilweave/soils'
-	$(if $(MAN),install -m 644 $(COMPLETION) '$(DESTDIR)$(PREFIX)/share/bash-completion/completions')
+	install -m 644 $(COMPLETION) '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
+	install -d '$(DESTDIR)$(PREFIX)/share/soilweave/python/study'
+	install -m 644 pipelines/study/*.py '$(DESTDIR)$(PREFIX)/share/soilweave/python/study'
 
 # ---- Studies --------------------------------------------------------------------------------------------------------
 # pipelines/study.mk adds each study to STUDIES and gives it a target of its name; report collects them.

@@ -5,9 +5,15 @@ study.py, which reads like the chapter: it loads the tables of the tools, names 
 and draws. Everything that a study does not understand is an error with file, column and the nearest name.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
-from .compare import Measure, Statement, compare, read_statements
-from .errors import NotMade, StudyError
-from .run import Study, main
-from .tables import Table
+import importlib
 
-__all__ = ["Measure", "NotMade", "Statement", "Study", "StudyError", "Table", "compare", "main", "read_statements"]
+# The module of each name. They are imported when they are asked for: plot --help draws nothing and need not wait.
+_HOME = {"Measure": "comparison", "Statement": "comparison", "compare": "comparison", "read_statements": "comparison", "NotMade": "errors",
+         "StudyError": "errors", "Study": "run", "main": "run", "Table": "tables"}
+__all__ = list(_HOME)  # pylint: disable=undefined-all-variable
+
+
+def __getattr__(name):
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_HOME[name]}", __name__), name)

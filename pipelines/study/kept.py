@@ -1,6 +1,6 @@
 """What a run at full size measured, kept in the repository: the comparison.tsv that it wrote, read beside today's statements."""
 # SPDX-License-Identifier: GPL-3.0-or-later
-from .compare import Verdict
+from .comparison import Verdict
 from .errors import StudyError, suggestion
 from .tables import read_words
 

@@ -10,7 +10,7 @@ import sys
 from markupsafe import Markup
 
 from . import figures, pages
-from .compare import Measure, Statement, compare, read_statements
+from .comparison import Measure, Statement, compare, read_statements
 from .errors import NotMade, StudyError, suggestion
 from .files import put
 from .kept import read_kept

@@ -29,6 +29,11 @@ class Table:
             text = pathlib.Path(path).read_text(encoding="utf-8-sig")
         except OSError as error:
             raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
+        return cls.parse(text, path)
+
+    @classmethod
+    def parse(cls, text, path):
+        """Makes a table of the text of one. path: what messages call it."""
         lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
         if not lines:
             raise StudyError(f"{path}: holds no table; begin with a header of names such as \"time [s]\"")
@@ -45,6 +50,16 @@ class Table:
             if len(row) != len(units):
                 raise StudyError(f"{path}: row {number} has {len(row)} values, the header {len(units)} columns")
         return cls(rows, units, path)
+
+    def has(self, name):
+        """Returns whether there is a column of that name."""
+        return name in self._units
+
+    def replace(self, name, values):
+        """Returns the table with other numbers in one of its columns, in the column's own unit."""
+        place = self._place[name]
+        rows = [[*row[:place], repr(float(value)), *row[place + 1:]] for row, value in zip(self._rows, values, strict=True)]
+        return Table(rows, self._units, self.where)
 
     def __len__(self):
         return len(self._rows)

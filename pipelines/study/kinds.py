@@ -1,0 +1,72 @@
+"""The kinds of plots that the command `plot` draws: which columns of which table, in which unit, over which."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Line:
+    """One curve of a panel: its column, the unit that it is drawn in, its words in the legend and along the axis."""
+
+    column: str
+    unit: str
+    words: str
+
+    @property
+    def axis(self):
+        """The label of an axis that it alone gives its name."""
+        return self.words if self.unit == "1" else f"{self.words} ({self.unit})"
+
+
+@dataclasses.dataclass(frozen=True)
+class Panel:
+    """Curves over one abscissa. each: a curve, or a tuple of which the first that all tables have is drawn. label: of the
+    ordinate where there are several curves. log: whether the abscissa is logarithmic."""
+
+    abscissa: Line
+    each: tuple
+    label: str = ""
+    log: bool = False
+
+
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """A kind of plot. words: what it shows. table: of which tool it is made. whole: of all stages, not of the last alone."""
+
+    words: str
+    table: tuple
+    panels: tuple
+    whole: bool = False
+
+
+_STRAIN = Line("strain_axial", "%", "axial strain")
+_MEAN = Line("mean_stress", "kPa", "mean stress p")
+_VOLUME = Line("strain_volumetric", "%", "volumetric strain, contraction positive")
+_SERIES, _LOADING = ("homogenize", "series"), ("homogenize", "loading")
+
+KINDS = {
+    "stress-strain": Kind("stress ratio and volumetric strain over axial strain", _SERIES, (
+        Panel(_STRAIN, ((Line("stress_ratio", "1", "stress ratio σₐ/σᵣ"), Line("deviatoric_stress", "kPa", "deviatoric stress q")),)),
+        Panel(_STRAIN, (_VOLUME,)))),
+    "stress-path": Kind("deviatoric over mean stress", _SERIES, (
+        Panel(_MEAN, (Line("deviatoric_stress", "kPa", "deviatoric stress q"),)),), whole=True),
+    "e-log-p": Kind("void ratio over the logarithm of mean stress", _SERIES, (
+        Panel(_MEAN, (Line("void_ratio", "1", "void ratio e"),), log=True),), whole=True),
+    "coordination": Kind("coordination numbers over axial strain", _SERIES, (
+        Panel(_STRAIN, (Line("coordination_number", "1", "all grains"),
+                        Line("mechanical_coordination_number", "1", "without rattlers")), "coordination number"),)),
+    "energies": Kind("energies over axial strain", _SERIES, (
+        Panel(_STRAIN, (Line("boundary_work", "J", "work of the boundary"), Line("elastic_energy", "J", "elastic"),
+                        Line("frictional_dissipation", "J", "sliding"), Line("rolling_dissipation", "J", "rolling"),
+                        Line("damping_dissipation", "J", "damping"), Line("energy_error", "J", "left over")), "energy (J)"),)),
+    "fabric": Kind("anisotropies of contacts and forces over axial strain", ("fabric", "fabric"), (
+        Panel(_STRAIN, (Line("a_c", "1", "a_c, contact normals"), Line("a_n", "1", "a_n, normal forces"),
+                        Line("a_t", "1", "a_t, tangential forces")), "anisotropy"),)),
+    "rose": Kind("density of contact normals over their direction, last state", ("fabric", "rose"), ()),
+    "bag": Kind("plate pressure and volumetric strain of a bag over its settlement", _LOADING, (
+        Panel(_STRAIN, (Line("plate_pressure", "kPa", "plate pressure"),)), Panel(_STRAIN, (_VOLUME,)))),
+    "yarns": Kind("tension of the yarns of a bag, and how many broke", _LOADING, (
+        Panel(_STRAIN, (Line("tension_yarn_face", "N", "faces"), Line("tension_yarn_side_around", "N", "sides, around"),
+                        Line("tension_yarn_side_up", "N", "sides, up")), "tension of a yarn (N)"),
+        Panel(_STRAIN, (Line("broken_yarns", "1", "broken yarns"),)))),
+    "posterior": Kind("densities of the parameters that pf-weight identified", (), ()),
+}

@@ -1,0 +1,206 @@
+"""What the command `plot` draws: kinds of plots, each of one or several runs or tables beside each other."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import dataclasses
+import pathlib
+import re
+import tomllib
+
+import h5py
+import numpy
+
+from . import figures
+from .errors import StudyError
+from .kinds import KINDS
+from .tables import Table
+
+DASHES = ("-", "--", ":", "-.", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
+
+
+PLANES = {1: ("x", "y"), 2: ("x", "z")}
+
+
+def is_hdf5(path):
+    """Returns whether a file begins as HDF5 files do, or is a folder, as runs under way are."""
+    path = pathlib.Path(path)
+    if path.is_dir():
+        return True
+    with path.open("rb") as file:
+        return file.read(8) == b"\x89HDF\r\n\x1a\n"
+
+
+def stage_of(table, stage, kind):
+    """Returns the rows of a stage: its number, "all", "last", or "" for what the kind shows by default."""
+    wanted = stage or ("all" if kind.whole else "last")
+    if wanted == "all" or not (table.has("stage") or stage):
+        return table
+    stages = table("stage", "1")
+    return table.rows(stages == (stages[-1] if wanted == "last" else float(wanted)))
+
+
+def strained(fabric, series):
+    """Returns a table of states with the axial strain that the run's series has at their steps, in the rows of its stage.
+
+    A state at the end of a stage has the strain of that stage; the series counts it anew in the next one.
+    """
+    step, strain = series("step", "1"), series("strain_axial", "1")
+    inside = (fabric("step", "1") >= step[0]) & (fabric("step", "1") <= step[-1])
+    fabric = fabric.rows(inside)
+    return fabric.replace("strain_axial", numpy.interp(fabric("step", "1"), step, strain))
+
+
+def _available(tables, choices):
+    """Returns the first of the choices that all tables have a column of; the first of all where none is."""
+    return next((line for line in choices if all(table.has(line.column) for _, table in tables)), choices[0])
+
+
+def _column(table, line):
+    values = table(line.column, line.unit, missing=True)
+    if numpy.isnan(values).all():
+        raise StudyError(f"{table.where}: column {line.column} has no value")
+    return values
+
+
+def _colours(names):
+    """Returns a colour for each: that of the geotextile which its name has between its dots, dashes and blanks, or the next one."""
+    given = []
+    for name in names:
+        textile = next((word for word in re.split(r"[^0-9A-Za-z.]+|\.(?=[A-Za-z])", name) if word in figures.GEOTEXTILE), None)
+        given.append(figures.GEOTEXTILE[textile] if textile else None)
+    if len(set(given)) < len(given):  # two of one geotextile, or none of any: colours would not tell them apart
+        given = [None] * len(given)
+    spare = (c for c in (*figures.SERIES, figures.GREY, figures.INK) * len(names) if c not in given)
+    return [colour or next(spare) for colour in given]
+
+
+def draw(name, tables, beside=()):
+    """Returns the figure of a kind, and notes about what it leaves out.
+
+    tables: pairs of a name for the legend and its Table, drawn as lines; beside: likewise, drawn as points where they have the
+    columns of a panel. Raises StudyError where a column is missing.
+    """
+    if name == "rose":
+        return _rose(tables), []
+    if name == "posterior":
+        return _posterior(tables), []
+    kind, notes = KINDS[name], []
+    figure, axes = figures.panels(len(kind.panels), width=4.8 * len(kind.panels) + (1 if len(kind.panels) == 1 else 0))
+    for a, panel in zip(axes, kind.panels, strict=True):
+        lines = [_available([*tables, *beside], c) if isinstance(c, tuple) else c for c in panel.each]
+        _curves(a, panel, lines, tables)
+        notes += _beside(a, panel, lines, beside)
+        label = panel.label or lines[0].axis
+        figures.label(a, panel.abscissa.axis, label, pure=[label] if all(line.unit == "1" for line in lines) else ())
+        if panel.log:
+            a.set_xscale("log")
+        if len(tables) + len(beside) + len(lines) > 2:
+            a.legend()
+    unused = [label for label, _ in beside if sum(label in note for note in notes) == sum(len(p.each) for p in kind.panels)]
+    if unused:
+        raise StudyError(f"{unused[0]}: has none of the columns that {name} draws")
+    return figure, notes
+
+
+def _curves(axes, panel, lines, tables):
+    """Draws each line of each table: one table's in a colour each; of several, colours tell tables apart and dashes columns."""
+    several = len(tables) > 1
+    colours = _colours([label for label, _ in tables]) if several or len(lines) == 1 else figures.SERIES
+    for t, (label, table) in enumerate(tables):
+        for k, line in enumerate(lines):
+            words = (label if k == 0 else None) if several or len(lines) == 1 else line.words
+            axes.plot(_column(table, panel.abscissa), _column(table, line), color=colours[t if several or len(lines) == 1 else k],
+                      linestyle=DASHES[k] if several else "-", label=words)
+    if several and len(lines) > 1:
+        for k, line in enumerate(lines):
+            axes.plot([], [], color=figures.GREY, linestyle=DASHES[k], label=line.words)
+
+
+def _beside(axes, panel, lines, beside):
+    """Draws test data as points; returns a note for each line that they have no column of."""
+    notes = []
+    inks = (figures.INK, figures.GREY, figures.RED)
+    for t, (label, table) in enumerate(beside):
+        for line in lines:
+            if not table.has(line.column):
+                notes.append(f"{label}: has no column {line.column}; {line.words} is without it")
+                continue
+            words = label if len(lines) == 1 else f"{label}: {line.words}"
+            figures.points(axes, _column(table, panel.abscissa), _column(table, line), inks[t % len(inks)], words)
+    return notes
+
+
+def _rose(tables):
+    """Draws the last state's contact normals, a panel for each plane, as a closed line around the circle of isotropy."""
+    planes = [p for p in PLANES if all((t("plane", "1") == p).any() for _, t in tables)]
+    if not planes:
+        raise StudyError(f"{tables[0][1].where}: has none of the planes {', '.join(map(str, PLANES))}")
+    figure, axes = figures.panels(len(planes), width=4.8 * len(planes))
+    colours = _colours([label for label, _ in tables])
+    circle = numpy.linspace(0, 2 * numpy.pi, 361)
+    for a, plane in zip(axes, planes, strict=True):
+        a.plot(numpy.cos(circle), numpy.sin(circle), color=figures.GREY, linewidth=1, linestyle="--", label="isotropic")
+        for (label, table), colour in zip(tables, colours, strict=True):
+            own = table.rows((table("plane", "1") == plane) & (table("step", "1") == table("step", "1")[-1]))
+            angle, density = numpy.radians(own("angle", "deg")), own("density", "1")
+            half = (angle[1] - angle[0]) / 2
+            around = numpy.repeat(angle, 2) + numpy.tile([-half, half], len(angle))
+            x, y = numpy.repeat(density, 2) * numpy.cos(around), numpy.repeat(density, 2) * numpy.sin(around)
+            a.fill(x, y, color=colour, alpha=0.2 if len(tables) > 1 else 0.5, linewidth=0)
+            a.plot(numpy.append(x, x[0]), numpy.append(y, y[0]), color=colour, linewidth=1.1, label=label)
+        a.set_aspect("equal")
+        labels = [f"density along {axis}" for axis in PLANES[plane]]
+        figures.label(a, *labels, pure=labels)
+    axes[0].legend(loc="upper right", fontsize=8)
+    return figure
+
+
+@dataclasses.dataclass(frozen=True)
+class Posterior:
+    """Marginal densities, step by step, and (words, unit, whether on a log scale) of each parameter, by its number."""
+
+    table: Table
+    parameters: list
+
+
+def read_posterior(path):
+    """Returns the Posterior of a file that pf-weight assimilate wrote."""
+    if not is_hdf5(path):
+        raise StudyError(f"{path}: is no posterior; give the file that pf-weight assimilate writes with -o")
+    with h5py.File(path) as file:
+        if "fields/density" not in file:
+            raise StudyError(f"{path}: holds no densities; pf-weight assimilate writes them with -o")
+        table = {name: data[()] for name, data in file["fields/density"].items()}
+        prior = tomllib.loads(file["prior"][()].decode())["parameter"]
+    names = [(p.get("long_name", p["name"]), p.get("unit", "1"), p.get("scale", "linear") == "log") for p in prior]
+    columns = ("step", "parameter", "value", "density")
+    rows = [[repr(float(table[c][k])) for c in columns] for k in range(len(table["step"]))]
+    return Posterior(Table(rows, dict.fromkeys(columns, "1"), path), names)
+
+
+def _posterior(tables):
+    """Draws the marginal densities at the last step: a panel for each parameter, in its unit; per decade on a log scale."""
+    names = tables[0][1].parameters
+    for label, posterior in tables:
+        if posterior.parameters != names:
+            raise StudyError(f"{label}: has other parameters than {tables[0][0]}")
+    figure, axes = figures.panels(min(3, len(names)), rows=-(-len(names) // 3), width=3.4 * min(3, len(names)),
+                                  height=2.8 * -(-len(names) // 3))
+    colours = _colours([label for label, _ in tables])
+    for a in axes[len(names):]:
+        a.remove()
+    for k, (words, unit, log) in enumerate(names):
+        for (label, posterior), colour in zip(tables, colours, strict=True):
+            table = posterior.table
+            last = table("step", "1") == table("step", "1").max()
+            own = table.rows(last & (table("parameter", "1") == k))
+            axes[k].plot(own("value", "1"), own("density", "1"), color=colour, label=label)
+            axes[k].fill_between(own("value", "1"), own("density", "1"), color=colour, alpha=0.15, linewidth=0)
+        x = words if unit == "1" else f"{words} ({unit})"
+        y = "density (1/decade)" if log else "density" if unit == "1" else f"density (1/{unit})"
+        figures.label(axes[k], x, y, pure=(x, y) if unit == "1" else ())
+        axes[k].set_ylim(bottom=0)
+        if log:
+            axes[k].set_xscale("log")
+    if len(tables) > 1:
+        axes[0].legend()
+    return figure
+

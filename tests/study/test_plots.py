@@ -1,0 +1,134 @@
+"""The kinds of plots: each exists, its axes have names and units, and its curves are the numbers of the table."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import h5py
+import numpy
+import pytest
+from matplotlib import pyplot
+from study import StudyError, Table, kinds, plots
+
+PURE = ("stress ratio σₐ/σᵣ", "void ratio e", "coordination number", "anisotropy", "broken yarns", "density along x", "density along y",
+        "density along z")
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    yield
+    pyplot.close("all")
+
+
+def table_for(kind, name="run.tsv", scale=1.0, rows=3):
+    """A table of a kind: step, stage and every column that it draws, each with numbers of its own."""
+    lines = [line for panel in kind.panels for entry in (panel.abscissa, *panel.each) for line in (entry if isinstance(entry, tuple) else (entry,))]
+    columns = {line.column: line.unit for line in lines}
+    units = {"%": "1", "kPa": "Pa"}  # tables are in SI
+    head = "\t".join(["step [1]", "stage [1]", *(f"{c} [{units.get(u, u)}]" for c, u in columns.items())])
+    text = [head] + ["\t".join([str(r), str(r // 2), *(repr(scale * (k + 1) * (r + 1) / 100) for k in range(len(columns)))]) for r in range(rows)]
+    return Table.parse("\n".join(text), name)
+
+
+LINED = [name for name, kind in kinds.KINDS.items() if kind.panels]
+
+
+@pytest.mark.parametrize("name", LINED)
+def test_curves_are_the_numbers_of_the_table_and_axes_have_units(name):
+    kind, table = kinds.KINDS[name], table_for(kinds.KINDS[name])
+    figure, notes = plots.draw(name, [("run", table)])
+    assert len(figure.axes) == len(kind.panels) and notes == []
+    for axes, panel in zip(figure.axes, kind.panels, strict=True):
+        assert axes.get_xlabel() == panel.abscissa.axis
+        for label in (axes.get_xlabel(), axes.get_ylabel()):
+            assert label in PURE or label.endswith(")")
+        lines = [entry[0] if isinstance(entry, tuple) else entry for entry in panel.each]
+        for curve, line in zip(axes.lines, lines, strict=True):
+            assert list(curve.get_xdata()) == list(table(panel.abscissa.column, panel.abscissa.unit))
+            assert list(curve.get_ydata()) == list(table(line.column, line.unit))
+
+
+@pytest.mark.parametrize("name", LINED)
+def test_a_column_that_is_renamed_is_missed_by_name(name):
+    kind = kinds.KINDS[name]
+    for panel in kind.panels:
+        for line in (panel.abscissa, *(entry for entry in panel.each if not isinstance(entry, tuple))):
+            table = table_for(kind)
+            table._units = {("other" if c == line.column else c): u for c, u in table._units.items()}  # pylint: disable=protected-access
+            table._place = {c: k for k, c in enumerate(table._units)}  # pylint: disable=protected-access
+            with pytest.raises(StudyError, match=f"run.tsv: has no column {line.column}"):
+                plots.draw(name, [("run", table)])
+
+
+def test_runs_beside_each_other_have_colours_of_their_own_and_geotextiles_theirs():
+    tables = [(name, table_for(kinds.KINDS["bag"], name)) for name in ("uc_PE", "uc_PP")]
+    figure, _ = plots.draw("bag", tables)
+    assert [line.get_color() for line in figure.axes[0].lines] == [plots.figures.GEOTEXTILE[g] for g in ("PE", "PP")]
+    figure, _ = plots.draw("bag", [("uc_PE", tables[0][1]), ("uc_PE_rough", tables[1][1])])
+    assert len({line.get_color() for line in figure.axes[0].lines}) == 2
+    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == ["uc_PE", "uc_PE_rough"]
+
+
+def test_test_data_are_points_and_what_they_lack_is_said():
+    kind = kinds.KINDS["stress-strain"]
+    test = Table.parse("strain_axial [%]\tdeviatoric_stress [kPa]\n1\t20\n2\t30\n", "test.tsv")
+    figure, notes = plots.draw("stress-strain", [("run", table_for(kind))], [("test", test)])
+    # The test has no stress ratio: the deviatoric stress, which both have, is drawn.
+    assert figure.axes[0].get_ylabel() == "deviatoric stress q (kPa)"
+    assert list(figure.axes[0].lines[1].get_ydata()) == [20, 30] and figure.axes[0].lines[1].get_linestyle() == "None"
+    assert notes == ["test: has no column strain_volumetric; volumetric strain, contraction positive is without it"]
+    with pytest.raises(StudyError, match="test: has none of the columns that e-log-p draws"):
+        plots.draw("e-log-p", [("run", table_for(kinds.KINDS["e-log-p"]))], [("test", test)])
+
+
+def test_missing_values_leave_gaps_and_columns_of_nothing_else_are_refused():
+    text = "strain_axial [1]\tstress_ratio [1]\tstrain_volumetric [1]\n0\t1\t0\n0.1\tnan\t0\n0.2\t3\t0\n"
+    figure, _ = plots.draw("stress-strain", [("run", Table.parse(text, "run.tsv"))])
+    assert numpy.isnan(figure.axes[0].lines[0].get_ydata()).tolist() == [False, True, False]
+    with pytest.raises(StudyError, match="run.tsv: column stress_ratio has no value"):
+        plots.draw("stress-strain", [("run", Table.parse(text.replace("\t1\t", "\tnan\t").replace("\t3\t", "\tnan\t"), "run.tsv"))])
+
+
+def test_the_last_stage_is_drawn_over_strain_and_all_along_a_path():
+    table = table_for(kinds.KINDS["stress-strain"], rows=4)
+    assert len(plots.stage_of(table, "", kinds.KINDS["stress-strain"])) == 2
+    assert len(plots.stage_of(table, "", kinds.KINDS["stress-path"])) == 4
+    assert len(plots.stage_of(table, "0", kinds.KINDS["stress-path"])) == 2
+    assert len(plots.stage_of(table, "all", kinds.KINDS["stress-strain"])) == 4
+    with pytest.raises(StudyError, match="none of the rows"):
+        plots.stage_of(table, "5", kinds.KINDS["stress-path"])
+    bare = Table.parse("strain_axial [1]\n0\n", "bare.tsv")
+    assert len(plots.stage_of(bare, "", kinds.KINDS["stress-strain"])) == 1
+    with pytest.raises(StudyError, match="bare.tsv: has no column stage"):
+        plots.stage_of(bare, "1", kinds.KINDS["stress-strain"])
+
+
+def test_states_get_the_strain_that_the_series_has_at_their_steps():
+    series = Table.parse("step [1]\tstrain_axial [1]\n10\t0\n30\t0.02\n", "run.h5")
+    fabric = Table.parse("step [1]\tstrain_axial [1]\ta_c [1]\n0\t0\t0.1\n10\t0.005\t0.2\n20\t0.01\t0.3\n", "run.h5")
+    strained = plots.strained(fabric, series)
+    assert list(strained("strain_axial", "%")) == [0, 1] and list(strained("a_c", "1")) == [0.2, 0.3]
+
+
+def test_roses_draw_the_last_state_in_each_plane():
+    rows = [(step, plane, angle, 1 + step + plane / 10) for step in (0, 1) for plane in (0, 1, 2) for angle in (45, 135, 225, 315)]
+    text = "step [1]\tplane [1]\tangle [deg]\tdensity [1]\n" + "\n".join("\t".join(map(str, row)) for row in rows)
+    figure, _ = plots.draw("rose", [("run", Table.parse(text, "run.tsv"))])
+    assert [(a.get_xlabel(), a.get_ylabel()) for a in figure.axes] == [("density along x", "density along y"), ("density along x", "density along z")]
+    for axes, density in zip(figure.axes, (2.1, 2.2), strict=True):
+        x, y = axes.lines[1].get_data()
+        assert numpy.allclose(numpy.hypot(x, y), density) and len(x) == 9
+    with pytest.raises(StudyError, match="has none of the planes 1, 2"):
+        plots.draw("rose", [("run", Table.parse("step [1]\tplane [1]\n0\t0\n", "run.tsv"))])
+
+
+PRIOR = '[[parameter]]\nname = "e"\nlong_name = "Young\'s modulus"\nunit = "Pa"\nscale = "log"\n[[parameter]]\nname = "nu"\n'
+
+
+def test_posteriors_draw_the_densities_of_the_last_step(tmp_path):
+    with h5py.File(tmp_path / "posterior.h5", "w") as file:
+        file["prior"] = PRIOR
+        for name, values in {"step": [1, 1, 2, 2, 2, 2], "parameter": [0, 1, 0, 0, 1, 1], "value": [1e8, 0, 1e8, 1e9, 0, 0.5],
+                             "density": [9, 9, 1, 2, 3, 4]}.items():
+            file[f"fields/density/{name}"] = values
+    figure, _ = plots.draw("posterior", [("case", plots.read_posterior(tmp_path / "posterior.h5"))])
+    modulus, ratio = figure.axes
+    assert (modulus.get_xlabel(), modulus.get_ylabel(), modulus.get_xscale()) == ("Young's modulus (Pa)", "density (1/decade)", "log")
+    assert (ratio.get_xlabel(), ratio.get_ylabel(), ratio.get_xscale()) == ("nu", "density", "linear")
+    assert list(modulus.lines[0].get_ydata()) == [1, 2] and list(ratio.lines[0].get_xdata()) == [0, 0.5]
