@@ -23,12 +23,6 @@ $(OUT)/profile: always
 # was killed may leave writers behind while the next one is at work.
 whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { rm -f $(1).$$$$; false; }
 
-# Puts series of runs at the thesis's size among those kept in the repository, for readers who have not the hours: RUN.tsv, and how
-# RUN came to be in RUN.txt. Arguments: the folder, the runs, what prints the series of a run, the columns.
-keep_series = $(if $(filter thesis,$(PROFILE)),,$(error $@: of PROFILE=thesis only))mkdir -p $(1) && \
-  for file in $(2); do run=$(1)/$$(basename $$file .h5); $(3) $$file | awk -v names='$(4)' -f pipelines/keep.awk $(call whole,$$run.tsv) && \
-  $(BIN)/to-vtk --history $$file $(call whole,$$run.txt) && echo "  keep  $$run.tsv"; done
-
 include $(sort $(wildcard pipelines/*/study.mk))
 
 .PHONY: report

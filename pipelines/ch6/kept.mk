@@ -13,4 +13,4 @@ ch6-keep: $(BIN)/to-vtk $(C6_OF_ENDED) ## keep what the thesis-size runs of ch6 
 
 .PHONY: ch6-compare
 ch6-compare: $(C6_PY) ## compare anew what is kept of ch6
-	@$(STUDY_PY) $(C6)/study.py $(C6_KEPT) --profile thesis --kept
+	@$(STUDY_PY) $(C6)/study.py $(C6_KEPT) --kept

@@ -40,7 +40,7 @@ c6_speed = $(word 2,$(subst _, ,$*))
 c6_velocity = $(call c6_number,$(c6_speed) / 100)
 c6_mesh = --set mesh.columns=$(c6_squares) --set mesh.rows=$(c6_squares) --set record.points=[$$(($(c6_squares) - 2 + $(c6_squares) % 2))]
 c6_time = --set time.duration=$(call c6_number,25 / $(c6_speed)) --set time.output_interval=$(call c6_number,25 / $(c6_speed) / $(1))
-c6_pull = $(BIN)/fem-dem $(C6)/pullout.toml $< $(c6_mesh) --set geosynthetic.end.x=$(c6_velocity) $(call c6_time,167)
+c6_pull = $(BIN)/fem-dem $(C6)/pullout.toml $< $(c6_mesh) --set geosynthetic.end.x=$(c6_velocity) $(1) $(call c6_time,167)
 C6_WAYS := --resume --force --threads $(C6_THREADS) --quiet
 $(C6O)/shape_%.h5: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
 	@echo '  run   $@'
@@ -48,11 +48,11 @@ $(C6O)/shape_%.h5: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
 	  $(call c6_time,100) $(C6_WAYS) -o $@
 $(C6O)/pullout_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@echo '  run   $@'
-	@$(c6_pull) $(C6_WAYS) -o $@
+	@$(call c6_pull) $(C6_WAYS) -o $@
 # Pull-out once more with the soil damping of the thesis.
 $(C6O)/swinging_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@echo '  run   $@'
-	@$(c6_pull) --set soil.damping=0.2 $(C6_WAYS) -o $@
+	@$(call c6_pull,--set soil.damping=0.2) $(C6_WAYS) -o $@
 
 # Tables: how each run was loaded; of the main ones the history of point A or B, and the last state.
 C6_KINDS := local elements points nodes bars

@@ -128,9 +128,10 @@ def explain(study, whole, say):
 
 def build(arguments):
     """Reads the tables of fem-dem in the folder OUT and writes what was measured, drawn and compared."""
-    judged = arguments.profile == "thesis"
-    study = Study("ch6", "Two scales: a geosynthetic in soil of aluminium rods", arguments.out, arguments.profile, judged)
-    runs = Runs(study.out, SIZES[arguments.profile])
+    profile = "thesis" if arguments.kept else arguments.profile
+    judged = profile == "thesis"
+    study = Study("ch6", "Two scales: a geosynthetic in soil of aluminium rods", arguments.out, profile, judged)
+    runs = Runs(study.out, SIZES[profile])
     measure_shape(study, runs)
     measure_pullout(study, runs)
     study.expect(HERE / "statements.tsv", "Statements of §6.4 and §6.5")
