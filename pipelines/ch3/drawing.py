@@ -199,7 +199,7 @@ def draw_shear_stresses(study, runs, kept):
 
 
 def draw_fabric(study, runs, kept):
-    """Figs. 3.17 and 3.18."""
+    """Fig. 3.17."""
     figure, axes = figures.panels(3, width=11)
     for a, name in zip(axes, ("a_c", "a_n", "a_t"), strict=True):
         for of, style, words in of_both(runs, kept):
@@ -209,7 +209,20 @@ def draw_fabric(study, runs, kept):
         figures.label(a, "axial strain (%)", name, pure=[name])
         a.set_ylim(bottom=0)
         a.legend()
-    study.figure("fabric", figure, "Anisotropies of contact orientation, normal and tangential forces under compression.", "Figs. 3.17 and 3.18",
+    study.figure("fabric", figure, "Anisotropies of contact orientation, normal and tangential forces under compression.", "Fig. 3.17",
                  "those of forces fall, that of orientation rises until yarns break and falls later; all are lower for the stronger geotextile.",
                  ["anisotropy_c_rises_PE", "anisotropy_c_stagnates_PE", "anisotropy_c_falls_later_PE", "anisotropy_n_falls_PE",
-                  "anisotropy_t_falls_PE", "anisotropy_c_PP_over_PE", "shear_normal_falls", "shear_critical_c_falls"])
+                  "anisotropy_t_falls_PE", "anisotropy_c_PP_over_PE"])
+
+
+def draw_shear_fabric(study, runs, kept):
+    """Fig. 3.18."""
+    figure, axes = figures.panels(2)
+    for a, name in zip(axes, ("a_c", "a_n"), strict=True):
+        sheared(a, runs, kept, lambda bag, name=name: shear_strain(bag)[bag.recorded_fabric(name)[0]],
+                lambda bag, name=name: bag.recorded_fabric(name)[1])
+        figures.label(a, "shear displacement over height (%)", name, pure=[name])
+        a.set_ylim(bottom=0)
+    study.figure("shear_fabric", figure, "Anisotropies of contact orientation and normal forces under shear, at the states recorded.",
+                 "Fig. 3.18", "that of normal forces falls from phase transformation on; that of orientation ends lower under a greater load.",
+                 ["shear_normal_falls", "shear_critical_c_falls"])

@@ -63,7 +63,7 @@ def face(axes, yarns):
 def draw_bag(study, runs, kept):
     """Figs. 3.12 and 3.14: there are too many marks for a drawing."""
     bag = runs.bag("uc_PE")
-    figure, axes = figures.panels(len(STATES), rows=2, width=11, height=6)
+    figure, axes = figures.panels(len(STATES), rows=2, width=11, height=5.4)
     for k, above, below in zip(STATES, axes[:len(STATES)], axes[len(STATES):], strict=True):
         yarns = runs.table(f"uc_PE_yarns_{k}")
         strains, tensions = section(above, runs.table(f"uc_PE_grains_{k}")), face(below, yarns)

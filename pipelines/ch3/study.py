@@ -9,10 +9,10 @@ from study import Study, main
 LOADS = {"quick": (2410, 24100), "thesis": (1330, 1870, 2410, 12050, 24100, 36150)}
 DRAWN = (drawing.draw_compression, drawing.draw_shape, drawing.draw_growth, drawing.draw_strip, drawing.draw_box, pictures.draw_breaks,
          drawing.draw_shear, drawing.draw_paths, drawing.draw_shear_paths, drawing.draw_yarns, pictures.draw_bag, drawing.draw_friction,
-         drawing.draw_shear_stresses, drawing.draw_fabric)
+         drawing.draw_shear_stresses, drawing.draw_fabric, drawing.draw_shear_fabric)
 # Figures that are drawn of what is kept of runs at full size, too.
 DRAWN_KEPT = (drawing.draw_compression, drawing.draw_shape, drawing.draw_growth, drawing.draw_shear, drawing.draw_paths,
-              drawing.draw_shear_paths, drawing.draw_yarns, drawing.draw_friction, drawing.draw_shear_stresses, drawing.draw_fabric)
+              drawing.draw_shear_paths, drawing.draw_yarns, drawing.draw_friction, drawing.draw_shear_stresses, drawing.draw_fabric, drawing.draw_shear_fabric)
 
 
 def measure(study, runs):

@@ -75,7 +75,7 @@ def svg(figure):
 
 def png(figure, path):
     """Writes the figure as a PNG file, for pictures of more marks than a drawing should have, and closes it."""
-    figure.savefig(path, format="png", dpi=110, metadata={"Software": None})
+    figure.savefig(path, format="png", dpi=110, bbox_inches="tight", metadata={"Software": None})
     pyplot.close(figure)
 
 
