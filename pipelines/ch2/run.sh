@@ -5,15 +5,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin run.sh FOLDER LAW PACKING SCENARIO PRESSURE_MPa STRAIN_% ID E NU KR ETA MU [TWIN]
 # TWIN: number of a twin whose grains start 1e-6 of a radius apart; 0, the packing itself.
-# Leaves FOLDER/runs/ID/series.h5 and peak.tsv, or `failed` with the reason where these parameters will fail each time (out of
-# range, not settled, physics broken); any other trouble is this script's exit status, and the row is tried again.
+# Leaves FOLDER/runs/ID/series.h5, or `failed` with the reason where these parameters will fail each time (out of range, not
+# settled, physics broken); any other trouble is this script's exit status, and the row is tried again.
 set -u
 export LC_ALL=C.UTF-8
 folder=$1 law=$2 packing=$3 scenario=$4 pressure=$5 strain=$6
 id=$7 modulus=$8 ratio=$9
 shift 9
 rolling=$1 limit=$2 friction=$3 twin=${4:-0}
-here=$(dirname "$0")
 case $id in
   '' | *[!0-9]*) echo "run.sh: id \"$id\" is no whole number" >&2; exit 65 ;;
 esac
@@ -30,11 +29,10 @@ else
 fi
 
 # The author's scripts: in Hertz-Mindlin contacts a limit of 0 is none, and twisting has none; nu of linear ones is k_s/k_n.
-ratio_key=poisson_ratio twisting_limit=none
+ratio_key=poisson_ratio twisting_limit=none perturb=0
 [ "$law" = cl ] && ratio_key=stiffness_ratio twisting_limit=$limit
-perturb=0
 [ "$twin" = 0 ] || perturb=1e-6
-[ "$law" = hm ] && [ "$(awk -v x="$limit" 'BEGIN { print (x == 0) }')" = 1 ] && limit=none
+[ "$law" = hm ] && [ "$(printf %g "$limit")" = 0 ] && limit=none
 
 OMP_NUM_THREADS=1 "$BIN/run-dem" "$packing" "$scenario" --set "contact.young_modulus=$modulus" --set "contact.$ratio_key=$ratio" \
   --set "contact.rolling.stiffness=$rolling" --set "contact.twisting.stiffness=$rolling" --set "contact.rolling.limit=$limit" \
@@ -44,16 +42,10 @@ OMP_NUM_THREADS=1 "$BIN/run-dem" "$packing" "$scenario" --set "contact.young_mod
 status=$?
 case $status in
   0) ;;
-  1 | 65 | 70) rm -rf "$row/run.h5.part"; mv "$row/log" "$row/failed"; exec "$here/progress.sh" "$folder" ;;
+  1 | 65 | 70) rm -rf "$row/run.h5.part"; mv "$row/log" "$row/failed"; exit 0 ;;
   *) cat "$row/log" >&2; exit $status ;;
 esac
 
-# The greatest stress ratio, where that alone is observed; the whole series, with the history of the run. The run itself is
-# large and can be made again; KEEP_RUN=1 keeps it.
-"$BIN/homogenize" "$row/run.h5" --tsv --table series > "$row/series.tsv" &&
-  awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }
-    $at["stage"] == 1 && $at["stress_ratio"] > peak { peak = $at["stress_ratio"] }
-    END { printf "point [1]\tstress_ratio_peak [1]\n1\t%s\n", peak }' < "$row/series.tsv" > "$row/peak.tsv" &&
-  "$BIN/homogenize" "$row/run.h5" --force -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
-[ -n "${KEEP_RUN:-}" ] || rm -f "$row/run.h5" "$row/series.tsv"
-exec "$here/progress.sh" "$folder"
+# The series with the history of the run. The run itself is large and can be made again; KEEP_RUN=1 keeps it.
+"$BIN/homogenize" "$row/run.h5" --force -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
+[ -n "${KEEP_RUN:-}" ] || rm -f "$row/run.h5"

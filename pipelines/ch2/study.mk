@@ -17,110 +17,98 @@ C2_SAMPLES ?= $(C2_SAMPLES_$(PROFILE))
 C2_STRAIN_quick := 6
 C2_STRAIN_thesis := 8.5
 C2_STRAIN ?= $(C2_STRAIN_$(PROFILE))
-C2_PRIOR_quick = $(C2)/prior_quick_$(1).toml
-C2_PRIOR_thesis = $(C2)/prior_thesis.toml
-C2_ROUNDS := $(shell seq $(words $(C2_SAMPLES)))
-C2_LAST := $(lastword $(C2_ROUNDS))
-C2_SCENARIO_hm := $(C2)/hertz-mindlin.toml
-C2_SCENARIO_cl := $(C2)/linear.toml
+# Runs of which the greatest stress ratio alone is compared go farther.
+C2_STRAIN_peak := 10
 # Variances of the observation error: of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
 # has 0.1 for all; 0.3 of a stress ratio is 8 % of it, so that the strains then decide alone. 0.025 is 4 % of it.
 C2_ERROR ?= 0.1,0.025,0.1
-# Of the greatest stress ratio, where there is no curve: the thesis's.
+# Variance of the greatest stress ratio, where there is no curve: the thesis's.
 C2_ERROR_peak := 0.1
-c2_error = $(if $(call has_curve,$(1)),--covariance component --error $(C2_ERROR),--error $(C2_ERROR_peak))
 # Strains (%) at which densities are drawn, as far as the runs go.
 C2_STATIONS := 0.5 1 3 6 8.5
+# Runs of the identified set, and of the thesis's where it has one, that differ by 1e-6 of a radius at the start.
+C2_TWINS ?= 3
+C2_ROUNDS := $(shell seq $(words $(C2_SAMPLES)))
+C2_LAST := round$(lastword $(C2_ROUNDS))
 
-law = $(word 1,$(subst _, ,$(1)))
-grains = $(word 2,$(subst _, ,$(1)))
-pressure = $(word 3,$(subst _, ,$(1)))
-# Where there is a curve of the laboratory, three observables at each of its stations; else the greatest stress ratio alone.
-C2_CURVES := 0.2 0.5
-has_curve = $(filter $(call pressure,$(1)),$(C2_CURVES))
-observed = $(if $(call has_curve,$(1)),data/laboratory/toyoura_drained_triaxial_$(call pressure,$(1))MPa.tsv,$(C2O)/peak_$(call pressure,$(1))MPa.tsv)
-compared = $(if $(call has_curve,$(1)),--runs '$(C2O)/$(1)/runs/{id:06}/series.h5' --where stage=1 --station strain_axial --until $(C2_STRAIN) \
-  --observe strain_radial=strain_xx$(comma)strain_yy --observe stress_ratio --observe strain_volumetric \
-  $(foreach s,$(C2_STATIONS),--at $(s)),--runs '$(C2O)/$(1)/runs/{id:06}/peak.tsv')
-comma := ,
+# In the rules below % is CASE or CASE/roundN.
+c2_case = $(firstword $(subst /, ,$*))
+c2_round = $(lastword $(subst /round, ,$*))
+c2_law = $(word 1,$(subst _, ,$(c2_case)))
+c2_pressure = $(word 3,$(subst _, ,$(c2_case)))
+c2_packing = $(C2O)/packing_$(word 2,$(subst _, ,$(c2_case))).h5
+C2_SCENARIO_hm := $(C2)/hertz-mindlin.toml
+C2_SCENARIO_cl := $(C2)/linear.toml
+c2_scenario = $(C2_SCENARIO_$(c2_law))
+c2_prior = $(C2)/prior_$(PROFILE)$(if $(filter quick,$(PROFILE)),_$(c2_law)).toml
+# The curves of the laboratory, three observables at each station, where there are; else the greatest stress ratio alone.
+c2_curve = $(wildcard data/laboratory/toyoura_drained_triaxial_$(c2_pressure)MPa.tsv)
+c2_observed = $(or $(c2_curve),$(C2O)/peak_$(c2_pressure)MPa.tsv)
+C2_ALONG := --until $(C2_STRAIN) --where stage=1 --station strain_axial --observe strain_radial=strain_xx,strain_yy --observe stress_ratio \
+  --observe strain_volumetric $(C2_STATIONS:%=--at %) --covariance component --error $(C2_ERROR)
+C2_PEAK := --where stage=1 --greatest --observe stress_ratio_peak=stress_ratio --error $(C2_ERROR_peak)
+c2_thesis = $(wildcard data/contacts/toyoura_$(c2_law)_$(c2_pressure)MPa.tsv)
+# The first round is drawn from the prior, another around the posterior of the one before.
+c2_from = $(if $(filter 1,$(c2_round)),$(c2_prior),$(C2O)/$(c2_case)/round$(words $(wordlist 2,$(c2_round),$(C2_ROUNDS)))_posterior.h5)
+C2_BASES := 2,5,7,9,11
+c2_drawn = $(if $(filter 1,$(c2_round)),draw $< --bases $(C2_BASES),resample $< --keep --seed $(c2_round))
+# One ensemble after the other, since each has all cores: a case waits for the last round of the case before.
+C2_PAIRS := $(join $(C2_CASES:%=%:),$(wordlist 2,$(words $(C2_CASES)),$(C2_CASES)))
+c2_after = $(if $(filter 1,$(c2_round)),$(patsubst %:$(c2_case),$(C2O)/%/$(C2_LAST)_ran,$(filter %:$(c2_case),$(C2_PAIRS))))
 
 .PHONY: ch2
 ch2: $(C2O)/page.html ## contact parameters identified with the particle filter (thesis: 2000 runs a case; C2_CASES=...)
 
 # Remembers what the variables above decide; ensembles depend on it.
+C2_SETTINGS := $(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR)
 $(C2O)/settings: always
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR)' | cmp -s - $@ || printf '%s\n' '$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR)' > $@
+	@printf '%s\n' '$(C2_SETTINGS)' | cmp -s - $@ || printf '%s\n' '$(C2_SETTINGS)' > $@
 
-C2_SIZES := $(sort $(foreach c,$(C2_CASES),$(call grains,$(c))))
-$(C2_SIZES:%=$(C2O)/packing_%.h5): $(C2O)/packing_%.h5: $(BIN)/pack-generate
+$(C2O)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
 	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains $* --void-ratio 0.68 --pressure 1e3 --seed 1
 
-# q/p at failure as stress ratio, (3 + 2 q/p)/(3 - q/p).
-$(C2O)/peak_%MPa.tsv: data/laboratory/toyoura_peak_obliquity.tsv
+$(C2O)/peak_%MPa.tsv: $(C2)/inputs.py data/laboratory/toyoura_peak_obliquity.tsv
 	@mkdir -p $(@D)
-	@awk -F '\t' -v p=$* 'BEGIN { printf "point [1]\tstress_ratio_peak [1]\n" } $$1 == 1000 * p { printf "1\t%.6g\n", (3 + 2 * $$2) / (3 - $$2) }' \
-	  $< $(call whole,$@)
+	@$(STUDY_PY) $^ --peak $* $(call whole,$@)
 
-# One round of one case. $(1): case, $(2): number of the round, $(3): sets, $(4): the round before.
-c2_made = $(if $(4),resample $(C2O)/$(1)/posterior$(4).h5 --keep --seed $(2),draw $(call C2_PRIOR_$(PROFILE),$(call law,$(1))) --bases 2$(comma)5$(comma)7$(comma)9$(comma)11)
-define c2_round
-$(C2O)/$(1)/round$(2).h5 $(C2O)/$(1)/round$(2).tsv &: $(if $(4),$(C2O)/$(1)/posterior$(4).h5,$(call C2_PRIOR_$(PROFILE),$(call law,$(1)))) \
-  $(C2O)/settings $(BIN)/pf-weight
-	@mkdir -p $$(@D)
-	@$(BIN)/pf-weight $(c2_made) --samples $(3) --tsv --force -o $(C2O)/$(1)/round$(2).h5 \
-	  $$(call whole,$(C2O)/$(1)/round$(2).tsv)
-$(C2O)/$(1)/ran$(2): $(C2)/ensemble.sh $(C2)/run.sh $(C2O)/$(1)/round$(2).tsv $(C2O)/packing_$(call grains,$(1)).h5 $(C2_SCENARIO_$(call law,$(1))) \
-  $(BIN)/run-dem $(BIN)/homogenize
-	@BIN=$(BIN) $(C2)/ensemble.sh $(C2O)/$(1)/round$(2).tsv $(C2O)/$(1) $(call law,$(1)) $(C2O)/packing_$(call grains,$(1)).h5 \
-	  $(C2_SCENARIO_$(call law,$(1))) $(call pressure,$(1)) $(if $(call has_curve,$(1)),$(C2_STRAIN),10)
-	@touch $$@
-$(C2O)/$(1)/posterior$(2).h5: $(C2O)/$(1)/ran$(2) $(call observed,$(1)) $(BIN)/pf-weight
-	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) $(call c2_error,$(1)) --force -o $$@ \
-	  > $(C2O)/$(1)/posterior$(2).txt
-$(foreach t,steps density,$(C2O)/$(1)/$(t)$(2).tsv): $(C2O)/$(1)/%$(2).tsv: $(C2O)/$(1)/posterior$(2).h5
-	@$(BIN)/pf-weight assimilate $(C2O)/$(1)/round$(2).h5 $(call observed,$(1)) $(call compared,$(1)) $(call c2_error,$(1)) --quiet \
-	  --tsv --table $$* $$(call whole,$$@)
-endef
-$(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(eval $(call c2_round,$(c),$(r),$(word $(r),$(C2_SAMPLES)),$(filter-out 0,$(shell expr $(r) - 1))))))
-# One ensemble after the other, since each has all cores: a case waits for the last round of the case before.
-define c2_after
-$(C2O)/$(2)/ran1: | $(C2O)/$(1)/ran$(C2_LAST)
-endef
-c2_pairs = $(join $(addsuffix :,$(filter-out $(lastword $(C2_CASES)),$(C2_CASES))),$(wordlist 2,$(words $(C2_CASES)),$(C2_CASES)))
-$(foreach p,$(c2_pairs),$(eval $(call c2_after,$(word 1,$(subst :, ,$(p))),$(word 2,$(subst :, ,$(p))))))
-
-# The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go.
-C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(call has_curve,$(c)),$(c)))
-define c2_check
-$(C2O)/$(1)/check.tsv: $(C2)/check.sh $(C2)/run.sh $(C2O)/$(1)/steps$(C2_LAST).tsv $(wildcard data/contacts/toyoura_$(call law,$(1))_$(call pressure,$(1))MPa.tsv)
-	@BIN=$(BIN) $(C2)/check.sh $(C2O)/$(1) $(call law,$(1)) $(C2O)/packing_$(call grains,$(1)).h5 $(C2_SCENARIO_$(call law,$(1))) \
-	  $(call pressure,$(1)) $(C2O)/$(1)/steps$(C2_LAST).tsv $(call observed,$(1)) $(C2_STRAIN) data/contacts/toyoura_$(call law,$(1))_$(call pressure,$(1))MPa.tsv \
-	  $$(call whole,$$@)
-endef
-$(foreach c,$(C2_CHECKED),$(eval $(call c2_check,$(c))))
-
-C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/$(t)$(r).tsv)))
-C2_CHECKS := $(C2_CHECKED:%=$(C2O)/%/check.tsv)
-
-$(C2O)/measured.tsv: $(C2)/measure.awk $(C2_TABLES) $(C2_CHECKS)
-	@awk -v cases='$(C2_CASES)' -v checked='$(C2_CHECKED)' -v round=$(C2_LAST) -v folder=$(C2O) -f $< $(call whole,$@)
-# Only what this profile measures is compared.
-$(C2O)/expected.tsv $(C2O)/statements.tsv: $(C2O)/%.tsv: $(C2)/%.tsv $(C2O)/measured.tsv
-	@awk -F '\t' 'FNR == NR { known[$$1] = 1; next } /^#/ || $$1 == "name" || ($$1 in known)' $(C2O)/measured.tsv $< $(call whole,$@)
-$(C2O)/comparison.tsv: pipelines/compare.awk $(C2O)/expected.tsv $(C2O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
-$(C2O)/checklist.tsv: pipelines/compare.awk $(C2O)/statements.tsv $(C2O)/measured.tsv
-	@awk -f $^ $(call whole,$@)
-
-$(C2O)/figures: $(C2)/figures.gp $(C2_TABLES) $(C2_CHECKS)
-	@for format in svg png; do gnuplot -e "out='$(C2O)'; format='$$format'; cases='$(C2_CASES)'; checked='$(C2_CHECKED)'; \
-	  last='$(C2_LAST)'; rounds='$(C2_ROUNDS)'; until=$(C2_STRAIN)" $<; done
+.SECONDEXPANSION:
+C2_RUN := $(C2)/ensemble.sh $(C2)/ensemble.py $(C2)/run.sh $(BIN)/run-dem $(BIN)/homogenize
+$(C2O)/%_sets.h5 $(C2O)/%_sets.tsv: $$(c2_from) $(C2O)/settings $(BIN)/pf-weight
+	@mkdir -p $(@D)
+	@$(BIN)/pf-weight $(c2_drawn) --samples $(word $(c2_round),$(C2_SAMPLES)) --tsv --force -o $(C2O)/$*_sets.h5 $(call whole,$(C2O)/$*_sets.tsv)
+$(C2O)/%_ran: $(C2O)/%_sets.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN) | $$(c2_after)
+	@BIN=$(BIN) $(C2)/ensemble.sh $< $(C2O)/$(c2_case) $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $(if $(c2_curve),$(C2_STRAIN),$(C2_STRAIN_peak))
 	@touch $@
+c2_assimilate = $(BIN)/pf-weight assimilate $(C2O)/$*_sets.h5 $(c2_observed) --runs '$(C2O)/$(c2_case)/runs/{id:06}/series.h5' \
+  $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK))
+$(C2O)/%_posterior.h5: $(C2O)/%_ran $$(c2_observed) $(BIN)/pf-weight
+	@$(c2_assimilate) --force -o $@ > $(@:.h5=.txt)
+$(C2O)/%_steps.tsv: $(C2O)/%_posterior.h5
+	@$(c2_assimilate) --quiet --tsv --table steps $(call whole,$@)
+$(C2O)/%_density.tsv: $(C2O)/%_posterior.h5
+	@$(c2_assimilate) --quiet --tsv --table density $(call whole,$@)
 
-$(C2O)/page.html: $(C2)/page.sh pipelines/table.awk $(C2O)/comparison.tsv $(C2O)/checklist.tsv $(C2O)/figures
-	@OUT=$(C2O) CASES='$(C2_CASES)' SAMPLES='$(C2_SAMPLES)' LAST=$(C2_LAST) ERROR='$(C2_ERROR)' PROFILE=$(PROFILE) $(C2)/page.sh $(call whole,$@)
-	@awk -F '\t' '$$7 == "met" { ++met } $$7 == "not met" { ++not } END { printf "ch2: %d published values and statements met, %d not met (make report)\n", \
-	  met, not }' $(C2O)/comparison.tsv $(C2O)/checklist.tsv
+# The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go. Weights are
+# not used there, so that any error will do.
+$(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis)
+	@$(STUDY_PY) $^ --twins $(C2_TWINS) $(call whole,$@)
+$(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
+	@BIN=$(BIN) $(C2)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
+	@touch $@
+c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(C2O)/$*/check/runs/{id:06}/series.h5' \
+  --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
+$(C2O)/%/check_near.tsv: $(C2O)/%/checked $(BIN)/pf-weight
+	@$(c2_check) runs --until $(C2_STRAIN) $(call whole,$@)
+$(C2O)/%/check_whole.tsv: $(C2O)/%/checked $(BIN)/pf-weight
+	@$(c2_check) runs $(call whole,$@)
+$(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
+	@$(c2_check) curves $(call whole,$@)
+
+C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
+C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
+  $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv))
+$(C2O)/page.html: $(C2)/study.py $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES)
+	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)

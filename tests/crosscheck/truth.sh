@@ -26,6 +26,7 @@ scenario=$study/linear.toml truth=(5.2e8 0.12 0.5 0.22 30.5)
 strain=4
 [[ -e packing.h5 ]] || pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet -o packing.h5
 KEEP_RUN=1 "$study/run.sh" hidden "$law" packing.h5 "$scenario" 0.2 $strain 0 "${truth[@]}" 7
+homogenize hidden/runs/000000/run.h5 --tsv --table series > series.tsv
 
 # Twelve stations; noise as exact as a good laboratory, and the scatter of twins.
 deviations=(0.03 0.06 0.03)
@@ -36,7 +37,7 @@ awk -F '\t' -v radial="${deviations[0]}" -v ratio="${deviations[1]}" -v volume="
     print "strain_axial [%]\tstrain_radial [%]\tstress_ratio [1]\tstrain_volumetric [%]"; next }
   $at["stage"] == 1 { x = sprintf("%.4g", 100 * $at["strain_axial"])
     if (x in wanted) printf "%s\t%.6g\t%.6g\t%.6g\n", x, 50 * ($at["strain_xx"] + $at["strain_yy"]) + radial * normal(),
-      $at["stress_ratio"] + ratio * normal(), 100 * $at["strain_volumetric"] + volume * normal() }' hidden/runs/000000/series.tsv > observed.tsv
+      $at["stress_ratio"] + ratio * normal(), 100 * $at["strain_volumetric"] + volume * normal() }' series.tsv > observed.tsv
 
 errors=$(printf '%s\n' "${deviations[@]}" | awk '{ printf "%s%.6g", (NR > 1 ? "," : ""), $1 * $1 }')
 pf-weight draw "$study/prior_quick_$law.toml" --samples "$sets" --first 1 --tsv --force -o round0.h5 > round0.tsv

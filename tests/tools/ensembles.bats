@@ -13,7 +13,7 @@ setup() {
 
 # The studies' rules with the tools as they are, in a folder of the test's own, on a small ensemble.
 study() { # OUT TARGET...
-  printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
+  printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.SECONDARY:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
     > "$BATS_TEST_TMPDIR/study.mk"
   local out=$1
   shift
@@ -21,7 +21,7 @@ study() { # OUT TARGET...
 }
 
 @test "an ensemble that is killed three times ends in the same bytes as one that is not" {
-  local whole=$PWD/whole killed=$PWD/killed posterior=ch2/hm_200_0.2/posterior2.h5 k
+  local whole=$PWD/whole killed=$PWD/killed posterior=ch2/hm_200_0.2/round2_posterior.h5 k
   export JOBS=2 PROGRESS_INTERVAL=0
   exits 0 study "$whole" "$whole/$posterior"
   for k in 1 2 3; do
@@ -98,7 +98,7 @@ small_inputs() {
 @test "folders and packings may have any name, tables any line ends, ids leading zeros" {
   small_inputs
   # shellcheck disable=SC2016  # the dollar is part of the name
-  local packing=$'a b;$(touch pwned)\'".h5' folder='bl ank=$(touch pwned)'
+  local packing=$'a b;$(touch pwned)\'".h5' folder=' bl ank={1}=$(touch pwned)'
   mv packing.h5 "$packing"
   printf '\xef\xbb\xbfid [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\r\n000008\t4e9\t0.2\t0.1\t0.2\t30\r\n000010\t4e9\t0.2\t0.1\t0\t25' > sets.tsv
   exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
@@ -107,6 +107,21 @@ small_inputs() {
   [[ $(cat "$folder/runs/000010/parameters") == "hm 0.1 0.1 4e9 0.2 0.1 0 25 0" ]] || show "$(cat "$folder"/runs/*/parameters)"
   exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
   [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
+  exits 65 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv $'ta\tb' hm "$packing" scenario.toml 0.1 0.1
+  [[ $stderr == "ensemble: ta"$'\t'"b: names of folders and files may not hold tabs or line ends" ]] || show
+}
+
+@test "a table may number twins, whose grains start elsewhere; inputs that are missing are named" {
+  small_inputs
+  printf 'id\tE\tnu\tkr\teta\tmu\tlog_importance\ttwin\n0\t4e9\t0.2\t0.1\t0.2\t30\t-1\t0\n1\t4e9\t0.2\t0.1\t0.2\t30\t-1\t1\n' > sets.tsv
+  exits 0 ensemble sets.tsv
+  [[ $(cat case/runs/000001/parameters) == "hm 0.1 0.4 4e9 0.2 0.1 0.2 30 1" ]] || show "$(cat case/runs/*/parameters)"
+  ! cmp -s case/runs/00000[01]/series.h5 || show "the twin is the packing itself"
+  rm scenario.toml
+  exits 66 ensemble sets.tsv
+  [[ $stderr == "ensemble: scenario.toml: cannot be read: No such file or directory" ]] || show
+  exits 66 ensemble none.tsv
+  [[ $stderr == "rows: none.tsv: cannot be read: No such file or directory" ]] || show
 }
 
 @test "tables that are not understood are refused by line, before any row runs" {
