@@ -148,6 +148,7 @@ def draw_identified(study, cases, left_out):
             a.plot(case.identified(name, unit) / given, k, "o", color=figures.BLUE)
         a.axvline(1, color=figures.INK, linewidth=1)
         a.set_xscale("log", base=2)
+        a.xaxis.set_major_formatter("{x:g}")
         a.set_yticks(range(len(SHOWN)), [label.partition(" (")[0] for label, _ in SHOWN.values()])
         a.invert_yaxis()
         figures.label(a, "identified over the thesis's", "", ["identified over the thesis's", ""])
@@ -238,7 +239,7 @@ def draw_density(study, case):
             for at in stations if r == 0 else stations[-1:]:
                 rows = table.rows((table("parameter", "1") == k) & numpy.isclose(table(*case.station), at))
                 value = rows("value", "its own") / (1e9 if unit == "GPa" else 1)
-                words = "all rounds, at the end" if r else f"to {at:.2g} {case.station[1]}"
+                words = "all rounds, at the end" if r else f"to {at:g} {case.station[1]}"
                 axes[name].plot(value, rows("density", "1 per its own"), "--" if r else "-", color=figures.INK if r else colours[at], label=words)
         axes[name].set_ylim(bottom=0)
         figures.label(axes[name], label, "density", [*PURE, "density"])
@@ -316,9 +317,10 @@ def write_words(study, cases, arguments):
     later = ", each later one around the posterior of all before" if len(arguments.samples) > 1 else ""
     study.lead = (f"Sets of contact parameters are drawn from a prior{later}, in rounds of {sets}. Each is run through the drained triaxial "
                   "test, and the laboratory's results weigh it step by step (thesis Eqs. 2.3 to 2.8).")
-    told = [f"{study.say(f'friction_angle_{c}')} for {LAWS[case.law]} contacts" for c, case in cases.items()][:2]
+    first = {case.law: c for c, case in reversed(cases.items())}  # of each law
+    told = [f"{study.say(f'friction_angle_{c}')} for {LAWS[law]} contacts" for law, c in first.items()]
     study.headline = f"The friction angle of grains is found to be {' and '.join(told)}"
-    fits = [c for c, case in cases.items() if case.curve and study.measures[f"ratio_{c}"].value is not None][:2]
+    fits = [c for c in first.values() if cases[c].curve and study.measures[f"ratio_{c}"].value is not None]
     study.headline += (f"; with these sets the stress ratio follows the laboratory's to {' and '.join(study.say(f'ratio_{c}', 2) for c in fits)}"
                        f" (RMS, to {arguments.until:g} % strain)." if fits else ".")
     error = ", ".join(arguments.error.split(","))
