@@ -20,7 +20,7 @@ UNITS = {
     "strain_yarn_side_up": "1", "broken_yarns": "1", "first_break_strain": "1", "face_friction_x": "deg",
     "face_friction_y": "deg", "face_friction_z": "deg", "boundary_work": "J", "energy_error": "J", "volume_of_interest": "1",
     "a_c": "1", "a_n": "1", "a_t": "1", "intact_springs": "1",
-    "reference_height": "mm"}
+    "reference_height": "mm", "slope": "1", "deviation": "1"}
 
 
 class Series:
@@ -66,16 +66,16 @@ class Record(Series):
 class Bag(Series):
     """A bag under load from the end of the preload on, which is its row 0 and the zero of its settlement.
 
-    groups, fabric: functions that return the tables of its groups of columns along x and of its fabric, both of its recorded
-    states.
+    groups, fabric, path: functions that return the tables of its groups along x and of its fabric, both of its recorded states,
+    and of its stress paths.
     """
 
-    def __init__(self, table, groups, fabric):
+    def __init__(self, table, groups, fabric, path):
         preload = numpy.flatnonzero(table("stage", "1") == 0)
         if not len(preload):
             raise StudyError(f"{table.where}: has no row of the preload, stage 0")
         super().__init__(table.rows(numpy.arange(len(table)) >= preload[-1]))
-        self._groups, self._fabric = groups, fabric
+        self._groups, self._fabric, self._path = groups, fabric, path
 
     @functools.cached_property
     def broken(self):
@@ -126,13 +126,9 @@ class Bag(Series):
         values = self.groups(name, step)
         return values[1:-1].mean() / values[[0, -1]].mean()
 
-    def group_paths(self, first, last):
-        """Returns p and q of each group at the recorded states from one step to another, state by group."""
-        table = self._groups()
-        steps = table("step", "1")
-        series = Series(table.rows((steps >= first) & (steps <= last)))
-        shape = (-1, int(series["volume_of_interest"].max()) + 1)
-        return series["mean_stress"].reshape(shape), series["deviatoric_stress"].reshape(shape)
+    def path(self, name):
+        """Returns a property of the stress paths up to the first break: of the whole soil, then of the groups."""
+        return Series(self._path())[name]
 
 
 def _of_step(table, step):
@@ -150,16 +146,6 @@ def around(face, side):
     """Returns the mean tension of the yarns that a plane in the middle cuts, which balance the lateral stress."""
     faces, sides = yarns_cut()
     return (faces * face + sides * side) / (faces + sides)
-
-
-def path_slope(p, q):
-    """Returns the slope of the line through the origin that is nearest to a path in p and q."""
-    return float((p * q).sum() / (p * p).sum())
-
-
-def path_deviation(p, q):
-    """Returns the greatest distance in q of a path from that line, over its last q."""
-    return float(abs(q - path_slope(p, q) * p).max() / q[-1])
 
 
 class Runs:
@@ -182,7 +168,7 @@ class Runs:
         return Table.read(path)
 
     def _bag(self, name):
-        return Bag(self.table(name), lambda: self.table(f"{name}_groups"), lambda: self.table(f"{name}_fabric"))
+        return Bag(self.table(name), *(lambda part=part: self.table(f"{name}_{part}") for part in ("groups", "fabric", "path")))
 
     def bags(self):
         """Returns the compressed bags that are there, by geotextile."""

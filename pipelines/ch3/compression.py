@@ -5,7 +5,7 @@ import itertools
 import numpy
 from study import NotMade
 
-from .bag import GEOTEXTILES, path_deviation, path_slope
+from .bag import GEOTEXTILES
 
 AT_FIRST, BEFORE, AT_PEAK, AFTER = 0.04, 0.08, 0.12, 0.19  # axial strains of recorded states: the last one is beyond AFTER
 
@@ -43,6 +43,11 @@ def whole(record):
     return int((springs == springs.max()).sum())
 
 
+def slope(p, q):
+    """Returns the slope of the line through the origin that is nearest to a path in p and q."""
+    return (p * q).sum() / (p * p).sum()
+
+
 def densest(bag):
     """Returns the row of the least void ratio."""
     return int(bag["delaunay_void_ratio"].argmin())
@@ -57,17 +62,6 @@ def side_share(bag, strain):
     """Returns how much of what the faces' yarns stretch those do that run around the sides."""
     side, face = (bag.where("strain_axial", strain, name) for name in ("strain_yarn_side_around", "strain_yarn_face"))
     return side / face
-
-
-def before_break(bag):
-    """Returns p and q from the end of the preload to the first break."""
-    return bag["mean_stress"][:bag.broken + 1], bag["deviatoric_stress"][:bag.broken + 1]
-
-
-def groups_deviation(bag, _):
-    """Returns the greatest deviation from a line of the groups' paths, at the states recorded up to the first break."""
-    p, q = bag.group_paths(bag["step"][0], bag["step"][bag.broken])
-    return max(path_deviation(p[:, k], q[:, k]) for k in range(p.shape[1]))
 
 
 def evens_out(bag, _):
@@ -193,8 +187,9 @@ OF_ONE_BAG = (
     ("obliquity", "1", lambda b, r: b["obliquity"][b.broken]),
     ("obliquity_ratio", "1", lambda b, r: obliquity_ratio(b, r, b["strain_axial"][b.broken])),
     ("toe_obliquity_ratio", "1", lambda b, r: obliquity_ratio(b, r, 0.02)),
-    ("path_slope", "1", lambda b, r: path_slope(*before_break(b))),
-    ("path_deviation", "1", lambda b, r: path_deviation(*before_break(b))),
+    ("path_slope", "1", lambda b, r: b.path("slope")[0]),
+    ("path_deviation", "1", lambda b, r: b.path("deviation")[0]),
+    ("groups_deviation", "1", lambda b, r: b.path("deviation")[1:].max()),
     ("equal_strain_block", "%", block),
     ("equal_tension_lateral", "%", at_equal_tension("lateral_stress")),
     ("equal_tension_axial", "%", at_equal_tension("axial_stress")),
@@ -207,7 +202,6 @@ OF_ONE_BAG = (
     ("equal_strain_axial", "%", at_equal_strain("axial_stress")),
     ("equal_strain_pressure", "%", at_equal_strain("plate_pressure")),
     ("equal_strain_lateral", "%", at_equal_strain("lateral_stress")),
-    ("groups_deviation", "1", groups_deviation),
     ("greatest_obliquity", "1", lambda b, r: b["obliquity"].max()),
     ("axial_over_surcharge", "1", lambda b, r: (b["axial_stress"] / b["surcharge"]).min()),
     ("middle_p", "1", lambda b, r: b.middle_over_edge("mean_stress", b.step_at(BEFORE))),
@@ -240,7 +234,7 @@ OF_BOTH = (
 
 # Each measure of a record, up to the last row before a yarn has broken: name, value.
 OF_A_RECORD = (
-    ("recorded_path_slope", lambda r: path_slope(r["mean_stress"][:whole(r)], r["deviatoric_stress"][:whole(r)])),
+    ("recorded_path_slope", lambda r: slope(r["mean_stress"][:whole(r)], r["deviatoric_stress"][:whole(r)])),
     ("recorded_void_ratio_at_break", lambda r: r["void_ratio"][whole(r) - 1] - r["void_ratio"][0]),
 )
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3_KEPT := $(C3)/kept
 C3_ENDED := $(patsubst $(C3O)/%.h5,%,$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5))
-C3_OF_ENDED := $(filter $(foreach table,fabric groups breaks,$(C3_ENDED:%=%_$(table))) $(C3_ENDED),$(C3_OF_RUNS))
+C3_OF_ENDED := $(filter $(foreach table,fabric groups path breaks,$(C3_ENDED:%=%_$(table))) $(C3_ENDED),$(C3_OF_RUNS))
 .PHONY: ch3-keep
 ch3-keep: $(BIN)/to-vtk $(C3_OF_ENDED:%=$(C3O)/%.tsv) $(C3_OF_BAG) ## keep what the thesis-size runs of ch3 that have ended leave (PROFILE=thesis)
 	@$(if $(filter thesis,$(PROFILE)),,$(error $@: of PROFILE=thesis only))mkdir -p $(C3_KEPT)

@@ -88,6 +88,8 @@ $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
 $(C3O)/%_groups.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --groups --table volumes --tsv $(call whole,$@)
+$(C3O)/%_path.tsv: $(C3O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table path --tsv $(call whole,$@)
 C3_YARNS := step,family,position_x,position_y,position_z,direction_x,direction_y,length,tension,broken
 $(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.py $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state last --table yarns --columns $(C3_YARNS) --tsv | $(STUDY_PY) -m ch3.breaks $(call whole,$@)
@@ -118,7 +120,8 @@ $(C3O)/provenance.txt: $(C3O)/uc_PE.h5 $(BIN)/to-vtk
 # What is measured, of each run: so little that what runs of full size leave can be kept, and compared without them.
 C3_UC := uc_PE uc_PP
 C3_SS := $(C3_LOADS:%=ss_%)
-C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) uc_PE_breaks uc_PE_rough_breaks
+C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) \
+  $(C3_UC:%=%_path) uc_PE_breaks uc_PE_rough_breaks
 C3_OF_BAG := $(C3O)/generation.tsv $(C3_ROSES)
 C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
 C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)

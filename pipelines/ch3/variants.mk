@@ -96,7 +96,7 @@ $(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 # % is what the bags differ in; the first one is the study's own. Options: mean and deviation of the others, or of all.
 C3K_OPTIONS_bulging := --scatter --apart
 C3K_OPTIONS_seeds := --scatter
-c3k_tables = $(filter $(foreach run,$($(1)_ended),$(C3K)/$(run)/%),$(C3K_ENDED:%=$(C3K)/%.tsv))
-$(C3K_TABLES:%=$(C3K)/%.tsv): $(C3K)/%.tsv: $(C3_PY) $(C3K_YARNS_$(PROFILE):%=$(C3O)/uc_%.tsv) $$(call c3k_tables,$$*)
+c3k_runs = $(C3K_YARNS_$(PROFILE):%=$(C3O)/uc_%) $(filter $(foreach run,$($(1)_ended),$(C3K)/$(run)/%),$(C3K_ENDED:%=$(C3K)/%))
+$(C3K_TABLES:%=$(C3K)/%.tsv): $(C3K)/%.tsv: $(C3_PY) $$(foreach run,$$(call c3k_runs,$$*),$$(run).tsv $$(run)_path.tsv)
 	@mkdir -p $(@D)
 	@$(C3V_PY) beside bag=$(C3O) $($*_ended:%=$(C3K)/%) $(C3K_OPTIONS_$*) $(call whole,$@)

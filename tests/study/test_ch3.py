@@ -8,7 +8,7 @@ import numpy
 import pytest
 from ch3 import appendix, breaks, compression, drawing, making, pictures, shear, variants
 from ch3 import study as chapter
-from ch3.bag import HERE, UNITS, Bag, Record, Runs, Series, path_deviation, path_slope
+from ch3.bag import HERE, UNITS, Bag, Record, Runs, Series
 from matplotlib import pyplot
 from renaming import demand_columns
 from study import NotMade, Study, StudyError, Table, figures, read_statements
@@ -37,14 +37,14 @@ def loaded(path, **columns):
     """Returns a bag without groups and fabric."""
     def absent():
         raise NotMade("not recorded")
-    return Bag(bag(path, **columns), absent, absent)
+    return Bag(bag(path, **columns), absent, absent, absent)
 
 
 @pytest.fixture(name="compressed")
 def compressed_bag(tmp_path):
     return loaded(tmp_path / "uc_PE.tsv", stage=[0, 0, 1, 1, 1, 1], strain_axial=[-0.01, 0, 0.01, 0.02, 0.03, 0.04],
                   plate_pressure=[0, 1e3, 5e3, 10e3, 9.9e3, 4e3], broken_yarns=[0, 0, 0, 1, 2, 9],
-                  mean_stress=[0, 1e3, 2e3, 4e3, 4e3, 1e3], deviatoric_stress=[0, 1e3, 2e3, 5e3, 4e3, 1e3])
+                  mean_stress=[0, 1e3, 2e3, 4e3, 4e3, 1e3])
 
 
 def test_a_bag_counts_from_the_end_of_the_preload(compressed):
@@ -73,12 +73,6 @@ def test_the_first_break_is_told_only_where_there_was_one(tmp_path, compressed):
         compression.first_break(whole, None)
 
 
-def test_paths_have_the_slope_of_a_line_through_the_origin_and_their_distance_from_it(compressed):
-    p, q = compression.before_break(compressed)
-    assert path_slope(p, q) == pytest.approx((1 + 4 + 20) / (1 + 4 + 16))
-    assert path_deviation(p, q) == pytest.approx((2 * 25 / 21 - 2) / 5)
-
-
 def test_what_is_left_after_failure_is_compared_where_the_shorter_series_ends(tmp_path, compressed):
     record = Record(write(tmp_path / "record.tsv", {"strain_axial": "%", "plate_pressure": "kPa"}, strain_axial=[0, 2, 3.5],
                           plate_pressure=[1, 20, 10]))
@@ -86,13 +80,10 @@ def test_what_is_left_after_failure_is_compared_where_the_shorter_series_ends(tm
 
 
 def test_groups_are_those_in_the_middle_and_the_two_at_the_edges(tmp_path):
-    units = {"step": "1", "volume_of_interest": "1", "mean_stress": "Pa", "deviatoric_stress": "Pa"}
-    groups = write(tmp_path / "groups.tsv", units, step=[0] * 4 + [1] * 4, volume_of_interest=[0, 1, 2, 3] * 2,
-                   mean_stress=[1, 2, 4, 3, 1, 2, 2, 1], deviatoric_stress=[1, 2, 4, 3, 2, 4, 4, 2])
-    one = Bag(bag(tmp_path / "uc.tsv", stage=[0, 1], strain_axial=[0, 0.01], broken_yarns=[0, 1]), lambda: groups, None)
+    groups = write(tmp_path / "groups.tsv", {"step": "1", "mean_stress": "Pa"}, step=[0] * 4 + [1] * 4,
+                   mean_stress=[1, 2, 4, 3, 1, 2, 2, 1])
+    one = Bag(bag(tmp_path / "uc.tsv", stage=[0, 1], strain_axial=[0, 0.01]), lambda: groups, None, None)
     assert one.middle_over_edge("mean_stress", 0) == 3 / 2 and one.middle_over_edge("mean_stress", 1) == 2
-    # The worst of the paths is that of the last group: q 3 and 2 over p 3 and 1, on a line of slope 11/10.
-    assert compression.groups_deviation(one, None) == pytest.approx(0.9 / 2)
 
 
 def test_contacts_are_spread_alike_if_cumulative_shares_differ_by_less_than_chance():

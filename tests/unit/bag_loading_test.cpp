@@ -113,6 +113,7 @@ TEST(BagLoading, HasItsSizeFromThePlanAndItsNumbersFromTheSeries) {
 TEST(BagLoading, ShearsAlongTheTravelOfItsPlates) {
   const io::Series t = table(run());
   // Along (0.6, -0.8) the grains hold the plate back by 6 * 0.6 + 8 * 0.8 = 10 N, the soil by 3 * 0.6 + 4 * 0.8 = 5 Pa.
+  expect(t, "shear_displacement", {0, 0, 0, 0, 0, 5e-4});
   EXPECT_NEAR(t.at("plate_shear").values[5], 10 / 0.006, 1e-9);
   EXPECT_NEAR(t.at("plate_ratio").values[5], 0.25, 1e-12);
   EXPECT_NEAR(t.at("shear_stress").values[5], 5, 1e-12);
