@@ -128,7 +128,7 @@ def test_tables_of_statements_name_line_and_column(tmp_path):
 
 
 def test_every_table_of_statements_in_the_tree_is_read():
-    for study in ("quickstart", "packings", "ch3", "ch5", "ch6"):
+    for study in ("quickstart", "packings", "ch2", "ch3", "ch5", "ch6"):
         tables = [ROOT / "pipelines" / study / name for name in ("expected.tsv", "statements.tsv")]
         assert all(read_statements(path) for path in tables if path.exists())
 

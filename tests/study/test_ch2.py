@@ -1,0 +1,200 @@
+"""Chapter 2: its measures on small tables by hand, what a single round gives, the rows of an ensemble."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import pathlib
+import subprocess
+import sys
+import types
+
+import numpy
+import pytest
+from ch2 import ensemble, inputs
+from ch2 import study as chapter
+from ch2.study import PARAMETERS, Case
+from matplotlib import pyplot
+from renaming import demand_columns
+from study import NotMade, Study, StudyError, Table
+
+ROOT = pathlib.Path(__file__).parents[2]
+STRAINS = [0.5 * k for k in range(1, 13)]
+# The mean friction angle goes 1 degree a station up to 1.5 %, and 0.1 in the last 1.5 %.
+FRICTION = [28, 29, 30, *[30] * 6, 30.1, 30.2, 30.3]
+ANSWER = {"young_modulus": 4e9, "poisson_ratio": 0.1, "rolling_stiffness": 0.15, "rolling_limit": 0.2, "friction_angle": 30.3}
+
+
+def write(path, **columns):
+    """Writes columns, given as head=(unit, values), of which a single value stands for as many equal ones."""
+    length = max(numpy.size(values) for _, values in columns.values())
+    rows = zip(*(numpy.broadcast_to(values, length) for _, values in columns.values()), strict=True)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(["\t".join(f"{head} [{unit}]" for head, (unit, _) in columns.items()),
+                               *("\t".join(repr(float(x)) for x in row) for row in rows)]) + "\n")
+
+
+def write_case(folder, name, rounds, scale=1.0):
+    """Writes the tables of a case; `scale` multiplies the parameters that it identified."""
+    curve = name.endswith("_0.2")
+    station = {"strain_axial": ("%", STRAINS)} if curve else {"confining_pressure": ("kPa", [1000])}
+    friction = FRICTION if curve else [30.3]
+    for r in range(1, rounds + 1):
+        values = {p: scale * (numpy.array(friction) if p == "friction_angle" else ANSWER[p]) for p in PARAMETERS}
+        columns = {p: (PARAMETERS[p], v) for p, v in values.items()}
+        columns |= {f"{p}_{end}": (PARAMETERS[p], factor * values[p]) for p in PARAMETERS
+                    for end, factor in (("deviation", 0.05), ("low", 0.9), ("high", 1.1))}
+        write(folder / name / f"round{r}_steps.tsv", **station, **columns, effective_size=("1", numpy.linspace(20, r, len(friction))))
+        stations = STRAINS[-2:] if curve else [1000]
+        grid = [(at, k, x) for at in stations for k in range(5) for x in (1, 2, 3)]
+        at, k, x = zip(*grid, strict=True)
+        head, (unit, _) = next(iter(station.items()))
+        write(folder / name / f"round{r}_density.tsv", **{head: (unit, at)}, parameter=("1", k), value=("its own", x),
+              density=("1 per its own", [0.1, 0.3, 0.1] * (len(grid) // 3)))
+        (folder / name / f"round{r}_posterior.txt").write_text("at the end\n")
+    if curve:
+        ids, misfit = [0, 1, 2, 10, 11], [0.02, 0.03, 0.04, 0.05, 0.06]
+        for table, factor in (("near", 1), ("whole", 2)):
+            write(folder / name / f"check_{table}.tsv", id=("1", ids), fate=("1", [0, 0, 4, 0, 0]),
+                  stress_ratio_misfit_relative=("1", factor * numpy.array(misfit)),
+                  strain_volumetric_misfit=("%", factor * 10 * numpy.array(misfit)))
+        write(folder / name / "check_curves.tsv", id=("1", [0, 0, 10, 10]), strain_axial=("%", [1, 2, 1, 2]),
+              stress_ratio=("1", [3, 4, 3, 4]), strain_volumetric=("%", [0.1, 0, 0.1, 0]))
+
+
+class Undrawn(Study):
+    """A study that notes the names of its figures, and draws none: most of the time would go there."""
+
+    def figure(self, name, figure, *_, **__):
+        self._drawings[name] = ""
+        pyplot.close(figure)
+
+
+@pytest.fixture(name="out", autouse=True)
+def small_results(tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr(chapter, "Study", Undrawn)
+    for name in ("hm_1000_0.2", "cl_1000_0.2", "hm_1000_1"):
+        write_case(tmp_path, name, 2)
+    write_case(tmp_path, "hm_1000_8", 2, scale=1.2)
+    return tmp_path
+
+
+def build(out, *cases, samples=(6, 4)):
+    return chapter.build(types.SimpleNamespace(out=out, profile="quick", cases=cases, samples=list(samples), until=6.0, error="0.1,0.025,0.1"))
+
+
+def test_the_mean_settles_where_it_moves_less_per_strain_at_the_end(out):
+    table = Case(out, "hm_1000_0.2", 1).steps[0]
+    # Two degrees over the 1 % from the first station to 1.5 %; 0.3 degrees over the last 1.5 %.
+    assert chapter.settling(table) == pytest.approx((0.3 / 1.5) / (2 / 1))
+    with pytest.raises(NotMade, match="too few stations"):
+        chapter.settling(table.rows(table("strain_axial", "%") < 3))
+
+
+def test_misfits_are_means_over_the_twins_that_went_through(out):
+    study = build(out, "hm_1000_0.2")
+    measured = {name: m for name, m in study.measures.items() if m.value is not None}
+    assert measured["ratio_hm_1000_0.2"].value == 2.5 and measured["ratio_hm_1000_0.2"].deviation == pytest.approx(numpy.sqrt(0.5))
+    assert measured["ratio_thesis_hm_1000_0.2"].value == 5.5 and measured["ratio_excess_hm_1000_0.2"].value == -3
+    assert measured["volume_whole_hm_1000_0.2"].value == pytest.approx(0.5) and measured["volume_whole_hm_1000_0.2"].unit == "%"
+    assert measured["size_first_hm_1000_0.2"].value == 1 and measured["size_last_hm_1000_0.2"].value == 2
+    assert measured["log_modulus_hm_1000_0.2"].value == pytest.approx(numpy.log10(4e9), rel=1e-5)
+    assert (measured["friction_angle_hm_1000_0.2"].value, measured["friction_angle_hm_1000_0.2"].unit) == (30.3, "deg")
+
+
+def test_what_a_case_or_a_set_lacks_has_its_reason_and_no_number(out):
+    write(out / "hm_1000_0.2/check_near.tsv", id=("1", [0, 10]), fate=("1", [0, 4]), stress_ratio_misfit_relative=("1", [0.1, numpy.nan]),
+          strain_volumetric_misfit=("%", [0.1, numpy.nan]))
+    study = build(out, "hm_1000_0.2")
+    assert study.measures["ratio_hm_1000_0.2"].value == 10 and study.measures["ratio_hm_1000_0.2"].deviation == 0
+    assert study.measures["ratio_thesis_hm_1000_0.2"].reason == "no run of the thesis set of hm_1000_0.2"
+    assert study.measures["ratio_excess_hm_1000_0.2"].reason == "one of the two sets has no run"
+    assert study.measures["friction_angle_cl_2000_0.2"].reason == "case cl_2000_0.2 is not among C2_CASES"
+    assert study.measures["trend_E"].reason == "made with the cases hm_1000_0.2 and hm_1000_8"
+    write(out / "hm_1000_0.2/check_near.tsv", id=("1", [0]), fate=("1", [0]), stress_ratio_misfit_relative=("1", [numpy.nan]),
+          strain_volumetric_misfit=("%", [0.1]))
+    with pytest.raises(StudyError, match="check_near.tsv: column stress_ratio_misfit_relative has no value in row 1"):
+        build(out, "hm_1000_0.2")
+
+
+def test_trends_are_shares_in_the_direction_of_the_thesis(out):
+    study = build(out, "hm_1000_0.2", "hm_1000_1", "hm_1000_8")
+    assert study.measures["trend_E"].value == pytest.approx(0.2) and study.measures["trend_mu"].value == pytest.approx(-0.2)
+    assert {"pressure", "identified", "means_hm", "prediction", "density_hm_1000_8"} <= set(study._drawings)
+    assert "Fig. 2.1: no case of linear contacts at 0.2 MPa" in study.remarks[-1]
+
+
+def test_a_single_round_has_its_figures_and_says_what_is_left_out(out, monkeypatch):
+    study = build(out, "hm_1000_0.2", "cl_1000_0.2", samples=[6])
+    assert list(study._drawings) == ["identified", "means_cl", "means_hm", "prediction", "density_hm_1000_0.2", "density_cl_1000_0.2"]
+    assert study.remarks[-1].startswith("Not drawn: Fig. 2.3: it takes") and "since one round was made" in study.remarks[-1]
+    monkeypatch.setattr(chapter, "Study", Study)
+    build(out, "hm_1000_1", samples=[6]).write()
+    page = (out / "page.html").read_text()
+    assert (out / "density_hm_1000_1.svg").exists() and "since one round was made" in page and "rounds of 6." in page
+
+
+def test_each_column_that_is_renamed_is_missed_by_name(out):
+    cases = ("hm_1000_0.2", "hm_1000_1")
+    known, observed = "data/contacts/toyoura_hm_0.2MPa.tsv", "data/laboratory/toyoura_peak_obliquity.tsv"
+
+    def measure():
+        study = Undrawn("ch2", "", out, "quick")
+        for name in cases:
+            case = Case(out, name, 2)
+            chapter.measure_case(study, case)
+            if case.curve:
+                chapter.measure_check(study, case)
+
+    def drawing(draw):
+        return lambda: draw(Undrawn("ch2", "", out, "quick"), [Case(out, name, 2) for name in cases[:1]], [])
+    readers = [lambda: inputs.peak(observed, 0.2), lambda: inputs.sets([known], 1), measure, drawing(chapter.draw_identified),
+               drawing(chapter.draw_prediction), *[lambda name=name: chapter.draw_density(Undrawn("ch2", "", out, "quick"), Case(out, name, 2))
+                                                   for name in cases], drawing(lambda s, c, left: chapter.draw_means(s, c, "hm", "", "", [], left))]
+    assert demand_columns(readers) > 50
+
+
+def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
+    failure = tmp_path / "failure.tsv"
+    write(failure, confining_pressure=("kPa", [200, 1000]), obliquity_at_failure=("1", [1.5, 1.2]))
+    assert inputs.peak(failure, 0.2) == "confining_pressure [kPa]\tstress_ratio_peak [1]\n200\t4\n"
+    with pytest.raises(StudyError, match="none of the rows"):
+        inputs.peak(failure, 0.3)
+    table = inputs.sets([out / "hm_1000_0.2/round1_steps.tsv", "data/contacts/toyoura_hm_0.2MPa.tsv"], 2).splitlines()
+    assert table[0] == "id [1]\tyoung_modulus [Pa]\tpoisson_ratio [1]\trolling_stiffness [1]\trolling_limit [1]\tfriction_angle [deg]\ttwin [1]"
+    assert table[1] == "0\t4000000000.0\t0.1\t0.15\t0.2\t30.3\t0" and table[4] == "11\t4123000000.0\t0.0635\t0.1479\t0.202\t30.39\t1"
+    (tmp_path / "sets.tsv").write_text("\n".join(table))
+    assert [row[0] + row[-1] for row in ensemble.read_rows(tmp_path / "sets.tsv")] == ["00", "11", "100", "111"]
+
+
+@pytest.mark.parametrize(("text", "rows"), [
+    ("id\tE\tn\tk\te\tm\r\n# x\r\n\r\n007\t1\t2\t3\t4\t5\r\n000\t1\t2\t3\t4\t5", [["7", *"12345", "0"], ["0", *"12345", "0"]]),
+    ("\ufeffid [1]\tE [Pa]\tn\tk\te\tm\tlog\ttwin [1]\r8\t1\t2\t3\t4\t 5\t9\t2\r", [["8", *"12345", "2"]]),
+])
+def test_rows_are_read_with_any_line_ends_and_padded_ids(tmp_path, text, rows):
+    (tmp_path / "sets.tsv").write_bytes(text.encode())
+    assert ensemble.read_rows(tmp_path / "sets.tsv") == rows
+
+
+def test_an_ensemble_knows_which_rows_are_finished_and_how_long_the_others_take(tmp_path):
+    rows = [[str(k), *"12345", "0"] for k in range(4)]
+    some = ensemble.Ensemble("sets", tmp_path / "case", ["case", "hm", "p.h5", "s.toml", "0.2", "6"], rows)
+    for k, (result, parameters) in enumerate((("series.h5", "hm 0.2 6 1 2 3 4 5 0"), ("failed", "hm 0.2 6 1 2 3 4 5 0"),
+                                              ("series.h5", "hm 0.5 6 1 2 3 4 5 0"))):
+        some.of_row(rows[k], "").mkdir(parents=True)
+        some.of_row(rows[k], result).write_text("out of range\n")
+        some.of_row(rows[k], "parameters").write_text(parameters + "\n")
+    assert some.unfinished() == rows[2:] and some.failed() == [rows[1]]
+    assert some.progress(1, 60) == "  case: 2 of 4 runs, 1 failed, 2 min left, 60 runs/h"
+    assert some.progress(2, 60) == "  case: 2 of 4 runs, 1 failed"
+
+
+def test_an_array_job_s_tasks_share_the_rows(tmp_path, monkeypatch):
+    names = ["a", "b c", "d", "e"]
+    (tmp_path / "jobs").write_text("".join(f"touch\t{tmp_path}/{name}\n" for name in names))
+    monkeypatch.setenv("SLURM_ARRAY_TASK_ID", "1")
+    assert ensemble.task(tmp_path / "jobs", "2") == 0
+    assert sorted(path.name for path in tmp_path.iterdir() if path.is_file() and path.name in names) == ["b c", "e"]
+
+
+def test_what_an_ensemble_needs_is_named_in_one_line(tmp_path):
+    run = subprocess.run([sys.executable, "-P", ROOT / "pipelines/ch2/ensemble.py", "sets.tsv"], capture_output=True, text=True, check=False,
+                         env={"BIN": str(tmp_path)})
+    assert run.returncode == 64 and run.stderr.count("\n") == 1 and "usage: BIN=build/bin ensemble.sh TABLE.tsv" in run.stderr
