@@ -30,7 +30,7 @@ report: $(OUT)/report.html ## collect the pages of all studies in out/report.htm
 
 # A reader begins with the quickstart, and ends with the chapters.
 READING := $(filter quickstart,$(STUDIES)) $(filter-out quickstart ch%,$(STUDIES)) $(filter ch%,$(STUDIES))
-BAG := $(wildcard pipelines/ch3/bag.png)
+BAG := $(wildcard pipelines/ch3/bag3d.jpg)
 $(OUT)/report.html: $(STUDY) $(READING:%=$(OUT)/%/page.html) $(OUT)/profile $(BAG) $(wildcard $(OUT)/took)
 	@$(STUDY_PY) -m study.report $(OUT) $(READING) $(BAG:%=--picture %)
 	@echo "report: $@"

@@ -77,5 +77,6 @@ def draw_bag(study, runs, kept):
     study.picture(path, "The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains that "
                   "the plane in its middle cuts, tension of the yarns on its upper face, in red where they broke.", "Figs. 3.12 and 3.14",
                   "strain localises early; at the end the geotextile is worn out in the middle.")
+    study.picture(HERE / "bag3d.jpg", "The bag of PE of a quick run in three dimensions, a quarter of it cut out (pipelines/ch3/render.py draws it).")
     if kept:
         study.picture(HERE / "bag.png", "The same of our run at full size.", "Figs. 3.12 and 3.14")

@@ -347,7 +347,7 @@ def explain(study):
 
 def build(arguments):
     """Reads the tables of gws-solve in the folder OUT and writes what was measured, drawn and compared."""
-    study = Study("ch5", "Soil wrapped in a geotextile: the analytical solution", arguments.out, arguments.profile)
+    study = Study("ch5", "Soil wrapped in a geotextile: the analytical solution", arguments.out, arguments.profile, digits=None)
     runs = Runs(study.out)
     for g, recorded in runs.recorded.items():
         measure_beside_record(study, g, runs.uniaxial[g], recorded)

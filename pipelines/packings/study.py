@@ -64,7 +64,7 @@ def draw(study, seeds):
 
 def build(arguments):
     """Reads the tables of the packings and tests in the folder OUT and writes what was measured and compared."""
-    study = Study("packings", "Packings from nothing", arguments.out, arguments.profile)
+    study = Study("packings", "Packings from nothing", arguments.out, arguments.profile, digits=None)
     study.expect(pathlib.Path(__file__).parent / "expected.tsv")
     for n in GRAINS["thesis"][len(GRAINS[study.profile]):]:
         for name in [f"unbalanced_{n}", f"ratio_{n}", *(f"void_ratio_{n}_{p}" for p in PRESSURES)]:

@@ -217,7 +217,7 @@ def draw_energy(study, runs):
 
 def build(arguments):
     """Reads the tables of the packings and tests in the folder OUT and writes what was measured, drawn and compared."""
-    study = Study("quickstart", "Toyoura sand, from a grading curve to triaxial tests", arguments.out, arguments.profile)
+    study = Study("quickstart", "Toyoura sand, from a grading curve to triaxial tests", arguments.out, arguments.profile, digits=None)
     seeds = arguments.seeds
     runs = Runs(study.out, seeds)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")

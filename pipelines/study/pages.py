@@ -23,9 +23,13 @@ def inline(svg, prefix, words=""):
     """
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<metadata>.*?</metadata>|<style[^>]*>.*?</style>", "", svg, flags=re.DOTALL)
-    svg = re.sub(r'\bid="([^"]*)"', rf'id="{prefix}_\1"', svg)
+    # Most identifiers are referred to by nothing, and fonts are the page's own.
+    used = set(re.findall(r"#([^\"')]+)", svg))
+    svg = re.sub(r' id="([^"]*)"', lambda match: f' id="{prefix}_{match[1]}"' if match[1] in used else "", svg)
+    svg = re.sub(r"'DejaVu Sans'[^;\"]*", "sans-serif", svg)
     svg = re.sub(r'href="#([^"]*)"', rf'href="#{prefix}_\1"', svg)
     svg = re.sub(r"url\(#([^)]*)\)", rf"url(#{prefix}_\1)", svg)
+    svg = re.sub(r' transform="rotate\(-0 [^"]*"|(?<=\n) +', "", svg)
     # A hundredth of a point is finer than any screen.
     svg = _COORDINATES.sub(lambda match: re.sub(r"(\.\d\d)\d+", r"\1", match[0]), svg)
     head, rest = svg.split(">", 1)

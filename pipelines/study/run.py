@@ -71,10 +71,12 @@ class Study:
     not, its page shows them beside its own and those of a kept run at full size, and judges the latter alone.
     lead: what was done. headline: what came out, in one sentence with numbers from say(). Both are text or markup
     (markupsafe.Markup), and with the score not longer than FIRST_SCREEN. history: how a file of the study came to be.
+    digits: to which measures are kept before they are compared; six are those of measured.tsv, None keeps all.
     """
 
-    def __init__(self, name, title, out, profile, judged=True):
+    def __init__(self, name, title, out, profile, judged=True, digits=6):
         self.name, self.title, self.out, self.profile, self.judged = name, title, pathlib.Path(out), profile, judged
+        self.digits = digits
         self.lead, self.headline, self.history, self.remarks, self.reports, self.appendices = "", "", "", [], [], []
         self.measures, self.groups, self.checks = {}, [Group("Measured beside published")], []
         self._figures, self._drawings, self._kept, self._reasons = [], {}, [], {}
@@ -82,8 +84,7 @@ class Study:
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
 
-        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none. It is
-        kept to the six digits of measured.tsv, so that a comparison is of the number that readers see.
+        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none.
         """
         if name in self.measures:
             raise StudyError(f"{name}: is measured twice")
@@ -93,7 +94,8 @@ class Study:
             except NotMade as reason:
                 self.unmade(name, unit, str(reason))
                 return
-        self.measures[name] = Measure(float(f"{value:.6g}"), unit, None if deviation is None else float(deviation))
+        kept = float(value) if self.digits is None else float(f"{value:.{self.digits}g}")
+        self.measures[name] = Measure(kept, unit, None if deviation is None else float(deviation))
 
     def unmade(self, name, unit, reason):
         """Says that this profile does not make the runs that would give the measure, and why."""
