@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -10,13 +9,12 @@
 #include <vector>
 
 #include "analysis/bag.h"
-#include "analysis/loading.h"
 #include "analysis/tables.h"
 #include "core/error.h"
 #include "core/tool.h"
 #include "io/files.h"
 #include "io/table.h"
-#include "packing/loaded_bag.h"
+#include "packing/run_tables.h"
 
 namespace {
 
@@ -33,10 +31,13 @@ struct Tables {
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
-  Group loading{"loading", "a bag between two plates, one row per row of the series", {}};
-  Group path{"path", "paths of stress of such a bag and its groups up to the first break", {}};
+  std::vector<Group> of_run;  // packing/run_tables.h
 
-  std::array<Group*, 9> all() { return {&cell, &volumes, &grains, &bag, &yarns, &broken, &series, &loading, &path}; }
+  std::vector<Group*> all() {
+    std::vector<Group*> groups = {&cell, &volumes, &grains, &bag, &yarns, &broken, &series};
+    for (Group& group : of_run) groups.push_back(&group);
+    return groups;
+  }
 };
 
 struct Homogenize {
@@ -51,7 +52,8 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
-    t.choice(table, "table", {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path"},
+    t.choice(table, "table",
+             {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path", "interface"},
              "what --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
@@ -95,7 +97,7 @@ struct Homogenize {
       add(file.snapshots.front(), file.snapshots[n], tables);
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
-    put_loading(file, tables);
+    put_of_run(file, tables);
     if (tsv) print(tables);
     if (!output.empty()) write(tables, file.source, invocation);
   }
@@ -116,21 +118,11 @@ struct Homogenize {
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
   }
 
-  /// A file of fields has these tables where the input holds such a bag; asked for by name, what it lacks is an error.
-  void put_loading(const io::RunFile& file, Tables& tables) const {
-    const bool by_name = tsv && (table == "loading" || table == "path");
-    if (!by_name && (output.empty() || !holds_bag(file))) return;
-    const analysis::LoadedBag bag = packing::loaded_bag(file, input.string());
-    tables.loading.table = analysis::loading(file.series, bag);
-    if (wanted("path")) tables.path.table = analysis::stress_paths(file.series, file.snapshots, bag);
-  }
-  bool holds_bag(const io::RunFile& file) const {
-    try {
-      packing::loaded_bag(file, input.string());
-      return true;
-    } catch (const DataError&) {
-      return false;
-    }
+  /// A file of fields has the tables that the run gives; asked for by name, what it lacks is an error.
+  void put_of_run(const io::RunFile& file, Tables& tables) const {
+    for (const packing::RunTable& one : packing::run_tables())
+      if ((tsv && table == one.name) || (!output.empty() && one.given_by(file)))
+        tables.of_run.push_back({one.name, one.long_name, one.make(file, input.string())});
   }
 
   std::vector<analysis::Volume> volumes_of_interest(const io::Snapshot& s) const {
@@ -146,17 +138,17 @@ struct Homogenize {
   }
 
   /// A line a table: its name for --table, what it holds.
-  void print_list(const io::RunFile& file) const {
+  static void print_list(const io::RunFile& file) {
     Tables tables;
-    const bool has_bag = holds_bag(file);
     const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
     for (const Group* group : tables.all()) {
       if (group == &tables.series && !has_series) continue;
       if ((group == &tables.bag || group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
-      if ((group == &tables.loading || group == &tables.path) && !has_bag) continue;
       const std::string_view also = group == &tables.volumes ? " (with --box, --copies or --groups)" : "";
       fmt::print("{}\t{}{}\n", group->name, group->long_name, also);
     }
+    for (const packing::RunTable& one : packing::run_tables())
+      if (one.given_by(file)) fmt::print("{}\t{}\n", one.name, one.long_name);
   }
 
   void print(Tables& tables) const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <limits>
 #include <numbers>
 
 #include "analysis/stress.h"
@@ -38,6 +39,32 @@ void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarte
     put(table, fmt::format("face_friction_{}", "xyz"[a]), "deg",
         "friction mobilised at the face across the axis, thesis Eq. 3.5, from a quarter of the soil",
         face_friction(quarter, a));
+}
+
+// Nearness of every yarn to the seam between faces and sides, by the middles of yarns: on a face, by axis, its distance
+// from the middle over that of the outermost one, of both axes the greater; on the sides the same of its height.
+std::vector<double> nearness_to_seams(const io::Snapshot& state) {
+  const io::YarnsRecord& y = state.yarns;
+  const auto at = [&](std::size_t k) -> Vec3 {
+    return 0.5 * (state.grains.position[static_cast<std::size_t>(y.nodes[k][0])] +
+                  state.grains.position[static_cast<std::size_t>(y.nodes[k][1])]);
+  };
+  // By face and side.
+  std::array<Vec3, 2> low, high;
+  low.fill(Vec3::Constant(std::numeric_limits<double>::infinity()));
+  high.fill(-low[0]);
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const std::size_t side = y.family[k] != 0;
+    low[side] = low[side].cwiseMin(at(k)), high[side] = high[side].cwiseMax(at(k));
+  }
+  std::vector<double> nearness;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const std::size_t side = y.family[k] != 0;
+    const Vec3 half = 0.5 * (high[side] - low[side]), out = (at(k) - low[side] - half).cwiseAbs();
+    const auto share = [&](int axis) { return half[axis] > 0 ? out[axis] / half[axis] : 0; };
+    nearness.push_back(side ? share(2) : std::max(share(0), share(1)));
+  }
+  return nearness;
 }
 
 }  // namespace
@@ -148,6 +175,7 @@ void put_bag(io::Series& table, const io::Snapshot& state, int threads) {
 
 void put_yarns(io::Series& table, const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
+  const std::vector<double> seam = nearness_to_seams(state);
   for (std::size_t k = 0; k < y.size(); ++k) {
     const Vec3& first = state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
     const Vec3& second = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])];
@@ -162,6 +190,8 @@ void put_yarns(io::Series& table, const io::Snapshot& state) {
     put(table, "tension", "N", "tension", y.tension[k]);
     put(table, "strain", "1", "length over that at rest, less 1", length / y.rest_length[k] - 1);
     put(table, "broken", "1", "1 where it is broken", y.broken[k]);
+    put(table, "seam", "1", "nearness to the seam: 0 in the middle of its face or side, 1 where the outermost yarn is",
+        seam[k]);
   }
 }
 

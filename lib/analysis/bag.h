@@ -41,7 +41,8 @@ BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& node, int t
 /// at the faces (thesis Eq. 3.5, from the stress in the quarter x, y > 0), coordination number, yarns by family, broken
 /// ones.
 void put_bag(io::Series& table, const io::Snapshot& state, int threads = 1);
-/// One row a yarn: its family, middle and length (m), direction, tension (N), strain, whether it is broken.
+/// One row a yarn: its family, middle and length (m), direction, tension (N), strain, whether it is broken, how near
+/// the seam of its face or side it is.
 void put_yarns(io::Series& table, const io::Snapshot& state);
 /// One row a broken yarn, in the order they broke: when and where.
 void put_broken(io::Series& table, const io::Snapshot& state);

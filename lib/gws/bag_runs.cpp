@@ -74,7 +74,7 @@ BagSeries bag_of_loading(const io::Series& loading, const std::string& where, co
   if (end < first + 3)
     throw DataError(fmt::format(
         "{}: {} rows from the reference row up to {}; at least 3 are needed: record more of them, "
-        "by a smaller stage.increment",
+        "by a smaller stage.increment, or let a run under way go on",
         where, end - std::min(first, end), breaks ? "the first broken yarn" : "the end of what is recorded"));
   io::Series rows = loading;
   for (io::Column& column : rows.columns) {

@@ -95,6 +95,7 @@ PY
   gws-solve identify run.h5 named.h5 --toml > soil.toml
   grep -q "^# named.h5: rows 2 to 4 of 4" soil.toml || show "$(cat soil.toml)"
   exits 65 gws-solve identify bag.h5
+  # shellcheck disable=SC2154  # set by exits
   [[ $stderr == "gws-solve identify: bag.h5: has no series: it is a packing"* ]] || show
   refuses 65 homogenize "bag.h5: has no series: it is a packing" --table loading --tsv bag.h5
 }

@@ -1,10 +1,14 @@
 // The loading of a bag between plates: a box of nodes whose area, layer and cuts are known, and a series made by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "analysis/bag.h"
+#include "analysis/interface.h"
 #include "analysis/loading.h"
 #include "core/error.h"
 #include "core/text.h"
@@ -204,15 +208,77 @@ TEST(BagLoading, RefusesARunByWhatItLacks) {
   says(early, "soil_volume");
 }
 
+TEST(BagLoading, NamesItsPlatesAsItsStageDoes) {
+  std::string words = geotextile + planes + preload + compression + "upper = \"lid\"\n";
+  for (std::size_t at = 0; (at = words.find("\"top\"")) != std::string::npos;) words.replace(at, 5, "\"lid\"");
+  io::RunFile file = run(box, words);
+  for (io::Column& column : file.series.columns)
+    if (const std::size_t at = column.name.find("_top_"); at != std::string::npos) column.name.replace(at, 5, "_lid_");
+  expect(table(file), "settlement", {-2e-4, 0, 4e-4, 8e-4, 12e-4, 16e-4});
+}
+
+TEST(Yarns, AreAsNearTheSeamAsTheirMiddles) {
+  io::Series yarns;
+  analysis::put_yarns(yarns, run().snapshots.front());
+  const auto value = [&](const char* name, std::size_t k) { return yarns.at(name).values[k]; };
+  double most = 0;
+  for (std::size_t k = 0; k < yarns.rows(); ++k) {
+    // Faces of 100 x 60 mm end with the rims; 40 mm of side end with the middles of the outermost upright yarns.
+    const double x = std::abs(value("position_x", k)) / 0.05, y = std::abs(value("position_y", k)) / 0.03;
+    const double z = std::abs(value("position_z", k) - 0.02) / 0.01;
+    EXPECT_NEAR(value("seam", k), value("family", k) == 0 ? std::max(x, y) : z, 1e-12) << k;
+    most = std::max(most, value("seam", k));
+  }
+  EXPECT_EQ(most, 1);
+}
+
+io::RunFile shear_box() {
+  io::RunFile file = run();
+  file.scenario.clear();
+  for (const char* name : {"lid", "left", "right", "back"})
+    file.scenario += fmt::format("[[plane]]\nname = \"{}\"\npartners = \"soil\"\n", name);
+  file.scenario += "[[plane]]\nname = \"frame\"\n";
+  io::PlanesRecord& of = file.snapshots.front().planes;
+  of.point.assign(5, Vec3::Zero());
+  of.normal = {Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, -1)};
+  of.partners = {1, 1, 1, 1, 0};
+  file.series = {};
+  for (const char* name : {"step", "time", "stage"}) file.series.columns.push_back({name, "1", "made by hand", {0, 1}});
+  for (const char* name : {"lid", "left", "right", "back", "frame"})
+    for (const char axis : {'x', 'y', 'z'}) {
+      const std::string part = fmt::format("{}_{}", name, axis);
+      const double way = part == "left_y" || part == "right_y" ? -0.002 : 0;
+      const double force = part == "left_y"    ? 50
+                           : part == "right_y" ? -20
+                           : part == "lid_z"   ? 40
+                           : part == "back_x"  ? 7
+                                               : 0;
+      file.series.columns.push_back({"displacement_" + part, "m", "made by hand", {0, way}});
+      file.series.columns.push_back({"force_" + part, "N", "made by hand", {0, part == "frame_z" ? 1000 : force}});
+    }
+  return file;
+}
+
+TEST(Interface, IsWhatTheWallsPushAlongTheirWayUnderTheLid) {
+  const io::RunFile file = shear_box();
+  const io::Series t = analysis::interface(file.series, analysis::shear_box(file, "run.h5"));
+  expect(t, "travel", {0, 0.002});
+  expect(t, "shear_force", {0, 30});
+  expect(t, "normal_force", {0, 40});
+  expect(t, "friction_angle", {0, std::atan(0.75) * 180 / std::numbers::pi});
+  EXPECT_THROW(analysis::shear_box(run(), "run.h5"), DataError) << "its planes touch nodes, too";
+}
+
 TEST(BagLoading, IsListedColumnByColumnOnThePage) {
   const std::string page = io::test::bytes_of("lib/io/FORMAT.md");
   if (page.empty()) GTEST_SKIP() << "not run in the root of the source tree";
-  const std::size_t begin = page.find("## A bag between plates"), end = page.find("\n## ", begin);
+  const std::size_t begin = page.find("## A bag between plates"), end = page.find("## Text", begin);
   ASSERT_TRUE(begin != std::string::npos);
   const std::string section = page.substr(begin, end - begin);
   const io::RunFile file = run();
-  for (const io::Series& t :
-       {table(file), analysis::stress_paths(file.series, {}, packing::loaded_bag(file, "run.h5"))})
+  const io::RunFile sheared = shear_box();
+  for (const io::Series& t : {table(file), analysis::stress_paths(file.series, {}, packing::loaded_bag(file, "run.h5")),
+                              analysis::interface(sheared.series, analysis::shear_box(sheared, "run.h5"))})
     for (const io::Column& column : t.columns)
       EXPECT_NE(section.find("`" + column.name + "`"), std::string::npos) << column.name;
 }
