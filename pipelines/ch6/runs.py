@@ -197,10 +197,6 @@ class Runs:
         name, unit = ("traction_y_bottom", "kPa") if example == "shape" else ("interface_friction", "1")
         return Curve(self.table("loading", example, case), name, unit)
 
-    def curves(self, example, cases):
-        """Returns the curves of several runs."""
-        return [self.curve(example, case) for case in cases]
-
     def swinging(self):
         """Returns the curve of the pull-out with the thesis's damping of the soil."""
         if not (self.folder / f"loading_swinging_{self.size.main}.tsv").exists():

@@ -75,7 +75,7 @@ $(C6O)/bars_%.tsv: $(C6O)/%.h5
 	@$(BIN)/fem-dem --table bars --state last --columns x_0,y_0,tension_ratio $< $(call whole,$@)
 $(C6_TABLES): $(BIN)/fem-dem
 
-C6_PY := $(addprefix $(C6)/,study.py runs.py drawing.py statements.tsv) $(STUDY)
+C6_PY := $(addprefix $(C6)/,study.py runs.py statements.tsv) $(STUDY)
 $(C6O)/page.html: $(C6_PY) $(C6_TABLES) $(wildcard $(C6)/kept/*.tsv) $(OUT)/profile
 	@$(STUDY_PY) $< $(C6O) --profile $(PROFILE)
 

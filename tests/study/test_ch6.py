@@ -4,7 +4,6 @@ import math
 
 import numpy
 import pytest
-from ch6 import drawing
 from ch6 import study as chapter
 from ch6.runs import SIZES, Curve, Field, History, Runs, label, spread
 from matplotlib import pyplot
@@ -167,9 +166,9 @@ def test_each_column_that_the_chapter_reads_is_missed_by_name(tmp_path):
     def measured(measure):
         return lambda: measure(Study("ch6", "", tmp_path, "thesis"), kept_runs())
     readers = [measured(chapter.measure_shape), measured(chapter.measure_pullout)]
-    readers += [lambda e=e: drawing.draw_fields(kept_runs().field(e)) for e in ("shape", "pullout")]
-    readers += [lambda e=e: drawing.draw_histories(kept_runs(), None, e) for e in ("shape", "pullout")]
-    readers += [lambda: drawing.draw_curves(kept_runs(), None)]
+    readers += [lambda e=e: chapter.draw_fields(kept_runs(), e, "") for e in ("shape", "pullout")]
+    readers += [lambda e=e: chapter.draw_histories(kept_runs(), None, e) for e in ("shape", "pullout")]
+    readers += [lambda: chapter.draw_curves(kept_runs(), None)]
     columns = sum(len(table.read_text().splitlines()[0].split("\t")) for table in chapter.KEPT.glob("*_*_*.tsv"))
     assert demand_columns(readers) == columns - 2  # nothing asks for the time of two of the pull-outs
     pyplot.close("all")
