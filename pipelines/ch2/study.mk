@@ -84,7 +84,9 @@ $(C2O)/%_ran: $(C2O)/%_sets.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN) | $$(c2
 	@touch $@
 c2_assimilate = $(BIN)/pf-weight assimilate $(C2O)/$*_sets.h5 $(c2_observed) --runs '$(C2O)/$(c2_case)/runs/{id:06}/series.h5' \
   $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK))
-$(C2O)/%_posterior.h5: $(C2O)/%_ran $$(c2_observed) $(BIN)/pf-weight
+# Named one by one, since a pattern may not follow from itself, as a round does from the one before.
+C2_POSTERIORS := $(foreach c,$(C2_CASES),$(C2_ROUNDS:%=$(C2O)/$(c)/round%_posterior.h5))
+$(C2_POSTERIORS): $(C2O)/%_posterior.h5: $(C2O)/%_ran $$(c2_observed) $(BIN)/pf-weight
 	@$(c2_assimilate) --force -o $@ > $(@:.h5=.txt)
 $(C2O)/%_steps.tsv: $(C2O)/%_posterior.h5
 	@$(c2_assimilate) --quiet --tsv --table steps $(call whole,$@)

@@ -174,8 +174,10 @@ def draw_means(study, cases, law, number, claim, measures, left_out):
     for name, (label, _) in SHOWN.items():
         figures.label(axes[name], "axial strain (%)", label, PURE)
     figures.label(size, "axial strain (%)", "effective sample size", ["effective sample size"])
-    axes["young_modulus"].set_yscale("log")
-    size.set_yscale("log")
+    for a, minor in ((axes["young_modulus"], "{x:g}"), (size, "")):
+        a.set_yscale("log")
+        a.yaxis.set_major_formatter("{x:g}")
+        a.yaxis.set_minor_formatter(minor)
     size.legend()
     later = "dashed: of all sets after each later round." if own[0].rounds > 1 else "one round was made, so that there are no later ones."
     study.figure(f"means_{law}", figure, f"Weighted means over axial strain, {LAWS[law]} contacts; solid: of the sets from the prior, {later}",
@@ -317,7 +319,9 @@ def write_words(study, cases, arguments):
     later = ", each later one around the posterior of all before" if len(arguments.samples) > 1 else ""
     study.lead = (f"Sets of contact parameters are drawn from a prior{later}, in rounds of {sets}. Each is run through the drained triaxial "
                   "test, and the laboratory's results weigh it step by step (thesis Eqs. 2.3 to 2.8).")
-    first = {case.law: c for c, case in reversed(cases.items())}  # of each law
+    first = {}  # case of each law
+    for c, case in cases.items():
+        first.setdefault(case.law, c)
     told = [f"{study.say(f'friction_angle_{c}')} for {LAWS[law]} contacts" for law, c in first.items()]
     study.headline = f"The friction angle of grains is found to be {' and '.join(told)}"
     fits = [c for c in first.values() if cases[c].curve and study.measures[f"ratio_{c}"].value is not None]
@@ -328,6 +332,10 @@ def write_words(study, cases, arguments):
                  "With the thesis's 0.1 for all the strains decide alone, and sets are chosen that miss the stress ratio. The sets of all "
                  "rounds count as one sample, each with the importance that corrects for where it was drawn (pf-weight resample --keep); the "
                  "thesis has one round.")
+    few = [c for c in cases if study.measures[f"size_last_{c}"].value < len(PARAMETERS) + 1]
+    if few:
+        study.remark(f"Effective sample sizes end at {', '.join(study.say(f'size_last_{c}', 2) for c in few)} ({', '.join(str(cases[c]) for c in few)}): "
+                     "means are next to the values of the heaviest set, and their ± says little.")
     study.remark("Curves of the laboratory are public at 0.2 and 0.5 MPa only; at other pressures the greatest stress ratio alone is observed, "
                  "which does not determine five parameters.")
 

@@ -124,6 +124,51 @@ small_inputs() {
   [[ $stderr == "rows: none.tsv: cannot be read: No such file or directory" ]] || show
 }
 
+@test "rows go to the hosts of SSHLOGINFILE, names unharmed" {
+  small_inputs
+  # Goes to a host as ssh does, HOST -- COMMAND, and stays here.
+  cat > hop <<'SH'
+#!/bin/sh
+echo "$1" >> "${0%/*}/called"
+shift 2
+exec sh -c "$*"
+SH
+  chmod +x hop
+  printf '1/%s host1\n1/%s host2\n' "$PWD/hop" "$PWD/hop" > hosts
+  SSHLOGINFILE=$PWD/hosts JOBS=1 exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "bl ank \$x" hm packing.h5 scenario.toml 0.1 0.2
+  [[ -e "bl ank \$x/runs/000002/series.h5" && $(sort -u called | tr '\n' ' ') == "host1 host2 " ]] || show "$(cat called)"
+}
+
+@test "ENGINE=slurm: rows are an array job, which an interrupted make takes along" {
+  small_inputs
+  mkdir slurm
+  # The job runs at once where sbatch is called, a task after another, and is over when squeue is asked.
+  cat > slurm/sbatch <<'SH'
+#!/bin/sh
+for word; do case $before in --array) last=${word#0-} ;; --wrap) job=$word ;; esac; before=$word; done
+[ -z "${STUCK:-}" ] || last=-1
+for k in $(seq 0 "$last"); do SLURM_ARRAY_TASK_ID=$k sh -c "$job" >&2; done
+echo "7;cluster"
+SH
+  cat > slurm/squeue <<'SH'
+#!/bin/sh
+: > asked
+printf %s "${STUCK:-}"
+SH
+  printf '#!/bin/sh\necho "$*" > cancelled\n' > slurm/scancel
+  chmod +x slurm/*
+  export PATH=$PWD/slurm:$PATH ENGINE=slurm SLURM_POLL=0.1 SLURM_ARRAY_SIZE=2
+  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv 'bl ank' hm packing.h5 scenario.toml 0.1 0.2
+  [[ $output == *"3 of 3 rows"*"3 runs, 1 failed"* && -e "bl ank/runs/000002/series.h5" ]] || show
+  rm asked
+  STUCK=7_1 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv other hm packing.h5 scenario.toml 0.1 0.2 3>&- &
+  local job=$! k
+  for k in $(seq 200); do [[ -e asked ]] && break; sleep 0.1; done
+  kill "$job"
+  wait "$job" || [[ $? -eq 143 ]]
+  [[ $(cat cancelled) == 7 ]] || show "the job went on"
+}
+
 @test "tables that are not understood are refused by line, before any row runs" {
   local head=$'id [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]'
   : > packing.h5
