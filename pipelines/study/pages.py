@@ -10,9 +10,11 @@ from markupsafe import Markup
 
 from .errors import StudyError
 from .tables import read_words
+from .words import plain
 
 _ENVIRONMENT = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent / "templates"), autoescape=True,
                                   trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined, keep_trailing_newline=True)
+_ENVIRONMENT.filters["plain"] = plain
 _COORDINATES = re.compile(r' (?:d|x|y|transform|viewBox)="[^"]*"')
 
 

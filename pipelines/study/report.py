@@ -3,7 +3,6 @@
 import argparse
 import json
 import pathlib
-import re
 import sys
 
 from markupsafe import Markup
@@ -14,23 +13,14 @@ from .files import put
 
 
 def chapter(folder):
-    """Returns the card of a study, a dictionary, with its chapter as markup: card.json and what page.html has in <main>.
-
-    A page without a card, a bare <section>, gets one from its heading and from its cells of the classes met and unmet.
-    """
+    """Returns the card of a study, a dictionary, with its chapter as markup: card.json and what page.html has in <main>."""
     try:
         page = (folder / "page.html").read_text(encoding="utf-8")
-        if not page.lstrip().startswith("<section"):
-            card = json.loads((folder / "card.json").read_text(encoding="utf-8"))
-            body = page[page.index("<main>") + len("<main>"):page.rindex("</main>")]
-        else:
-            met, unmet = (page.count(f'<td class="{verdict}">') for verdict in ("met", "unmet"))
-            title = re.search(r"<h2>(.*?)</h2>", page)[1]
-            score = {"text": f"{met} of {met + unmet} published values and statements within tolerance", "met": met, "total": met + unmet}
-            card, body = {"title": title, "headline": "", "score": score, "figure": "", "width": 648}, page
+        card = json.loads((folder / "card.json").read_text(encoding="utf-8"))
     except OSError as error:
         raise StudyError(f"{error.filename}: cannot be read: {error.strerror}") from error
-    return card | {"name": folder.name, "headline": Markup(card["headline"]), "figure": Markup(card["figure"]), "body": Markup(body)}
+    body = Markup(page[page.index("<main>") + len("<main>"):page.rindex("</main>")])
+    return card | {"name": folder.name, "headline": Markup(card["headline"]), "figure": Markup(card["figure"]), "body": body}
 
 
 def duration(path):

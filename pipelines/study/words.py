@@ -1,6 +1,7 @@
 """Numbers as sentences hold them."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
+import re
 
 # A number does not part from its unit at the end of a line.
 _SPACE = "\u00a0"
@@ -21,3 +22,12 @@ def spell(value, digits=3):
 def quantity(text, unit):
     """Returns a number that is spelt already with its unit; pure numbers have none."""
     return text if unit == "1" else f"{text}{_SPACE}°" if unit == "deg" else f"{text}{_SPACE}{unit}"
+
+
+def plain(text):
+    """Returns text with its numbers as readers know them: 6.897e+04 as 68970, and with minus signs."""
+    def spelt(match):
+        value = float(match[0])
+        return spell(value, len(match[1].replace(".", ""))) if 1e-5 <= abs(value) < 1e7 else match[0].replace("-", "−")
+    text = re.sub(r"(?<![\w.])(\d(?:\.\d+)?)e[-+]\d+", spelt, text)
+    return re.sub(r"(?<!\w)-(?=\d)", "−", text)

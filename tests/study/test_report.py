@@ -105,14 +105,6 @@ def test_the_front_page_says_how_long_the_run_took(out):
     assert "spent 0 min 12 s on the studies, on 2 cores. What was there before was kept." in (out / "report.html").read_text()
 
 
-def test_a_bare_section_is_a_chapter_too(out):
-    (out / "old").mkdir()
-    (out / "old/page.html").write_text('<section id="old">\n<h2>An old page</h2><table><tr><td class="met">met</td></tr></table></section>\n')
-    report.write(out, ["old", "first"])
-    assert fault(out / "report.html") == []
-    assert "1 of 1 published values and statements" in (out / "report.html").read_text()
-
-
 def test_a_study_without_its_page_is_named(out):
     with pytest.raises(StudyError, match=r"none/page\.html: cannot be read"):
         report.write(out, ["none"])

@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 
 import pytest
 from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, main, read_statements
-from study.words import spell
+from study.words import plain, spell
 
 ROOT = pathlib.Path(__file__).parents[2]
 
@@ -260,6 +260,13 @@ def test_numbers_in_sentences_come_from_measures(tmp_path):
     (0, 3, "0"), (4.539, 3, "4.54"), (123456, 2, "120000"), (-0.00012, 2, "−0.00012"), (2.5e-9, 2, "2.5e−9"), (3e8, 1, "3e+8")])
 def test_numbers_are_spelt_to_significant_digits(value, digits, text):
     assert spell(value, digits) == text
+
+
+@pytest.mark.parametrize(("text", "page"), [
+    ("6.897e+04", "68970"), ("-3.091 ± 0.31", "−3.091 ± 0.31"), ("at most 1e-3", "at most 0.001"), ("8.6e-06", "8.6e−06"), ("-0.4 (-2 %)", "−0.4 (−2 %)"),
+    ("wide-width 1.5", "wide-width 1.5")])
+def test_numbers_on_pages_are_plain(text, page):
+    assert plain(text) == page
 
 
 def test_a_first_screen_is_short_and_whole(tmp_path):
