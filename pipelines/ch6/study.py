@@ -108,7 +108,7 @@ def draw_curves(runs, kept):
 def draw_fields(runs, example, words):
     """Returns Fig. 6.3 or 6.4 and its sentence: six quantities of the points, how the nodes have moved, and the sheet."""
     field = runs.field(example)
-    figure, axes = figures.panels(2, rows=3, width=8.0, height=10.2)
+    figure, axes = figures.panels(3, rows=2, width=10.5, height=6.2)
     corners = field.position[field.corners]
     line = numpy.stack([field.bars("x_0", "m"), field.bars("y_0", "m")], axis=1)
     tension = field.bars("tension_ratio", "1")
