@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -o pipefail -c
 .DELETE_ON_ERROR:
 .SUFFIXES:
-# awk, sort, printf and gnuplot read and write numbers by the locale: everything below has one.
+# awk, sort and printf read and write numbers by the locale: everything below has one.
 export LC_ALL := C.UTF-8
 MAKEFLAGS += --no-builtin-rules
 .DEFAULT_GOAL := all
@@ -229,7 +229,7 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
   libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy python3-matplotlib python3-jinja2 python3-pytest hdf5-tools bats gnuplot-nox parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
+  python3-numpy python3-matplotlib python3-jinja2 python3-pytest hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
 
 .PHONY: deps
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)

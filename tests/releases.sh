@@ -85,7 +85,7 @@ echo "== $here: the same"
 owner make -j"$jobs" all
 owner make -j"$jobs" PROFILE=quick OUT=$out quickstart ch5
 
-# Packings, runs and tables; figures and pages come out as the Matplotlib or gnuplot of a release draws them.
+# Packings, runs and tables; figures and pages come out as the Matplotlib of a release draws them.
 kept() {
   (cd "$1/$out" && find quickstart ch5 -type f \( -name '*.h5' -o -name '*.tsv' -o -name '*.txt' \) | LC_ALL=C sort)
 }

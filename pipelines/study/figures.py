@@ -40,8 +40,12 @@ matplotlib.rcParams.update(_STYLE)
 _LABEL = re.compile(r".*\(.+\)$|.*\[.+\]$")
 
 
-def panels(columns, rows=1, width=9.0, height=4.4):
-    """Returns a figure of so many panels and the list of their axes, row by row; width and height in inches."""
+def panels(columns, rows=1, width=None, height=4.4):
+    """Returns a figure of so many panels and the list of their axes, row by row.
+
+    width, height: in inches; without a width 6 for one column, which a narrow page does not cut apart, and 9 for more.
+    """
+    width = width or (6.0 if columns == 1 else 9.0)
     figure, axes = pyplot.subplots(rows, columns, figsize=(width, height), squeeze=False)
     return figure, list(axes.flat)
 
