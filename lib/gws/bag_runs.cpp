@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 #include "analysis/loading.h"
@@ -36,7 +37,9 @@ std::vector<std::string> geotextile_files(const io::RunFile& run) {
 
 Stiffness by_name(const std::string& name, const io::RunFile& run, const std::string& where) {
   const Geotextile found = find_geotextile(name);
-  const std::string base = name.substr(name.find_first_not_of("0123456789.+-"));
+  double layers = 1;
+  const char* const end = name.data() + name.size();
+  const std::string base(std::from_chars(name.data(), end, layers).ptr, end);
   const std::string digest = io::sha256(io::read_bytes(data_file("geotextiles", base + ".toml")));
   if (std::ranges::count(geotextile_files(run), digest) == 0)
     throw DataError(
@@ -96,7 +99,10 @@ Stiffness stiffness_in(const io::RunFile& run, const std::string& where) {
   const auto number = yarns.geotextile_id[static_cast<std::size_t>(wrapped - yarns.fabric.begin())];
   Settings scenario = Settings::parse(run.scenario, where + ": scenario");
   std::vector<Settings> tables = scenario.tables("geotextile");
-  Settings& table = tables.at(static_cast<std::size_t>(number));
+  if (static_cast<std::size_t>(number) >= tables.size())
+    throw DataError(
+        fmt::format("{}: its scenario has no [[geotextile]] number {}, which its yarns are of", where, number));
+  Settings& table = tables[static_cast<std::size_t>(number)];
   if (!table.has("curve")) return by_numbers(table, yarns, *wrapped, where);
   const std::string curve = table.text("curve");
   if (curve.find('/') != std::string::npos || curve.ends_with(".toml"))
