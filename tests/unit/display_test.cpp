@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "analysis/stress.h"
 #include "core/error.h"
@@ -20,10 +22,10 @@ namespace {
 constexpr double rounding = 1e-12;  // a few operations on numbers of order one
 
 template <class Value>
-const std::vector<Value>& values_of(const std::vector<VtkArray>& arrays, const std::string& name) {
+const std::vector<Value>& values_of(const std::vector<VtkArray>& arrays, std::string_view name) {
   for (const VtkArray& array : arrays)
     if (array.name == name) return std::get<std::vector<Value>>(array.values);
-  throw std::runtime_error("no array " + name);
+  throw std::runtime_error("no array " + std::string(name));
 }
 
 void add_grain(Snapshot& state, const Vec3& position, double radius) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "core/error.h"
 #include "gws/identify.h"
@@ -62,10 +64,10 @@ BagSeries made(const std::string& name, std::size_t rows, double stress_error, d
   return series;
 }
 
-const Line& line_named(const Identification& found, const std::string& name) {
+const Line& line_named(const Identification& found, std::string_view name) {
   for (const Line& line : found.lines)
     if (line.name == name) return line;
-  throw std::runtime_error("no line " + name);
+  throw std::runtime_error("no line " + std::string(name));
 }
 
 TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
