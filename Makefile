@@ -302,7 +302,7 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	  --report-formatter tap --output $(B)/tests/tools $(LONGEST_FIRST)
 	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
 
-# What reads, compares and writes also in a locale whose decimal sign is a comma, where there is one.
+# Tests that read, compare and write run a second time in a locale whose decimal sign is a comma, where there is one.
 .PHONY: test-study
 test-study: ## the studies' Python package, on small tables
 	@echo "== tests/study"

@@ -53,7 +53,7 @@ class LoadingTable {
   }
   const std::vector<double>& done(const char* name) const { return table_.at(name).values; }
 
-  /// What the plates have moved apart since the start of the run, m.
+  /// Distance by which the plates have moved apart since the start of the run, m.
   double apart(std::size_t i) const {
     return plate("displacement", bag_.upper, 'z')[i] - plate("displacement", bag_.lower, 'z')[i];
   }

@@ -11,8 +11,8 @@
 
 namespace soilweave::analysis {
 
-/// What a bag and the plates around it are like, which the series of its run does not tell (packing/loaded_bag.h reads
-/// it from the run).
+/// A bag and the plates around it, as far as the series of its run does not tell them (packing/loaded_bag.h reads them
+/// from the run).
 struct LoadedBag {
   std::string upper = "top", lower = "bottom";  // names of the plates
   double area = 0;                              // m2, which the forces of the plates are spread over

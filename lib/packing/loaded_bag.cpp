@@ -1,4 +1,4 @@
-// What a run tells of the bag that it loads.
+// The bag that a run loads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/loaded_bag.h"
 
@@ -62,7 +62,7 @@ void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, con
   const Vec3 size = high - low - Vec3::Constant(2 * laid.outside);
   bag.area = size.x() * size.y();
   bag.height = size.z();
-  // What lies between the surfaces parallel to a convex one at -r and r (Steiner): its area times 2 r, and a sphere's
+  // The layer between the surfaces parallel to a convex one at -r and r (Steiner): its area times 2 r, and a sphere's
   // part for the corners.
   bag.fabric_volume = 2 * r * analysis::fabric_area(start, fabric) + 8 * std::numbers::pi / 3 * r * r * r;
 }
@@ -110,7 +110,7 @@ Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& 
                   where, name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// What the series has the plates moved apart at the moment of the first state, m.
+/// Distance by which the plates have moved apart in the series at the moment of the first state, m.
 double moved_apart(const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
   const io::Snapshot& start = run.snapshots.front();
   const std::vector<double>& step = run.series.at("step").values;

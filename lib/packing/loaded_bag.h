@@ -1,4 +1,4 @@
-// What a run tells of the bag that it loads: its size, geotextile and plates, from the plan, scenario and first state.
+// The bag that a run loads: its size, geotextile and plates, from the plan, scenario and first state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

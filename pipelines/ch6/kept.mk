@@ -1,4 +1,4 @@
-# What the thesis-size runs of chapter 6 leave, kept in the repository for readers who have not the hours: tables, each run's history, and
+# Results of the thesis-size runs of chapter 6, kept in the repository for readers who have not the hours: tables, each run's history, and
 # what is compared of them. Kept run by run, as they end; compared anew whenever that changes, without the runs.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C6_KEPT := $(C6)/kept

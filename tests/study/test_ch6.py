@@ -111,7 +111,7 @@ def test_elements_are_told_by_their_corners_before_the_pull(tmp_path):
     assert field.side == pytest.approx(1.2)
     assert list(field.corners_at(0)) == [2, 1, 2, 1, 0, 0, 0, 0]
     assert list(field.corners_at(field.side) > 0) == [False] * 4 + [True] * 4
-    # Of the two along the bottom with a side on it, the means of x are 0.2 and 0.8 m; half of the length is from 0.3 to 0.9 m.
+    # The two along the bottom with a side on it have means of x of 0.2 and 0.8 m; half of the length is from 0.3 to 0.9 m.
     assert list(numpy.flatnonzero(field.along(2))) == [2] and list(numpy.flatnonzero(field.along(1))) == [1]
 
 

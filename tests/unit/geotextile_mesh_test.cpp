@@ -144,7 +144,7 @@ TEST(Geotextile, SheetsAddNodesOfTheirDensityAndYarnsWithoutTension) {
   }
 }
 
-// Of a fabric: its shortest, mean and longest yarn, m.
+// The shortest, mean and longest yarn of a fabric, m.
 std::array<double, 3> lengths(const Fabric& fabric) {
   std::array<double, 3> l = {1e9, 0, 0};
   for (const Fabric::Yarn& y : fabric.yarns) {
