@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "io/bytes.h"
 #include "io/table.h"
 
@@ -76,6 +77,19 @@ std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& w
   return ids;
 }
 
+// Rounding of logarithms may put a set this share of the range outside.
+constexpr double rounding_of_range = 1e-9;
+
+void demand_within(const Range& range, const std::vector<double>& values, const std::vector<std::int64_t>& id,
+                   const std::string& where) {
+  const double slack = rounding_of_range * (range.high - range.low);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] < range.low - slack || values[i] > range.high + slack)
+      throw DataError(fmt::format(
+          "{}: {} of member {} is {}, outside of its prior, {} to {}; take the set out, or widen the prior", where,
+          range.name, id[i], number_text(values[i]), number_text(range.low), number_text(range.high)));
+}
+
 std::vector<Round> from_prior(std::size_t sets) { return {{{{}, 1, 1}, sets}}; }
 
 std::vector<Round> read_rounds(const io::Series& table, const Ensemble& members, const std::string& where) {
@@ -99,6 +113,7 @@ Ensemble from_table(const io::Series& table, Prior prior, const std::string& whe
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!std::isfinite(values[i]))
         throw DataError(fmt::format("{}: {} of member {} is not finite", where, range.name, e.id[i]));
+    demand_within(range, values, e.id, where);
     e.values.col(static_cast<Eigen::Index>(k)) = vector_of(values);
   }
   e.log_importance = optional_column(table, importance_name, rows, where);

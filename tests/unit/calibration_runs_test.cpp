@@ -8,6 +8,7 @@
 #include "calibration/sampling.h"
 #include "core/error.h"
 #include "io/table.h"
+#include "support/same_state.h"
 #include "support/states.h"
 
 namespace soilweave::calibration {
@@ -252,6 +253,23 @@ TEST(Ensembles, tables_that_are_none_are_refused) {
   EXPECT_EQ(mistake("id\tE\tmu\n1\t1\t2\n2\t3\tnan\n"), "e.tsv: row 2: mu is not finite");
   EXPECT_EQ(mistake("id\tE\tweight\n1\t1\t2\n2\t3\tnan\n"),
             "e.tsv: weight: holds nan; every member needs a finite number");
+}
+
+TEST(Ensembles, sets_outside_of_their_prior_are_refused) {
+  const io::test::Folder folder;
+  const Prior prior{{{"E", "Pa", "modulus", 1e7, 1e11, Scale::log}, {"mu", "deg", "friction", 0, 60, Scale::linear}}};
+  io::test::put_bytes(folder / "prior.toml", prior_text(prior));
+  const auto read = [&](const std::string& row) {
+    io::test::put_bytes(folder / "e.tsv", "id\tE [Pa]\tmu [deg]\n1\t1e9\t30\n" + row);
+    std::vector<io::Source> sources;
+    return read_ensemble(folder / "e.tsv", folder / "prior.toml", sources);
+  };
+  EXPECT_EQ(read("2\t1e11\t0\n").size(), 2U) << "the ends belong to it";
+  EXPECT_EQ(read("2\t100000000000.00002\t0\n").size(), 2U) << "so does what rounding makes of them";
+  io::test::expect_error<DataError>([&] { read("2\t1e308\t30\n"); },
+                                    "E of member 2 is 1e+308, outside of its prior, 1e7 to 1e11; take the set out, or "
+                                    "widen the prior");
+  io::test::expect_error<DataError>([&] { read("7\t1e9\t-0.001\n"); }, "mu of member 7 is -0.001, outside");
 }
 
 }  // namespace
