@@ -29,7 +29,12 @@ def is_hdf5(path):
 
 
 def stage_of(table, stage, kind):
-    """Returns the rows of a stage: its number, "all", "last", or "" for what the kind shows by default."""
+    """Returns the rows of a stage: its number, "all", "last", or "" for what the kind shows by default.
+
+    A bag is by default shown from the row on that its settlement counts from, with all that follows.
+    """
+    if not stage and kind.table[1:] == ("loading",) and table.has("settlement"):
+        return table.rows(numpy.maximum.accumulate(table("settlement", "m") == 0))
     wanted = stage or ("all" if kind.whole else "last")
     if wanted == "all" or not (table.has("stage") or stage):
         return table

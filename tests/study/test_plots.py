@@ -99,6 +99,13 @@ def test_the_last_stage_is_drawn_over_strain_and_all_along_a_path():
         plots.stage_of(bare, "1", kinds.KINDS["stress-strain"])
 
 
+def test_a_bag_is_drawn_from_where_its_settlement_counts():
+    rows = [(0, -3e-4), (0, 0), (1, 1e-3), (2, 0), (2, -1e-3)]
+    table = Table.parse("stage [1]\tsettlement [m]\n" + "".join(f"{stage}\t{settled}\n" for stage, settled in rows), "loading.tsv")
+    assert list(plots.stage_of(table, "", kinds.KINDS["bag"])("settlement", "mm")) == [0, 1, 0, -1]
+    assert len(plots.stage_of(table, "2", kinds.KINDS["bag"])) == 2
+
+
 def test_states_get_the_strain_that_the_series_has_at_their_steps():
     series = Table.parse("step [1]\tstrain_axial [1]\n10\t0\n30\t0.02\n", "run.h5")
     fabric = Table.parse("step [1]\tstrain_axial [1]\ta_c [1]\n0\t0\t0.1\n10\t0.005\t0.2\n20\t0.01\t0.3\n", "run.h5")
