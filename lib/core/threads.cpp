@@ -25,11 +25,12 @@ void demand_threads(int count) {
   const int had = static_cast<int>(others.size()) + 1;
   over.count_down();
   for (std::thread& other : others) other.join();
+  // A thread takes memory beside its stack as soon as it works, so that half of what could be started was too many.
   if (had < count)
     throw UsageError(fmt::format(
         "--threads {}: this process may have {} at most (limits on processes or memory: ulimit -u, ulimit -v, those of "
         "a container); give --threads {}",
-        count, had, std::max(1, had / 2)));
+        count, had, std::max(1, had / 4)));
 }
 
 }  // namespace soilweave

@@ -130,7 +130,9 @@ small_inputs() {
   cat > hop <<'SH'
 #!/bin/sh
 echo "$1" >> "${0%/*}/called"
-shift 2
+shift
+[ "$1" != -- ] || shift
+export SHELL=/bin/sh
 exec sh -c "$*"
 SH
   chmod +x hop
