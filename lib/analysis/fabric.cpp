@@ -53,7 +53,7 @@ Fabric fabric(const io::Snapshot& state) {
     f.a_normal_force = (d == 3 ? 7.5 : 4.0) * deviator(f.normal_force, d) / f.mean_normal_force;
     f.a_tangential_force = (d == 3 ? 5.0 : 4.0) * deviator(symmetric(f.tangential_force), d) / f.mean_normal_force;
   }
-  const Mat3 s = deviator(symmetric(cell_stress(state)), d);
+  const Mat3 s = deviator(symmetric(contact_stress(state)), d);
   f.a_c = scalar(f.a_normals, s, d);
   f.a_n = scalar(f.a_normal_force, s, d);
   f.a_t = scalar(f.a_tangential_force, s, d);
@@ -62,7 +62,7 @@ Fabric fabric(const io::Snapshot& state) {
 
 StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f) {
   const int d = state.grains.dimension;
-  const Mat3 stress = cell_stress(state);
+  const Mat3 stress = contact_stress(state);
   const double p = mean(stress, d);
   return {p != 0 ? deviatoric_stress(stress, d) / p : 0,
           d == 3 ? 0.4 * (f.a_c + f.a_n + 1.5 * f.a_t) : 0.5 * (f.a_c + f.a_n + f.a_t)};

@@ -9,12 +9,28 @@
 
 namespace soilweave::analysis {
 
-Mat3 cell_stress(const io::Snapshot& state) {
+Mat3 contact_stress(const io::Snapshot& state) {
   Mat3 sum = Mat3::Zero();
   for (std::size_t c = 0; c < state.contacts.size(); ++c)
     sum += state.contacts.force(c) * state.contacts.branch_vector[c].transpose();
   return sum / cell_volume(state);
 }
+
+Mat3 yarn_stress(const io::Snapshot& state) {
+  Mat3 sum = Mat3::Zero();
+  const auto& periodic = state.cell.periodic;
+  if (!periodic[0] && !periodic[1] && !periodic[2]) return sum;
+  const io::YarnsRecord& y = state.yarns;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (!(y.tension[k] > 0)) continue;
+    const Vec3 reach = state.grains.position[static_cast<std::size_t>(y.nodes[k][1])] -
+                       state.grains.position[static_cast<std::size_t>(y.nodes[k][0])];
+    sum -= y.tension[k] / reach.norm() * reach * reach.transpose();
+  }
+  return sum / cell_volume(state);
+}
+
+Mat3 cell_stress(const io::Snapshot& state) { return contact_stress(state) + yarn_stress(state); }
 
 std::vector<Mat3> grain_dyads(const io::Snapshot& state) {
   std::vector<Mat3> dyads(state.grains.size(), Mat3::Zero());

@@ -78,7 +78,7 @@ struct Bodies {
   Lane4 torque(std::size_t i) const { return dimension == 2 ? Lane4{0, 0, loads[i].force[2], 0} : loads[i].torque; }
 
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
-  /// Nodes of one fabric are held together by yarns and do not touch.
+  /// Nodes of one fabric are held together by yarns and do not touch, except across a periodic face.
   bool in_one_fabric(std::size_t i, std::size_t j) const { return is_node(i) && fabric[i] == fabric[j]; }
   /// Makes grains the nodes of fabrics, which do not rotate.
   void set_fabric(std::vector<std::int32_t> fabric_of);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "dem/cell.h"
 
 namespace soilweave::dem {
 namespace {
@@ -16,6 +17,29 @@ void demand_known(const std::vector<std::int32_t>& ids, std::size_t known, const
           fmt::format("the packing has {} {}, the scenario describes {}: add {} tables", has, id, known, table));
 }
 
+// A whole yarn that is longer than it can be, between nodes that are nearer to each other through a face.
+void demand_inside(const io::Snapshot& state, const Model& model) {
+  const Cell cell(state.cell, state.grains.dimension);
+  if (!cell.any_periodic()) return;
+  const io::YarnsRecord& y = state.yarns;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (y.broken[k]) continue;
+    const auto [one, two] = y.nodes[k];
+    const Vec3 &from = state.grains.position[static_cast<std::size_t>(one)],
+               &to = state.grains.position[static_cast<std::size_t>(two)];
+    const double length = (to - from).norm(), strain = length / y.rest_length[k] - 1;
+    if (strain <= model.geotextiles[static_cast<std::size_t>(y.geotextile_id[k])].breaking_strain()) continue;
+    const Vec3i image = cell.nearest_image(from, to);
+    if (image.isZero()) continue;
+    const int axis = image[0] != 0 ? 0 : image[1] != 0 ? 1 : 2;
+    throw DataError(fmt::format(
+        "yarn {} of {:.4g} m passes through the periodic face along {}: its nodes {} and {} are {:.4g} m apart in the "
+        "cell, {:.4g} m through the face, and yarns have no images; end the fabric inside the cell with free edges, "
+        "and do not wrap the positions of its nodes",
+        k, y.rest_length[k], "xyz"[axis], one, two, length, (to + cell.matrix() * image.cast<double>() - from).norm()));
+  }
+}
+
 }  // namespace
 
 const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
@@ -23,6 +47,7 @@ const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
   demand_known(state.grains.material_id, materials, "grains of material", "[[material]]");
   demand_known(state.planes.material_id, materials, "planes of material", "[[material]]");
   demand_known(state.yarns.geotextile_id, model.geotextiles.size(), "yarns of geotextile", "[[geotextile]]");
+  demand_inside(state, model);
   return state;
 }
 

@@ -8,7 +8,8 @@
 namespace soilweave::dem {
 
 /// Returns the state. Throws DataError where a grain, plane or yarn names a material or geotextile that the model
-/// lacks.
+/// lacks, and where a yarn passes through a periodic face: yarns have no images. A fabric may lie across a face, as
+/// long as the positions of its nodes are not wrapped.
 const io::Snapshot& described(const io::Snapshot& state, const Model& model);
 
 /// Throws DataError where nothing could hold grains up: gravity that acts along periodic axes alone, and no plane

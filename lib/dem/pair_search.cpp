@@ -68,8 +68,11 @@ class Grid {
         const std::uint32_t at = m + static_cast<std::uint32_t>(std::countr_zero(near));
         if (at >= end) break;
         const auto j = static_cast<std::size_t>(members_[at]);
-        if (j > i && !bodies_.in_one_fabric(i, j))
-          found.push_back({static_cast<std::int32_t>(i), members_[at], offset + wrap_[i] - wrap_[j]});
+        if (j <= i) continue;
+        const CellOffset image = offset + wrap_[i] - wrap_[j];
+        // Yarns have no images: a fabric touches its own image as it touches another fabric.
+        if (image != 0 || !bodies_.in_one_fabric(i, j))
+          found.push_back({static_cast<std::int32_t>(i), members_[at], image});
       }
     }
   }

@@ -55,17 +55,6 @@ bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
                     [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
 }
 
-// The stress of a cell is that of its contacts: yarns would stretch for nothing.
-void demand_yarns_open(const io::Snapshot& state) {
-  if (state.yarns.size() == 0) return;
-  for (std::size_t a = 0; a < 3; ++a)
-    if (state.cell.periodic[a])
-      throw DataError(
-          fmt::format("the packing has yarns, and its cell is periodic along {}: the stress of a periodic cell does "
-                      "not count yarns; lay the geotextile in an open cell, as filter-expand does",
-                      "xyz"[a]));
-}
-
 // Strain along the loading axis by which snapshots are named, at every station, as far as it is known beforehand.
 struct KnownStations {
   std::vector<double> strains;
@@ -202,7 +191,6 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
 
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   demand_periodic(packing, scenario);
-  demand_yarns_open(packing);
   demand_recorded(packing, scenario);
   io::Snapshot state = packing;
   // Planes of an earlier run stay where the scenario has none.

@@ -12,8 +12,8 @@ namespace soilweave::dem {
 
 /// A packing made ready for a scenario: density (masses follow), planes, and materials checked against the model.
 /// Planes that are to touch are put there. Throws DataError where the packing names materials or geotextiles the
-/// scenario lacks, a stage loads an axis that is not periodic, yarns lie in a periodic cell, gravity has nothing to
-/// press on, a plane starts inside the grains, a clamp holds nothing, or a strain to record meets no station.
+/// scenario lacks, a stage loads an axis that is not periodic, a yarn passes through a periodic face, gravity has
+/// nothing to press on, a plane starts inside the grains, a clamp holds nothing, or a strain to record meets no station.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 
 /// Throws DataError where a fixed time step is over the stability limit of the simulation's present contacts.

@@ -96,7 +96,9 @@ struct Simulation::Impl {
     sums.force_branch += motion.collected();
     time += dt;
     if (yarns.any()) yarns.run(time, numerics.threads, bodies);
+    if (stress_has_yarns()) sums.force_branch += yarns.sums().force_branch;
   }
+  bool stress_has_yarns() const { return yarns.any() && cell.any_periodic(); }  // open cells have no faces
 
   void archive(Archive& a) {
     dem::archive(a, bodies);
@@ -257,7 +259,8 @@ struct Simulation::Impl {
     const double limit = stability_limit();
     stable = numerics.time_step ? *numerics.time_step : numerics.time_step_safety * limit;
     time_step = stable;
-    measures.axial_stiffness = affine / cell.volume();
+    const Vec3 of_yarns = stress_has_yarns() ? yarns.affine_stiffness(numerics.threads) : Vec3(Vec3::Zero());
+    measures.axial_stiffness = (affine + of_yarns) / cell.volume();
   }
 
   void limit_move(double fastest) {
@@ -314,7 +317,6 @@ void Simulation::archive(Archive& archive) const { impl_->archive(archive); }
 std::int64_t Simulation::contact_steps() const { return impl_->contact_steps; }
 const StepTimes& Simulation::step_times() const { return impl_->times; }
 const Measures& Simulation::measures() const { return impl_->measures; }
-
 Energies Simulation::energies() const { return impl_->energies_now(); }
 double Simulation::time_step() const { return impl_->time_step; }
 double Simulation::unbalanced_force(double least) const { return impl_->unbalanced_force(least); }

@@ -18,9 +18,10 @@ namespace soilweave::dem {
 
 /// What every step measures. Stress compression positive.
 struct Measures {
-  Mat3 stress = Mat3::Zero();  // Pa (2D: N/m over the unit thickness), Love-Weber over the cell
-  Vec3 axial_stiffness =
-      Vec3::Zero();  // Pa, affine stiffness of the contact network along each axis, as last looked at
+  // Love-Weber stress over the cell, Pa (2D: N/m over the unit thickness): contacts and, in a periodic cell, yarns.
+  Mat3 stress = Mat3::Zero();
+  // Affine stiffness of the same contacts and yarns along each axis, as last looked at, Pa.
+  Vec3 axial_stiffness = Vec3::Zero();
   std::int64_t contacts = 0;
 };
 

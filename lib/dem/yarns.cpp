@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -133,6 +134,12 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
   s.elastic = sum_of(stored);
   s.dissipated = sum_of(keep(known, Lane4(work - gained)));
   s.tension = sum_of(tension);
+  const Lane4 pull_over_length = tension * inverse;
+  const std::array<const Lane4*, 3> parts = {&reach.x, &reach.y, &reach.z};
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b)
+      s.force_branch(a, b) = s.force_branch(b, a) =
+          -sum_of(pull_over_length * *parts[static_cast<std::size_t>(a)] * *parts[static_cast<std::size_t>(b)]);
   s.taut = in(tension > 0);
   s.broken = in(block.memory.broken) - static_cast<std::int64_t>(Block::size) + block.count;
   return s;
@@ -166,8 +173,7 @@ void Yarns::run(double time, int threads, Bodies& bodies) {
 }
 
 double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const {
-  std::vector<double> stiffest;
-  for (const WireCurve& curve : curves_) stiffest.push_back(curve.stiffest());
+  const std::vector<double> stiffest = this->stiffest();
   return largest_in_parallel(node_.size(), contacts.threads, [&](std::size_t n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = bodies.stiffness[i].force;
@@ -184,6 +190,30 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
     }
     return std::max({along[0], along[1], along[2]}) / bodies.mass(i);
   });
+}
+
+std::vector<double> Yarns::stiffest() const {
+  std::vector<double> stiffest;
+  for (const WireCurve& curve : curves_) stiffest.push_back(curve.stiffest());
+  return stiffest;
+}
+
+Vec3 Yarns::affine_stiffness(int threads) const {
+  const std::vector<double> stiffest = this->stiffest();
+  std::vector<Vec3> partial((blocks_.size() + blocks_per_chunk - 1) / blocks_per_chunk, Vec3::Zero());
+  in_parallel(partial.size(), threads, [&](std::size_t chunk) {
+    const std::size_t end = std::min(blocks_.size(), (chunk + 1) * blocks_per_chunk);
+    for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
+      for (std::size_t lane = 0; lane < Block::size; ++lane) {
+        const Block& block = blocks_[b];
+        if (!(block.tension[lane] > 0)) continue;
+        const double length = block.length[lane], sideways = block.tension[lane] / length;
+        const double along = stiffest[static_cast<std::size_t>(block.geotextile)] / block.rest_length[lane];
+        const Vec3 n2 = vector_of(pulls_[b * Block::size + lane]).cwiseAbs2();
+        partial[chunk] += length * length * n2.cwiseProduct(((along - sideways) * n2.array() + sideways).matrix());
+      }
+  });
+  return std::accumulate(partial.begin(), partial.end(), Vec3(Vec3::Zero()));
 }
 
 io::YarnsRecord Yarns::record() const {

@@ -19,10 +19,12 @@ struct YarnSums {
   double tension = 0;     // N, sum of the tensions
   std::int64_t taut = 0;  // yarns under tension
   std::int64_t broken = 0;
+  // Sum of -T l n (x) n, N m: tension, length and direction of each yarn, as SweepSums has the contacts' f (x) l.
+  Mat3 force_branch = Mat3::Zero();
 
   YarnSums& operator+=(const YarnSums& s) {
     elastic += s.elastic, dissipated += s.dissipated, tension += s.tension;
-    taut += s.taut, broken += s.broken;
+    taut += s.taut, broken += s.broken, force_branch += s.force_branch;
     return *this;
   }
 };
@@ -47,6 +49,9 @@ class Yarns {
   /// Largest stiffness over mass of the nodes, 1/s2: of their yarns, and of the contacts as
   /// ContactSweep::stiffen leaves it. 0 without yarns.
   double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
+  /// Returns the affine stiffness of the taut yarns times their squared lengths along the axes, N m, as
+  /// ContactSweep::stiffen returns it for contacts: a yarn is stiff along itself, and sideways as a taut string.
+  Vec3 affine_stiffness(int threads) const;
   io::YarnsRecord record() const;
 
  private:
@@ -67,6 +72,7 @@ class Yarns {
   };
   void lay_out(const io::YarnsRecord& record);
   void list_ends(const io::YarnsRecord& record);
+  std::vector<double> stiffest() const;  // N per unit of strain, by geotextile
   YarnSums stretch(double time, const Bodies& bodies, std::size_t block);
   void note_breakage(double time, const Bodies& bodies, std::size_t slot);
 

@@ -53,14 +53,15 @@ TEST(Refused, MaterialsThatNothingDescribes) {
   EXPECT_NO_THROW(described(grains(), model));
 }
 
-TEST(Refused, YarnsInAPeriodicCell) {
-  const std::string geotextile = "[[geotextile]]\nyarn_strain = [0.1]\nyarn_tension = [10]\n";
-  const Scenario plan = scenario(geotextile + pressed);
-  expect_error<DataError>([&] { prepare(with_yarn(grains()), plan); }, "does not count yarns");
-  io::Snapshot partly = with_yarn(grains());
-  partly.cell.periodic = {false, false, true};
-  const Scenario held = scenario(geotextile + "[[stage]]\npath = \"free\"\n");
-  expect_error<DataError>([&] { prepare(partly, held); }, "periodic along z");
+TEST(Refused, YarnsThroughAPeriodicFace) {
+  const Scenario plan = scenario("[[geotextile]]\nyarn_strain = [0.1]\nyarn_tension = [10]\n" + pressed);
+  EXPECT_NO_THROW(prepare(with_yarn(grains()), plan));
+  // The third grain of a row is nearer to the image of the first than to the first.
+  io::Snapshot through = with_yarn(grains());
+  through.yarns.nodes = {{0, 2}};
+  expect_error<DataError>([&] { prepare(through, plan); }, "yarn 0 of 1 m passes through the periodic face along x");
+  through.cell.periodic[0] = false;
+  EXPECT_NO_THROW(described(through, plan.model));
 }
 
 TEST(Refused, GravityWithNothingToPressOn) {
