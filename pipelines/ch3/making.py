@@ -4,20 +4,22 @@ import functools
 import tomllib
 
 import numpy
-from study import NotMade
+from study import NotMade, Series
 from study.units import factor
 
 from .bag import GEOTEXTILES, HERE
 
 CURVE = "data/geotextiles/{}.toml"
-FRICTION = (21, 25)  # degrees between nodes and soil in the shear boxes
+FRICTION = {21: "PP", 25: "PE"}  # degrees between nodes and soil in the shear boxes, and whose they are
+# What is compared of the bag and the representative volume.
+SPREADS = {"contact_number": "number of contacts", "orientation": "angle of contacts from the vertical",
+           "soil_contact_number": "number of contacts, soil with soil alone",
+           "soil_orientation": "angle of contacts from the vertical, soil with soil alone"}
 
 
-def shares(table, of_rose):
-    """Returns the numbers that fall into each class: grains by contacts, or contacts by their angle from the vertical."""
-    if of_rose:
-        return table.rows(table("plane", "1") == 0)("contacts", "1")
-    return table("grains", "1")
+def shares(table, kind):
+    """Returns the numbers that fall into each class: grains by contacts (histogram), or contacts by their angle from the vertical."""
+    return table["grains"] if kind == "histogram" else table.rows(table["plane"] == 0)["contacts"]
 
 
 def distance(one, other):
@@ -32,34 +34,25 @@ def chance(one, other):
     return 1.358 * numpy.sqrt(1 / one.sum() + 1 / other.sum())
 
 
-def spreads(runs):
-    """Returns what is compared of the bag and the representative volume: name of the measure and both numbers by class."""
-    pairs = []
-    for prefix, bag in (("", "bag"), ("soil_", "bag_soil")):
-        for name, kind in (("contact_number", "histogram"), ("orientation", "rose")):
-            of_both = [shares(runs.table(f"{of}_{kind}"), kind == "rose") for of in (bag, "rv")]
-            pairs.append((prefix + name, *of_both))
-    return pairs
+def spread(runs, name):
+    """Returns what one of SPREADS compares: the numbers by class of the bag and of the representative volume."""
+    kind = "rose" if name.endswith("orientation") else "histogram"
+    return [shares(runs.table(f"{of}_{kind}"), kind) for of in ("bag_soil" if name.startswith("soil") else "bag", "rv")]
 
 
 def spread_table(runs):
-    """Returns the columns of shape.tsv: sizes of both samples, their distance and the one that is chance."""
-    words = {"contact_number": "number of contacts", "orientation": "angle of contacts from the vertical",
-             "soil_contact_number": "number of contacts, soil with soil alone",
-             "soil_orientation": "angle of contacts from the vertical, soil with soil alone"}
-    pairs = spreads(runs)
-    return {"compared": [words[name] for name, _, _ in pairs],
-            "bag [1]": [f"{bag.sum():.0f}" for _, bag, _ in pairs],
-            "representative volume [1]": [f"{rv.sum():.0f}" for _, _, rv in pairs],
-            "distance [1]": [f"{distance(bag, rv):.4g}" for _, bag, rv in pairs],
-            "distance of samples [1]": [f"{chance(bag, rv):.4g}" for _, bag, rv in pairs]}
+    """Returns the columns of a table: sizes of both samples, their distance and the one that is chance."""
+    pairs = [spread(runs, name) for name in SPREADS]
+    return {"compared": list(SPREADS.values()), "bag [1]": [f"{bag.sum():.0f}" for bag, _ in pairs],
+            "representative volume [1]": [f"{rv.sum():.0f}" for _, rv in pairs],
+            "distance [1]": [f"{distance(*pair):.4g}" for pair in pairs], "distance of samples [1]": [f"{chance(*pair):.4g}" for pair in pairs]}
 
 
 def spheres(runs):
     """Returns the number of grains of the bag, where they have the thesis's size."""
     if not runs.full:
         raise NotMade("grains are larger than the thesis's")
-    return runs.table("bag_histogram")("grains", "1").sum()
+    return runs.table("bag_histogram")["grains"].sum()
 
 
 @functools.cache
@@ -71,45 +64,47 @@ def strip_size():
     return sheet["cells"][0] + 1, sheet["cells"][1] * float(spacing) * factor(unit, "mm")
 
 
-def stiffness(strip, geotextile):
-    """Returns the force of a yarn of a strip at 1 % of strain over that of the curve it was given."""
-    with open(CURVE.format(geotextile), "rb") as file:
-        curve = tomllib.load(file)
-    given = 0.01 * curve["yarn_tension"][0] / curve["yarn_strain"][0]
-    return abs(strip("force_right_y", "N")[1]) / strip_size()[0] / given
+class Strip(Series):
+    """A strip of geotextile that is pulled."""
+
+    derived = {"strain": ("%", "strain", lambda s: 100 * s.table("displacement_right_y", "mm") / strip_size()[1]),
+               "tension": ("N", "tension of a yarn", lambda s: abs(s.table("force_right_y", "N")) / strip_size()[0])}
+
+    def stiffness(self, geotextile):
+        """Returns the force of a yarn at 1 % of strain over that of the curve it was given."""
+        with open(CURVE.format(geotextile), "rb") as file:
+            curve = tomllib.load(file)
+        return self["tension"][1] / (0.01 * curve["yarn_tension"][0] / curve["yarn_strain"][0])
+
+    def strength(self):
+        """Returns the force (N) of a yarn when its yarns are tautest."""
+        return self["tension"][self.table("yarn_tension_face", "N").argmax()]
 
 
-def strength(strip):
-    """Returns the force (N) of a yarn of a strip when its yarns are tautest."""
-    return abs(strip("force_right_y", "N")[int(strip("yarn_tension_face", "N").argmax())]) / strip_size()[0]
+class Box(Series):
+    """A shear box on a fixed sheet. The walls push as the sheet holds the soil back."""
 
+    derived = {"displacement": ("mm", "displacement", lambda b: b.table("displacement_left_x", "mm")),
+               "shear": ("N", "shear force", lambda b: abs(b.table("force_left_x", "N") + b.table("force_right_x", "N"))),
+               "normal": ("N", "normal force", lambda b: abs(b.table("force_lid_z", "N"))),
+               "ratio": ("1", "shear over normal force", lambda b: b["shear"] / b["normal"])}
 
-def held_back(box):
-    """Returns shear (N), which the walls push by as the sheet holds the soil back, and normal force (N) of a shear box."""
-    return abs(box("force_left_x", "N") + box("force_right_x", "N")), abs(box("force_lid_z", "N"))
-
-
-def sheared(box):
-    """Returns the rows of a shear box after the dead load."""
-    return box.rows(box("stage", "1") > 0)
-
-
-def interface(box):
-    """Returns the friction angle (deg) of the interface in a shear box: mean of the second half of the way."""
-    shear, normal = (force[len(box) // 2:].sum() for force in held_back(box))
-    return numpy.degrees(numpy.arctan2(shear, normal))
+    def friction(self):
+        """Returns the friction angle (deg) of the interface: mean of the second half of the way."""
+        shear, normal = (self[name][len(self) // 2:].sum() for name in ("shear", "normal"))
+        return numpy.degrees(numpy.arctan2(shear, normal))
 
 
 def measure(study, runs):
     """Measures the bag as it is made, the strips and the shear boxes."""
-    study.measure("delaunay_void_ratio", lambda: runs.table("generation")("delaunay_void_ratio", "1")[-1], "1")
-    study.measure("coordination_number", lambda: runs.table("generation")("coordination_number", "1")[-1], "1")
+    for name in ("delaunay_void_ratio", "coordination_number"):
+        study.measure(name, lambda name=name: runs.table("generation")[name][-1], "1")
     study.measure("spheres", lambda: spheres(runs), "1")
-    for name, bag, volume in spreads(runs):
-        study.measure(name, distance(bag, volume) / chance(bag, volume), "1")
+    for name in SPREADS:
+        study.measure(name, distance(*spread(runs, name)) / chance(*spread(runs, name)), "1")
     for g in GEOTEXTILES:
-        study.measure(f"strip_stiffness_{g}", lambda g=g: stiffness(runs.table(f"strip_{g}"), g), "1")
-        study.measure(f"strip_strength_{g}", lambda g=g: strength(runs.table(f"strip_{g}")), "N")
+        study.measure(f"strip_stiffness_{g}", lambda g=g: Strip(runs.table(f"strip_{g}")).stiffness(g), "1")
+        study.measure(f"strip_strength_{g}", lambda g=g: Strip(runs.table(f"strip_{g}")).strength(), "N")
     for angle in FRICTION:
-        study.measure(f"box_friction_{angle}", lambda angle=angle: interface(runs.table(f"box_{angle}")), "deg")
-    study.measure("box_friction_rises", lambda: interface(runs.table("box_25")) - interface(runs.table("box_21")), "deg")
+        study.measure(f"box_friction_{angle}", lambda angle=angle: Box(runs.table(f"box_{angle}")).friction(), "deg")
+    study.measure("box_friction_rises", lambda: Box(runs.table("box_25")).friction() - Box(runs.table("box_21")).friction(), "deg")

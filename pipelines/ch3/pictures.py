@@ -13,10 +13,10 @@ MOST_STRAIN = 0.4  # deviatoric strain at the end of the scale of colours
 BROKEN = "#e31a1c"
 
 
-def seen_from_above(axes):
-    """Sets the limits of a view of the bag from above, mm."""
-    axes.set(xlim=(-280, 280), ylim=(-280, 280), aspect="equal")
-    figures.label(axes, "x (mm)", "y (mm)")
+def laid_out(axes, y, height):
+    """Sets limits and labels of a view of the bag, mm. height: half of what is seen along y, "y" or "z"."""
+    axes.set(xlim=(-280, 280), ylim=(-height, height), aspect="equal")
+    figures.label(axes, "x (mm)", f"{y} (mm)")
 
 
 def draw_breaks(study, runs, _):
@@ -26,9 +26,8 @@ def draw_breaks(study, runs, _):
         table = runs.table(name)
         a.plot(table("x", "mm"), table("y", "mm"), "o", markersize=1.5, color=COLOURS["PE"], rasterized=True)
         a.set_title(words)
-        seen_from_above(a)
-    study.figure("breaks", figure, "Where yarns of PE are broken at the end, seen from above.", "Fig. 3.6", "between smooth plates the bag "
-                 "ruptures in the middle, between rough ones along the seams.", ["breaks_smooth", "breaks_rough"])
+        laid_out(a, "y", 280)
+    study.figure("breaks", figure)
 
 
 def section(axes, grains):
@@ -41,8 +40,7 @@ def section(axes, grains):
         circles = EllipseCollection(width[which], width[which], numpy.zeros(which.sum()), units="xy", offsets=places[which],
                                     offset_transform=axes.transData, linewidths=0, **colours)
         axes.add_collection(circles)
-    axes.set(xlim=(-280, 280), ylim=(-65, 65), aspect="equal")
-    figures.label(axes, "x (mm)", "z (mm)")
+    laid_out(axes, "z", 65)
     return circles
 
 
@@ -56,7 +54,7 @@ def face(axes, yarns):
                            cmap="viridis", linewidths=0.8)
     axes.add_collection(lines)
     axes.plot(*middle[broken].T, "o", markersize=1.5, color=BROKEN)
-    seen_from_above(axes)
+    laid_out(axes, "y", 280)
     return lines
 
 
@@ -67,16 +65,14 @@ def draw_bag(study, runs, kept):
     for k, above, below in zip(STATES, axes[:len(STATES)], axes[len(STATES):], strict=True):
         yarns = runs.table(f"uc_PE_yarns_{k}")
         strains, tensions = section(above, runs.table(f"uc_PE_grains_{k}")), face(below, yarns)
-        above.set_title(f"compressed by {bag.strain_at(yarns):.0f} %")
+        above.set_title(f"compressed by {bag['strain_axial'][bag['step'] == yarns['step'][0]][0]:.0f} %")
         figure.colorbar(strains, ax=above, orientation="horizontal", label="deviatoric strain (1)")
         figure.colorbar(tensions, ax=below, label="tension of the upper yarns (N)")
         for a in (above, below):
             a.grid(False)
     path = study.out / "bag.png"
     figures.png(figure, path)
-    study.picture(path, "The bag of PE before it is compressed, near its greatest load and ruptured: deviatoric strain of the grains that "
-                  "the plane in its middle cuts, tension of the yarns on its upper face, in red where they broke.", "Figs. 3.12 and 3.14",
-                  "strain localises early; at the end the geotextile is worn out in the middle.")
-    study.picture(HERE / "bag3d.jpg", "The bag of PE of a quick run in three dimensions, a quarter of it cut out (pipelines/ch3/render.py draws it).")
+    study.picture(path, name="bag")
+    study.picture(HERE / "bag3d.jpg", name="bag3d")
     if kept:
-        study.picture(HERE / "bag.png", "The same of our run at full size.", "Figs. 3.12 and 3.14")
+        study.picture(HERE / "bag.png", name="bag_full_size")

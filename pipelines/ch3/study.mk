@@ -10,7 +10,7 @@ C3O := $(OUT)/ch3
 C3_SEED_quick := 1
 C3_SEED_thesis := 3
 C3_SEED := $(C3_SEED_$(PROFILE))
-# Dead loads in N, those of study.py.
+# Dead loads in N.
 C3_LOADS_quick := 2410 24100
 C3_LOADS_thesis := 1330 1870 2410 12050 24100 36150
 C3_LOADS := $(C3_LOADS_$(PROFILE))
@@ -78,11 +78,10 @@ $(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem
 	@$(BIN)/run-dem $< $(C3)/box.toml --set material.0.friction_angle=$* --threads 1 --quiet --resume --force -o $@
 
 # Bags give their loading, strips and boxes the series of their parts.
+C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
 $(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
-$(C3O)/strip_%.tsv: $(C3O)/strip_%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
-$(C3O)/box_%.tsv: $(C3O)/box_%.h5 $(BIN)/homogenize
+$(C3_STRIPS_AND_BOXES): %.tsv: %.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 $(C3O)/%_fabric.tsv: $(C3O)/%.h5 $(BIN)/fabric
 	@$(BIN)/fabric $< --tsv $(call whole,$@)
@@ -123,14 +122,17 @@ C3_SS := $(C3_LOADS:%=ss_%)
 C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) \
   $(C3_UC:%=%_path) uc_PE_breaks uc_PE_rough_breaks
 C3_OF_BAG := $(C3O)/generation.tsv $(C3_ROSES)
-C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
-C3_RECORDED := $(foreach g,PE PP,data/discrete_element/soilbag_uniaxial_$(g).tsv)
-C3_PY := $(wildcard $(C3)/*.py) $(C3)/expected.tsv $(C3)/statements.tsv $(C3)/bag.toml $(C3)/strip_plan.toml \
-  $(wildcard data/geotextiles/P?.toml) $(C3_RECORDED) $(STUDY)
-
-$(C3O)/page.html: $(C3)/study.py $(C3_PY) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS_AND_BOXES) $(C3_PICTURES) \
+C3_PY := $(wildcard $(C3)/*.py $(C3)/*.tsv) $(C3)/words.toml $(C3)/bag.toml $(C3)/strip_plan.toml \
+  $(wildcard data/geotextiles/P?.toml data/discrete_element/soilbag_uniaxial_P?.tsv)
+$(C3O)/page.html: $(C3)/study.py $(C3_PY) $(STUDY) $(C3_OF_RUNS:%=$(C3O)/%.tsv) $(C3_OF_BAG) $(C3_STRIPS_AND_BOXES) $(C3_PICTURES) \
   $(C3O)/provenance.txt $(wildcard $(C3)/kept/*.tsv) $(OUT)/profile
-	@$(STUDY_PY) $< $(C3O) --profile $(PROFILE)
+	@$(STUDY_PY) $< $(C3O) --profile $(PROFILE) --loads $(C3_LOADS)
 
-include $(C3)/kept.mk
+KEEPING += ch3
+C3_ENDED := $(patsubst $(C3O)/%.h5,%,$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5))
+ENDED_ch3 := $(C3_ENDED) bag
+C3_OF_ENDED := $(filter $(foreach table,fabric groups path breaks,$(C3_ENDED:%=%_$(table))) $(C3_ENDED),$(C3_OF_RUNS))
+ch3-keep: $(C3_OF_ENDED:%=$(C3O)/%.tsv) $(C3_OF_BAG) ## keep what the thesis-size runs of ch3 that have ended leave (PROFILE=thesis)
+ch3-compare: $(C3_PY) ## compare and draw anew what is kept of ch3
+
 include $(C3)/variants.mk

@@ -3,6 +3,7 @@
 # it. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as they end; of full size, which is not
 # soon repeated, with how each came to be. Beside it, in rates_*_PROFILE.tsv, how fast and slow plates compare.
 # SPDX-License-Identifier: GPL-3.0-or-later
+C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
 C3V_PY := $(STUDY_PY) -m ch3.variants
 C3V_RATE := 0.02
@@ -51,7 +52,7 @@ $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) --set stage.1.rate=$(C3V_RATE),$$options)
 
 # The bag itself comes first; the others are told as differences from it.
-$(C3V)/variants.tsv: $(C3_PY) $(C3)/variants.tsv $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(filter-out bag,$(C3V_ENDED)))
+$(C3V)/variants.tsv: $(C3_PY) $(STUDY) $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(filter-out bag,$(C3V_ENDED)))
 	@$(C3V_PY) table $(C3V) bag $(filter-out bag,$(C3V_ENDED)) $(call whole,$@)
 
 # What a misfit of the study comes from: bags otherwise shaped or filled, and how much of it is chance: bags of other representative
@@ -93,10 +94,10 @@ $(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call compress,$(patsubst uc_%,%,$(*F)),$(C3K_UC))
 
-# % is what the bags differ in; the first one is the study's own. Options: mean and deviation of the others, or of all.
-C3K_OPTIONS_bulging := --scatter --apart
-C3K_OPTIONS_seeds := --scatter
+# % is what the bags differ in; the first one is the study's own. With mean and deviation of the others, or of all.
+C3K_BESIDE_bulging := apart
+C3K_BESIDE_seeds := scatter
 c3k_runs = $(C3K_YARNS_$(PROFILE):%=$(C3O)/uc_%) $(filter $(foreach run,$($(1)_ended),$(C3K)/$(run)/%),$(C3K_ENDED:%=$(C3K)/%))
-$(C3K_TABLES:%=$(C3K)/%.tsv): $(C3K)/%.tsv: $(C3_PY) $$(foreach run,$$(call c3k_runs,$$*),$$(run).tsv $$(run)_path.tsv)
+$(C3K_TABLES:%=$(C3K)/%.tsv): $(C3K)/%.tsv: $(C3_PY) $(STUDY) $$(foreach run,$$(call c3k_runs,$$*),$$(run).tsv $$(run)_path.tsv)
 	@mkdir -p $(@D)
-	@$(C3V_PY) beside bag=$(C3O) $($*_ended:%=$(C3K)/%) $(C3K_OPTIONS_$*) $(call whole,$@)
+	@$(C3V_PY) $(or $(C3K_BESIDE_$*),beside) bag=$(C3O) $($*_ended:%=$(C3K)/%) $(call whole,$@)

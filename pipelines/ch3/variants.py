@@ -1,9 +1,12 @@
 """The bag varied in one thing at a time: what each variant is worth, what the speed of plates is worth, what causes a misfit.
 
-usage: python3 -m ch3.variants options|seed|table|rates|beside|merge ... > table; study.mk calls it.
+usage: python3 -m ch3.variants COMMAND NAME... > table; variants.mk calls it. Commands: options VARIANT bag|load; seed VARIANT;
+table FOLDER VARIANT...; rates FAST SLOW; merge KEPT < NEW; beside [NAME=]FOLDER..., scatter FOLDER... with mean and deviation, apart
+FOLDER... with those of all but the first.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
+import itertools
 import pathlib
 import re
 import statistics
@@ -16,39 +19,31 @@ from study.tables import read_words
 from . import compression
 from .bag import HERE, Runs
 
-STRAINS = (0.01, 0.04, 0.08)
+STRAINS = (1, 4, 8)  # %
 COLUMNS = ("name", "seed", "bag", "load", "description")
 
 
-def read_variants():
-    """Returns the rows of variants.tsv by name."""
-    return {row["name"]: row for _, row in read_words(HERE / "variants.tsv", COLUMNS)[1]}
-
-
-def variant(name):
-    """Returns the row of a variant. Raises StudyError for an unknown one."""
-    rows = read_variants()
+def cell(name, column):
+    """Returns what variants.tsv has of a variant. Raises StudyError for an unknown one."""
+    rows = {row["name"]: row for _, row in read_words(HERE / "variants.tsv", COLUMNS)[1]}
     if name not in rows:
         raise StudyError(f"{HERE / 'variants.tsv'}: has no variant {name}{suggestion(name, rows)}")
-    return rows[name]
+    return rows[name][column]
 
 
 def options(name, part):
     """Returns the settings of a variant for its bag or its load, as options of a tool."""
-    return " ".join(f"--set {setting}" for setting in variant(name)[part].split())
+    return " ".join(f"--set {setting}" for setting in cell(name, part).split())
 
 
-def bag_in(folder, name="uc_PE"):
-    """Returns a compressed bag of a folder."""
-    return Runs(folder, False, []).bag(name)
+def bag_in(folder):
+    """Returns the compressed bag of PE of a folder."""
+    return Runs(folder, False).bag("uc_PE")
 
 
-def row_at(bag, strain):
-    """Returns the row of the station at an axial strain."""
-    near = [i for i, x in enumerate(bag["strain_axial"]) if abs(x - strain) < 1e-4]
-    if not near:
-        raise StudyError(f"{bag.table.where}: has no station at an axial strain of {100 * strain:.0f} %")
-    return near[0]
+def as_text(rows):
+    """Returns rows of words as tab-separated text."""
+    return "".join("\t".join(row) + "\n" for row in rows)
 
 
 def table(folder, names):
@@ -56,40 +51,33 @@ def table(folder, names):
 
     The first name is the bag itself, which the others are told as differences from.
     """
-    bags, descriptions = {name: bag_in(folder / name) for name in names}, read_variants()
-    first = bags[names[0]]
     heads = ["variant", "what is varied", "void ratio under the preload"]
     for s in STRAINS:
-        at = f"at {100 * s:.0f} %"
-        heads += [f"load {at} [kPa]", "load [%]", "tension [%]", f"q/p {at}", "q/p [%]"]
-    lines = ["\t".join([*heads, "first break by [%]", "greatest load [kPa]", "greatest load [%]", "at [%]"])]
-    for name, bag in bags.items():
-        cells = [name, descriptions[name]["description"], f"{bag['void_ratio'][0]:.4f}"]
-        for s in STRAINS:
-            row, of_first = row_at(bag, s), row_at(first, s)
-
-            def difference(column, row=row, of_first=of_first, bag=bag):
-                return f"{100 * (bag[column][row] / first[column][of_first] - 1):+.1f}"
-            cells += [f"{bag['plate_pressure'][row]:.1f}", difference("plate_pressure"), difference("tension_yarn_face"),
-                      f"{bag['obliquity'][row]:.3f}", difference("obliquity")]
-        lines.append("\t".join(cells + failure_cells(bag, first)))
-    return "\n".join(lines) + "\n"
+        heads += [f"load at {s} % [kPa]", "load [%]", "tension [%]", f"q/p at {s} %", "q/p [%]"]
+    heads += ["first break by [%]", "greatest load [kPa]", "greatest load [%]", "at [%]"]
+    first = bag_in(folder / names[0])
+    return as_text([heads, *([name, cell(name, "description"), *carried(bag_in(folder / name), first)] for name in names)])
 
 
-def failure_cells(bag, first):
-    """Returns where the first yarn has broken, the greatest load, its difference from that of the first bag, and its strain."""
-    broken = bag["broken_yarns"] > 0
-    cells = [f"{100 * bag['strain_axial'][bag.broken]:.0f}" if broken.any() else "none"]
+def carried(bag, first):
+    """Returns the cells of a bag, with its differences from the first one."""
+    cells = [f"{bag['void_ratio'][0]:.4f}"]
+    for s in STRAINS:
+        row, of_first = bag.row_at(s), first.row_at(s)
+        load, tension, obliquity = (f"{100 * (bag[column][row] / first[column][of_first] - 1):+.1f}"
+                                    for column in ("plate_pressure", "tension_yarn_face", "obliquity"))
+        cells += [f"{bag['plate_pressure'][row]:.1f}", load, tension, f"{bag['obliquity'][row]:.3f}", obliquity]
+    cells.append(f"{bag['strain_axial'][bag.broken]:.0f}" if bag["broken_yarns"].any() else "none")
     try:
         row = compression.peak(bag, "plate_pressure")
     except NotMade:
         return [*cells, "none", "none", "none"]
+    load = bag["plate_pressure"][row]
     try:
-        most = first["plate_pressure"][compression.peak(first, "plate_pressure")]
-        difference = f"{100 * (bag['plate_pressure'][row] / most - 1):+.1f}"
+        difference = f"{100 * (load / first['plate_pressure'][compression.peak(first, 'plate_pressure')] - 1):+.1f}"
     except NotMade:
         difference = "none"
-    return [*cells, f"{bag['plate_pressure'][row]:.1f}", difference, f"{100 * bag['strain_axial'][row]:.0f}"]
+    return [*cells, f"{load:.1f}", difference, f"{bag['strain_axial'][row]:.0f}"]
 
 
 def rates(fast, slow):
@@ -97,29 +85,23 @@ def rates(fast, slow):
 
     Stations are at every per cent up to the first at which a yarn of either has broken. Bags are named by their folders.
     """
-    names = [pathlib.Path(folder).name for folder in (fast, slow)]
-    lines = [f"axial strain [%]\t{names[0]} [kPa]\t{names[1]} [kPa]\tdifference [%]"]
-    stations = [{}, {}]
-    broken = set()
-    for stress, folder in zip(stations, (fast, slow), strict=True):
-        bag = bag_in(folder)
-        for strain, axial, breaks in zip(100 * bag["strain_axial"], bag["axial_stress"], bag["broken_yarns"], strict=True):
-            if abs(strain - round(strain)) < 0.01:
-                stress[round(strain)] = axial
-                if breaks:
-                    broken.add(round(strain))
-    s = 1
-    while s in stations[0] and s in stations[1] and s - 1 not in broken:
-        one, other = stations[0][s], stations[1][s]
-        lines.append(f"{s}\t{one:.2f}\t{other:.2f}\t{100 * (one / other - 1):+.2f}")
-        s += 1
-    return "\n".join(lines) + "\n"
+    bags = [bag_in(folder) for folder in (fast, slow)]
+    rows = [["axial strain [%]", *(f"{pathlib.Path(folder).name} [kPa]" for folder in (fast, slow)), "difference [%]"]]
+    for s in itertools.count(1):
+        try:
+            stations = [(bag, bag.row_at(s)) for bag in bags]
+        except NotMade:
+            return as_text(rows)
+        one, other = (bag["axial_stress"][row] for bag, row in stations)
+        rows.append([f"{s}", f"{one:.2f}", f"{other:.2f}", f"{100 * (one / other - 1):+.2f}"])
+        if any(bag["broken_yarns"][row] for bag, row in stations):
+            return as_text(rows)
 
 
 def verdicts(folder):
     """Returns what a folder's compressed bags have of the published values, by description, as comparison.tsv shows it."""
     study = Study("ch3", "", folder, "quick")
-    compression.measure(study, Runs(folder, False, [], "not compressed"))
+    compression.measure(study, Runs(folder, False, absent="not compressed"))
     stated = [s for s in read_statements(HERE / "expected.tsv") if s.name in study.measures]
     return {v.statement.description: v for v in compare(stated, study.measures)}
 
@@ -131,21 +113,18 @@ def beside(folders, scatter=False, apart=False):
     runs cannot tell, and those that the first bag alone has. scatter: with mean and standard deviation of a sample. apart: the
     first bag is no part of these.
     """
-    pairs = [(name or pathlib.Path(folder).name, folder) for name, _, folder in (text.rpartition("=") for text in folders)]
-    names, of_each = [name for name, _ in pairs], [verdicts(folder) for _, folder in pairs]
-    lines = ["\t".join(["description", "unit", "published", "tolerance", *names, *(["mean", "deviation"] if scatter else [])])]
+    pairs = [(name or pathlib.Path(folder).name, verdicts(folder)) for name, _, folder in (words.rpartition("=") for words in folders)]
+    of_each = [of for _, of in pairs]
+    rows = [["description", "unit", "published", "tolerance", *(name for name, _ in pairs), *(["mean", "deviation"] if scatter else [])]]
     for description, first in of_each[0].items():
         if "failure" in description or not any(description in of for of in of_each[1:]):
             continue
         s = first.statement
-        cells = [description, s.unit, s.published, f"± {s.tolerance}" if s.tolerance else ""]
-        cells += [of[description].measured if description in of else "none" for of in of_each]
-        if scatter:
-            values = [float(of[description].measured) for of in of_each[apart:] if description in of]
-            cells.append(f"{statistics.mean(values):.4g}" if values else "none")
-            cells.append(f"{statistics.stdev(values):.2g}" if len(values) > 1 else "none")
-        lines.append("\t".join(cells))
-    return "\n".join(lines) + "\n"
+        measured = [of[description].measured if description in of else "none" for of in of_each]
+        values = [float(value) for value in measured[apart:] if value != "none"]
+        scattered = [f"{statistics.mean(values):.4g}" if values else "none", f"{statistics.stdev(values):.2g}" if len(values) > 1 else "none"]
+        rows.append([description, s.unit, s.published, s.margin, *measured, *(scattered if scatter else [])])
+    return as_text(rows)
 
 
 def entries(text, where):
@@ -175,35 +154,27 @@ def merge(new, kept, where):
     return head + "".join([*rows.values(), *stay.values()])
 
 
-def run(arguments):
-    """Returns what a command prints."""
-    names = arguments.names
-    if arguments.command == "options":
-        return options(names[0], names[1]) + "\n"
-    if arguments.command == "seed":
-        return variant(names[0])["seed"] + "\n"
-    if arguments.command == "table":
-        return table(pathlib.Path(names[0]), names[1:])
-    if arguments.command == "rates":
-        return rates(*names)
-    if arguments.command == "beside":
-        return beside(names, arguments.scatter, arguments.apart)
-    kept = pathlib.Path(names[0])
-    new = sys.stdin.read()
+def merged(path):
+    """Returns what standard input holds, merged with what is kept at a path, where there is something."""
+    new, kept = sys.stdin.read(), pathlib.Path(path)
     return merge(new, kept.read_text(encoding="utf-8"), kept) if kept.exists() else new
+
+
+COMMANDS = {"options": lambda name, part: options(name, part) + "\n", "seed": lambda name: cell(name, "seed") + "\n",
+            "table": lambda folder, *names: table(pathlib.Path(folder), names), "rates": rates, "merge": merged,
+            "beside": lambda *folders: beside(folders), "scatter": lambda *folders: beside(folders, True),
+            "apart": lambda *folders: beside(folders, True, True)}
 
 
 def main():
     """Prints what study.mk asks for. Errors are one line, status 65."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", choices=["options", "seed", "table", "rates", "beside", "merge"])
-    parser.add_argument("names", nargs="+", help="variant and bag or load; variant; folder and variants; two folders; "
-                        "folders; what was kept")
-    parser.add_argument("--scatter", action="store_true", help="beside: with mean and deviation")
-    parser.add_argument("--apart", action="store_true", help="beside: mean and deviation without the first bag")
+    parser.add_argument("command", choices=COMMANDS)
+    parser.add_argument("names", nargs="+")
+    arguments = parser.parse_args()
     try:
-        sys.stdout.write(run(parser.parse_args()))
-    except (StudyError, OSError) as error:
+        sys.stdout.write(COMMANDS[arguments.command](*arguments.names))
+    except (StudyError, NotMade, OSError) as error:
         print(f"study: {error}", file=sys.stderr)
         sys.exit(65)
 

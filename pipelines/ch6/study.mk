@@ -75,11 +75,14 @@ $(C6O)/bars_%.tsv: $(C6O)/%.h5
 	@$(BIN)/fem-dem --table bars --state last --columns x_0,y_0,tension_ratio $< $(call whole,$@)
 $(C6_TABLES): $(BIN)/fem-dem
 
-C6_PY := $(addprefix $(C6)/,study.py runs.py statements.tsv) $(STUDY)
-$(C6O)/page.html: $(C6_PY) $(C6_TABLES) $(wildcard $(C6)/kept/*.tsv) $(OUT)/profile
+C6_PY := $(wildcard $(C6)/*.py $(C6)/*.tsv $(C6)/*.toml)
+$(C6O)/page.html: $(C6)/study.py $(C6_PY) $(STUDY) $(C6_TABLES) $(wildcard $(C6)/kept/*.tsv) $(OUT)/profile
 	@$(STUDY_PY) $< $(C6O) --profile $(PROFILE)
 
-include $(C6)/kept.mk
+KEEPING += ch6
+ENDED_ch6 := $(patsubst $(C6O)/%.h5,%,$(wildcard $(C6_RUNS:%=$(C6O)/%.h5)))
+ch6-keep: $(foreach run,$(ENDED_ch6),$(filter %_$(run).tsv,$(C6_TABLES))) ## keep what the thesis-size runs of ch6 that have ended leave (PROFILE=thesis)
+ch6-compare: $(C6_PY) ## compare anew what is kept of ch6
 
 # Kept, since every table is made from them.
 .PRECIOUS: $(C6O)/%.h5

@@ -2,19 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
 
-
-@dataclasses.dataclass(frozen=True)
-class Line:
-    """One curve of a panel: its column, the unit that it is drawn in, its words in the legend and along the axis."""
-
-    column: str
-    unit: str
-    words: str
-
-    @property
-    def axis(self):
-        """The label of an axis that it alone gives its name."""
-        return self.words if self.unit == "1" else f"{self.words} ({self.unit})"
+from .quantities import Line, quantity
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,35 +26,33 @@ class Kind:
     whole: bool = False
 
 
-_STRAIN = Line("strain_axial", "%", "axial strain")
-_MEAN = Line("mean_stress", "kPa", "mean stress p")
-_VOLUME = Line("strain_volumetric", "%", "volumetric strain, contraction positive")
+_STRAIN, _MEAN, _VOLUME = (quantity(name) for name in ("strain_axial", "mean_stress", "strain_volumetric"))
 _SERIES, _LOADING = ("homogenize", "series"), ("homogenize", "loading")
 
 KINDS = {
     "stress-strain": Kind("stress ratio and volumetric strain over axial strain", _SERIES, (
-        Panel(_STRAIN, ((Line("stress_ratio", "1", "stress ratio σₐ/σᵣ"), Line("deviatoric_stress", "kPa", "deviatoric stress q")),)),
+        Panel(_STRAIN, ((quantity("stress_ratio"), quantity("deviatoric_stress")),)),
         Panel(_STRAIN, (_VOLUME,)))),
     "stress-path": Kind("deviatoric over mean stress", _SERIES, (
-        Panel(_MEAN, (Line("deviatoric_stress", "kPa", "deviatoric stress q"),)),), whole=True),
+        Panel(_MEAN, (quantity("deviatoric_stress"),)),), whole=True),
     "e-log-p": Kind("void ratio over the logarithm of mean stress", _SERIES, (
-        Panel(_MEAN, (Line("void_ratio", "1", "void ratio e"),), log=True),), whole=True),
+        Panel(_MEAN, (quantity("void_ratio"),), log=True),), whole=True),
     "coordination": Kind("coordination numbers over axial strain", _SERIES, (
         Panel(_STRAIN, (Line("coordination_number", "1", "all grains"),
                         Line("mechanical_coordination_number", "1", "without rattlers")), "coordination number"),)),
     "energies": Kind("energies over axial strain", _SERIES, (
-        Panel(_STRAIN, (Line("boundary_work", "J", "work of the boundary"), Line("elastic_energy", "J", "elastic"),
+        Panel(_STRAIN, (quantity("boundary_work"), Line("elastic_energy", "J", "elastic"),
                         Line("frictional_dissipation", "J", "sliding"), Line("rolling_dissipation", "J", "rolling"),
-                        Line("damping_dissipation", "J", "damping"), Line("energy_error", "J", "left over")), "energy (J)"),)),
+                        Line("damping_dissipation", "J", "damping"), quantity("energy_error")), "energy (J)"),)),
     "fabric": Kind("anisotropies of contacts and forces over axial strain", ("fabric", "fabric"), (
         Panel(_STRAIN, (Line("a_c", "1", "a_c, contact normals"), Line("a_n", "1", "a_n, normal forces"),
                         Line("a_t", "1", "a_t, tangential forces")), "anisotropy"),)),
     "rose": Kind("density of contact normals over their direction, last state", ("fabric", "rose"), ()),
     "bag": Kind("plate pressure and volumetric strain of a bag over its settlement", _LOADING, (
-        Panel(_STRAIN, (Line("plate_pressure", "kPa", "plate pressure"),)), Panel(_STRAIN, (_VOLUME,)))),
+        Panel(_STRAIN, (quantity("plate_pressure"),)), Panel(_STRAIN, (_VOLUME,)))),
     "yarns": Kind("tension of the yarns of a bag, and how many broke", _LOADING, (
         Panel(_STRAIN, (Line("tension_yarn_face", "N", "faces"), Line("tension_yarn_side_around", "N", "sides, around"),
                         Line("tension_yarn_side_up", "N", "sides, up")), "tension of a yarn (N)"),
-        Panel(_STRAIN, (Line("broken_yarns", "1", "broken yarns"),)))),
+        Panel(_STRAIN, (quantity("broken_yarns"),)))),
     "posterior": Kind("densities of the parameters that pf-weight identified", (), ()),
 }

@@ -9,12 +9,13 @@ import sys
 
 from markupsafe import Markup
 
-from . import figures, pages
+from . import curves, figures, pages
 from .comparison import Measure, Statement, compare, read_statements
 from .errors import NotMade, StudyError, suggestion
 from .files import put
 from .kept import read_kept
 from .tables import write_table
+from .texts import Texts
 from .words import quantity, spell
 
 FIRST_SCREEN = 120  # words that lead, headline and score may have together
@@ -79,7 +80,74 @@ class Study:
         self.digits = digits
         self.lead, self.headline, self.history, self.remarks, self.reports, self.appendices = "", "", "", [], [], []
         self.measures, self.groups, self.checks = {}, [Group("Measured beside published")], []
-        self._figures, self._drawings, self._kept, self._reasons = [], {}, [], {}
+        self._figures, self._drawings, self._kept, self._reasons = {}, {}, [], {}
+        self._texts, self._folder, self._values, self.pageless = None, None, {}, False
+
+    @classmethod
+    def of(cls, folder, arguments, judged=True, digits=6):
+        """Begins the study of a folder pipelines/NAME: what its words.toml says, its statements, what is kept at full size.
+
+        judged: as of Study. Statements are those of expected.tsv and statements.tsv, bounds that any run has to keep those of
+        checks.tsv, kept values those in kept/; each where there is one. With arguments.kept it has tables and figures, no page.
+        """
+        folder = pathlib.Path(folder)
+        texts = Texts(folder / "words.toml")
+        profile = "thesis" if arguments.kept else arguments.profile
+        study = cls(folder.name, texts.title, arguments.out, profile, judged or arguments.kept, digits)
+        study._texts, study._folder, study.pageless = texts, folder, arguments.kept
+        for name, how in (("expected", texts.expected), ("statements", texts.statements)):
+            if (folder / f"{name}.tsv").exists():
+                study.expect(folder / f"{name}.tsv", **how)
+        if (folder / "checks.tsv").exists():
+            study.checks += read_statements(folder / "checks.tsv")
+        for table in dict.fromkeys(group.table for group in study.groups):
+            if not study.judged and (folder / "kept" / f"{table}.tsv").exists():
+                study.kept(folder / "kept" / f"{table}.tsv")
+        return study
+
+    def tell(self, **values):
+        """Lets the page say what words.toml has, and figures that follow: lead, headline, remarks, reasons, appendix.
+
+        values: what its texts may name, beside say() and published() of the study, `kept` (of say: the kept run's numbers are
+        told, since this one is not judged), `profile` and `judged`.
+        """
+        self._values = {"say": self.say, "published": self.published, "kept": not self.judged, "judged": self.judged, "profile": self.profile,
+                        **values}
+        texts = self._texts
+        self.lead, self.headline = self._fill(texts.lead), self._fill(texts.headline)
+        self.remarks += [text for text in map(self._fill, texts.remarks) if text]
+        for entry in texts.reasons:
+            for name in entry["of"]:
+                self.reason(name, self._fill(entry["why"]))
+        for entry in texts.appendices:
+            tables = [item for name in entry.get("tables", ()) for item in self._tables(name)]
+            self.appendix(entry["heading"], self._fill(entry["text"]), *tables)
+
+    def _tables(self, name):
+        """Returns a table that the page was told, or those of kept runs that are there: kept/NAME_thesis.tsv and NAME_quick.tsv."""
+        if name in self._values:
+            return [self._values[name]]
+        there = [(size, self._folder / "kept" / f"{name}_{size}.tsv") for size in ("thesis", "quick")]
+        there = [(f"{name.replace('_', ' ').capitalize()}, {'full size' if size == 'thesis' else 'quick profile'}:", path)
+                 for size, path in there if path.exists()]
+        if not there:
+            raise StudyError(f"{self._folder / 'words.toml'}: there is no kept table {name}")
+        return [item for pair in there for item in pair]
+
+    def _fill(self, text):
+        return self._texts.fill(text, self._values)
+
+    def _caption(self, name, sentence, number, claim, measures):
+        """Returns these of a figure or, without a sentence, those that words.toml has."""
+        if sentence or self._texts is None:
+            return sentence, number, claim, measures
+        said = self._texts.figure(name)
+        return *(self._fill(said.get(key, "")) for key in ("sentence", "number", "claim")), said.get("measures", ())
+
+    def measure_each(self, rows, of, ending=""):
+        """Measures (name, unit, value) rows, each name with an ending: value(*of()), where either may raise NotMade."""
+        for name, unit, value in rows:
+            self.measure(name + ending, lambda value=value: value(*of()), unit)
 
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
@@ -175,26 +243,35 @@ class Study:
         """
         self.appendices.append((heading, [pages.content(item) for item in items]))
 
-    def figure(self, name, figure, sentence, number="", claim="", measures=()):
+    def curves(self, name, *panels, **layout):
+        """Adds a figure of panels (study.curves.panel) that words.toml says the rest of. layout: columns, width, height."""
+        self.figure(name, curves.figure(panels, **layout))
+
+    def figure(self, name, figure, sentence="", number="", claim="", measures=()):
         """Adds a figure drawn with study.figures; the first one opens the page and is on the study's card.
 
         sentence: beneath it. number: of the thesis's figure, as in "Fig. 3.8". claim: the thesis's sentence that it bears out
-        or not. measures: names of the statements whose verdicts are shown with it.
+        or not. measures: names of the statements whose verdicts are shown with it. Without a sentence, words.toml has all four.
         """
-        words, width = re.sub(r"<[^>]*>", "", str(sentence)), 72 * figure.get_figwidth()
-        panes = [pages.pane(svg, f"{self.name}_{name}_{k}", words) for k, svg in enumerate(figures.panes(figure))]
+        if not self.pageless:
+            sentence, number, claim, measures = self._caption(name, sentence, number, claim, measures)
+            words, width = re.sub(r"<[^>]*>", "", str(sentence)), 72 * figure.get_figwidth()
+            panes = [pages.pane(svg, f"{self.name}_{name}_{k}", words) for k, svg in enumerate(figures.panes(figure))]
+            self._figures[name] = Shown(panes, width, sentence, number, claim, tuple(measures))
         self._drawings[name] = figures.svg(figure)
-        self._figures.append(Shown(panes, width, sentence, number, claim, tuple(measures)))
 
-    def picture(self, path, sentence, number="", claim="", measures=()):
-        """Adds a picture, a .png or .jpg, where figure() adds a drawing."""
+    def picture(self, path, sentence="", number="", claim="", measures=(), name=""):
+        """Adds a picture, a .png or .jpg, where figure() adds a drawing. name: by which words.toml has its sentence."""
+        if self.pageless:
+            return
+        sentence, number, claim, measures = self._caption(name, sentence, number, claim, measures)
         image = pages.picture(path, re.sub(r"<[^>]*>", "", str(sentence)))
-        self._figures.append(Shown([image], 648, sentence, number, claim, tuple(measures)))
+        self._figures[name or str(path)] = Shown([image], 648, sentence, number, claim, tuple(measures))
 
     def rows(self):
         """Returns (group, Row list) pairs: each statement that this run or the kept one measured, beside its value."""
         stated = [s.name for group in self.groups for s in group.statements]
-        for name in [*self._reasons, *(m for shown in self._figures for m in shown.measures)]:
+        for name in [*self._reasons, *(m for shown in self._figures.values() for m in shown.measures)]:
             if name not in stated:
                 raise StudyError(f"{name}: is not stated{suggestion(name, stated)}")
         groups = []
@@ -232,16 +309,22 @@ class Study:
         self._check_first_screen(score)
         self.write_tables()
         rows = [row for _, some in groups for row in some]
-        markup = pages.render("chapter.html", study=self, groups=groups, figures=self._figures, score=score,
+        shown = self._shown()
+        markup = pages.render("chapter.html", study=self, groups=groups, figures=shown, score=score,
                               checks=compare(self.checks, self.measures),
-                              rows={name: [r for r in rows if r.statement.name == name] for f in self._figures for name in f.measures})
+                              rows={name: [r for r in rows if r.statement.name == name] for f in shown for name in f.measures})
         put(self.out / "page.html", pages.render("page.html", title=self.title, body=markup))
-        opening = "".join(self._figures[0].panes).replace(f'"{self.name}_', f'"card_{self.name}_').replace(f"#{self.name}_", f"#card_{self.name}_")
+        opening = "".join(shown[0].panes).replace(f'"{self.name}_', f'"card_{self.name}_').replace(f"#{self.name}_", f"#card_{self.name}_")
         put(self.out / "card.json", json.dumps({
             "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening,
-            "width": self._figures[0].width},
+            "width": shown[0].width},
             ensure_ascii=False, indent=1) + "\n")
         print(f"{self.name}: {score} (make report)")
+
+    def _shown(self):
+        """Returns the figures in the order of words.toml, those that it does not have after them as they were added."""
+        order = list(self._texts.figures if self._texts else ())
+        return [self._figures[name] for name in sorted(self._figures, key=lambda name: order.index(name) if name in order else len(order))]
 
     def _check_first_screen(self, score):
         if not (self.lead and self.headline and self._figures):

@@ -5,7 +5,8 @@ import re
 
 import numpy
 
-from .errors import StudyError, suggestion
+from .errors import NotMade, StudyError, suggestion
+from .quantities import quantity
 from .units import factor
 
 _HEAD = re.compile(r"^(?P<name>[^\[\]]+?)(?: \[(?P<unit>[^\[\]]+)\])?$")
@@ -78,6 +79,11 @@ class Table:
             raise StudyError(f"{self.where}: column {name} has no value in row {row}")
         return values if scale == 1 else scale * values
 
+    def __getitem__(self, name):
+        """Returns the column in the unit that quantities.py gives it; those that may have no value in a row hold NaN there."""
+        line = quantity(name)
+        return self(name, line.unit, missing=line.missing)
+
     def rows(self, mask):
         """Returns the table of the rows where the mask holds. Raises StudyError where there is none."""
         if not numpy.any(mask):
@@ -94,6 +100,24 @@ class Table:
         if not x[0] - slack <= value <= x[-1] + slack:
             raise StudyError(f"{self.where}: {along} {value} {along_unit} lies outside {x[0]:.6g} to {x[-1]:.6g}")
         return float(numpy.interp(value, x, y))
+
+
+class Folder:
+    """The tables of a folder: folder("bag") is the Table of bag.tsv, read once.
+
+    absent: why one may be missing, which is then NotMade; without it a missing table is an error.
+    """
+
+    def __init__(self, path, absent=""):
+        self.path, self.absent, self._read = pathlib.Path(path), absent, {}
+
+    def __call__(self, name):
+        path = self.path / f"{name}.tsv"
+        if self.absent and not path.exists():
+            raise NotMade(f"{name}: {self.absent}")
+        if name not in self._read:
+            self._read[name] = Table.read(path)
+        return self._read[name]
 
 
 def read_words(path, needed=()):
@@ -122,6 +146,25 @@ def read_words(path, needed=()):
     if header is None:
         raise StudyError(f"{path}: holds no table")
     return header, rows
+
+
+class Cells:
+    """A table of words beside numbers: cells("slope", "bag") is the number in the row that `key` calls "slope", in column "bag"."""
+
+    def __init__(self, path, key):
+        self.path = path
+        self._header, rows = read_words(path, [key])
+        self._rows = {row[key]: row for _, row in rows}
+
+    def __call__(self, row, column):
+        """Raises StudyError for an unknown row or column, or where there is no number."""
+        for name, known in ((row, self._rows), (column, self._header)):
+            if name not in known:
+                raise StudyError(f"{self.path}: has no '{name}'{suggestion(name, known)}")
+        try:
+            return float(self._rows[row][column])
+        except ValueError as error:
+            raise StudyError(f"{self.path}: '{row}', {column}: {error}") from error
 
 
 def write_table(columns):

@@ -2,18 +2,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import io
 import math
+import re
 import sys
+import types
 
 import numpy
 import pytest
-from ch3 import appendix, breaks, compression, drawing, making, pictures, shear, variants
+from ch3 import breaks, compression, drawing, making, pictures, shear, variants
 from ch3 import study as chapter
-from ch3.bag import HERE, UNITS, Bag, Record, Runs, Series
+from ch3.bag import HERE, Bag, Record, Runs
 from matplotlib import pyplot
 from renaming import demand_columns
-from study import NotMade, Study, StudyError, Table, figures, read_statements
+from study import NotMade, Series, Study, StudyError, Table, figures, read_statements
+from study.quantities import QUANTITIES
 
-SI = {"mm": "m", "kPa": "Pa"}
+SI = {"mm": "m", "cm": "m", "kPa": "Pa", "%": "1"}
 
 
 def write(path, units, **columns):
@@ -28,16 +31,16 @@ def write(path, units, **columns):
 
 def bag(path, **columns):
     """Writes the loading of a bag, in SI units; columns that are not given are 1."""
-    units = {name: SI.get(unit, unit) for name, unit in UNITS.items()}
+    units = {name: SI.get(line.unit, line.unit) for name, line in QUANTITIES.items()}
     given = {"step": numpy.arange(numpy.size(columns["strain_axial"])), "broken_yarns": 0} | columns
     return write(path, units, **{name: 1 for name in units} | given)
 
 
 def loaded(path, **columns):
     """Returns a bag without groups and fabric."""
-    def absent():
+    def absent(_):
         raise NotMade("not recorded")
-    return Bag(bag(path, **columns), absent, absent, absent)
+    return Bag(bag(path, **columns), absent)
 
 
 @pytest.fixture(name="compressed")
@@ -48,18 +51,18 @@ def compressed_bag(tmp_path):
 
 
 def test_a_bag_counts_from_the_end_of_the_preload(compressed):
-    assert list(compressed["strain_axial"]) == [0, 0.01, 0.02, 0.03, 0.04]
+    assert list(compressed["strain_axial"]) == [0, 1, 2, 3, 4]
     assert (compressed.broken, compressed.failed) == (2, 3)
     assert compressed.before_end(3, "failure") == 3
     with pytest.raises(NotMade, match="failure does not come before 4 %"):
         compressed.before_end(4, "failure")
     with pytest.raises(NotMade, match="no station at 5 %"):
-        compressed.step_at(0.05)
+        compressed.step_at(5)
 
 
 def test_a_value_is_where_another_one_first_comes_to_it_and_nowhere_else(compressed):
-    assert compressed.where("plate_pressure", 5, "strain_axial") == 0.01
-    assert compressed.where("plate_pressure", 7.5, "strain_axial") == pytest.approx(0.015)
+    assert compressed.where("plate_pressure", 5, "strain_axial") == 1
+    assert compressed.where("plate_pressure", 7.5, "strain_axial") == pytest.approx(1.5)
     assert compressed.where("strain_axial", 0, "plate_pressure") == 1
     for at in (10.1, 0.5):
         with pytest.raises(StudyError, match=f"uc_PE.tsv: plate_pressure does not come to {at} from below"):
@@ -82,7 +85,7 @@ def test_what_is_left_after_failure_is_compared_where_the_shorter_series_ends(tm
 def test_groups_are_those_in_the_middle_and_the_two_at_the_edges(tmp_path):
     groups = write(tmp_path / "groups.tsv", {"step": "1", "mean_stress": "Pa"}, step=[0] * 4 + [1] * 4,
                    mean_stress=[1, 2, 4, 3, 1, 2, 2, 1])
-    one = Bag(bag(tmp_path / "uc.tsv", stage=[0, 1], strain_axial=[0, 0.01]), lambda: groups, None, None)
+    one = Bag(bag(tmp_path / "uc.tsv", stage=[0, 1], strain_axial=[0, 0.01]), lambda _: groups)
     assert one.middle_over_edge("mean_stress", 0) == 3 / 2 and one.middle_over_edge("mean_stress", 1) == 2
 
 
@@ -106,9 +109,9 @@ def box(path, held=1.0):
 
 
 def test_strips_and_boxes_are_measured(tmp_path):
-    assert making.stiffness(strip(tmp_path / "strip.tsv"), "PE") == pytest.approx(1)
-    assert making.strength(strip(tmp_path / "strip.tsv")) == 20
-    assert making.interface(box(tmp_path / "box.tsv")) == pytest.approx(45)
+    assert making.Strip(strip(tmp_path / "strip.tsv")).stiffness("PE") == pytest.approx(1)
+    assert making.Strip(strip(tmp_path / "strip.tsv")).strength() == 20
+    assert making.Box(box(tmp_path / "box.tsv")).friction() == pytest.approx(45)
 
 
 YARNS = {"step": "1", "family": "1", "position_x": "m", "position_y": "m", "position_z": "m", "direction_x": "1", "direction_y": "1",
@@ -129,35 +132,34 @@ def test_shear_is_measured_by_hand(tmp_path):
     s = shear.Shear(loaded(tmp_path / "ss.tsv", stage=[0, 1, 1, 2, 2], strain_axial=0, settlement=[0, 2e-3, 1e-3, 0, -1e-3],
                            plate_shear=[0, -2e3, -4e3, -3e3, -4e3], plate_ratio=[0, 0.2, 0.4, 0.3, 0.4], shear_stress=[0, -1e3, -3e3, -2e3, -2e3],
                            axial_stress=1e4, lateral_stress=[1e3, 1e3, 2e3, 2e3, 3e3], step=[0, 1, 2, 3, 4]))
-    assert (s.peak, s.thinnest, s.state) == (2, 1, 2)
-    assert s.lag(-1) == pytest.approx(0.2) and s.over_before("lateral_stress") == 2 and shear.dilated(s) == pytest.approx(3)
+    assert (s.peak, s.thinnest, s.state()) == (2, 1, 2)
+    assert s.lag(-1) == pytest.approx(0.2) and s.over_before("lateral_stress") == 2 and s.dilated() == pytest.approx(3)
     assert s.unsteadiness() == pytest.approx(math.sqrt((1.5**2 + 1) / 2) / 3.5)
 
 
 def test_measures_of_loads_that_are_not_there_are_not_made(tmp_path):
     study = Study("ch3", "", tmp_path, "quick")
-    shear.measure(study, Runs(tmp_path, False, [], "not run"))
+    shear.measure(study, Runs(tmp_path, False, absent="not run"))
     assert {m.value for m in study.measures.values()} == {None}
     assert study.measures["shear_lag"].reason == "no bag is sheared"
 
 
 def test_a_table_that_is_missing_is_an_error_unless_runs_may_be(tmp_path):
     with pytest.raises(StudyError, match="uc_PE.tsv: cannot be read"):
-        Runs(tmp_path, False, []).bag("uc_PE")
+        Runs(tmp_path, False).bag("uc_PE")
     with pytest.raises(NotMade, match="uc_PE: not run"):
-        Runs(tmp_path, False, [], "not run").bag("uc_PE")
+        Runs(tmp_path, False, absent="not run").bag("uc_PE")
 
 
-def kept_study(folder):
-    study, runs = Study("ch3", "", folder, "thesis"), Runs.kept()
-    chapter.measure(study, runs)
-    return study, runs
+def arguments(out, kept):
+    return types.SimpleNamespace(out=out, profile="quick", kept=kept, loads=[])
 
 
-def test_what_is_kept_of_full_size_gives_the_comparison_that_is_kept(tmp_path):
-    study, _ = kept_study(tmp_path)
-    chapter.state(study)
-    study.write_tables()
+def test_what_is_kept_of_full_size_gives_the_comparison_that_is_kept(tmp_path, monkeypatch):
+    monkeypatch.setattr(chapter, "OF_ALL", ())
+    for path in (HERE / "kept").glob("*.tsv"):
+        (tmp_path / path.name).write_text(path.read_text())
+    chapter.build(arguments(tmp_path, kept=True)).write_tables()
     for name in ("comparison", "checklist", "measured"):
         assert (tmp_path / f"{name}.tsv").read_text() == (HERE / "kept" / f"{name}.tsv").read_text()
 
@@ -175,7 +177,7 @@ def small_runs(folder):
         strip(folder / f"strip_{g}.tsv")
     for angle in (21, 25):
         box(folder / f"box_{angle}.tsv", angle / 25)
-    step = int(Runs.kept().bag("uc_PE").step_at(0.12))
+    step = int(Runs.kept().bag("uc_PE").step_at(12))
     for k in pictures.STATES:
         yarns(folder / f"uc_PE_yarns_{k}.tsv", step)
         grains = {"position_x": "m", "position_y": "m", "position_z": "m", "radius": "m", "copy": "1", "strain_deviatoric": "1"}
@@ -187,10 +189,12 @@ def small_runs(folder):
 
 
 class Undrawn(Study):
-    """A study whose figures are made and not rendered, which takes most of the time."""
+    """A study whose figures are made and not rendered, which takes most of the time. It notes which the page has words for."""
 
-    def figure(self, *_, **__):
+    def figure(self, name, *_, **__):
         pyplot.close("all")
+        if self._texts:
+            self._texts.figure(name)
 
     def picture(self, *_, **__):
         pyplot.close("all")
@@ -203,33 +207,38 @@ def test_each_column_that_the_chapter_reads_is_missed_by_name(tmp_path, monkeypa
     small_runs(tmp_path)
 
     def small():
-        return Runs(tmp_path, False, [], "not run")
+        return Runs(tmp_path, False, absent="not run")
     def measured(measure):
         return lambda: measure(Study("ch3", "", tmp_path, "thesis"), Runs.kept())
     readers = [*map(measured, (making.measure, shear.measure, compression.measure_breaks, compression.measure)),
-               lambda: making.stiffness(small().table("strip_PE"), "PE"),
-               lambda: [making.interface(small().table(f"box_{angle}")) for angle in making.FRICTION],
-               lambda: [making.strength(small().table(f"strip_{g}")) for g in ("PE", "PP")],
+               lambda: making.Strip(small().table("strip_PE")).stiffness("PE"),
+               lambda: [making.Box(small().table(f"box_{angle}")).friction() for angle in making.FRICTION],
+               lambda: [making.Strip(small().table(f"strip_{g}")).strength() for g in ("PE", "PP")],
                lambda: breaks.breaks(small().table("uc_PE_yarns_1"))]
     _, (axes,) = figures.panels(1)
     for k in pictures.STATES:
         readers += [lambda k=k: pictures.section(axes, small().table(f"uc_PE_grains_{k}")),
                     lambda k=k: pictures.face(axes, small().table(f"uc_PE_yarns_{k}"))]
-    readers += [drawn(draw, Runs.kept) for draw in chapter.DRAWN_KEPT]
-    readers += [drawn(draw, small) for draw in (drawing.draw_strip, drawing.draw_box, pictures.draw_breaks, pictures.draw_bag)]
+    readers += [drawn(draw, Runs.kept) for draw in chapter.OF_ALL]
+    readers += [drawn(draw, small) for draw in chapter.OF_RUNS]
     assert demand_columns(readers) > 150
 
 
-def test_the_appendix_says_what_kept_tables_hold(tmp_path):
-    study, runs = kept_study(tmp_path)
-    chapter.state(study)
-    appendix.add(study, runs)
-    assert len(study.appendices) == 5
-    words = appendix.Words("bulging_thesis")
-    with pytest.raises(StudyError, match="bulging_thesis.tsv: has no 'lateral stress at equal tensoin, PE'; did you mean 'lateral stress"):
-        words("lateral stress at equal tensoin, PE", "bag")
-    with pytest.raises(StudyError, match="has no 'seed_1'"):
-        words("lateral stress at equal tension, PE", "seed_1")
+def test_the_page_has_words_for_all_and_numbers_in_them(tmp_path, monkeypatch):
+    class Kept:
+        """The kept runs, whichever folder is asked for."""
+        kept = Runs.kept
+
+        def __new__(cls, *_):
+            return Runs.kept()
+    monkeypatch.setattr(chapter, "Study", Undrawn)
+    monkeypatch.setattr(chapter, "Runs", Kept)
+    monkeypatch.setattr(chapter, "OF_RUNS", ())
+    (tmp_path / "provenance.txt").write_text("made\n")
+    study = chapter.build(arguments(tmp_path, kept=False))
+    said = f"{study.lead}{study.headline}{study.remarks}{study._reasons}{study.appendices}"
+    assert "{" not in said.replace("{'", "") and "}" not in said.replace("'}", "") and "a bag of 6" in study.lead
+    assert len(study.appendices) == 5 and re.search(r"axial stress in PE differs from the recorded one by \d+ to \d+ %", said)
 
 
 def stations(folder, stress, **columns):
@@ -252,7 +261,7 @@ def test_variants_are_told_as_differences_from_the_bag(tmp_path):
     assert first.split("\t")[3:5] == ["2.0", "+0.0"] and first.split("\t")[-4:] == ["8", "none", "none", "none"]
     assert second.split("\t")[2:5] == ["0.7000", "1.0", "-50.0"] and second.split("\t")[-4] == "none"
     with pytest.raises(StudyError, match=r"has no variant lose; did you mean 'loose'"):
-        variants.variant("lose")
+        variants.cell("lose", "seed")
     assert variants.options("round_sides", "bag") == "--set container.width=0.374336 --set container.side_radius=0.04"
 
 

@@ -9,7 +9,7 @@ import sys
 import xml.etree.ElementTree
 
 import pytest
-from study import Measure, NotMade, Statement, Study, StudyError, Table, compare, figures, main, read_statements
+from study import Drawn, Measure, NotMade, Series, Statement, Study, StudyError, Table, compare, figures, main, panel, read_statements
 from study.words import plain, spell
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -153,13 +153,17 @@ def drawing(columns=1):
 
 
 def test_the_three_lines_of_the_readme_add_a_measure_a_statement_and_a_figure(tmp_path):
-    (lines,) = re.findall(r"```python\n(.*?)```", (ROOT / "pipelines/README.md").read_text(), re.DOTALL)
+    lines, curves = re.findall(r"```python\n(.*?)```", (ROOT / "pipelines/README.md").read_text(), re.DOTALL)
     assert lines.count("\n") == 3
     (tmp_path / "run.tsv").write_text("stress_ratio [1]\n1\n4.4\n4.1\n")
+    (tmp_path / "bag.tsv").write_text("strain_axial [1]\tplate_pressure [Pa]\tmean_stress [Pa]\tdeviatoric_stress [Pa]\n0\t0\t0\t0\n0.1\t9\t8\t7\n")
     study = Study("example", "Example", tmp_path, "quick")
     exec(lines, {"study": study, "table": Table.read(tmp_path / "run.tsv"), "drawing": drawing()})  # pylint: disable=exec-used
+    exec(curves, {"study": study, "tables": {"PE": Table.read(tmp_path / "bag.tsv")}, "Drawn": Drawn, "Series": Series,  # pylint: disable=exec-used
+                  "figures": figures, "panel": panel})
     study.lead, study.headline = "A test.", f"The peak is {study.say('peak')}."
     study.write()
+    assert (tmp_path / "load.svg").read_text().count(">PE<") == 2
     assert "peak stress ratio: <b>4.4</b>, published 4.5 ± 0.3, <span class=\"met\">" in (tmp_path / "page.html").read_text()
 
 

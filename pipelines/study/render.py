@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -P
 """Pictures of a bag in three dimensions: intact, near its greatest load and ruptured, with a quarter cut out of it.
 
-usage: [xvfb-run -a] pipelines/ch3/render.py out/ch3/uc_PE.h5 bag3d.jpg
+usage: [xvfb-run -a] pipelines/study/render.py out/ch3/uc_PE.h5 bag3d.jpg
 Yarns show their tension, broken ones are missing; grains show their deviatoric strain. VTK draws (python3-vtk9); Debian's needs
 a display for it, which xvfb-run gives where there is none. BIN: folder of the tools, build/bin.
 """

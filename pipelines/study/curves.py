@@ -1,0 +1,73 @@
+"""Figures of curves in a few words: which column over which, of which runs, beside which published points."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import dataclasses
+
+from . import figures
+
+_LINE = {"linewidth": 1.3, "markersize": 2.5}
+
+
+@dataclasses.dataclass(frozen=True)
+class Drawn:
+    """A run as figures draw it: its name and a note for the legend, its Series, its colour and line; "o" are published points."""
+
+    name: str
+    of: object
+    colour: str
+    line: str = "-"
+    note: str = ""
+
+    def words(self, line=None):
+        """Returns its entry in a legend: of one column among several where a line is given, else of the run."""
+        return ", ".join(text for text in (line.words if line else self.name, self.note) if text)
+
+
+@dataclasses.dataclass(frozen=True)
+class Panel:
+    """Columns over one column. y: its name, or names of several, each of which has then a colour and words of its own; `label`
+    is what their axis is called. xlim, ylim, xscale, yscale, title: as matplotlib has them; an axis begins at 0 with ylim=(0, None).
+    """
+
+    x: str
+    y: object
+    runs: list
+    label: str = ""
+    how: dict = dataclasses.field(default_factory=dict)
+    legend: bool = True
+
+
+def panel(x, y, runs, label="", legend=True, **how):
+    """Returns a Panel of the runs, each a Drawn, of which those of published points may be with the others."""
+    return Panel(x, y, list(runs), label, how, legend)
+
+
+def draw(axes, one):
+    """Draws a panel."""
+    names = one.y if isinstance(one.y, tuple) else (one.y,)
+    for k, name in enumerate(names):
+        for run in one.runs:
+            several = run.of.line(name) if len(names) > 1 else None
+            colour = figures.SERIES[k] if several else run.colour
+            if run.line == "o":
+                figures.points(axes, run.of[one.x], run.of[name], colour, run.words(several))
+            else:
+                axes.plot(run.of[one.x], run.of[name], run.line, color=colour, label=run.words(several), **_LINE)
+    first = one.runs[0].of
+    x, y = first.line(one.x), first.line(names[0])
+    label = one.label or y.axis
+    figures.label(axes, x.axis, label, [line.axis for line in (x, y) if line.unit == "1"] + [label] * (y.unit == "1"))
+    axes.set(**one.how)
+    if one.legend and axes.get_legend_handles_labels()[1]:
+        axes.legend()
+
+
+def figure(panels, columns=None, width=None, height=None):
+    """Returns a figure of panels, in rows of so many columns; without a number all are in one row."""
+    columns = columns or len(panels)
+    rows = -(-len(panels) // columns)
+    drawn, axes = figures.panels(columns, rows, width or (6.4 if columns == 1 else None), height or (4.4 if rows == 1 else 3.8 * rows))
+    for a, one in zip(axes, panels, strict=False):
+        draw(a, one)
+    for a in axes[len(panels):]:
+        a.remove()
+    return drawn

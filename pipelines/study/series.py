@@ -1,0 +1,49 @@
+"""A table as figures and measures read it: columns in the units of QUANTITIES, and what is derived from them row by row."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import numpy
+
+from .errors import StudyError
+from .quantities import Line, quantity
+
+
+class Series:
+    """The rows of a table, in the order of loading: series["axial_stress"] is an array in kPa.
+
+    derived: what a kind of series has beyond the columns of its table, by name: the unit, the words along an axis and a function
+    that makes it of the series.
+    """
+
+    derived = {}
+
+    def __init__(self, table):
+        self.table = table
+
+    def __getitem__(self, name):
+        return self.derived[name][2](self) if name in self.derived else self.table[name]
+
+    def __len__(self):
+        return len(self.table)
+
+    def line(self, name):
+        """Returns unit and words of a column, as figures need them."""
+        return Line(name, *self.derived[name][:2]) if name in self.derived else quantity(name)
+
+    def last(self, name):
+        """Returns the last value of a column."""
+        return self[name][-1]
+
+    def most(self, name):
+        """Returns the row of the greatest value of a column, the first where there are several."""
+        return int(self[name].argmax())
+
+    def where(self, along, at, name):
+        """Returns the column `name` where the column `along` first reaches `at`, linearly between its rows.
+
+        Raises StudyError where it never does or is beyond it from the start: nothing is extrapolated.
+        """
+        x, y = self[along], self[name]
+        reached = numpy.flatnonzero(x >= at)
+        if not len(reached) or (reached[0] == 0 and x[0] > at):
+            raise StudyError(f"{self.table.where}: {along} does not come to {at:.6g} from below")
+        k = reached[0]
+        return float(y[k] if x[k] == at else y[k - 1] + (y[k] - y[k - 1]) * (at - x[k - 1]) / (x[k] - x[k - 1]))

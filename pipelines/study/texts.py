@@ -1,0 +1,55 @@
+"""words.toml of a study: all that its page says, with numbers filled in from the run; and how figures are captioned."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import tomllib
+
+import jinja2
+
+from .errors import StudyError, suggestion
+
+# Keys of words.toml, of a figure, of statements and of a reason. A list of remarks is paragraphs.
+_KEYS = ("title", "lead", "headline", "remarks", "expected", "statements", "reason", "figure", "appendix")
+_OF = {"figure": ("sentence", "number", "claim", "measures"), "statements": ("heading", "note", "table"), "expected": ("note",),
+       "reason": ("of", "why"), "appendix": ("heading", "text", "tables")}
+_ENVIRONMENT = jinja2.Environment(undefined=jinja2.StrictUndefined)
+
+
+class Texts:
+    """The texts of a study. Each may hold {{ say("name") }} and the like, which fill() gives their numbers."""
+
+    def __init__(self, path):
+        """Raises StudyError naming the file and the word for what no text of a page is."""
+        self.path = path
+        try:
+            with open(path, "rb") as file:
+                given = tomllib.load(file)
+        except OSError as error:
+            raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
+        except tomllib.TOMLDecodeError as error:
+            raise StudyError(f"{path}: {error}") from error
+        self._known(given, _KEYS, "")
+        for kind, keys in _OF.items():
+            entries = given.get(kind, [])
+            for where, entry in entries.items() if kind == "figure" else ((kind, e) for e in (entries if isinstance(entries, list) else [entries])):
+                self._known(entry, keys, f"{where}: ")
+        self.title, self.lead, self.headline = (given.get(key, "") for key in ("title", "lead", "headline"))
+        self.remarks, self.reasons = given.get("remarks", []), given.get("reason", [])
+        self.expected, self.statements = given.get("expected", {}), given.get("statements", {})
+        self.figures, self.appendices = given.get("figure", {}), given.get("appendix", [])
+
+    def _known(self, given, keys, where):
+        for key in given:
+            if key not in keys:
+                raise StudyError(f"{self.path}: {where}'{key}' is nothing that a page says{suggestion(key, keys)}")
+
+    def figure(self, name):
+        """Returns what is said of a figure. Raises StudyError where nothing is."""
+        if name not in self.figures:
+            raise StudyError(f"{self.path}: has no figure.{name}{suggestion(name, self.figures)}")
+        return self.figures[name]
+
+    def fill(self, text, values):
+        """Returns a text with values in it. Raises StudyError for a name that has none."""
+        try:
+            return _ENVIRONMENT.from_string(text).render(values).strip()
+        except jinja2.TemplateError as error:
+            raise StudyError(f"{self.path}: {error}, in \"{text.strip()[:60]}\"") from error

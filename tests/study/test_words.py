@@ -1,0 +1,170 @@
+"""The studies' package: pages told by words.toml, figures told in a few words, what studies share of reading tables."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import types
+
+import pytest
+from matplotlib import pyplot
+from study import Cells, Drawn, Folder, NotMade, Series, Study, StudyError, Table, curves, panel
+from study.quantities import quantity
+
+HEAD = "name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
+WORDS = """
+title = "Example"
+lead = "A {{ of }} bag."
+headline = "It bears {{ say('peak', kept=kept) }}."
+remarks = ["Always.", "{% if judged %}Never, as this run is not judged.{% endif %}"]
+[statements]
+heading = "Statements"
+table = "checklist"
+[[reason]]
+of = ["peak"]
+why = "{{ say('peak') }} is what it is"
+[figure.second]
+sentence = "Drawn last, shown last."
+[figure.first]
+number = "Fig. 1"
+sentence = "Load of a {{ of }} bag."
+claim = "loads rise."
+measures = ["peak"]
+[[appendix]]
+heading = "Causes"
+text = "One."
+tables = ["told", "causes"]
+"""
+
+
+class Compressed(Series):
+    """A bag whose load is also told in half."""
+    derived = {"half": ("kPa", "half of the load", lambda s: s["plate_pressure"] / 2)}
+
+
+@pytest.fixture(name="folder")
+def study_folder(tmp_path):
+    folder = tmp_path / "example"
+    (folder / "kept").mkdir(parents=True)
+    (folder / "words.toml").write_text(WORDS)
+    (folder / "expected.tsv").write_text(HEAD + "peak\twithin\t2\t0.5\tkPa\tthesis\tgreatest load\n")
+    (folder / "statements.tsv").write_text(HEAD + "peak\tat least\t1\t\tkPa\tthesis\tit bears something\n")
+    (folder / "checks.tsv").write_text(HEAD + "peak\tat most\t9\t\tkPa\tthis study\tit bears no more\n")
+    (folder / "kept/comparison.tsv").write_text("description\tunit\tpublished\ttolerance\tmeasured\tdifference\tverdict\tsource\n"
+                                                "greatest load\tkPa\t2\t± 0.5\t2.25\t+0.25 (+12.5 %)\tmet\tthesis\n")
+    (folder / "kept/causes_thesis.tsv").write_text("bag\tload [kPa]\nsoft\t1\n")
+    (tmp_path / "run.tsv").write_text("strain_axial [1]\tplate_pressure [Pa]\taxial_stress [Pa]\n0\t0\t0\n0.01\t2000\t1000\n0.02\t3000\t2000\n")
+    return folder
+
+
+def begun(folder, kept=False, judged=False):
+    return Study.of(folder, types.SimpleNamespace(out=folder.parent, profile="quick", kept=kept), judged)
+
+
+def built(folder, **how):
+    study = begun(folder, **how)
+    bag = Compressed(Table.read(folder.parent / "run.tsv"))
+    study.measure_each([("peak", "kPa", lambda b: b["plate_pressure"].max())], lambda: [bag])
+    if not study.pageless:
+        study.tell(of="soft", told={"bag": ["stiff"]})
+    runs = [Drawn("PE", bag, "red", note="full size"), Drawn("PE", bag, "red", "o", "record")]
+    study.curves("second", panel("strain_axial", ("plate_pressure", "axial_stress"), runs[:1], "stress (kPa)"))
+    study.curves("first", panel("strain_axial", "plate_pressure", runs), panel("plate_pressure", "half", runs, ylim=(0, None)))
+    return study
+
+
+def test_a_folder_says_all_that_a_page_has(folder, capsys):
+    built(folder).write()
+    page = (folder.parent / "page.html").read_text()
+    for part in ("A soft bag.", "It bears 2.25\u00a0kPa.", "<p>Always.</p>", "Load of a soft bag.", "The thesis: loads rise.", "it bears something",
+                 "<td>stiff</td>", "Causes, full size:", "<td>soft</td>"):
+        assert part in page
+    assert "Never" not in page and page.index("Load of a soft bag.") > page.index("Drawn last")  # the order of words.toml
+    assert sorted(path.name for path in folder.parent.glob("*.tsv")) == ["checklist.tsv", "comparison.tsv", "measured.tsv", "run.tsv"]
+    assert "1 of 1 published values within tolerance at full size" in capsys.readouterr().out
+
+
+def test_a_kept_run_has_tables_and_figures_and_no_page(folder):
+    built(folder, kept=True).write_tables()
+    assert (folder.parent / "first.svg").exists() and not (folder.parent / "page.html").exists()
+    assert "\tnot judged\t" not in (folder.parent / "comparison.tsv").read_text()
+
+
+def test_a_judged_run_has_its_reasons_and_remarks(folder):
+    study = built(folder, judged=True)
+    assert study.headline == "It bears 3.00\u00a0kPa." and len(study.remarks) == 2
+    study.write()
+    assert "3.00\u00a0kPa is what it is" in (folder.parent / "page.html").read_text()
+
+
+@pytest.mark.parametrize(("was", "now", "message"), [
+    ("lead =", "leed =", "words.toml: 'leed' is nothing that a page says; did you mean 'lead'"),
+    ("claim =", "clame =", "words.toml: first: 'clame' is nothing that a page says; did you mean 'claim'"),
+    ("why =", "wy =", "words.toml: reason: 'wy' is nothing"),
+    ("title = \"", "title = ", "words.toml: "),
+    ("A {{ of }}", "A {{ off }}", r"words.toml: 'off' is undefined, in \"A {{ off }} bag.\""),
+    ("A {{ of }}", "A {{ of ", "words.toml: .*in \"A {{ of"),
+    ("say('peak')", "say('peek')", "peek: is said but not measured; did you mean 'peak'"),
+    ("[figure.first]", "[figure.furst]", "words.toml: has no figure.first; did you mean 'furst'"),
+    ("\"causes\"]", "\"cause\"]", "words.toml: there is no kept table cause"),
+])
+def test_words_that_no_page_has_are_refused(folder, was, now, message):
+    (folder / "words.toml").write_text(WORDS.replace(was, now))
+    with pytest.raises(StudyError, match=message):
+        built(folder)
+    pyplot.close("all")
+
+
+def test_a_missing_words_file_is_named(folder):
+    (folder / "words.toml").unlink()
+    with pytest.raises(StudyError, match="words.toml: cannot be read"):
+        begun(folder)
+
+
+def test_a_measure_whose_run_is_not_made_says_why(folder):
+    def absent():
+        raise NotMade("not run")
+    study = begun(folder)
+    study.measure_each([("load", "kPa", lambda b: 1)], absent, "_PE")
+    assert study.measures["load_PE"].value is None and study.measures["load_PE"].reason == "not run"
+
+
+def test_panels_name_axes_and_curves_by_their_columns(folder):
+    bag = Compressed(Table.read(folder.parent / "run.tsv"))
+    runs = [Drawn("PE", bag, "red", "--", "full size"), Drawn("PE", bag, "blue", "o", "record")]
+    drawn = curves.figure([panel("strain_axial", "half", runs), panel("strain_axial", ("plate_pressure", "half"), runs[:1], "load (kPa)", ylim=(0, 4)),
+                           panel("half", "half", runs, legend=False)], columns=2)
+    one, several, last = drawn.axes  # the fourth place is empty
+    assert (one.get_xlabel(), one.get_ylabel()) == ("axial strain (%)", "half of the load (kPa)")
+    assert [text.get_text() for text in one.get_legend().get_texts()] == ["PE, full size", "PE, record"]
+    assert list(one.lines[0].get_xdata()) == [0, 1, 2] and list(one.lines[0].get_ydata()) == [0, 1, 1.5]
+    assert one.lines[1].get_linestyle() == "None" and one.lines[0].get_color() == "red"
+    assert several.get_ylabel() == "load (kPa)" and several.get_ylim() == (0, 4)
+    assert [text.get_text() for text in several.get_legend().get_texts()] == ["plate pressure, full size", "half of the load, full size"]
+    assert last.get_legend() is None
+    pyplot.close("all")
+
+
+def test_columns_have_one_unit_and_an_unknown_one_is_asked_for_in_its_own(folder):
+    series = Compressed(Table.read(folder.parent / "run.tsv"))
+    assert list(series["strain_axial"]) == [0, 1, 2] and series.last("half") == 1.5 and len(series) == 3
+    assert series.most("plate_pressure") == 2 and series.where("strain_axial", 0.5, "plate_pressure") == 1
+    with pytest.raises(StudyError, match="run.tsv: strain_axial does not come to 3 from below"):
+        series.where("strain_axial", 3, "plate_pressure")
+    with pytest.raises(StudyError, match="run.tsv: has no column void_ratio"):
+        series["void_ratio"]  # pylint: disable=pointless-statement
+    with pytest.raises(StudyError, match="'strain_axal' has no unit of its own; .*did you mean 'strain_axial'"):
+        quantity("strain_axal")
+
+
+def test_tables_of_a_folder_may_be_absent_for_a_reason(folder):
+    assert len(Folder(folder.parent)("run")) == 3
+    with pytest.raises(StudyError, match="none.tsv: cannot be read"):
+        Folder(folder.parent)("none")
+    with pytest.raises(NotMade, match="none: not kept"):
+        Folder(folder.parent, "not kept")("none")
+
+
+def test_cells_are_found_by_row_and_column(folder):
+    cells = Cells(folder / "kept/causes_thesis.tsv", "bag")
+    assert cells("soft", "load [kPa]") == 1
+    for row, column, message in (("sofd", "bag", "has no 'sofd'; did you mean 'soft'"), ("soft", "lode", "has no 'lode'"),
+                                 ("soft", "bag", "could not convert string to float")):
+        with pytest.raises(StudyError, match=f"causes_thesis.tsv: .*{message}"):
+            cells(row, column)
