@@ -5,7 +5,7 @@ import functools
 import math
 
 import numpy
-from study import NotMade, StudyError, Table
+from study import Folder, NotMade, Series, StudyError
 
 STRETCH = 3.0  # cm of pull that curves are averaged over: the few rods of a packing fluctuate
 
@@ -21,6 +21,9 @@ class Size:
     main: str
     meshes: tuple
     speeds: tuple
+
+    def __str__(self):
+        return f"{2 * squares(self.main)**2} elements, {self.grains} rods a point"
 
     @property
     def cases(self):
@@ -47,15 +50,18 @@ def label(case):
     return f"{2 * squares(case)**2} elements, {speed(case):g} cm/s"
 
 
-class Curve:
-    """A column of a run's table "loading" over the pull of the sheet's end (cm)."""
+class Curve(Series):
+    """A column of a run's table "loading" over the pull of the sheet's end (cm), in the rows where it has a value.
 
-    def __init__(self, table, name, unit):
-        self.table, self.pull, self.value = table, table("pull_end", "cm"), table(name, unit, missing=True)
-        touching = ~numpy.isnan(self.value)  # friction has no value while soil and sheet do not touch
+    Friction has none while soil and sheet do not touch.
+    """
+
+    def __init__(self, table, name):
+        touching = ~numpy.isnan(table[name])
         if not touching.any():
             raise StudyError(f"{table.where}: column {name} has no value in any row")
-        self.pull, self.value = self.pull[touching], self.value[touching]
+        super().__init__(table.rows(touching))
+        self.pull, self.value = self["pull_end"], self[name]
 
     def at(self, pull):
         """Returns the values at pulls, linearly between rows. A pull beyond the last row by more than a tenth of a mm is refused."""
@@ -82,7 +88,7 @@ class Curve:
 
     def rate(self):
         """Returns the slope over the first 2 mm of pull, 1/s."""
-        time = self.table("time", "s")
+        time = self["time"]
         return (self.at(0.2) - self.value[0]) / (0.2 * time[-1] / self.pull[-1])
 
 
@@ -94,35 +100,36 @@ def spread(curves, start):
     return numpy.ptp(means, axis=0).max() / means.max()
 
 
-class History:
+class History(Series):
     """What a point went through, output by output. Its parts are named by shares of the pull, which is even in time."""
 
-    def __init__(self, table):
-        self.p, self.q = table("mean_stress", "kPa"), table("deviatoric_stress", "kPa")
-        self.shear, self.volumetric = table("strain_shear", "%"), table("strain_volumetric", "%")
-        self.anisotropy = table("anisotropy", "1")
-        time = table("time", "s")
-        self.pull = 25 * time / time[-1]  # cm
+    derived = {"pull": ("cm", "pulled", lambda h: 25 * h.table["time"] / h.table["time"][-1]),
+               "p": ("kPa", "p", lambda h: h.table["mean_stress"]), "q": ("kPa", "q", lambda h: h.table["deviatoric_stress"]),
+               "shear": ("%", "ε_q", lambda h: h.table["strain_shear"]),
+               "volumetric": ("%", "ε_v, contraction positive", lambda h: h.table["strain_volumetric"]),
+               # Nothing is drawn where a point carries nothing, 1e-3 kPa, or has no contacts, which F_a says with -1.
+               "obliquity": ("1", "q/p", lambda h: h["q"] / numpy.where(h["p"] > 1e-3, h["p"], math.nan)),
+               "touching": ("1", "F_a", lambda h: numpy.where(h["anisotropy"] >= 0, h["anisotropy"], math.nan))}
 
     def part(self, start, end):
         """Returns the rows from one share of the history to another, the outputs numbered from 1."""
-        n = len(self.pull)
+        n = len(self)
         return slice(max(int(start * n), 1) - 1, math.floor(end * n))
 
     def obliquity(self, rows):
         """Returns q/p of the means over rows: q/p of single outputs fluctuates."""
-        if not self.p[rows].sum() > 0:
+        if not self["p"][rows].sum() > 0:
             raise NotMade("the point carries no mean stress there")
-        return self.q[rows].sum() / self.p[rows].sum()
+        return self["q"][rows].sum() / self["p"][rows].sum()
 
     def until(self, pull):
         """Returns the rows after the start up to a pull (cm), two at least."""
-        return slice(1, max(int(len(self.pull) * pull / 25), 3))
+        return slice(1, max(int(len(self) * pull / 25), 3))
 
     @property
     def loosest(self):
         """The output at which the point is most dilated; the first one where it never is looser than at the start."""
-        return int(numpy.argmin(self.volumetric))
+        return int(numpy.argmin(self["volumetric"]))
 
     @property
     def dilating(self):
@@ -148,6 +155,12 @@ class Field:
     def side(self):
         """The side of the square of soil before the pull, m."""
         return self.start.max()
+
+    @property
+    def magnified(self):
+        """How much larger displacements are drawn than they are."""
+        most = numpy.linalg.norm(self.displacement, axis=1).max()
+        return 10**math.floor(math.log10(0.2 / most)) if 0 < most < 0.05 else 1
 
     def corners_at(self, height):
         """Returns how many corners of each element were at a height (m) before the pull."""
@@ -185,33 +198,28 @@ class Runs:
     """The tables in a folder of the runs of one size."""
 
     def __init__(self, folder, size):
-        self.folder, self.size = folder, size
+        self.size, self.tables = size, Folder(folder)
+        # Stress at the bottom in shape-forming, friction ratio in pull-outs; point A (shape) or B (pullout); the last state.
+        self.curve, self.history, self.field = map(functools.cache, (self._curve, self._history, self._field))
 
     def table(self, kind, example, case=None):
         """Returns a table of fem-dem of a run, the main one where no case is given."""
-        return Table.read(self.folder / f"{kind}_{example}_{case or self.size.main}.tsv")
+        return self.tables(f"{kind}_{example}_{case or self.size.main}")
 
-    @functools.lru_cache(maxsize=None)
-    def curve(self, example, case=None):
-        """Returns the stress at the bottom (kPa) in shape-forming, the friction ratio in pull-outs, over the pull."""
-        name, unit = ("traction_y_bottom", "kPa") if example == "shape" else ("interface_friction", "1")
-        return Curve(self.table("loading", example, case), name, unit)
+    def _curve(self, example, case=None):
+        return Curve(self.table("loading", example, case), "traction_y_bottom" if example == "shape" else "interface_friction")
+
+    def _history(self, example):
+        return History(self.table("local", example))
+
+    def _field(self, example):
+        return Field(*(self.table(kind, example) for kind in ("elements", "points", "nodes", "bars")))
 
     def swinging(self):
         """Returns the curve of the pull-out with the thesis's damping of the soil."""
-        if not (self.folder / f"loading_swinging_{self.size.main}.tsv").exists():
+        if not (self.tables.path / f"loading_swinging_{self.size.main}.tsv").exists():
             raise NotMade("its run is not kept")
         return self.curve("swinging")
-
-    @functools.lru_cache(maxsize=None)
-    def history(self, example):
-        """Returns the history of point A (shape) or B (pullout)."""
-        return History(self.table("local", example))
-
-    @functools.lru_cache(maxsize=None)
-    def field(self, example):
-        """Returns the soil and the sheet at the end of the main run."""
-        return Field(*(self.table(kind, example) for kind in ("elements", "points", "nodes", "bars")))
 
     def balance(self, example):
         """Returns the error of the energy balance at the end of the main run over the work done, %."""

@@ -1,6 +1,7 @@
 """Chapter 6: its measures on small tables by hand, and on what is kept of its runs at full size."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
+import types
 
 import numpy
 import pytest
@@ -27,7 +28,7 @@ def write(path, **columns):
 
 def curve(path, pull, friction, end=25.0):
     return Curve(write(path, time=numpy.array(pull) * end / 25, pull_end=numpy.array(pull) / 100, interface_friction=friction),
-                 "interface_friction", "1")
+                 "interface_friction")
 
 
 def test_a_curve_is_straight_between_its_rows_and_ends_where_they_end(tmp_path):
@@ -81,7 +82,7 @@ def test_parts_of_a_history_are_rows_from_one_on(history):
 
 
 def test_the_point_is_loosest_in_one_output_and_its_obliquity_is_of_means(history):
-    assert (history.loosest, history.pull[history.loosest]) == (2, 10)
+    assert (history.loosest, history["pull"][history.loosest]) == (2, 10)
     assert history.obliquity(history.dilating) == 0.5
     assert history.obliquity(slice(2, 6)) == pytest.approx(3500 / 11000)
     with pytest.raises(NotMade, match="carries no mean stress"):
@@ -148,10 +149,9 @@ def kept_runs():
 
 
 def test_what_is_kept_of_full_size_gives_the_comparison_that_is_kept(tmp_path):
-    study, runs = Study("ch6", "", tmp_path, "thesis"), kept_runs()
-    chapter.measure_shape(study, runs)
-    chapter.measure_pullout(study, runs)
-    study.expect(chapter.HERE / "statements.tsv")
+    for path in chapter.KEPT.glob("*.tsv"):
+        (tmp_path / path.name).write_text(path.read_text())
+    study = chapter.build(types.SimpleNamespace(out=tmp_path, profile="quick", kept=True))
     study.write_tables()
     for name in ("comparison", "measured"):
         assert (tmp_path / f"{name}.tsv").read_text() == (chapter.KEPT / f"{name}.tsv").read_text()
@@ -162,13 +162,29 @@ def test_no_statement_is_of_a_change_without_a_margin():
     assert [s.name for s in read_statements(chapter.HERE / "statements.tsv") if s.relation != "within" and float(s.published) == 0] == []
 
 
+class Undrawn(Study):
+    """A study whose figures are made and not rendered, which takes most of the time."""
+
+    def figure(self, *_, **__):
+        pass
+
+
+def test_a_quick_page_tells_what_is_kept_at_full_size(tmp_path, monkeypatch):
+    monkeypatch.setattr(chapter, "Study", Undrawn)
+    monkeypatch.setitem(chapter.SIZES, "quick", SIZES["thesis"])
+    for path in chapter.KEPT.glob("*.tsv"):
+        (tmp_path / path.name).write_text(path.read_text())
+    study = chapter.build(types.SimpleNamespace(out=tmp_path, profile="quick", kept=False))
+    assert "packings of 400 disks" in study.lead and study.remarks[0].startswith("In pull-out the soil is damped by 20 1/s")
+    assert list(study._texts.figures) == ["curves", "shape_fields", "shape_fields_here", "pullout_fields", "pullout_fields_here", "A", "B"]
+    pyplot.close("all")
+
+
 def test_each_column_that_the_chapter_reads_is_missed_by_name(tmp_path):
     def measured(measure):
         return lambda: measure(Study("ch6", "", tmp_path, "thesis"), kept_runs())
     readers = [measured(chapter.measure_shape), measured(chapter.measure_pullout)]
-    readers += [lambda e=e: chapter.draw_fields(kept_runs(), e, "") for e in ("shape", "pullout")]
-    readers += [lambda e=e: chapter.draw_histories(kept_runs(), None, e) for e in ("shape", "pullout")]
-    readers += [lambda: chapter.draw_curves(kept_runs(), None)]
+    readers += [lambda: chapter.draw(Undrawn("ch6", "", tmp_path, "thesis"), kept_runs(), None)]
     columns = sum(len(table.read_text().splitlines()[0].split("\t")) for table in chapter.KEPT.glob("*_*_*.tsv"))
-    assert demand_columns(readers) == columns - 2  # nothing asks for the time of two of the pull-outs
+    assert demand_columns(readers) == columns - 3  # nothing asks for the time of two of the pull-outs, nor of point B
     pyplot.close("all")
