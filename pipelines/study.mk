@@ -14,10 +14,11 @@ PYTHON ?= /usr/bin/python3
 STUDY_PY := PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=pipelines $(PYTHON) -P
 STUDY := $(wildcard pipelines/study/*.py pipelines/study/templates/*)
 
-# Changes only when the profile does; whatever the profile decides depends on it.
+# $(call remember,WORDS): a file of these words, which changes only when they do.
+remember = mkdir -p $(@D) && { printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$(1)' > $@; }
+# Whatever the profile decides depends on it.
 $(OUT)/profile: always
-	@mkdir -p $(@D)
-	@printf '%s\n' '$(PROFILE)' | cmp -s - $@ || printf '%s\n' '$(PROFILE)' > $@
+	@$(call remember,$(PROFILE))
 
 # Puts what a recipe prints into a file that appears whole. The name beside it is the writing shell's own, since a make that
 # was killed may leave writers behind while the next one is at work.

@@ -60,10 +60,8 @@ c2_after = $(if $(filter 1,$(c2_round)),$(patsubst %:$(c2_case),$(C2O)/%/$(C2_LA
 ch2: $(C2O)/page.html ## contact parameters identified with the particle filter (thesis: 2000 runs a case; C2_CASES=...)
 
 # Remembers what the variables above decide; ensembles depend on it.
-C2_SETTINGS := $(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR)
 $(C2O)/settings: always
-	@mkdir -p $(@D)
-	@printf '%s\n' '$(C2_SETTINGS)' | cmp -s - $@ || printf '%s\n' '$(C2_SETTINGS)' > $@
+	@$(call remember,$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR))
 
 $(C2O)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
@@ -88,10 +86,8 @@ c2_assimilate = $(BIN)/pf-weight assimilate $(C2O)/$*_sets.h5 $(c2_observed) --r
 C2_POSTERIORS := $(foreach c,$(C2_CASES),$(C2_ROUNDS:%=$(C2O)/$(c)/round%_posterior.h5))
 $(C2_POSTERIORS): $(C2O)/%_posterior.h5: $(C2O)/%_ran $$(c2_observed) $(BIN)/pf-weight
 	@$(c2_assimilate) --force -o $@ > $(@:.h5=.txt)
-$(C2O)/%_steps.tsv: $(C2O)/%_posterior.h5
-	@$(c2_assimilate) --quiet --tsv --table steps $(call whole,$@)
-$(C2O)/%_density.tsv: $(C2O)/%_posterior.h5
-	@$(c2_assimilate) --quiet --tsv --table density $(call whole,$@)
+$(C2O)/%_steps.tsv $(C2O)/%_density.tsv: $(C2O)/%_posterior.h5
+	@$(foreach table,steps density,$(c2_assimilate) --quiet --tsv --table $(table) $(call whole,$(C2O)/$*_$(table).tsv) || exit;)
 
 # The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go. Weights are
 # not used there, so that any error will do.
@@ -102,15 +98,13 @@ $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
 	@touch $@
 c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(C2O)/$*/check/runs/{id:06}/series.h5' \
   --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
-$(C2O)/%/check_near.tsv: $(C2O)/%/checked $(BIN)/pf-weight
-	@$(c2_check) runs --until $(C2_STRAIN) $(call whole,$@)
-$(C2O)/%/check_whole.tsv: $(C2O)/%/checked $(BIN)/pf-weight
-	@$(c2_check) runs $(call whole,$@)
-$(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
-	@$(c2_check) curves $(call whole,$@)
+# The runs beside the laboratory up to the strain that sets are compared to, and over its whole curve; and their curves.
+$(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
+	@$(c2_check) runs --until $(C2_STRAIN) $(call whole,$(@D)/check_near.tsv)
+	@$(foreach of,whole:runs curves:curves,$(c2_check) $(lastword $(subst :, ,$(of))) $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)
 
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
 C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
   $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv))
-$(C2O)/page.html: $(C2)/study.py $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES)
+$(C2O)/page.html: $(C2)/study.py $(C2)/inputs.py $(C2)/words.toml $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES)
 	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)

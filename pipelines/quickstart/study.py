@@ -96,9 +96,9 @@ def measure_packings(study, runs):
 def measure_tests(study, runs):
     """Under load: peaks and volumes of the mean curves, balances of all runs."""
     for p in PRESSURES:
-        study.measure(f"peak_ratio_{p}", *unit_last(runs.means[p].greatest("stress_ratio", "1"), "1"))
-        study.measure(f"contraction_{p}", *unit_last(runs.means[p].greatest("strain_volumetric", "%"), "%"))
-        study.measure(f"volumetric_{p}", *unit_last(runs.means[p].at(8.5, "strain_volumetric", "%"), "%"))
+        study.measure(f"peak_ratio_{p}", runs.means[p].greatest("stress_ratio", "1"), "1")
+        study.measure(f"contraction_{p}", runs.means[p].greatest("strain_volumetric", "%"), "%")
+        study.measure(f"volumetric_{p}", runs.means[p].at(8.5, "strain_volumetric", "%"), "%")
     laboratory, model = runs.laboratory["0.2"], runs.means["0.2"]
     at_its_strains = numpy.interp(laboratory("strain_axial", "%"), model.strain, model.mean("stress_ratio", "1"))
     misfit = numpy.sqrt(numpy.mean((at_its_strains / laboratory("stress_ratio", "1") - 1) ** 2))
@@ -117,11 +117,6 @@ def measure_tests(study, runs):
     study.measure("stress_force_fabric", 100 * max(differences), "%")
     study.measure("unbalanced_force", max(forces), "1")
     study.measure("energy_error", max(shares), "1")
-
-
-def unit_last(pair, unit):
-    """Returns value, unit, deviation from a pair of value and deviation."""
-    return pair[0], unit, pair[1]
 
 
 def draw_response(study, runs):

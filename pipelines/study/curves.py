@@ -57,17 +57,33 @@ def draw(axes, one):
     label = one.label or y.axis
     figures.label(axes, x.axis, label, [line.axis for line in (x, y) if line.unit == "1"] + [label] * (y.unit == "1"))
     axes.set(**one.how)
+    for axis, limits in ((axes.xaxis, axes.get_xlim), (axes.yaxis, axes.get_ylim)):
+        if axis.get_scale() == "log":
+            _plain(axis, *limits())
     if one.legend and axes.get_legend_handles_labels()[1]:
         axes.legend()
 
 
+def _plain(axis, low, high):
+    """Gives a logarithmic axis plain numbers, and those between powers of ten where it has less than a decade."""
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter("{x:g}" if high < 10 * low else "")
+
+
 def figure(panels, columns=None, width=None, height=None):
-    """Returns a figure of panels, in rows of so many columns; without a number all are in one row."""
+    """Returns a figure of panels, in rows of so many columns; without a number all are in one row.
+
+    Where no panel has a legend and a place is left, that of the first one stands there.
+    """
     columns = columns or len(panels)
     rows = -(-len(panels) // columns)
     drawn, axes = figures.panels(columns, rows, width or (6.4 if columns == 1 else None), height or (4.4 if rows == 1 else 3.8 * rows))
     for a, one in zip(axes, panels, strict=False):
         draw(a, one)
-    for a in axes[len(panels):]:
+    spare = axes[len(panels):]
+    if spare and not any(one.legend for one in panels):
+        spare.pop(0).legend(*axes[0].get_legend_handles_labels(), loc="center")
+        axes[len(panels)].set_axis_off()
+    for a in spare:
         a.remove()
     return drawn

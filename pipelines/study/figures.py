@@ -28,6 +28,7 @@ _STYLE = {
     "axes.edgecolor": "#505860",
     "axes.grid": True,
     "axes.axisbelow": True,
+    "axes.titlesize": 10,
     "grid.color": "#e3e6ea",
     "grid.linewidth": 0.7,
     "lines.linewidth": 1.7,

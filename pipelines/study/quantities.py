@@ -84,9 +84,16 @@ _LINES = (
     Line("face_friction_z", "deg", "upper and lower face"),
     Line("hoop_strain", "%", "hoop strain"),
     Line("reinforcing_efficiency", "1/m", "surcharge over stiffness"),
-    # Energies and the filter.
+    # Energies.
     Line("boundary_work", "J", "work of the boundary"),
     Line("energy_error", "J", "left over"),
+    # Contacts and the filter that identifies them.
+    Line("young_modulus", "GPa", "E"),
+    Line("poisson_ratio", "1", "ν"),
+    Line("rolling_stiffness", "1", "rolling stiffness"),
+    Line("rolling_limit", "1", "rolling limit"),
+    Line("friction_angle", "deg", "friction angle"),
+    Line("confining_pressure", "MPa", "confining pressure"),
     Line("effective_size", "1", "effective sample size"),
 )
 QUANTITIES = {line.column: line for line in _LINES}

@@ -152,7 +152,8 @@ class Study:
     def measure(self, name, value, unit, deviation=None):
         """Adds a measure: a number in a unit, and its standard deviation over packings where there are several.
 
-        value: the number, or a function that returns it or raises NotMade with the reason why this profile has none.
+        value: the number, a pair of it and its deviation, or a function that returns either or raises NotMade with the reason
+        why this profile has none.
         """
         if name in self.measures:
             raise StudyError(f"{name}: is measured twice")
@@ -162,6 +163,7 @@ class Study:
             except NotMade as reason:
                 self.unmade(name, unit, str(reason))
                 return
+        value, deviation = value if isinstance(value, tuple) else (value, deviation)
         kept = float(value) if self.digits is None else float(f"{value:.{self.digits}g}")
         self.measures[name] = Measure(kept, unit, None if deviation is None else float(deviation))
 
@@ -243,9 +245,9 @@ class Study:
         """
         self.appendices.append((heading, [pages.content(item) for item in items]))
 
-    def curves(self, name, *panels, **layout):
-        """Adds a figure of panels (study.curves.panel) that words.toml says the rest of. layout: columns, width, height."""
-        self.figure(name, curves.figure(panels, **layout))
+    def curves(self, name, *panels, sentence="", **layout):
+        """Adds a figure of panels (study.curves.panel); sentence: as of figure(). layout: columns, width, height."""
+        self.figure(name, curves.figure(panels, **layout), sentence)
 
     def figure(self, name, figure, sentence="", number="", claim="", measures=()):
         """Adds a figure drawn with study.figures; the first one opens the page and is on the study's card.

@@ -9,7 +9,7 @@ from .quantities import Line, quantity
 class Series:
     """The rows of a table, in the order of loading: series["axial_stress"] is an array in kPa.
 
-    derived: what a kind of series has beyond the columns of its table, by name: the unit, the words along an axis and a function
+    table: a Table, or a dictionary of columns that are in these units already. derived: what a kind of series has beyond the columns of its table, by name: the unit, the words along an axis and a function
     that makes it of the series.
     """
 

@@ -9,7 +9,8 @@ import numpy
 import pytest
 from ch2 import ensemble, inputs
 from ch2 import study as chapter
-from ch2.study import PARAMETERS, Case
+from ch2.inputs import PARAMETERS
+from ch2.study import Case
 from matplotlib import pyplot
 from renaming import demand_columns
 from study import NotMade, Study, StudyError, Table
@@ -61,9 +62,10 @@ def write_case(folder, name, rounds, scale=1.0):
 class Undrawn(Study):
     """A study that notes the names of its figures, and draws none: most of the time would go there."""
 
-    def figure(self, name, figure, *_, **__):
+    def figure(self, name, figure, sentence="", **_):
         self._drawings[name] = ""
         pyplot.close(figure)
+        assert sentence or self._texts is None or self._texts.figure(name)["sentence"]
 
 
 @pytest.fixture(name="out", autouse=True)
@@ -77,15 +79,18 @@ def small_results(tmp_path, monkeypatch):
 
 
 def build(out, *cases, samples=(6, 4)):
-    return chapter.build(types.SimpleNamespace(out=out, profile="quick", cases=cases, samples=list(samples), until=6.0, error="0.1,0.025,0.1"))
+    return chapter.build(types.SimpleNamespace(out=out, profile="quick", kept=False, cases=cases, samples=list(samples), until=6.0, error="0.1,0.025,0.1"))
 
 
 def test_the_mean_settles_where_it_moves_less_per_strain_at_the_end(out):
-    table = Case(out, "hm_1000_0.2", 1).steps[0]
+    case = Case(out, "hm_1000_0.2", 1)
     # Two degrees over the 1 % from the first station to 1.5 %; 0.3 degrees over the last 1.5 %.
-    assert chapter.settling(table) == pytest.approx((0.3 / 1.5) / (2 / 1))
+    assert chapter.settling(case) == pytest.approx((0.3 / 1.5) / (2 / 1))
+    case.steps[0] = case.steps[0].rows(case.steps[0]["strain_axial"] < 3)
     with pytest.raises(NotMade, match="too few stations"):
-        chapter.settling(table.rows(table("strain_axial", "%") < 3))
+        chapter.settling(case)
+    with pytest.raises(NotMade, match="no curve of the laboratory"):
+        chapter.settling(Case(out, "hm_1000_1", 1))
 
 
 def test_misfits_are_means_over_the_twins_that_went_through(out):
@@ -105,9 +110,9 @@ def test_what_a_case_or_a_set_lacks_has_its_reason_and_no_number(out):
     study = build(out, "hm_1000_0.2")
     assert study.measures["ratio_hm_1000_0.2"].value == 10 and study.measures["ratio_hm_1000_0.2"].deviation == 0
     assert study.measures["ratio_thesis_hm_1000_0.2"].reason == "no run of the thesis set of hm_1000_0.2"
-    assert study.measures["ratio_excess_hm_1000_0.2"].reason == "one of the two sets has no run"
+    assert study.measures["ratio_excess_hm_1000_0.2"].reason == "no run of the thesis set of hm_1000_0.2"
     assert study.measures["friction_angle_cl_2000_0.2"].reason == "case cl_2000_0.2 is not among C2_CASES"
-    assert study.measures["trend_E"].reason == "made with the cases hm_1000_0.2 and hm_1000_8"
+    assert study.measures["trend_E"].reason == "case hm_1000_8 is not among C2_CASES"
     write(out / "hm_1000_0.2/check_near.tsv", id=("1", [0]), fate=("1", [0]), stress_ratio_misfit_relative=("1", [numpy.nan]),
           strain_volumetric_misfit=("%", [0.1]))
     with pytest.raises(StudyError, match="check_near.tsv: column stress_ratio_misfit_relative has no value in row 1"):
@@ -135,19 +140,16 @@ def test_each_column_that_is_renamed_is_missed_by_name(out):
     cases = ("hm_1000_0.2", "hm_1000_1")
     known, observed = "data/contacts/toyoura_hm_0.2MPa.tsv", "data/laboratory/toyoura_peak_obliquity.tsv"
 
-    def measure():
-        study = Undrawn("ch2", "", out, "quick")
-        for name in cases:
-            case = Case(out, name, 2)
-            chapter.measure_case(study, case)
-            if case.curve:
-                chapter.measure_check(study, case)
+    def all_cases(some):
+        return {name: Case(out, name, 2) for name in some}
 
-    def drawing(draw):
-        return lambda: draw(Undrawn("ch2", "", out, "quick"), [Case(out, name, 2) for name in cases[:1]], [])
-    readers = [lambda: inputs.peak(observed, 0.2), lambda: inputs.sets([known], 1), measure, drawing(chapter.draw_identified),
+    def drawing(draw, *some):
+        return lambda: draw(Undrawn("ch2", "", out, "quick"), list(all_cases(some or cases[:1]).values()))
+    readers = [lambda: inputs.peak(observed, 0.2), lambda: inputs.sets([known], 1),
+               lambda: chapter.measure(Undrawn("ch2", "", out, "quick"), all_cases(cases)), drawing(chapter.draw_identified),
                drawing(chapter.draw_prediction), *[lambda name=name: chapter.draw_density(Undrawn("ch2", "", out, "quick"), Case(out, name, 2))
-                                                   for name in cases], drawing(lambda s, c, left: chapter.draw_means(s, c, "hm", "", "", [], left))]
+                                                   for name in cases], drawing(chapter.draw_means("hm", "Fig. 2.2")),
+               drawing(chapter.draw_pressure, "hm_1000_0.2", "hm_1000_1", "hm_1000_8")]
     assert demand_columns(readers) > 50
 
 

@@ -138,6 +138,10 @@ def test_panels_name_axes_and_curves_by_their_columns(folder):
     assert several.get_ylabel() == "load (kPa)" and several.get_ylim() == (0, 4)
     assert [text.get_text() for text in several.get_legend().get_texts()] == ["plate pressure, full size", "half of the load, full size"]
     assert last.get_legend() is None
+    drawn = curves.figure([panel("strain_axial", "plate_pressure", runs, legend=False, ylim=(1, 3), yscale="log")] * 2, columns=3)
+    assert [text.get_text() for text in drawn.axes[2].get_legend().get_texts()] == ["PE, full size", "PE, record"]
+    drawn.draw_without_rendering()
+    assert {"1", "2", "3"} <= {text.get_text() for text in drawn.axes[0].get_yticklabels(which="both")}  # not 10⁰
     pyplot.close("all")
 
 
