@@ -51,5 +51,5 @@ $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --geotextile PP --soil toyoura-gws --sensitivity $(call whole,$@)
 
-$(C5O)/page.html: $(C5)/study.py $(C5)/expected.tsv $(C5)/statements.tsv $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
+$(C5O)/page.html: $(C5)/study.py $(C5)/words.toml $(C5)/expected.tsv $(C5)/statements.tsv $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
 	@$(STUDY_PY) $< $(C5O) --profile $(PROFILE)
