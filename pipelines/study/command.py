@@ -1,5 +1,6 @@
 """The shape of a command of the package, as the tools have it: options from one table, help, manual page, completion, statuses."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
 import dataclasses
 import os
 import sys
@@ -155,9 +156,16 @@ complete -o filenames -F _{self.name} {self.name}
                 put_out(text)
         except Failure as failure:
             for line in failure.lines:
-                print(f"{self.name}: {line}", file=sys.stderr)
+                say(f"{self.name}: {line}")
             return failure.status
         return 0
+
+
+def say(line):
+    """Writes a line to standard error, control characters escaped. Where it cannot be written, nothing is lost but the line."""
+    shown = "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in line)
+    with contextlib.suppress(OSError):
+        print(shown, file=sys.stderr, flush=True)
 
 
 def put_out(text):

@@ -4,6 +4,7 @@ import dataclasses
 import math
 
 from .errors import StudyError, suggestion
+from .plain_text import number
 from .tables import read_words
 from .units import factor
 
@@ -86,9 +87,9 @@ _COLUMNS = ["name", "relation", "published", "tolerance", "unit", "source", "des
 
 def _number(name, what, text):
     try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+        value = number(text)
+    except StudyError as error:
+        raise StudyError(f"{name}: the {what} {error}") from error
     if not math.isfinite(value):
         raise StudyError(f"{name}: the {what} '{text}' is no number")
     return value

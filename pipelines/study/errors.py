@@ -14,5 +14,5 @@ class NotMade(Exception):
 def suggestion(name, known):
     """Returns "; did you mean 'x'?" for the nearest of the known names, or all of them where none is near."""
     known = [str(k) for k in known]
-    near = difflib.get_close_matches(str(name), known, n=1)
+    near = [k for k in known if k.casefold() == str(name).casefold()] or difflib.get_close_matches(str(name), known, n=1)
     return f"; did you mean '{near[0]}'?" if near else f"; known: {', '.join(known)}"

@@ -24,8 +24,11 @@ def is_hdf5(path):
     path = pathlib.Path(path)
     if path.is_dir():
         return True
-    with path.open("rb") as file:
-        return file.read(8) == b"\x89HDF\r\n\x1a\n"
+    try:
+        with path.open("rb") as file:
+            return file.read(8) == b"\x89HDF\r\n\x1a\n"
+    except OSError as error:
+        raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
 
 
 def stage_of(table, stage, kind):
@@ -33,6 +36,8 @@ def stage_of(table, stage, kind):
 
     A bag is by default shown from the row on that its settlement counts from, with all that follows.
     """
+    if len(table) == 0:
+        raise StudyError(f"{table.where}: has no rows below its header")
     if not stage and kind.table[1:] == ("loading",) and table.has("settlement"):
         return table.rows(numpy.maximum.accumulate(table("settlement", "m") == 0))
     wanted = stage or ("all" if kind.whole else "last")
@@ -170,13 +175,16 @@ def read_posterior(path):
     """Returns the Posterior of a file that pf-weight assimilate wrote."""
     if not is_hdf5(path):
         raise StudyError(f"{path}: is no posterior; give the file that pf-weight assimilate writes with -o")
-    with h5py.File(path) as file:
-        if "fields/density" not in file:
-            raise StudyError(f"{path}: holds no densities; pf-weight assimilate writes them with -o")
-        table = {name: data[()] for name, data in file["fields/density"].items()}
-        prior = tomllib.loads(file["prior"][()].decode())["parameter"]
-    names = [(p.get("long_name", p["name"]), p.get("unit", "1"), p.get("scale", "linear") == "log") for p in prior]
     columns = ("step", "parameter", "value", "density")
+    try:
+        with h5py.File(path) as file:
+            if "fields/density" not in file:
+                raise StudyError(f"{path}: holds no densities; pf-weight assimilate writes them with -o")
+            table = {name: file["fields/density"][name][()] for name in columns}
+            prior = tomllib.loads(file["prior"][()].decode())["parameter"]
+        names = [(p.get("long_name", p["name"]), p.get("unit", "1"), p.get("scale", "linear") == "log") for p in prior]
+    except (OSError, KeyError, ValueError, AttributeError) as error:
+        raise StudyError(f"{path}: is no whole posterior; make it again with pf-weight assimilate") from error
     rows = [[repr(float(table[c][k])) for c in columns] for k in range(len(table["step"]))]
     return Posterior(Table(rows, dict.fromkeys(columns, "1"), path), names)
 

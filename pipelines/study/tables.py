@@ -6,10 +6,11 @@ import re
 import numpy
 
 from .errors import NotMade, StudyError, suggestion
+from .plain_text import cells, number, read_text, separator_of
 from .quantities import quantity
 from .units import factor
 
-_HEAD = re.compile(r"^(?P<name>[^\[\]]+?)(?: \[(?P<unit>[^\[\]]+)\])?$")
+_HEAD = re.compile(r"^(?P<name>[^\[\]]+?)(?: (?:\[(?P<unit>[^\[\]]+)\]|\((?P<bracketed>[^()]+)\)))?$")
 
 
 class Table:
@@ -25,12 +26,8 @@ class Table:
 
     @classmethod
     def read(cls, path):
-        """Reads a tab-separated table with a header of "name [unit]"; lines that begin with # are comments."""
-        try:
-            text = pathlib.Path(path).read_text(encoding="utf-8-sig")
-        except OSError as error:
-            raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
-        return cls.parse(text, path)
+        """Reads a table with a header of "name [unit]", separated by tabs, semicolons or commas; # begins a line of comment."""
+        return cls.parse(read_text(path), path)
 
     @classmethod
     def parse(cls, text, path):
@@ -38,15 +35,15 @@ class Table:
         lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
         if not lines:
             raise StudyError(f"{path}: holds no table; begin with a header of names such as \"time [s]\"")
-        units = {}
-        for head in lines[0].split("\t"):
-            match = _HEAD.match(head.strip())
+        units, separator = {}, separator_of(lines[0])
+        for head in cells(lines[0], separator):
+            match = _HEAD.match(head)
             if not match:
                 raise StudyError(f"{path}: '{head}' is no head of a column; write \"name [unit]\"")
             if match["name"] in units:
                 raise StudyError(f"{path}: two columns are named {match['name']}")
-            units[match["name"]] = match["unit"] or ""
-        rows = [line.split("\t") for line in lines[1:]]
+            units[match["name"]] = match["unit"] or match["bracketed"] or ""
+        rows = [cells(line, separator) for line in lines[1:]]
         for number, row in enumerate(rows, start=1):
             if len(row) != len(units):
                 raise StudyError(f"{path}: row {number} has {len(row)} values, the header {len(units)} columns")
@@ -71,8 +68,8 @@ class Table:
             raise StudyError(f"{self.where}: has no column {name}{suggestion(name, self._units)}")
         try:
             scale = factor(self._units[name] or "1", unit)
-            values = numpy.array([float(row[self._place[name]]) for row in self._rows])
-        except (StudyError, ValueError) as error:
+            values = numpy.array([number(row[self._place[name]]) for row in self._rows], dtype=float)
+        except StudyError as error:
             raise StudyError(f"{self.where}: column {name}: {error}") from error
         if not missing and numpy.isnan(values).any():
             row = int(numpy.flatnonzero(numpy.isnan(values))[0]) + 1
@@ -121,28 +118,25 @@ class Folder:
 
 
 def read_words(path, needed=()):
-    """Reads a tab-separated table whose cells are words: returns its header and (line number, row by name) pairs.
+    """Reads a table whose cells are words: returns its header and (line number, row by name) pairs.
 
     needed: columns that it must have. Lines that begin with # are comments. Raises StudyError naming file and line.
     """
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
-    header, rows = None, []
-    for number, line in enumerate(text.splitlines(), start=1):
+    header, separator, rows = None, "\t", []
+    for place, line in enumerate(read_text(path).splitlines(), start=1):
         if not line.strip() or line.startswith("#"):
             continue
-        cells = line.split("\t")
         if header is None:
-            header = cells
+            separator = separator_of(line)
+            header = cells(line, separator)
             for name in needed:
                 if name not in header:
-                    raise StudyError(f"{path}: line {number}: has no column {name}{suggestion(name, header)}")
+                    raise StudyError(f"{path}: line {place}: has no column {name}{suggestion(name, header)}")
             continue
-        if len(cells) != len(header):
-            raise StudyError(f"{path}: line {number}: {len(cells)} cells where the header has {len(header)}")
-        rows.append((number, dict(zip(header, cells, strict=True))))
+        words = cells(line, separator)
+        if len(words) != len(header):
+            raise StudyError(f"{path}: line {place}: {len(words)} cells where the header has {len(header)}")
+        rows.append((place, dict(zip(header, words, strict=True))))
     if header is None:
         raise StudyError(f"{path}: holds no table")
     return header, rows

@@ -8,16 +8,26 @@ from .errors import StudyError, suggestion
 _UNITS = {
     "1": ("number", 1.0),
     "%": ("number", 1e-2),
+    "‰": ("number", 1e-3),
     "m": ("length", 1.0),
     "cm": ("length", 1e-2),
     "mm": ("length", 1e-3),
+    "um": ("length", 1e-6),
     "m2": ("area", 1.0),
     "m3": ("volume", 1.0),
     "s": ("time", 1.0),
+    "ms": ("time", 1e-3),
+    "min": ("time", 60.0),
+    "h": ("time", 3600.0),
     "Pa": ("stress", 1.0),
     "kPa": ("stress", 1e3),
     "MPa": ("stress", 1e6),
     "GPa": ("stress", 1e9),
+    "bar": ("stress", 1e5),
+    "N/m2": ("stress", 1.0),
+    "kN/m2": ("stress", 1e3),
+    "MN/m2": ("stress", 1e6),
+    "N/mm2": ("stress", 1e6),
     "N": ("force", 1.0),
     "kN": ("force", 1e3),
     "N/m": ("line force", 1.0),
@@ -34,9 +44,13 @@ _UNITS = {
     "1 per its own": ("density of a parameter", 1.0),
 }
 
+# Characters that tables have for those of the names above.
+_WRITTEN = str.maketrans({"²": "2", "³": "3", "\u00b5": "u", "\u03bc": "u"})
+
 
 def factor(given, wanted):
     """Returns what turns a number in the unit `given` into one in `wanted`. Raises StudyError where they do not fit."""
+    given, wanted = (unit.translate(_WRITTEN) for unit in (given, wanted))
     for unit in (given, wanted):
         if unit not in _UNITS:
             raise StudyError(f"'{unit}' is not a known unit{suggestion(unit, _UNITS)}")

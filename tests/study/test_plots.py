@@ -26,6 +26,11 @@ def table_for(kind, name="run.tsv", scale=1.0, rows=3):
     return Table.parse("\n".join(text), name)
 
 
+def test_a_table_without_rows_is_refused():
+    with pytest.raises(StudyError, match="run.tsv: has no rows"):
+        plots.stage_of(table_for(kinds.KINDS["stress-strain"], rows=0), "", kinds.KINDS["stress-strain"])
+
+
 LINED = [name for name, kind in kinds.KINDS.items() if kind.panels]
 
 

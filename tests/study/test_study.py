@@ -10,6 +10,7 @@ import xml.etree.ElementTree
 
 import pytest
 from study import Drawn, Measure, NotMade, Series, Statement, Study, StudyError, Table, compare, figures, main, panel, read_statements
+from study.files import put
 from study.words import plain, spell
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -66,6 +67,40 @@ def test_a_word_where_a_number_belongs_names_its_column(tmp_path):
     (tmp_path / "words.tsv").write_text("a [1]\nnone\n")
     with pytest.raises(StudyError, match="words.tsv: column a: .*none"):
         Table.read(tmp_path / "words.tsv")("a", "1")
+
+
+@pytest.mark.parametrize(("content", "sum_of_cells"), [
+    ("a [mm],b (kPa)\n1,2\n", 2000.001), ('"a [mm]";"b [kN/m²]"\r\n"1";2\r\n', 2000.001), ("\ufeffa [µm]\tb [N/mm2]\r1\t2\r", 2000000.000001),
+    ("a\u00a0[m]\tb [bar]\n1\u00a0\t 2\n", 200001)])
+def test_separators_units_and_line_ends_are_taken_as_they_are_written(tmp_path, content, sum_of_cells):
+    (tmp_path / "a.csv").write_bytes(content.encode())
+    table = Table.read(tmp_path / "a.csv")
+    assert table("a", "m")[0] + table("b", "Pa")[0] == pytest.approx(sum_of_cells, rel=1e-12)
+
+
+@pytest.mark.parametrize(("content", "message"), [
+    (b"a [m]\n0,5\n", "column a: '0,5' is no number: write 0.5, with a decimal point"), (b"a [m]\n1_0\n", "'1_0' is no number"),
+    (b"a [m]\n\xb5\n", "line 2: is not UTF-8; .*iconv -f WINDOWS-1252"), (b"\xff\xfea\0", "UTF-16 text"), (b"a [m]\n\0\n", "zero bytes"),
+    (b"\x89HDF\r\n\x1a\n", "an HDF5 file where a text belongs")])
+def test_texts_that_are_not_understood_are_refused_by_file(tmp_path, content, message):
+    (tmp_path / "bad.tsv").write_bytes(content)
+    with pytest.raises(StudyError, match=f"bad.tsv: .*{message}"):
+        Table.read(tmp_path / "bad.tsv")("a", "m")
+
+
+def test_files_are_replaced_whole_through_links_with_their_permissions(tmp_path):
+    (tmp_path / "real").mkdir()
+    (tmp_path / "link").symlink_to("real/file")
+    put(tmp_path / "link", "one")  # made where a dangling link points to
+    (tmp_path / "real/file").chmod(0o640)
+    left = tmp_path / "real/.file.0123456789abcdef.tmp"
+    left.write_text("of a killed process")
+    put(tmp_path / "link", b"two")
+    assert (tmp_path / "link").is_symlink() and (tmp_path / "real/file").read_text() == "two"
+    assert (tmp_path / "real/file").stat().st_mode & 0o777 == 0o640 and not left.exists()
+    with pytest.raises(OSError):
+        put(tmp_path / "real", "no file")
+    assert sorted(path.name for path in (tmp_path / "real").iterdir()) == ["file"]
 
 
 def stated(relation="within", published="2", tolerance="0.5", unit="kPa", name="peak"):

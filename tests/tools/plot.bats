@@ -62,6 +62,15 @@ setup() {
   [[ ! -e a.svg ]] || show "something was written"
   echo mine > a.svg
   complains 73 plot "a.svg: exists; give --force to overwrite it" stress-path run.h5 -o a.svg
+  complains 73 plot "a.svg: is read by this command and would be lost; name another file with --output" stress-path a.svg --force -o a.svg
+  mkdir folder.svg
+  complains 73 plot "folder.svg: is a directory; name a file to be written" stress-path run.h5 --force -o folder.svg
+  complains 65 plot ".: is no whole posterior; make it again with pf-weight assimilate" posterior . -o b.svg
+  printf '\e[2J [m] [s]\n' > control.tsv
+  complains 65 plot "control.tsv: '\x1b[2J [m] [s]' is no head of a column; write \"name [unit]\"" stress-path control.tsv -o b.svg
+  local status=0
+  plot stress-path none.h5 -o b.svg 2> /dev/full || status=$?
+  [[ $status -eq 66 ]] || show "a standard error that cannot be written changes the status"
   [[ $(cat a.svg) == mine ]] || show "a.svg was overwritten"
   exits 0 plot stress-path run.h5 --force -o a.svg
   DISPLAY='' WAYLAND_DISPLAY='' complains 73 plot \
