@@ -140,10 +140,9 @@ toml::node& entry(toml::array& array, const std::string& index, std::string_view
 
 /// The table or list under one part of a dotted key; a table is made where there is none.
 toml::node& step_into(toml::node& node, const std::string& part, std::string_view assignment) {
-  if (auto* array = node.as_array()) return entry(*array, part, assignment);
-  toml::table& table = *node.as_table();
-  toml::node* next = table.get(part);
-  if (next == nullptr) next = &table.insert(part, toml::table{}).first->second;
+  auto* array = node.as_array();
+  toml::node* next = array != nullptr ? &entry(*array, part, assignment) : node.as_table()->get(part);
+  if (next == nullptr) next = &node.as_table()->insert(part, toml::table{}).first->second;
   if (!next->is_table() && !next->is_array())
     throw UsageError(fmt::format("--set {}: '{}' is a value and holds no keys", assignment, part));
   return *next;

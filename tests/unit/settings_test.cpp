@@ -216,6 +216,8 @@ TEST(Settings, ImpossibleSetsAreUsageErrors) {
   EXPECT_THROW(s.set("stage.3.steps=1"), UsageError);
   EXPECT_THROW(s.set("stage.x.steps=1"), UsageError);
   EXPECT_THROW(s.set("size.x=1"), UsageError);
+  s.set("stage.0=3");
+  io::test::expect_error<UsageError>([&] { s.set("stage.0.steps=1"); }, "'0' is a value and holds no keys");
 }
 
 std::string many(const std::string& piece, int times) {
