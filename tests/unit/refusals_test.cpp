@@ -109,6 +109,12 @@ TEST(Refused, StrainsThatMeetNoStation) {
   expect_error<DataError>([&] { recorded("[]", from_zero); }, "strains: is an empty list");
 }
 
+TEST(Refused, MoreStationsThanAreRecorded) {
+  expect_error<DataError>(
+      [] { scenario(pressed + triaxial.substr(0, triaxial.find("incre")) + "increment = 1e-12\n"); },
+      "stations of the axial strain, and at most 1000000 are recorded");
+}
+
 TEST(Refused, StagesWithoutContent) {
   expect_error<DataError>([] { read_scenario("stage = []\n" + contact, "test.toml", {}); },
                           "stage: is not a list of tables");
