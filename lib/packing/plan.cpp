@@ -37,13 +37,25 @@ void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
   if (shape == "surface") {
     const std::string word = table.text("file");
     const double size = table.number(unit, 1.0);
-    if (!word.empty()) {
+    if (word.empty()) {
+      if (table.has("file")) table.mistake("file", "is empty: name a closed surface, .stl or .vtp");
+    } else {
       const std::filesystem::path file = files.path("container.file", word);
       plan.sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
       plan.container = std::make_unique<Surface>(file.string(), size);
     }
   }
   if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
+}
+
+// Nodes as large as what they enclose are a slip in the unit: the soil would lie in their midst without being held.
+void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Container& container) {
+  const double extent = (container.high() - container.low()).minCoeff();
+  // Lengths that make no container have been refused already.
+  if (!(extent > 0 && nodes.radius >= 0.25 * extent)) return;
+  table.mistake("node_radius", fmt::format("is {:.4g} m where the container is {:.4g} m across: lengths are in m: give "
+                                           "the one in mm its unit, as in \"2.5 mm\" (container.scale of a surface)",
+                                           nodes.radius, extent));
 }
 
 void read_fabrics(Settings& document, Plan& plan) {
@@ -59,10 +71,12 @@ void read_fabrics(Settings& document, Plan& plan) {
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
     plan.even = table.flag("even", plan.even);
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
-    if (plan.container)
+    if (plan.container) {
+      demand_small_nodes(table, plan.nodes, *plan.container);
       plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.outside) : given;
-    else
+    } else if (document.table("container").text("shape", "none") == "none") {
       table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
+    }
   }
   for (Settings table : document.tables("sheet")) {
     Plan::Sheet sheet;
@@ -111,6 +125,15 @@ std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
                   "representative volume), which {}; lengths are in m: are these millimetres? give container.scale = "
                   "0.001 for a surface, a unit (\"40 mm\") for others; or take coarser grains (grains.scale)",
                   size.x(), size.y(), size.z(), n.prod() * static_cast<double>(volume.grains.size()), n.prod(), lack));
+}
+
+std::string nothing_fits(const io::Snapshot& block, const Plan& plan) {
+  const Vec3 size = plan.container->high() - plan.container->low();
+  return fmt::format(
+      "no grain of the representative volume fits into the container of {:.4g} x {:.4g} x {:.4g} m: the smallest is "
+      "{:.4g} m across; check the units of the container (container.scale of a surface), or take finer grains "
+      "(grains.scale)",
+      size.x(), size.y(), size.z(), 2 * *std::min_element(block.grains.radius.begin(), block.grains.radius.end()));
 }
 
 void demand_room_for_nodes(const Plan& plan) {
@@ -213,7 +236,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     state = filter(block, [&](std::size_t i) {
       return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();
     });
-    if (state.grains.size() == 0) throw DataError("no grain of the representative volume fits into the container");
+    if (state.grains.size() == 0) throw DataError(nothing_fits(block, plan));
     if (plan.density > 0)
       for (std::size_t i = 0; i < state.grains.size(); ++i)
         state.grains.mass[i] = plan.density * dem::grain_volume(3, state.grains.radius[i]);

@@ -109,6 +109,7 @@ Triangles read(const std::string& path, double scale) {
   } catch (const std::exception&) {
     known = false;
   }
+  if (soup.triangles.empty()) throw DataError(fmt::format("'{}' holds no triangles; write the surface again", path));
   if (!known || triangles.is_empty())
     throw DataError(
         fmt::format("'{}' is no surface whose {} triangles meet edge to edge; mend it", path, soup.triangles.size()));

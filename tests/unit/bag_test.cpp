@@ -18,6 +18,7 @@
 #include "support/assembly.h"
 #include "support/bags.h"
 #include "support/distance.h"
+#include "support/same_state.h"
 
 namespace soilweave::packing {
 namespace {
@@ -188,6 +189,14 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   EXPECT_THROW(read_plan("[container]\nshape = \"cushion\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
   EXPECT_THROW(read_plan("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1, 1, 0]\n" + materials, "plan", {}),
                DataError);
+  const auto refuses = [&](const std::string& plan, const std::string& words) {
+    io::test::expect_error<DataError>([&] { assemble(one, read_plan(plan + materials, "plan", {})); }, words);
+  };
+  const std::string box = "[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [0.1, 0.1, 0.1]\n";
+  refuses(box + "[geotextile_mesh]\nnode_radius = 2.5\n", "is 2.5 m where the container is 0.1 m across");
+  refuses("[container]\nshape = \"surface\"\nfile = \"\"\n[geotextile_mesh]\n", "container.file: is empty");
+  refuses("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1e-4, 1e-4, 1e-4]\n",
+          "fits into the container of 0.0001 x 0.0001 x 0.0001 m: the smallest is");
   io::Snapshot open = one;
   open.cell.periodic[1] = false;
   EXPECT_THROW(tile(open, {1, 1, 1}), DataError);
