@@ -62,6 +62,7 @@ struct FilterExpand {
     const io::History past = io::extend(sources, invocation, what.resolved);
     Doubts doubts(invocation.tool);
     const StopSignals signals;
+    io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) return;
     if (what.growth && what.container)

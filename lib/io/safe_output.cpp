@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/safe_output.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <new>
+
+#include "core/error.h"
+#include "io/bytes.h"
+#include "io/files.h"
 
 namespace soilweave::io {
 namespace {
@@ -24,8 +30,22 @@ bool has_folder(const fs::path& output) {
 
 }  // namespace
 
+void demand_no_input(const fs::path& output, const History& history, std::string_view option) {
+  std::error_code failure;
+  // The files that documents name are all text or surfaces.
+  if (history.empty() || !fs::is_regular_file(output, failure) || is_hdf5(output)) return;
+  const std::string digest = sha256(read_bytes(output));
+  for (const InputRecord& input : history.back().inputs)
+    if (input.sha256 == digest)
+      throw CannotCreate(
+          fmt::format("{}: is the {} that this command reads, or a copy of it, and would be lost; name "
+                      "another file with {}",
+                      output.string(), input.role, option));
+}
+
 SafeOutput::SafeOutput(const fs::path& output, const History& history, const tool::Invocation& invocation) {
   if (!has_folder(output)) return;
+  if (invocation.force) demand_no_input(output, history, "--output");
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
     // A crash after the output was written, before its folder was gone.

@@ -12,6 +12,10 @@
 
 namespace soilweave::io {
 
+/// Throws CannotCreate if the file at `output` has the bytes of one of the inputs in the history's last record. Files
+/// that a scenario or plan names are known to the command only once these are read. option: what named the output.
+void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
+
 class SafeOutput {
  public:
   /// Enters the folder of the output as the options say (--resume, --force); standard output, pipes and devices have
