@@ -86,6 +86,17 @@ std::string mercury(double grains, std::size_t width) {
       names, static_cast<std::int64_t>(grains) + 1);
 }
 
+constexpr std::string_view lammps_data =
+    "a data file of LAMMPS; write a dump of it: write_dump all custom FILE id x y z radius";
+
+/// Whether one of the first lines counts atoms, as data files of LAMMPS do below a first line of any words.
+bool counts_atoms(const std::vector<std::string_view>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](std::string_view line) {
+    const std::vector<std::string> words = cells(line, ' ');
+    return words.size() == 2 && words[1] == "atoms" && numbers({words[0]});
+  });
+}
+
 struct Mark {
   std::string_view begins, what;
 };
@@ -101,7 +112,14 @@ constexpr std::array marks{
     Mark{"solid ", "an STL surface; write x y z r a line"},
     Mark{"ply\n", "a PLY file; write x y z r a line"},
     Mark{"OFF\n", "an OFF surface; write x y z r a line"},
-    Mark{"LAMMPS", "a data file of LAMMPS; write a dump of it: write_dump all custom FILE id x y z radius"},
+    Mark{"LSMGeometry",
+         "a geometry of ESyS-Particle; take its grains by: (echo 'x y z r id tag'; awk '/^EndParticles/ { exit } on && "
+         "NF "
+         "== 6; /^BeginParticles/ { on = 1 }' FILE) > NEW"},
+    Mark{"MercuryDPM", "a restart file of MercuryDPM; give its .data file"},
+    Mark{"restart_version", "a restart file of MercuryDPM; give its .data file"},
+    Mark{"Begin ", "a model of Kratos (.mdpa); write x y z r a line"},
+    Mark{"LAMMPS", lammps_data},
     Mark{"{", "a JSON or similar file; write x y z r a line"},
     Mark{"[", "a TOML, JSON or similar file; write x y z r a line"}};
 
@@ -111,6 +129,7 @@ std::string foreign_spheres(std::string_view text) {
   for (const Mark& mark : marks)
     if (text.starts_with(mark.begins)) return std::string(mark.what);
   if (text.starts_with("ITEM: ")) return dump(text);
+  if (counts_atoms(head(text, 5))) return std::string(lammps_data);
   const std::vector<std::string_view> lines = head(text, 3);
   if (lines.size() < 2) return "";
   const std::vector<std::string> first = cells(lines[0], ' '), second = cells(lines[1], ' ');

@@ -176,6 +176,9 @@ unmade() {
   converts
   printf '2\nLattice="4 0 0 0 4 0 0 0 4" Properties=species:S:1:pos:R:3:radius:R:1\nA 1 1 1 0.5\nA 3 1 1 0.5\n' > FILE
   converts
+  printf '%s\n' 'LSMGeometry 1.2' 'BoundingBox 0 0 0 4 4 4' BeginParticles Simple 2 '1 1 1 0.5 0 0' '3 1 1 0.5 1 0' EndParticles \
+    BeginConnect '1 2 3 4 5 6' EndConnect > FILE
+  converts
   printf '2 0 0 0 0 4 4 4\n1 1 1 0 0 0 0.5 0 0 0 0 0 0 0\n3 1 1 0 0 0 0.5 0 0 0 0 0 0 0\n9 9\n' > FILE
   converts
 }

@@ -183,6 +183,9 @@ TEST_F(Spheres, formats_of_other_programs_are_named_with_a_way_to_convert_them) 
   refuses("# vtk DataFile Version 3.0\n", "a VTK file; write it from ParaView as CSV");
   refuses("$MeshFormat\n2.2 0 8\n", "a Gmsh mesh");
   refuses("LAMMPS data file\n", "a data file of LAMMPS");
+  refuses("made by hand\n\n2 atoms\n1 atom types\n", "a data file of LAMMPS");
+  refuses("LSMGeometry 1.2\nBoundingBox 0 0 0 4 4 4\n", "a geometry of ESyS-Particle; take its grains by: (echo");
+  refuses("Begin Nodes\n1 1 1 1\nEnd Nodes\n", "a model of Kratos");
   refuses("[contact]\nlaw = \"linear\"\n", "a TOML, JSON or similar file");
 }
 
