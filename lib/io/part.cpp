@@ -215,6 +215,8 @@ void Part::remove() {
 fs::path Part::last() const { return files_.empty() ? fs::path() : path_of(files_.back()); }
 
 Error Part::explained(const Error& error) const {
+  // Going on, or running again, would end in the same mistake.
+  if (error.status() == Exit::bad_data || error.status() == Exit::usage) return error;
   std::error_code ignored;
   const fs::path file = last();
   std::string line = error.what();

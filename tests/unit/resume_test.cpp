@@ -264,6 +264,12 @@ TEST_F(PartTest, BelongsToOneProcess) {
   io::test::expect_error<CannotCreate>([&] { part(); }, "another process is at work on this run");
 }
 
+TEST_F(PartTest, NamesAWayToGoOnWhereThereIsOne) {
+  const auto kept = part();
+  EXPECT_STREQ(kept.explained(IoError("disk full")).what(), "disk full; nothing is kept yet: run it again");
+  EXPECT_STREQ(kept.explained(DataError("too few grains")).what(), "too few grains");
+}
+
 TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   auto kept = part();
   kept.keep(moment(0), true);
