@@ -21,7 +21,10 @@ import time
 
 HERE = pathlib.Path(__file__).parent
 RUN = str(HERE / "run.sh")
-PARAMETERS = 5  # E, nu, kr, eta, mu
+# The contact parameters of a row in the order of run.sh: as pf-weight names them, as the author's tables do, in which unit.
+PARAMETERS = (("young_modulus", "E", "Pa"), ("poisson_ratio", "nu", "1"), ("rolling_stiffness", "kr", "1"), ("rolling_limit", "eta", "1"),
+              ("friction_angle", "mu", "deg"))
+LAWS = {"hm": "Hertz-Mindlin", "cl": "linear"}
 LISTED = 10  # failed rows that are told one by one
 
 
@@ -36,14 +39,15 @@ class EnsembleError(Exception):
 def read_rows(path):
     """Returns the rows of a table: id without leading zeros, the five parameters, the number of the twin (0), all as text.
 
-    Below a header of names, with any line ends; comments and empty lines are left out. A column `twin` may stand anywhere after
-    the parameters, other columns are ignored. Raises EnsembleError for a row without a whole id or with too few columns.
+    Below a header of names, the id first, with any line ends; comments and empty lines are left out. Parameters and twin are
+    found by their names, other columns are ignored. Raises EnsembleError for a row without a whole id, a parameter that is
+    missing or in another unit, and a table without rows.
     """
     try:
         text = pathlib.Path(path).read_bytes().decode("utf-8-sig", errors="surrogateescape")
     except OSError as error:
         raise EnsembleError(f"rows: {path}: cannot be read: {error.strerror}", 66) from error
-    header, rows, number = None, {}, 1
+    header, places, rows, number = None, [], {}, 1
 
     def fail(words):
         raise EnsembleError(f"rows: {path}: line {number}: {words}")
@@ -53,11 +57,17 @@ def read_rows(path):
         if line.startswith("#") or not line.strip(" \t"):
             continue
         if header is None:
-            header = [re.sub(r" \[.*", "", cell) for cell in cells]
+            header = [re.sub(r" ?\[.*", "", cell) for cell in cells]
             if cells[0] not in ("id", "id [1]"):
                 fail(f'the first column is "{cells[0]}" where id belongs; columns are separated by tabs')
-            if len(header) <= PARAMETERS:
-                fail(f"{len(header)} columns where {PARAMETERS + 1} belong, separated by tabs")
+            for long, short, unit in PARAMETERS:
+                found = [k for k, name in enumerate(header) if name in (long, short)]
+                if len(found) != 1:
+                    fail(f"{len(found)} columns named {short} or {long} where one belongs; columns are separated by tabs")
+                given = re.search(r"\[(.*)\]", cells[found[0]])
+                if given and unit != "1" and given[1] != unit:
+                    fail(f"{header[found[0]]} is in {given[1]}: give it in {unit}")
+                places += found
             continue
         if len(cells) != len(header):
             fail(f"{len(cells)} values where the header names {len(header)} columns, separated by tabs")
@@ -70,9 +80,11 @@ def read_rows(path):
             if not cell.strip() or "," in cell:
                 fail(f'"{cell}" in column {k} is no number; write it with a decimal point')
         twin = dict(zip(header, cells, strict=True)).get("twin", "0")
-        rows[name] = [name, *(cell.strip() for cell in [*cells[1:PARAMETERS + 1], twin])]
+        rows[name] = [name, *(cells[k].strip() for k in places), twin.strip()]
     if header is None:
         fail("no header line that begins with id")
+    if not rows:
+        raise EnsembleError(f"rows: {path}: no rows below the header")
     return list(rows.values())
 
 
@@ -239,6 +251,13 @@ def run_rows(ensemble, left, lock):
 
 def main(table, folder, law, packing, scenario, pressure, strain):
     """Runs the rows of the table that have no result yet; raises EnsembleError where some did not finish."""
+    if law not in LAWS:
+        raise EnsembleError(f'ensemble: "{law}" is no law; give ' + " or ".join(f"{key} ({words})" for key, words in LAWS.items()), 64)
+    for what, word in (("PRESSURE_MPa", pressure), ("STRAIN_%", strain)):
+        if not re.fullmatch(r"\d+\.?\d*|\.\d+", word, re.ASCII):
+            raise EnsembleError(f'ensemble: {what}: "{word}" is no number; write it with digits and a decimal point', 64)
+    # No program that is handed these takes them for options.
+    folder, packing, scenario = (f"./{path}" if path.startswith("-") else path for path in (folder, packing, scenario))
     name, programs = pathlib.Path(table).stem, pathlib.Path(os.environ["BIN"])
     home = pathlib.Path(folder)
     (home / "runs").mkdir(parents=True, exist_ok=True)

@@ -16,6 +16,10 @@ rolling=$1 limit=$2 friction=$3 twin=${4:-0}
 case $id in
   '' | *[!0-9]*) echo "run.sh: id \"$id\" is no whole number" >&2; exit 65 ;;
 esac
+case $law in
+  hm | cl) ;;
+  *) echo "run.sh: \"$law\" is no law; give hm (Hertz-Mindlin) or cl (linear)" >&2; exit 64 ;;
+esac
 # printf takes a number with leading zeros for an octal one.
 id=${id#"${id%%[!0]*}"}
 row=$folder/runs/$(printf %06d "${id:-0}")

@@ -113,7 +113,7 @@ small_inputs() {
 
 @test "a table may number twins, whose grains start elsewhere; inputs that are missing are named" {
   small_inputs
-  printf 'id\tE\tnu\tkr\teta\tmu\tlog_importance\ttwin\n0\t4e9\t0.2\t0.1\t0.2\t30\t-1\t0\n1\t4e9\t0.2\t0.1\t0.2\t30\t-1\t1\n' > sets.tsv
+  printf 'id\tkr\tE\tnu\teta\tmu\tlog_importance\ttwin\n0\t0.1\t4e9\t0.2\t0.2\t30\t-1\t0\n1\t0.1\t4e9\t0.2\t0.2\t30\t-1\t1\n' > sets.tsv
   exits 0 ensemble sets.tsv
   [[ $(cat case/runs/000001/parameters) == "hm 0.1 0.4 4e9 0.2 0.1 0.2 30 1" ]] || show "$(cat case/runs/*/parameters)"
   ! cmp -s case/runs/00000[01]/series.h5 || show "the twin is the packing itself"
@@ -185,5 +185,12 @@ SH
   refuses_table 'line 2: "0,2" in column 3 is no number; write it with a decimal point' "$head"$'\n8\t4e9\t0,2\t0.1\t0.2\t30'
   refuses_table 'line 3: id 8 is there twice' "$head"$'\n8\t4e9\t0.2\t0.1\t0.2\t30\n08\t4e9\t0.2\t0.1\t0.2\t30'
   refuses_table 'line 1: the first column is "id,E" where id belongs' $'id,E\n1,2'
-  refuses_table 'line 1: 2 columns where 6 belong' $'id\tE\n1\t2'
+  refuses_table 'line 1: 0 columns named nu or poisson_ratio where one belongs' $'id\tE\n1\t2'
+  refuses_table 'line 1: 2 columns named mu or friction_angle where one belongs' "$head"$'\tfriction_angle\n'
+  refuses_table 'line 1: mu is in rad: give it in deg' "${head/deg/rad}"
+  refuses_table 'no rows below the header' "$head"
+  exits 64 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv case lin packing.h5 scenario.toml 0.1 0.4
+  [[ $stderr == 'ensemble: "lin" is no law; give hm (Hertz-Mindlin) or cl (linear)' ]] || show
+  exits 64 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv case hm packing.h5 scenario.toml 0,1 0.4
+  [[ $stderr == 'ensemble: PRESSURE_MPa: "0,1" is no number'* ]] || show
 }
