@@ -39,7 +39,7 @@ $(PKO)/series_%.tsv: $(PKO)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv --table series $(call whole,$@)
 
 PK_TABLES := $(PK_PACKINGS:%=$(PKO)/cell_packing_%.tsv) $(PK_TESTS:%=$(PKO)/series_triaxial_%.tsv)
-$(PKO)/page.html: $(PK)/study.py $(PK)/expected.tsv $(STUDY) $(PK_TABLES) $(OUT)/profile
+$(PKO)/page.html: $(PK)/study.py $(PK)/words.toml $(PK)/expected.tsv $(STUDY) $(PK_TABLES) $(OUT)/profile
 	@$(STUDY_PY) $< $(PKO) --profile $(PROFILE) --seeds $(PK_SEEDS)
 
 # Kept, since every test of a packing starts from it.

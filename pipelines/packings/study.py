@@ -4,7 +4,7 @@
 import pathlib
 
 import numpy
-from study import Study, Table, figures, main
+from study import Drawn, Series, Study, Table, curves, figures, main, panel
 
 PRESSURES = ("1e3", "1e5")  # Pa, of the compaction
 GRAINS = {"quick": (1000,), "thesis": (1000, 5000, 10000)}
@@ -19,9 +19,8 @@ def deviation(values):
 
 def strength(table):
     """Returns the mean stress ratio between 5 and 8 % of axial strain."""
-    strain = table("strain_axial", "%")
-    between = (table("stage", "1") == SHEAR) & (strain > 4.99) & (strain < 8.01)
-    return table.rows(between)("stress_ratio", "1").mean()
+    strain = table["strain_axial"]
+    return table.rows((table["stage"] == SHEAR) & (strain > 4.99) & (strain < 8.01))["stress_ratio"].mean()
 
 
 def measure(study, seeds):
@@ -29,13 +28,13 @@ def measure(study, seeds):
     means = []
     for n in GRAINS[study.profile]:
         for p in PRESSURES:
-            e = [Table.read(study.out / f"cell_packing_{n}_{p}_{s}.tsv")("void_ratio", "1")[0] for s in seeds]
-            study.measure(f"void_ratio_{n}_{p}", numpy.mean(e), "1", deviation(e))
+            e = [Table.read(study.out / f"cell_packing_{n}_{p}_{s}.tsv")["void_ratio"][0] for s in seeds]
+            study.measure(f"void_ratio_{n}_{p}", (numpy.mean(e), deviation(e)), "1")
         tests = {s: [Table.read(study.out / f"series_triaxial_{n}_{s}_{t}.tsv") for t in TWINS[study.profile]] for s in seeds}
         # The first row of twin 0 is the packing as it was made.
-        study.measure(f"unbalanced_{n}", max(twins[0]("unbalanced_force", "1")[0] for twins in tests.values()), "1")
+        study.measure(f"unbalanced_{n}", max(twins[0]["unbalanced_force"][0] for twins in tests.values()), "1")
         ratios = [numpy.mean([strength(table) for table in twins]) for twins in tests.values()]
-        study.measure(f"ratio_{n}", numpy.mean(ratios), "1", deviation(ratios))
+        study.measure(f"ratio_{n}", (numpy.mean(ratios), deviation(ratios)), "1")
         means.append(numpy.mean(ratios))
     if len(means) > 1:
         study.measure("ratio_spread", max(means) / min(means) - 1, "1")
@@ -43,43 +42,28 @@ def measure(study, seeds):
 
 def draw(study, seeds):
     """Each packing's test, one line a seed, and the strength that they are held against."""
-    figure, axes = figures.panels(2)
     n = GRAINS[study.profile][-1]
+    tests = {(s, twin): Table.read(study.out / f"series_triaxial_{n}_{s}_{twin}.tsv") for s in seeds for twin in TWINS[study.profile]}
+    runs = [Drawn("" if twin else f"seed {s}", Series(table.rows(table["stage"] == SHEAR)), colour)
+            for s, colour in zip(seeds, figures.SERIES, strict=False) for (seed, twin), table in tests.items() if seed == s]
+    figure = curves.figure([panel("strain_axial", "stress_ratio", runs), panel("strain_axial", "strain_volumetric", runs, legend=False)])
     stated = next(s for s in study.groups[0].statements if s.name == f"ratio_{n}")
     low, high = (float(stated.published) + sign * float(stated.tolerance) for sign in (-1, 1))
-    axes[0].fill_between([5, 8], low, high, color=figures.INK, alpha=0.15, linewidth=0, label="published, ± tolerance")
-    for s, colour in zip(seeds, figures.SERIES, strict=False):
-        for twin in TWINS[study.profile]:
-            table = Table.read(study.out / f"series_triaxial_{n}_{s}_{twin}.tsv")
-            table = table.rows(table("stage", "1") == SHEAR)
-            for a, name, unit in zip(axes, ("stress_ratio", "strain_volumetric"), ("1", "%"), strict=True):
-                a.plot(table("strain_axial", "%"), table(name, unit), color=colour, linewidth=1.1, label=None if twin else f"seed {s}")
-    ratio = "stress ratio σₐ/σᵣ"
-    figures.label(axes[0], "axial strain (%)", ratio, [ratio])
-    figures.label(axes[1], "axial strain (%)", "volumetric strain, contraction positive (%)")
-    axes[0].legend()
-    study.figure("strength", figure, f"Triaxial compression of packings of {n} grains from {len(seeds)} seeds; lines of one colour are "
-                 f"twins, moved by a millionth of a radius.", measures=[f"ratio_{n}", f"void_ratio_{n}_1e3"])
+    figure.axes[0].fill_between([5, 8], low, high, color=figures.INK, alpha=0.15, linewidth=0, label="published, ± tolerance")
+    figure.axes[0].legend()
+    study.figure("strength", figure)
 
 
 def build(arguments):
     """Reads the tables of the packings and tests in the folder OUT and writes what was measured and compared."""
-    study = Study("packings", "Packings from nothing", arguments.out, arguments.profile, digits=None)
-    study.expect(pathlib.Path(__file__).parent / "expected.tsv")
+    study = Study.of(pathlib.Path(__file__).parent, arguments, digits=None)
     for n in GRAINS["thesis"][len(GRAINS[study.profile]):]:
         for name in [f"unbalanced_{n}", f"ratio_{n}", *(f"void_ratio_{n}_{p}" for p in PRESSURES)]:
             study.unmade(name, "1", "made with PROFILE=thesis")
     if len(GRAINS[study.profile]) == 1:
         study.unmade("ratio_spread", "1", "made with PROFILE=thesis")
     measure(study, arguments.seeds)
-    n = GRAINS[study.profile][-1]
-    study.lead = ("Toyoura sand from its grading curve: a random cloud is compressed, friction is lowered until the void ratio is met "
-                  f"and then restored, from {len(arguments.seeds)} seeds at each of two pressures. Packings made at 1 kPa are then loaded "
-                  "in drained triaxial compression at 0.2 MPa.")
-    study.headline = (f"All packings meet the void ratio of 0.68 ({study.say(f'void_ratio_{n}_1e3', 4)} with {n} grains), and carry "
-                      f"{study.say(f'ratio_{n}', deviation=True)} times the lateral stress, where the thesis's own packing carries {study.published(f'ratio_{n}')}.")
-    study.remark("Numbers are means over the seeds, ± their standard deviation. Grains have the same size however many they are. Two "
-                 "packings of one sand at one void ratio do not carry the same: see their deviations.")
+    study.tell(grains=GRAINS[study.profile][-1], seeds=len(arguments.seeds))
     draw(study, arguments.seeds)
     return study
 

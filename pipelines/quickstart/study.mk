@@ -44,7 +44,7 @@ $(QSO)/histogram_%.tsv: $(QSO)/%.h5 $(BIN)/fabric
 $(QSO)/provenance.txt: $(QSO)/triaxial_0.2_1.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
-$(QSO)/page.html: $(QS)/study.py $(QS)/expected.tsv $(STUDY) $(QS_TABLES) $(QS_LAB) $(QSO)/provenance.txt $(OUT)/profile
+$(QSO)/page.html: $(QS)/study.py $(QS)/words.toml $(QS)/expected.tsv $(STUDY) $(QS_TABLES) $(QS_LAB) $(QSO)/provenance.txt $(OUT)/profile
 	@$(STUDY_PY) $< $(QSO) --profile $(PROFILE) --seeds $(QS_SEEDS)
 
 # Kept, since every table is made from them.

@@ -9,8 +9,8 @@ import importlib
 
 # The module of each name. They are imported when they are asked for: plot --help draws nothing and need not wait.
 _HOME = {"Measure": "comparison", "Statement": "comparison", "compare": "comparison", "read_statements": "comparison", "NotMade": "errors",
-         "StudyError": "errors", "Study": "run", "main": "run", "Cells": "tables", "Folder": "tables", "Table": "tables", "Series": "series",
-         "Drawn": "curves", "panel": "curves"}
+         "StudyError": "errors", "Study": "run", "main": "run", "Cells": "tables", "Folder": "tables", "Table": "tables",
+         "Mean": "series", "Series": "series", "Drawn": "curves", "panel": "curves"}
 __all__ = list(_HOME)  # pylint: disable=undefined-all-variable
 
 

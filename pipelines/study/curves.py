@@ -9,13 +9,17 @@ _LINE = {"linewidth": 1.3, "markersize": 2.5}
 
 @dataclasses.dataclass(frozen=True)
 class Drawn:
-    """A run as figures draw it: its name and a note for the legend, its Series, its colour and line; "o" are published points."""
+    """A run as figures draw it: its name and a note for the legend, its Series, its colour and line; "o" are published points.
+
+    spread: a Series of what its values scatter by, which is drawn as a band.
+    """
 
     name: str
     of: object
     colour: str
     line: str = "-"
     note: str = ""
+    spread: object = None
 
     def words(self, line=None):
         """Returns its entry in a legend: of one column among several where a line is given, else of the run."""
@@ -51,6 +55,9 @@ def draw(axes, one):
             if run.line == "o":
                 figures.points(axes, run.of[one.x], run.of[name], colour, run.words(several))
             else:
+                if run.spread:
+                    middle, half = run.of[name], run.spread[name]
+                    axes.fill_between(run.of[one.x], middle - half, middle + half, color=colour, alpha=0.2, linewidth=0)
                 axes.plot(run.of[one.x], run.of[name], run.line, color=colour, label=run.words(several), **_LINE)
     first = one.runs[0].of
     x, y = first.line(one.x), first.line(names[0])

@@ -60,12 +60,6 @@ def label(axes, x, y, pure=()):
     axes.set_ylabel(y)
 
 
-def band(axes, x, y, half_width, colour, name=None, **how):
-    """Draws a curve with a band of half_width to either side of it."""
-    axes.fill_between(x, y - half_width, y + half_width, color=colour, alpha=0.2, linewidth=0)
-    return axes.plot(x, y, color=colour, label=name, **how)
-
-
 def points(axes, x, y, colour, name=None):
     """Draws published or laboratory values: open circles, never joined by a line."""
     return axes.plot(x, y, "o", markersize=3.5, markerfacecolor="none", markeredgewidth=0.9, color=colour, label=name)

@@ -38,15 +38,12 @@ KINDS = {
     "e-log-p": Kind("void ratio over the logarithm of mean stress", _SERIES, (
         Panel(_MEAN, (quantity("void_ratio"),), log=True),), whole=True),
     "coordination": Kind("coordination numbers over axial strain", _SERIES, (
-        Panel(_STRAIN, (Line("coordination_number", "1", "all grains"),
-                        Line("mechanical_coordination_number", "1", "without rattlers")), "coordination number"),)),
+        Panel(_STRAIN, (Line("coordination_number", "1", "all grains"), quantity("mechanical_coordination_number")), "coordination number"),)),
     "energies": Kind("energies over axial strain", _SERIES, (
-        Panel(_STRAIN, (quantity("boundary_work"), Line("elastic_energy", "J", "elastic"),
-                        Line("frictional_dissipation", "J", "sliding"), Line("rolling_dissipation", "J", "rolling"),
-                        Line("damping_dissipation", "J", "damping"), quantity("energy_error")), "energy (J)"),)),
+        Panel(_STRAIN, tuple(map(quantity, ("boundary_work", "elastic_energy", "frictional_dissipation", "rolling_dissipation",
+                                            "damping_dissipation", "energy_error"))), "energy (J)"),)),
     "fabric": Kind("anisotropies of contacts and forces over axial strain", ("fabric", "fabric"), (
-        Panel(_STRAIN, (Line("a_c", "1", "a_c, contact normals"), Line("a_n", "1", "a_n, normal forces"),
-                        Line("a_t", "1", "a_t, tangential forces")), "anisotropy"),)),
+        Panel(_STRAIN, tuple(map(quantity, ("a_c", "a_n", "a_t"))), "anisotropy"),)),
     "rose": Kind("density of contact normals over their direction, last state", ("fabric", "rose"), ()),
     "bag": Kind("plate pressure and volumetric strain of a bag over its settlement", _LOADING, (
         Panel(_STRAIN, (quantity("plate_pressure"),)), Panel(_STRAIN, (_VOLUME,)))),

@@ -142,7 +142,7 @@ class Study:
         if sentence or self._texts is None:
             return sentence, number, claim, measures
         said = self._texts.figure(name)
-        return *(self._fill(said.get(key, "")) for key in ("sentence", "number", "claim")), said.get("measures", ())
+        return *(self._fill(said.get(key, "")) for key in ("sentence", "number", "claim")), [self._fill(name) for name in said.get("measures", ())]
 
     def measure_each(self, rows, of, ending=""):
         """Measures (name, unit, value) rows, each name with an ending: value(*of()), where either may raise NotMade."""

@@ -47,3 +47,40 @@ class Series:
             raise StudyError(f"{self.table.where}: {along} does not come to {at:.6g} from below")
         k = reached[0]
         return float(y[k] if x[k] == at else y[k - 1] + (y[k] - y[k - 1]) * (at - x[k - 1]) / (x[k] - x[k - 1]))
+
+
+class Mean(Series):
+    """Means of a column over several tables of equally many rows, row by row. spread: their standard deviations, likewise."""
+
+    def __init__(self, tables, how=None):
+        """how: what is made of the values of each row, the mean where none is given. Raises StudyError for tables of other lengths."""
+        super().__init__(tables[0])
+        if len({len(t) for t in tables}) > 1:
+            raise StudyError(f"{tables[0].where}: has another number of rows than the tables beside it")
+        self._tables, self._how = tables, how or (lambda values: values.mean(axis=0))
+        self.spread = self if how else Mean(tables, deviation)
+
+    def __getitem__(self, name):
+        return self._how(numpy.array([t[name] for t in self._tables]))
+
+    def greatest(self, name):
+        """Returns the greatest mean and the deviation there."""
+        row = self.most(name)
+        return self[name][row], self.spread[name][row]
+
+    def at(self, along, value, name):
+        """Returns mean and deviation of a column in the row where another one has a value; it has to be there."""
+        row = int(abs(self[along] - value).argmin())
+        if abs(self[along][row] - value) > 1e-3:
+            raise StudyError(f"{self.table.where}: has no row where {along} is {value}")
+        return self[name][row], self.spread[name][row]
+
+    @staticmethod
+    def of(values):
+        """Returns mean and deviation of single values."""
+        return numpy.mean(values), deviation(values)
+
+
+def deviation(values):
+    """Returns the standard deviation along the first axis; 0 for a single value."""
+    return numpy.std(values, axis=0, ddof=1) if len(values) > 1 else numpy.zeros_like(values[0])

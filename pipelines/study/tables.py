@@ -87,17 +87,6 @@ class Table:
             raise StudyError(f"{self.where}: has none of the rows asked for")
         return Table([row for row, kept in zip(self._rows, mask, strict=True) if kept], self._units, self.where)
 
-    def at(self, column, unit, along, value, along_unit):
-        """Returns the column at a value of another one, which must rise, between its rows linearly.
-
-        Raises StudyError where the value is not within the table: nothing is extrapolated.
-        """
-        x, y = self(along, along_unit), self(column, unit)
-        slack = 1e-6 * max(abs(x[0]), abs(x[-1]))
-        if not x[0] - slack <= value <= x[-1] + slack:
-            raise StudyError(f"{self.where}: {along} {value} {along_unit} lies outside {x[0]:.6g} to {x[-1]:.6g}")
-        return float(numpy.interp(value, x, y))
-
 
 class Folder:
     """The tables of a folder: folder("bag") is the Table of bag.tsv, read once.

@@ -59,8 +59,7 @@ def test_columns_of_the_quickstart(tmp_path):
 
     def reader(act):
         return lambda: act(Undrawn("quickstart", "", tmp_path, "quick"), module.Runs(tmp_path, [1]))
-    assert demand_columns(map(reader, (module.measure_packings, module.measure_tests, module.draw_response, module.draw_packing,
-                                       module.draw_fabric, module.draw_state, module.draw_energy))) > 60
+    assert demand_columns(map(reader, (module.measure_packings, module.measure_tests, module.draw))) > 60
 
 
 def test_columns_of_the_packings(tmp_path):

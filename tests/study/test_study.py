@@ -43,10 +43,7 @@ def test_a_missing_value_is_never_a_number(table):
     assert math.isnan(table("void_ratio", "1", missing=True)[1])
 
 
-def test_rows_and_values_between_them_are_not_extrapolated(table):
-    assert table.at("stress", "Pa", "strain", 0.5, "%") == 2000
-    with pytest.raises(StudyError, match="lies outside 0 to 1"):
-        table.at("stress", "Pa", "strain", 1.5, "%")
+def test_rows_that_are_not_there_are_an_error(table):
     with pytest.raises(StudyError, match="none of the rows"):
         table.rows(table("strain", "1") > 1)
 

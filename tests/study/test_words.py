@@ -4,7 +4,7 @@ import types
 
 import pytest
 from matplotlib import pyplot
-from study import Cells, Drawn, Folder, NotMade, Series, Study, StudyError, Table, curves, panel
+from study import Cells, Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, curves, panel
 from study.quantities import quantity
 
 HEAD = "name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
@@ -155,6 +155,22 @@ def test_columns_have_one_unit_and_an_unknown_one_is_asked_for_in_its_own(folder
         series["void_ratio"]  # pylint: disable=pointless-statement
     with pytest.raises(StudyError, match="'strain_axal' has no unit of its own; .*did you mean 'strain_axial'"):
         quantity("strain_axal")
+
+
+def test_means_over_packings_are_row_by_row_with_their_scatter(folder):
+    (folder.parent / "other.tsv").write_text("strain_axial [1]\tplate_pressure [Pa]\n0\t0\n0.01\t4000\n0.02\t3000\n")
+    mean = Mean([Table.read(folder.parent / f"{name}.tsv") for name in ("run", "other")])
+    assert list(mean["plate_pressure"]) == [0, 3, 3] and mean.greatest("plate_pressure") == (3, pytest.approx(2**0.5))
+    assert mean.at("strain_axial", 2, "plate_pressure") == (3, 0) and Mean.of([1, 3]) == (2, pytest.approx(2**0.5)) and Mean.of([1]) == (1, 0)
+    with pytest.raises(StudyError, match="run.tsv: has no row where strain_axial is 1.5"):
+        mean.at("strain_axial", 1.5, "plate_pressure")
+    drawn = curves.figure([panel("strain_axial", "plate_pressure", [Drawn("", mean, "red", spread=mean.spread)])])
+    low, high = drawn.axes[0].collections[0].get_paths()[0].get_extents().intervaly
+    assert (low, high) == (0, pytest.approx(3 + 2**0.5))
+    pyplot.close("all")
+    (folder.parent / "short.tsv").write_text("strain_axial [1]\n0\n")
+    with pytest.raises(StudyError, match="run.tsv: has another number of rows"):
+        Mean([Table.read(folder.parent / f"{name}.tsv") for name in ("run", "short")])
 
 
 def test_tables_of_a_folder_may_be_absent_for_a_reason(folder):
