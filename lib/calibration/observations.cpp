@@ -132,10 +132,12 @@ Matrix at_stations(const io::Series& whole, const Observations& observed, const 
 }
 
 /// One table for all members, cut up by its column id.
-std::map<std::int64_t, io::Series> by_member(const io::Series& table) {
+std::map<std::int64_t, io::Series> by_member(const io::Series& table, const std::string& where) {
   std::map<std::int64_t, io::Series> members;
   const io::Column& id = table.at("id");
   for (std::size_t r = 0; r < table.rows(); ++r) {
+    if (!(std::abs(id.values[r]) < 1e15 && id.values[r] == std::round(id.values[r])))
+      throw DataError(fmt::format("{}: row {}: id {} is no whole number", where, r + 1, id.values[r]));
     io::Series& member = members[static_cast<std::int64_t>(id.values[r])];
     if (member.columns.empty())
       for (const io::Column& c : table.columns) member.columns.push_back({c.name, c.unit, c.long_name, {}});
@@ -146,6 +148,13 @@ std::map<std::int64_t, io::Series> by_member(const io::Series& table) {
 }
 
 std::string path_of(const std::string& pattern, std::int64_t id) {
+  // A name of a million digits would be made before it is found to be too long.
+  for (std::size_t at = pattern.find('{'); at != std::string::npos; at = pattern.find('{', at + 1)) {
+    const std::string_view field = std::string_view(pattern).substr(at, pattern.find('}', at) - at);
+    if (std::count_if(field.begin(), field.end(), [](char c) { return c >= '0' && c <= '9'; }) > 3)
+      throw UsageError(
+          fmt::format("--runs {}: the member's number is too wide; write it as {{id}} or {{id:06}}", pattern));
+  }
   try {
     return fmt::format(fmt::runtime(pattern), fmt::arg("id", id));
   } catch (const fmt::format_error& error) {
@@ -201,8 +210,15 @@ std::size_t Simulated::used() const {
 Observations observations(const io::Series& table, const Choice& choice, const std::string& where) {
   if (table.columns.empty()) throw DataError(where + ": has no columns");
   Observations found;
-  found.station = observable(choice.station.empty() ? table.columns.front().name : choice.station, table);
-  for (const std::string& name : choice.observables) found.observables.push_back(observable(name, table));
+  const auto named = [&](const std::string& name) {
+    try {
+      return observable(name, table);
+    } catch (const DataError& error) {
+      throw DataError(fmt::format("{}: {}", where, error.what()));
+    }
+  };
+  found.station = named(choice.station.empty() ? table.columns.front().name : choice.station);
+  for (const std::string& name : choice.observables) found.observables.push_back(named(name));
   if (found.observables.empty())
     for (const io::Column& column : table.columns)
       if (column.name != found.station.name) found.observables.push_back(observable(column.name, table));
@@ -248,7 +264,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
     sources.push_back(text.source);
     const io::Series table = io::from_tsv(text.text, pattern);
     if (!choice.greatest) column_of(table, observed.station);
-    members = by_member(table);
+    members = by_member(table, pattern);
   }
   std::vector<std::pair<std::int64_t, io::Source>> read;
   for (const std::int64_t id : ids) {
@@ -265,7 +281,7 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
       all.fate.push_back(unfit.fate);
       all.why.push_back(unfit.why);
     } catch (const DataError& error) {
-      throw DataError(fmt::format("run of member {}: {}", id, error.what()));
+      throw DataError(fmt::format("{}: run of member {}: {}", path_of(pattern, id), id, error.what()));
     }
   }
   if (!one_table) sources.push_back(together(read));

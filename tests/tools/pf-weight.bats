@@ -221,7 +221,10 @@ PY
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe three
   [[ $stderr == *"no column three among "* ]] || show
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe one=three
-  [[ $stderr == *"run of member 0: no column three"* ]] || show
+  [[ $stderr == *": runs.tsv: run of member 0: no column three"* ]] || show
+  printf 'id\tt\tone\ttwo\n0.5\t1\t1\t1\n' > bad.tsv
+  refuses 65 assimilate "bad.tsv: row 1: id 0.5 is no whole number" ensemble.h5 observed.tsv --runs bad.tsv --error 0.01
+  refuses 64 assimilate "--runs {id:1000000000}: the member's number is too wide; write it as {id} or {id:06}" ensemble.h5 observed.tsv --runs '{id:1000000000}' --error 0.01
 }
 
 @test "assimilate --greatest: a single observed value is compared with the greatest of each run" {

@@ -49,7 +49,7 @@ TEST(Observations, what_cannot_be_used_is_said) {
   EXPECT_EQ(mistake("x\n1\n"), "lab.tsv: nothing observed beside x");
   EXPECT_EQ(mistake("x\ty\n"), "lab.tsv: no observations");
   EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {}, 0.5, {}}), "lab.tsv: no observations up to --until");
-  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "no column z among x, y");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "lab.tsv: no column z among x, y");
 }
 
 /// A folder with runs 0.tsv, 1.tsv, ... and what became of them against the laboratory.
