@@ -5,5 +5,6 @@
 # TABLE: id first, then in any order E [Pa], nu, kr, eta and mu [deg], or what pf-weight draw calls them, maybe a column twin,
 # separated by tabs; ids are whole numbers, with leading zeros or without. LAW: hm (Hertz-Mindlin) or cl (linear).
 # JOBS: at once (100%). ENGINE=slurm: SLURM_FLAGS, further options of sbatch; SLURM_ARRAY_SIZE, tasks at most (1000).
-export LC_ALL=C.UTF-8
-exec "${PYTHON:-/usr/bin/python3}" -P "$(dirname "$0")/ensemble.py" "$@"
+home=$(cd "$(dirname "$0")" && pwd) || exit 66
+export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="${home%/*}"
+exec "${PYTHON:-/usr/bin/python3}" -P "$home/ensemble.py" "$@"

@@ -73,7 +73,7 @@ $(C2O)/peak_%MPa.tsv: $(C2)/inputs.py data/laboratory/toyoura_peak_obliquity.tsv
 	@$(STUDY_PY) $^ --peak $* $(call whole,$@)
 
 .SECONDEXPANSION:
-C2_RUN := $(C2)/ensemble.sh $(C2)/ensemble.py $(C2)/run.sh $(BIN)/run-dem $(BIN)/homogenize
+C2_RUN := $(C2)/ensemble.sh $(C2)/ensemble.py pipelines/study/jobs.py $(C2)/run.sh $(BIN)/run-dem $(BIN)/homogenize
 $(C2O)/%_sets.h5 $(C2O)/%_sets.tsv: $$(c2_from) $(C2O)/settings $(BIN)/pf-weight
 	@mkdir -p $(@D)
 	@$(BIN)/pf-weight $(c2_drawn) --samples $(word $(c2_round),$(C2_SAMPLES)) --tsv --force -o $(C2O)/$*_sets.h5 $(call whole,$(C2O)/$*_sets.tsv)

@@ -1,8 +1,8 @@
 """Chapter 2: its measures on small tables by hand, what a single round gives, the rows of an ensemble."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import os
 import pathlib
 import subprocess
-import sys
 import types
 
 import numpy
@@ -13,7 +13,7 @@ from ch2.inputs import PARAMETERS
 from ch2.study import Case
 from matplotlib import pyplot
 from renaming import demand_columns
-from study import NotMade, Study, StudyError, Table
+from study import NotMade, Study, StudyError, Table, jobs
 
 ROOT = pathlib.Path(__file__).parents[2]
 STRAINS = [0.5 * k for k in range(1, 13)]
@@ -167,8 +167,8 @@ def test_inputs_are_what_runs_and_filter_read(out, tmp_path):
 
 
 @pytest.mark.parametrize(("text", "rows"), [
-    ("id\tE\tn\tk\te\tm\r\n# x\r\n\r\n007\t1\t2\t3\t4\t5\r\n000\t1\t2\t3\t4\t5", [["7", *"12345", "0"], ["0", *"12345", "0"]]),
-    ("\ufeffid [1]\tE [Pa]\tn\tk\te\tm\tlog\ttwin [1]\r8\t1\t2\t3\t4\t 5\t9\t2\r", [["8", *"12345", "2"]]),
+    ("id\tE\tnu\tkr\teta\tmu\r\n# x\r\n\r\n007\t1\t2\t3\t4\t5\r\n000\t1\t2\t3\t4\t5", [["7", *"12345", "0"], ["0", *"12345", "0"]]),
+    ("\ufeffid [1]\tE [Pa]\tnu\tkr\teta\tmu\tlog\ttwin [1]\r8\t1\t2\t3\t4\t 5\t9\t2\r", [["8", *"12345", "2"]]),
 ])
 def test_rows_are_read_with_any_line_ends_and_padded_ids(tmp_path, text, rows):
     (tmp_path / "sets.tsv").write_bytes(text.encode())
@@ -192,11 +192,11 @@ def test_an_array_job_s_tasks_share_the_rows(tmp_path, monkeypatch):
     names = ["a", "b c", "d", "e"]
     (tmp_path / "jobs").write_text("".join(f"touch\t{tmp_path}/{name}\n" for name in names))
     monkeypatch.setenv("SLURM_ARRAY_TASK_ID", "1")
-    assert ensemble.task(tmp_path / "jobs", "2") == 0
+    assert jobs.task(tmp_path / "jobs", "2") == 0
     assert sorted(path.name for path in tmp_path.iterdir() if path.is_file() and path.name in names) == ["b c", "e"]
 
 
 def test_what_an_ensemble_needs_is_named_in_one_line(tmp_path):
-    run = subprocess.run([sys.executable, "-P", ROOT / "pipelines/ch2/ensemble.py", "sets.tsv"], capture_output=True, text=True, check=False,
-                         env={"BIN": str(tmp_path)})
+    run = subprocess.run([ROOT / "pipelines/ch2/ensemble.sh", "sets.tsv"], capture_output=True, text=True, check=False,
+                         env={"BIN": str(tmp_path), "PATH": os.environ["PATH"]})
     assert run.returncode == 64 and run.stderr.count("\n") == 1 and "usage: BIN=build/bin ensemble.sh TABLE.tsv" in run.stderr

@@ -108,7 +108,7 @@ small_inputs() {
   exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
   [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
   exits 65 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv $'ta\tb' hm "$packing" scenario.toml 0.1 0.1
-  [[ $stderr == "ensemble: ta"$'\t'"b: names of folders and files may not hold tabs or line ends" ]] || show
+  [[ $stderr == "jobs: ta"$'\t'"b: names of folders and files may not hold tabs or line ends" ]] || show
 }
 
 @test "a table may number twins, whose grains start elsewhere; inputs that are missing are named" {
