@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "core/memory.h"
+#include "dem/homogeneous.h"
 #include "dem/prepare.h"
 #include "io/files.h"
 
@@ -25,6 +26,9 @@ constexpr double settling = 20;
 // Steps until rest for each grain across a bag between plates, where waves come back from soft ends. The thesis's bag
 // of 69,000 grains in PP took 319,000 steps for 21 stations; 245,000 are foreseen.
 constexpr double swaying = 8;
+// A bag swings as a whole at this share of the frequency that affine contacts would give it, as the drags tell that
+// brought the bags of chapter 3 to rest.
+constexpr double swing_share = 0.5;
 
 using Seconds = std::chrono::duration<double>;
 
@@ -40,24 +44,36 @@ class Walk {
     const double across = std::pow(static_cast<double>(grains), 1.0 / dimension);
     folds_ = -std::log(std::min(0.5, scenario.tolerances.unbalanced_force));
     waves_ = std::max(settling, (scenario.parts.empty() ? 1 : swaying) * across);
+    swing_ = swing_share * slowest_swing(simulation);
   }
 
   Forecast::OfStage stage(const Stage& stage) {
-    Forecast::OfStage of{stage.name, stage.path->stations(), 0, stage.way_unbalanced_force > 0};
+    Forecast::OfStage of{stage.name, stage.path->stations(), 0, 0, stage.way_unbalanced_force > 0};
     state_.strain = Vec3::Zero();
-    const double damping = stage.rest_damping.value_or(stage.damping.value_or(scenario_.numerics.damping));
-    const double rest = waves_ * folds_ / std::max(0.05, damping);
+    const double rest = steps_to_rest(stage);
     std::vector<DriveGoal> before;
     for (std::size_t station = 0; station < of.stations; ++station) {
       const std::vector<DriveGoal> drives = stage.path->drives(station);
-      const double steps = std::max(way(stage.path->goals(station, state_)), way(drives, before)) + rest;
-      of.steps += std::min(steps, static_cast<double>(scenario_.largest_station));
+      const double moving = std::max(way(stage.path->goals(station, state_)), way(drives, before));
+      const double steps = std::min(moving + rest, static_cast<double>(scenario_.largest_station));
+      of.steps += steps;
+      of.waiting += std::max(0.0, steps - moving);
       before = drives;
     }
     return of;
   }
 
  private:
+  // A swing of frequency w under a drag c decays as exp(-c t/2), or where it creeps as exp(-(c/2 - sqrt(c^2/4 - w^2))
+  // t).
+  double steps_to_rest(const Stage& stage) const {
+    const double half = stage.critical_drag ? swing_ : 0.5 * stage.rest_drag;
+    if (half > 0 && swing_ > 0)
+      return folds_ / ((half - std::sqrt(std::max(0.0, half * half - swing_ * swing_))) * dt_);
+    const double damping = stage.rest_damping.value_or(stage.damping.value_or(scenario_.numerics.damping));
+    return waves_ * folds_ / std::max(0.05, damping);
+  }
+
   // Steps on the way to a station, by the slowest axis.
   double way(const AxisGoals& goals) {
     double slowest = 0;
@@ -89,7 +105,7 @@ class Walk {
   double dt_;
   Vec3 stiffness_;
   PathState state_;
-  double folds_ = 0, waves_ = 0;
+  double folds_ = 0, waves_ = 0, swing_ = 0;  // swing_: 1/s
 };
 
 std::size_t states_of(const Scenario& scenario, std::size_t stations) {
@@ -150,14 +166,16 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   f.largest_overlap = simulation.largest_overlap();
   Walk walk(simulation, scenario, dimension, start.grains.size());
   std::size_t stations = 0;
-  double steps = 0;
+  double steps = 0, waiting = 0;
   for (const Stage& stage : scenario.stages) {
     f.stages.push_back(walk.stage(stage));
     stations += f.stages.back().stations;
     steps += f.stages.back().steps;
+    waiting += f.stages.back().waiting;
   }
   f.states = states_of(scenario, stations);
   f.price = tried(simulation, scenario, dimension);
+  f.price.waiting = std::llround(waiting);
   const double scale = steps / static_cast<double>(f.price.steps);
   f.price.grains = start.grains.size();
   f.price.stepping *= scale;
@@ -181,8 +199,9 @@ std::string Forecast::text() const {
       "time step {:.4g} s, stability limit {:.4g} s\n",
       price.grains, price.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
   for (const OfStage& stage : stages)
-    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps{}\n", stage.name, stage.stations,
-                        stage.stations == 1 ? "" : "s", stage.steps, stage.paced ? " if as fast as given" : "");
+    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps{}, {:.2g} of them waiting for rest\n",
+                        stage.name, stage.stations, stage.stations == 1 ? "" : "s", stage.steps,
+                        stage.paced ? " if as fast as given" : "", stage.waiting);
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
   return text + fmt::format("about {}: {}\n", time_text(price.stepping + price.output), price.line());

@@ -15,6 +15,7 @@ struct Forecast {
     std::string name;
     std::size_t stations = 0;
     double steps = 0;    // a guess: how fast grains come to rest is known when they have
+    double waiting = 0;  // of them, until rest
     bool paced = false;  // on the way slower than given, then sooner at rest: not foreseen
   };
   std::vector<OfStage> stages;

@@ -14,6 +14,8 @@
 #include "core/text.h"
 #include "dem/bodies.h"
 #include "dem/described.h"
+#include "dem/mass_scaling.h"
+#include "dem/rig.h"
 
 namespace soilweave::dem {
 namespace {
@@ -175,6 +177,35 @@ void demand_held(const io::Snapshot& state, const Scenario& scenario) {
       throw DataError(fmt::format("clamp \"{}\" holds no node of a geotextile: move its box", p.part.name));
 }
 
+bool are_facing(const PartSetting& one, const PartSetting& other, const io::PlanesRecord& planes) {
+  if (one.part.is_clamp || other.part.is_clamp) return one.part.is_clamp && other.part.is_clamp;
+  return face_each_other(planes.normal[one.part.number].normalized(), planes.normal[other.part.number].normalized());
+}
+
+void demand_open(const io::Snapshot& state, const Scenario& scenario) {
+  const auto open = state.cell.periodic.begin();
+  if (!std::all_of(open, open + state.grains.dimension, [](bool periodic) { return periodic; })) return;
+  for (const Stage& stage : scenario.stages)
+    if (stage.critical_drag)
+      throw DataError(
+          fmt::format("stage \"{}\": rest_drag = \"critical\" follows how grains swing between plates, and the cell is "
+                      "periodic along all axes: give a number, or leave it out",
+                      stage.name));
+}
+
+void demand_facing(const Scenario& scenario) {
+  const std::vector<PartSetting>& parts = scenario.parts;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t q = 0; q < p; ++q)
+      if (are_facing(parts[p], parts[q], scenario.planes)) return;
+  for (const Stage& stage : scenario.stages)
+    if (stage.homogeneous_start)
+      throw DataError(
+          fmt::format("stage \"{}\": homogeneous_start needs two named planes that face each other, or two clamps: "
+                      "leave it out",
+                      stage.name));
+}
+
 }  // namespace
 
 std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
@@ -192,6 +223,13 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   demand_periodic(packing, scenario);
   demand_recorded(packing, scenario);
+  demand_facing(scenario);
+  demand_open(packing, scenario);
+  if (scenario.equal_steps && scenario.numerics.gravity != Vec3::Zero())
+    throw DataError(
+        "grains.mass_scaling = \"equal-step\" changes what grains weigh, and numerics.gravity is not zero: leave one "
+        "of "
+        "them out");
   io::Snapshot state = packing;
   // Planes of an earlier run stay where the scenario has none.
   if (!scenario.planes.point.empty()) state.planes = scenario.planes;
@@ -200,6 +238,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
     const double density = scenario.density[static_cast<std::size_t>(state.grains.material_id[i])];
     if (density > 0) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
   }
+  if (scenario.equal_steps) equalise_steps(scenario.model, state.grains);
   put_in_touch(state, scenario);
   // Contacts with planes of an earlier run are not with these.
   if (!scenario.planes.point.empty() && !are_parallel(packing.planes, state.planes))

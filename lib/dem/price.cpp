@@ -19,10 +19,11 @@ double Price::share(Phase phase) const {
 std::string Price::line() const {
   const double total = stepping + output;
   return fmt::format(
-      "{} steps of {} grains with {:.0f} contacts in {:.3g} s: {:.4g} steps/s, {:.3g} ns per contact; contacts {:.0f} "
-      "%, "
-      "integration {:.0f} %, neighbours {:.0f} %, output {:.0f} %",
-      steps, grains, contacts(), total, stepping > 0 ? static_cast<double>(steps) / stepping : 0, per_contact(),
+      "{} steps{} of {} grains with {:.0f} contacts in {:.3g} s: {:.4g} steps/s, {:.3g} ns per contact; contacts "
+      "{:.0f} "
+      "%, integration {:.0f} %, neighbours {:.0f} %, output {:.0f} %",
+      steps, waiting > 0 ? fmt::format(" ({:.0f} % of them waiting for rest)", 100.0 * waiting / steps) : "", grains,
+      contacts(), total, stepping > 0 ? static_cast<double>(steps) / stepping : 0, per_contact(),
       100 * share(Phase::contacts), 100 * share(Phase::integration), 100 * share(Phase::neighbours),
       total > 0 ? 100 * output / total : 0);
 }

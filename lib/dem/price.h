@@ -14,6 +14,7 @@ namespace soilweave::dem {
 struct Price {
   std::size_t grains = 0;
   std::int64_t steps = 0, contact_steps = 0;  // contact_steps: contacts, summed over the steps
+  std::int64_t waiting = 0;                   // of the steps, those that stations waited for rest; 0: nothing waited
   double stepping = 0, output = 0;            // s
   StepTimes times;
 

@@ -17,8 +17,18 @@ namespace {
 constexpr double plate_frequency_times_step = 0.1;
 // A displacement is met to this much, m.
 constexpr double displacement_tolerance = 1e-10;
+// Planes face each other whose normals are opposite to this cosine.
+constexpr double opposite = 0.99;
+
+Vec3 middle(const Clamp& clamp, const Bodies& bodies) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::int32_t i : clamp.grains) sum += vector_of(bodies.grains[static_cast<std::size_t>(i)].position);
+  return sum / static_cast<double>(clamp.grains.size());
+}
 
 }  // namespace
+
+bool face_each_other(const Vec3& one, const Vec3& other) { return one.dot(other) < -opposite; }
 
 std::size_t Rig::index(const std::string& name) const {
   for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -91,6 +101,46 @@ void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation&
     else if (simulation.clamps()[part.number].velocity != velocity[p])
       simulation.set_clamp_velocity(part.number, velocity[p]);
   }
+}
+
+std::vector<Rig::Facing> Rig::facing(const Simulation& simulation) const {
+  const auto place = [&](const RigPart& p) {
+    return p.is_clamp ? middle(simulation.clamps()[p.number], simulation.bodies())
+                      : simulation.planes().all[p.number].point;
+  };
+  const auto& planes = simulation.planes().all;
+  std::vector<Facing> pairs;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    for (std::size_t q = p + 1; q < parts_.size(); ++q) {
+      if (parts_[p].is_clamp != parts_[q].is_clamp) continue;
+      const Vec3 apart = place(parts_[q]) - place(parts_[p]);
+      Vec3 across = apart.norm() > 0 ? Vec3(apart.normalized()) : Vec3(Vec3::Zero());
+      if (!parts_[p].is_clamp) {
+        across = planes[parts_[p].number].normal;
+        if (!face_each_other(across, planes[parts_[q].number].normal)) continue;
+      }
+      if (apart.dot(across) > 0) pairs.push_back({p, q, across, apart.dot(across)});
+    }
+  return pairs;
+}
+
+Mat3 Rig::gradient_of_way(const std::vector<DriveGoal>& goals, double pace, const Mat3& before,
+                          const Simulation& simulation) const {
+  std::vector<Vec3> velocity(parts_.size(), Vec3::Zero());
+  for (const DriveGoal& goal : goals) {
+    if (goal.kind != DriveGoal::Kind::displacement) continue;
+    const std::size_t p = index(goal.part);
+    const double left = goal.value - (states_[p].displacement - states_[p].at_start).dot(goal.direction);
+    if (std::abs(left) > displacement_tolerance) velocity[p] += std::copysign(pace * goal.speed, left) * goal.direction;
+  }
+  Mat3 gradient = before;
+  for (const Facing& pair : facing(simulation)) {
+    Vec3 change = (velocity[pair.second] - velocity[pair.first]) / pair.distance - gradient * pair.across;
+    for (const std::size_t p : {pair.first, pair.second})
+      if (states_[p].loaded) change -= change.dot(states_[p].direction) * states_[p].direction;
+    gradient += change * pair.across.transpose();
+  }
+  return gradient;
 }
 
 bool Rig::moved(const std::vector<DriveGoal>& goals) const {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +39,11 @@ class Rig {
   /// Sets the velocities of all parts for the next step: goals as given, displacements at this share of their speed,
   /// loads of earlier stages held, the rest at rest.
   void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace = 1);
+  /// Velocity gradient, 1/s, that the displacements on their way ask of the grains between parts that face each other:
+  /// two planes, or two clamps. Across a pair the relative velocity is spread evenly. Velocities that no part is told,
+  /// along loads and across no pair, are as in `before`.
+  Mat3 gradient_of_way(const std::vector<DriveGoal>& goals, double pace, const Mat3& before,
+                       const Simulation& simulation) const;
   /// Displacements reached.
   bool moved(const std::vector<DriveGoal>& goals) const;
   /// Displacements reached, and loads, old ones too, met to the tolerance.
@@ -57,6 +61,13 @@ class Rig {
     Vec3 direction = Vec3::Zero();
     double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load
   };
+  /// Two parts, and how far the second is from the first along the unit vector from one to the other, m.
+  struct Facing {
+    std::size_t first, second;
+    Vec3 across;
+    double distance;
+  };
+  std::vector<Facing> facing(const Simulation& simulation) const;
   std::size_t index(const std::string& name) const;
   bool loaded() const;  // whether some part carries a load
   Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
@@ -66,6 +77,9 @@ class Rig {
   std::vector<RigPart> parts_;
   std::vector<State> states_;
 };
+
+/// Whether planes with these normals face each other.
+bool face_each_other(const Vec3& one, const Vec3& other);
 
 /// Appends a value to the named column, which is made where it is missing.
 void append(io::Series& series, const std::string& name, const std::string& unit, const std::string& long_name,

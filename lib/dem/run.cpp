@@ -14,6 +14,7 @@
 #include "dem/pace.h"
 #include "dem/prepare.h"
 #include "dem/record.h"
+#include "dem/way.h"
 
 namespace soilweave::dem {
 namespace {
@@ -103,7 +104,8 @@ class Runner {
         if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1, nominal)) keep_state();
       }
     }
-    const Price price = clock_.price(simulation_, keeper_.seconds());
+    Price price = clock_.price(simulation_, keeper_.seconds());
+    price.waiting = way_.waited();
     result_.work = {price.steps, price.contact_steps};
     if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
     return {std::move(result_), price};
@@ -113,7 +115,7 @@ class Runner {
 
  private:
   void go_on() {
-    servo_.archive(kept_), rig_.archive(kept_), pace_.archive(kept_);
+    servo_.archive(kept_), rig_.archive(kept_), pace_.archive(kept_), way_.archive(kept_);
     at_.archive(kept_);
     clock_.archive(simulation_, keeper_.seconds(), kept_);
     demand_place();
@@ -135,7 +137,7 @@ class Runner {
   }
 
   io::Moment moment() {
-    return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, at_);
+    return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
   }
 
   // What a stage changes in the grains.
@@ -156,6 +158,7 @@ class Runner {
     at_.start_of_stage = simulation_.strain();
     rig_.begin_stage();
     pace_.begin_stage();
+    way_.begin_stage();
     at_.first = simulation_.steps();
     at_.begun = true;
   }
@@ -182,8 +185,9 @@ class Runner {
       const double pace = waiting ? 1 : pace_on_the_way(stage);
       servo_.drive(goals, dimension_, simulation_, pace);
       rig_.drive(drives, damping, simulation_, pace);
+      way_.before_step(stage, waiting, drives, pace, rig_, simulation_);
       simulation_.step();
-      if (waiting) slow(stage);
+      way_.after_step(simulation_);
       if (settled(goals, drives)) break;
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
@@ -199,12 +203,6 @@ class Runner {
     if (simulation_.steps() % look_interval == 0)
       pace_.follow(simulation_.unbalanced_force(), stage.way_unbalanced_force, look_interval);
     return pace_.share();
-  }
-
-  // Local damping weakens as forces balance; what sways then with little to hold it needs a drag to come to rest.
-  void slow(const Stage& stage) {
-    if (stage.rest_drag > 0 && simulation_.steps() % look_interval == 0)
-      simulation_.slow_motion(std::exp(-stage.rest_drag * look_interval * simulation_.time_step()));
   }
 
   // Whether all that moves by a set way has arrived, and only rest is waited for.
@@ -292,6 +290,8 @@ class Runner {
   void row(std::size_t stage) {
     record(simulation_, dimension_, static_cast<int>(stage), result_.series);
     rig_.record(simulation_, result_.series);
+    append(result_.series, "steps_waiting", "1", "time steps in which stations waited for rest, since the start",
+           static_cast<double>(way_.waited()));
     if (has_yarns_) {
       const Energies e = simulation_.energies();
       append(result_.series, "yarn_elastic_energy", "J", "stored in yarns", e.elastic_yarns);
@@ -319,6 +319,7 @@ class Runner {
   Servo servo_;
   Rig rig_;
   Pace pace_;
+  Way way_;
   Position at_;
   io::RunFile result_;
   std::size_t total_ = 0;

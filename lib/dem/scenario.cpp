@@ -103,7 +103,11 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   if (table.has("damping")) stage.damping = table.number(damping);
   if (table.has("rest_damping")) stage.rest_damping = table.number(rest);
   stage.way_unbalanced_force = table.number(on_the_way, 0);
-  if (table.has("rest_drag")) stage.rest_drag = table.number(drag);
+  if (table.has("rest_drag")) {
+    const std::optional<double> number = table.number_or(drag, "critical");
+    stage.rest_drag = number.value_or(0), stage.critical_drag = !number;
+  }
+  stage.homogeneous_start = table.flag("homogeneous_start", false);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() == 0)
     table.mistake("", "has no stations: its list is empty; name one at least, or leave the stage out");
@@ -195,6 +199,7 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   Scenario s;
   s.model = read_model(document);
   s.density.push_back(read_density(document));
+  s.equal_steps = document.table("grains").choice("mass_scaling", {"none", "equal-step"}, "none") == "equal-step";
   for (Settings table : document.tables("material"))
     s.density.push_back(table.has("density") ? table.number(density_parameter) : s.density.front());
   for (Settings table : document.tables("geotextile")) {

@@ -23,6 +23,8 @@ struct Stage {
   std::optional<double> rest_damping;    // the same while a station waits for rest
   double way_unbalanced_force = 0;       // what goes a given way slows down to keep to it; 0: goes as fast as given
   double rest_drag = 0;                  // 1/s, of all motion, over the mass, while a station waits for rest
+  bool critical_drag = false;            // rest_drag from the slowest homogeneous swing, as each wait begins
+  bool homogeneous_start = false;        // ways begin and end with the homogeneous field of velocity (homogeneous.h)
 };
 
 /// Which recorded stations get a full snapshot beside their row in the series.
@@ -45,6 +47,7 @@ struct Scenario {
   Numerics numerics;
   /// kg/m3 by material_id, scaled; replaces the packing's masses where positive.
   std::vector<double> density;
+  bool equal_steps = false;  // masses by which grains of any size bear the same step (mass_scaling.h)
   Tolerances tolerances;
   ServoRule servo;
   std::int64_t largest_station = 0;  // steps after which a station counts as unreachable

@@ -327,17 +327,8 @@ double Simulation::stability_limit() {
 }
 double Simulation::time() const { return impl_->time; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
-const Mat3& Simulation::cell_matrix() const { return impl_->cell.matrix(); }
-const Mat3& Simulation::deformation_gradient() const { return impl_->cell.deformation_gradient(); }
-double Simulation::volume() const { return impl_->cell.volume(); }
-std::size_t Simulation::grains() const { return impl_->bodies.size(); }
-double Simulation::mass() const { return impl_->bodies.total_mass(); }
-double Simulation::solid_volume() const { return impl_->bodies.solid_volume(); }
-double Simulation::void_ratio() const { return volume() / solid_volume() - 1; }
-
-Vec3 Simulation::strain() const {
-  return (0.0 - deformation_gradient().diagonal().array().log()).matrix();  // 0 - 0: no strain is not -0
-}
+const Cell& Simulation::cell() const { return impl_->cell; }
+const Bodies& Simulation::bodies() const { return impl_->bodies; }
 
 void Simulation::set_reference() { impl_->cell.set_reference(); }
 void Simulation::set_velocity_gradient(const Mat3& gradient) { impl_->cell.set_velocity_gradient(gradient); }
@@ -383,6 +374,14 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
 void Simulation::slow_motion(double share) {
   const Slowed slowed = slow(impl_->bodies, share, impl_->numerics.gravity, impl_->time_step, impl_->numerics.threads);
   impl_->energies.damping += slowed.energy_before - slowed.energy_after;
+}
+
+void Simulation::change_velocities(const std::function<void(Bodies&)>& change) {
+  const double before = kinetic_energy();
+  change(impl_->bodies);
+  const double gained = kinetic_energy() - before;
+  Energies& e = impl_->energies;
+  (gained > 0 ? e.boundary_work : e.damping) += std::abs(gained);
 }
 
 io::Snapshot Simulation::snapshot() const {

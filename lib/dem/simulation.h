@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/archive.h"
+#include "dem/cell.h"
 #include "dem/clamp.h"
 #include "dem/model.h"
 #include "dem/plate.h"
@@ -74,15 +76,17 @@ class Simulation {
   double time() const;
   std::int64_t steps() const;
 
-  const Mat3& cell_matrix() const;
-  const Mat3& deformation_gradient() const;
-  double volume() const;  // m3 (2D: m2)
-  std::size_t grains() const;
-  double mass() const;          // kg (2D: kg/m), of all grains
-  double solid_volume() const;  // m3 (2D: m2), overlaps counted twice
-  double void_ratio() const;
+  const Cell& cell() const;
+  const Mat3& cell_matrix() const { return cell().matrix(); }
+  const Mat3& deformation_gradient() const { return cell().deformation_gradient(); }
+  double volume() const { return cell().volume(); }  // m3 (2D: m2)
+  std::size_t grains() const { return bodies().size(); }
+  const Bodies& bodies() const;
+  double mass() const { return bodies().total_mass(); }            // kg (2D: kg/m), of all grains
+  double solid_volume() const { return bodies().solid_volume(); }  // m3 (2D: m2), overlaps counted twice
+  double void_ratio() const { return volume() / solid_volume() - 1; }
   /// Natural strains since the reference, compression positive: -ln of the principal stretches along the axes.
-  Vec3 strain() const;
+  Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
   void set_reference();                              // the present cell becomes the reference of the strains
   void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
 
@@ -100,6 +104,9 @@ class Simulation {
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
   /// Of fluctuation velocities and spins this share is left; what they lose counts as damped away.
   void slow_motion(double share);
+  /// Changes velocities as told. Kinetic energy that the grains gain counts as work of the boundary, for whose motion
+  /// it is given; what they lose, as damped away.
+  void change_velocities(const std::function<void(Bodies&)>& change);
 
   /// State and history. A Simulation made from it alone counts energies anew, and looks at the stiffness at once.
   io::Snapshot snapshot() const;

@@ -252,7 +252,7 @@ command with --resume goes on from there" said || show "$(< said)"
 
 @test "every run tells its price, and --check predicts it" {
   exits 0 run-dem packing.h5 short.toml -o out.h5
-  local words='steps of 60 grains with [0-9]* contacts in [0-9.e+]* s: [0-9.e+]* steps/s, [0-9.e+]* ns per contact; '
+  local words='steps ([0-9]* % of them waiting for rest) of 60 grains with [0-9]* contacts in [0-9.e+]* s: [0-9.e+]* steps/s, [0-9.e+]* ns per contact; '
   words+='contacts [0-9]* %, integration [0-9]* %, neighbours [0-9]* %, output [0-9]* %'
   grep -qx "run-dem: [0-9]* $words" <<< "$stderr" || show "wanted the price"
   local steps
@@ -264,7 +264,7 @@ command with --resume goes on from there" said || show "$(< said)"
   refuses 64 run-dem "--output is missing" packing.h5 short.toml
   exits 0 run-dem --check packing.h5 short.toml
   [[ $(here) != *out.h5* ]] && ! grep -v ': doubt: ' <<< "$stderr" | grep -q . || show "wanted nothing but text"
-  grep -q '^stage "triaxial": 4 stations, about .* steps if as fast as given$' <<< "$output" || show "no stages"
+  grep -q '^stage "triaxial": 4 stations, about .* steps if as fast as given, .* of them waiting for rest$' <<< "$output" || show "no stages"
   grep -Eq '^time step [0-9.e-]+ s, stability limit [0-9.e-]+ s$' <<< "$output" || show "no time step"
   grep -Eq '^5 states recorded, file about [0-9.]+ kB, memory about [0-9.]+ MB$' <<< "$output" || show "no sizes"
   local predicted
