@@ -106,7 +106,7 @@ class Study:
         return study
 
     def tell(self, **values):
-        """Lets the page say what words.toml has, and figures that follow: lead, headline, remarks, reasons, appendix.
+        """Lets the page say what words.toml has: lead, headline, remarks, reasons, appendix, and captions of figures that follow.
 
         values: what its texts may name, beside say() and published() of the study, `kept` (of say: the kept run's numbers are
         told, since this one is not judged), `profile` and `judged`.
@@ -141,6 +141,8 @@ class Study:
         """Returns these of a figure or, without a sentence, those that words.toml has."""
         if sentence or self._texts is None:
             return sentence, number, claim, measures
+        if not self._values:
+            raise StudyError(f"{name}: is drawn before the page was told its numbers; call study.tell() first")
         said = self._texts.figure(name)
         return *(self._fill(said.get(key, "")) for key in ("sentence", "number", "claim")), [self._fill(name) for name in said.get("measures", ())]
 

@@ -111,6 +111,23 @@ def test_words_that_no_page_has_are_refused(folder, was, now, message):
     pyplot.close("all")
 
 
+def test_a_figure_without_a_sentence_waits_for_the_page_to_be_told(folder):
+    study, run = begun(folder), Drawn("PE", Series(Table.read(folder.parent / "run.tsv")), "red")
+    with pytest.raises(StudyError, match="first: is drawn before the page was told its numbers"):
+        study.curves("first", panel("strain_axial", "plate_pressure", [run]))
+    pyplot.close("all")
+
+
+def test_three_lines_in_one_file_add_a_measure_a_statement_and_a_figure_to_a_chapter(folder):
+    study, run = built(folder, judged=True), Drawn("PE", Series(Table.read(folder.parent / "run.tsv")), "red")
+    study.measure("stress", 2, "kPa")
+    study.state("stress", "within", 2.1, "kPa", "thesis", "stress in the soil", tolerance=0.2)
+    study.figure("soil", curves.figure([panel("strain_axial", "axial_stress", [run])]), "Stress in the soil.", measures=["stress"])
+    study.write()
+    page = (folder.parent / "page.html").read_text()
+    assert "stress in the soil: <b>2 kPa</b>, published 2.1 ± 0.2 kPa" in page and page.index("Stress in the soil.") > page.index("Load of a soft")
+
+
 def test_a_missing_words_file_is_named(folder):
     (folder / "words.toml").unlink()
     with pytest.raises(StudyError, match="words.toml: cannot be read"):
