@@ -60,9 +60,10 @@ struct FabricTool {
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
-      // Of a bag, the contacts of soil: with soil, geotextile and plates, as the thesis counts them.
+      // Reinforced soil alone is told of, by all its contacts: with soil, geotextile, plates and fill, as the thesis
+      // counts them.
       const io::Snapshot& all = file.snapshots[n];
-      const io::Snapshot s = all.yarns.size() > 0 ? analysis::soil_contacts(all, soil) : all;
+      const io::Snapshot s = analysis::is_reinforced(all) ? analysis::soil_contacts(all, soil) : all;
       analysis::put_fabric(fabric.table, s);
       analysis::put_histogram(histogram.table, s);
       analysis::put_rose(rose.table, s, static_cast<std::size_t>(classes));

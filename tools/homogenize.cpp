@@ -27,7 +27,7 @@ struct Tables {
   Group cell{"cell", "whole cell, one row per state", {}};
   Group volumes{"volumes", "volumes of interest, one row per volume and state", {}};
   Group grains{"grains", "one row per grain and state", {}};
-  Group bag{"bag", "soil in geotextile as a whole, one row per state", {}};
+  Group bag{"bag", "soil in geotextile, or within fill, as a whole, one row per state", {}};
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
@@ -52,9 +52,10 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
-    t.choice(table, "table",
-             {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path", "interface"},
-             "what --tsv prints; grains and yarns need no flag then");
+    t.choice(
+        table, "table",
+        {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path", "reinforced", "interface"},
+        "what --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
     t.unrecorded("columns");
@@ -107,7 +108,7 @@ struct Homogenize {
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables) const {
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
-    if (wanted("bag") && s.yarns.size() > 0) analysis::put_bag(tables.bag.table, s);
+    if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
     const std::vector<analysis::Volume> volumes = volumes_of_interest(s);
     const bool each_grain = grains || table == "grains";
@@ -141,9 +142,11 @@ struct Homogenize {
   static void print_list(const io::RunFile& file) {
     Tables tables;
     const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
+    const bool has_bag = analysis::is_reinforced(file.snapshots.back());
     for (const Group* group : tables.all()) {
       if (group == &tables.series && !has_series) continue;
-      if ((group == &tables.bag || group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
+      if ((group == &tables.yarns || group == &tables.broken) && !has_yarns) continue;
+      if (group == &tables.bag && !has_bag) continue;
       const std::string_view also = group == &tables.volumes ? " (with --box, --copies or --groups)" : "";
       fmt::print("{}\t{}{}\n", group->name, group->long_name, also);
     }

@@ -75,8 +75,7 @@ struct RunDem {
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
     dem::Observe observe;
-    // Of a geotextile: sheets hold no soil to speak of.
-    if (state.yarns.size() > 0)
+    if (analysis::is_reinforced(state))
       observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals}, observe);
     doubts.add_all(analysis::doubts_after(state, plan, outcome.file));

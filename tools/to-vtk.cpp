@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/parts.h"
 #include "analysis/stress.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -126,10 +127,10 @@ struct ToVtk {
       contacts += shown.back()->contacts.size();
     }
     const double scale = force_scale.value_or(io::fitting_force_scale(shown));
-
     const auto grains_of = [&](const io::Snapshot& snapshot) {
       const auto dyads = contacts > 0 ? analysis::grain_dyads(snapshot) : std::vector<Mat3>();
       io::VtkPicture grains = io::show_grains(snapshot, dyads, unwrapped);
+      analysis::mark_parts(snapshot, grains);
       if (table) io::join_grains(grains, *table);
       io::add_principal(grains);
       return grains;

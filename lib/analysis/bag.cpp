@@ -41,6 +41,62 @@ void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarte
         face_friction(quarter, a));
 }
 
+// A state with what is averaged over parts of it.
+struct Averages {
+  const io::Snapshot& state;
+  std::vector<Mat3> dyads;           // N m
+  const std::vector<double>& cells;  // m3
+
+  VolumeState state_of(const Volume& volume) const { return volume_state(state, volume, dyads, cells); }
+  double contacts_per_grain(const Volume& volume) const {
+    std::vector<bool> in(state.grains.size(), false);
+    for (const std::size_t i : volume.grains) in[i] = true;
+    double ends = 0;
+    for (const auto& pair : state.contacts.bodies)
+      for (const std::int32_t b : pair) ends += b >= 0 && in[static_cast<std::size_t>(b)];
+    return ends / static_cast<double>(volume.grains.size());
+  }
+};
+
+// The fill, and the groups of the soil within it.
+void put_surroundings(io::Series& table, const Averages& averages, const Volume& all_fill) {
+  const VolumeState fill = averages.state_of(all_fill);
+  put(table, "fill_stress", "Pa", "Love-Weber stress of the fill over its power cells", symmetric(fill.stress), 3);
+  put(table, "fill_void_ratio", "1", "void ratio of the fill from its power cells", fill.void_ratio);
+  put(table, "fill_coordination_number", "1", "contacts of the fill's grains over their number",
+      averages.contacts_per_grain(all_fill));
+  for (const Volume& group : groups(averages.state)) {
+    const Mat3 stress = averages.state_of(group).stress;
+    const std::string name = "group_" + group.name.substr(1);
+    put(table, name + "_mean_stress", "Pa", "mean stress p of the group of soil along x", mean(stress));
+    put(table, name + "_deviatoric_stress", "Pa", "deviatoric stress q of the group of soil along x",
+        deviatoric_stress(stress));
+  }
+}
+
+void put_yarn_means(io::Series& table, const io::Snapshot& state) {
+  const auto means = yarn_means(state);
+  double broken = 0;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    put(table, fmt::format("yarn_tension_{}", families[f]), "N", "mean tension of the whole yarns", means[f].tension);
+    put(table, fmt::format("yarn_strain_{}", families[f]), "1", "mean strain of the whole yarns", means[f].strain);
+    broken += static_cast<double>(means[f].broken);
+  }
+  put(table, "broken_yarns", "1", "yarns broken so far", broken);
+}
+
+// A bag in an open assembly lies around the origin. One in a periodic cell lies anywhere: around the middle of its
+// nodes, and without a geotextile of its soil.
+Vec3 middle(const io::Snapshot& state) {
+  if (!state.cell.periodic[0] && !state.cell.periodic[1]) return Vec3::Zero();
+  const Part around = state.yarns.size() > 0 ? Part::node : Part::soil;
+  const std::vector<Part> part = parts(state);
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == around) low = low.cwiseMin(state.grains.position[i]), high = high.cwiseMax(state.grains.position[i]);
+  return 0.5 * (low + high);
+}
+
 // Nearness of every yarn to the seam between faces and sides, by the middles of yarns: on a face, by axis, its distance
 // from the middle over that of the outermost one, of both axes the greater; on the sides the same of its height.
 std::vector<double> nearness_to_seams(const io::Snapshot& state) {
@@ -69,23 +125,20 @@ std::vector<double> nearness_to_seams(const io::Snapshot& state) {
 
 }  // namespace
 
-std::vector<bool> nodes(const io::Snapshot& state) {
-  std::vector<bool> node(state.grains.size(), false);
-  for (const auto& ends : state.yarns.nodes)
-    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
-  return node;
+bool is_reinforced(const io::Snapshot& state) {
+  return state.grains.dimension == 3 && (state.yarns.size() > 0 || has_fill(state));
 }
 
 io::Snapshot soil_contacts(const io::Snapshot& state, bool alone) {
-  const std::vector<bool> node = nodes(state);
+  const std::vector<bool> soil = those(parts(state), Part::soil);
   io::Snapshot left = state;
   io::ContactsRecord& c = left.contacts;
   std::size_t n = 0;
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto [first, second] = c.bodies[k];
-    const bool from_node = node[static_cast<std::size_t>(first)];
-    const bool to_soil = second >= 0 && !node[static_cast<std::size_t>(second)];
-    if (alone ? from_node || !to_soil : from_node && !to_soil) continue;
+    const bool from_soil = soil[static_cast<std::size_t>(first)];
+    const bool to_soil = second >= 0 && soil[static_cast<std::size_t>(second)];
+    if (alone ? !from_soil || !to_soil : !from_soil && !to_soil) continue;
     c.bodies[n] = c.bodies[k], c.image[n] = c.image[k], c.normal[n] = c.normal[k];
     c.branch_vector[n] = c.branch_vector[k], c.overlap[n] = c.overlap[k], c.normal_force[n] = c.normal_force[k];
     c.shear_force[n] = c.shear_force[k], c.rolling_moment[n] = c.rolling_moment[k];
@@ -98,13 +151,14 @@ io::Snapshot soil_contacts(const io::Snapshot& state, bool alone) {
   return left;
 }
 
-DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& node) {
+DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& left_out) {
   DelaunayFill fill;
   io::Snapshot centres;
   centres.cell = state.cell;
+  centres.cell.periodic = {false, false, false};
   centres.grains.dimension = state.grains.dimension;
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    if (node[i]) continue;
+  for (std::size_t i = 0; i < left_out.size(); ++i) {
+    if (left_out[i]) continue;
     centres.grains.position.push_back(state.grains.position[i]);
     centres.grains.radius.push_back(state.grains.radius[i]);
     centres.grains.body_id.push_back(state.grains.body_id[i]);
@@ -114,9 +168,9 @@ DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& n
   return fill;
 }
 
-BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& node, int threads) {
+BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& left_out, int threads) {
   const auto how = threads > 1 ? std::launch::async : std::launch::deferred;
-  std::future<DelaunayFill> soil = std::async(how, [&] { return delaunay_fill(state, node); });
+  std::future<DelaunayFill> soil = std::async(how, [&] { return delaunay_fill(state, left_out); });
   std::vector<double> cells = power_cell_volumes(state);
   return {std::move(cells), soil.get()};
 }
@@ -141,36 +195,32 @@ std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
 }
 
 void put_bag(io::Series& table, const io::Snapshot& state, int threads) {
-  const std::vector<bool> node = nodes(state);
-  const BagRoom room = bag_room(state, node, threads);
-  const std::vector<double>& volumes = room.cells;
-  const std::vector<Mat3> dyads = grain_dyads(state);
-  Volume soil, quarter;
-  double ends = 0;
-  std::size_t outside = 0;
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    if (node[i]) continue;
+  const std::vector<Part> part = parts(state);
+  std::vector<bool> left_out = those(part, Part::soil);
+  left_out.flip();
+  const BagRoom room = bag_room(state, left_out, threads);
+  const Averages averages{state, grain_dyads(state), room.cells};
+  const Vec3 origin = middle(state);
+  Volume soil, quarter, fill;
+  double outside = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (part[i] == Part::fill) fill.grains.push_back(i);
+    if (part[i] != Part::soil) continue;
     soil.grains.push_back(i);
-    outside += volumes[i] == 0;
-    if (state.grains.position[i].x() > 0 && state.grains.position[i].y() > 0) quarter.grains.push_back(i);
+    outside += room.cells[i] == 0;
+    if (state.grains.position[i].x() > origin.x() && state.grains.position[i].y() > origin.y())
+      quarter.grains.push_back(i);
   }
-  for (const auto& bodies : state.contacts.bodies)
-    for (const std::int32_t b : bodies) ends += b >= 0 && !node[static_cast<std::size_t>(b)];
-  const VolumeState whole = volume_state(state, soil, dyads, volumes);
-  put_stresses(table, whole, volume_state(state, quarter, dyads, volumes).stress);
+  put_stresses(table, averages.state_of(soil), averages.state_of(quarter).stress);
   put(table, "soil_delaunay_void_ratio", "1", "void ratio of the Delaunay tetrahedra of the soil's centres",
       room.soil.void_ratio());
-  put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", static_cast<double>(outside));
+  put(table, "soil_outside", "1", "soil grains whose power cell reaches outside", outside);
   put(table, "soil_coordination_number", "1", "contacts of the soil's grains over their number",
-      ends / static_cast<double>(soil.grains.size()));
-  const auto means = yarn_means(state);
-  double broken = 0;
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    put(table, fmt::format("yarn_tension_{}", families[f]), "N", "mean tension of the whole yarns", means[f].tension);
-    put(table, fmt::format("yarn_strain_{}", families[f]), "1", "mean strain of the whole yarns", means[f].strain);
-    broken += static_cast<double>(means[f].broken);
-  }
-  put(table, "broken_yarns", "1", "yarns broken so far", broken);
+      averages.contacts_per_grain(soil));
+  put_yarn_means(table, state);
+  if (state.cell.periodic[0] || state.cell.periodic[1] || state.cell.periodic[2])
+    put(table, "yarn_stress", "Pa", "the yarns' part of the cell's stress", yarn_stress(state), 3);
+  if (!fill.grains.empty()) put_surroundings(table, averages, fill);
 }
 
 void put_yarns(io::Series& table, const io::Snapshot& state) {

@@ -163,14 +163,14 @@ std::vector<Vec3> directions() {
 }
 
 // Soil grains whose centres are beyond the nodes of the geotextile in some direction.
-std::size_t beyond(const io::Snapshot& state, const std::vector<bool>& node) {
+std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
   std::vector<bool> out(state.grains.size(), false);
   for (const Vec3& u : directions()) {
     double reach = -INFINITY;
-    for (std::size_t i = 0; i < node.size(); ++i)
-      if (node[i]) reach = std::max(reach, u.dot(state.grains.position[i]));
-    for (std::size_t i = 0; i < node.size(); ++i)
-      if (!node[i] && u.dot(state.grains.position[i]) > reach) out[i] = true;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (part[i] == Part::node) reach = std::max(reach, u.dot(state.grains.position[i]));
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (part[i] == Part::soil && u.dot(state.grains.position[i]) > reach) out[i] = true;
   }
   return static_cast<std::size_t>(std::count(out.begin(), out.end(), true));
 }
@@ -223,16 +223,16 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state) {
 }
 
 std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
-  const std::vector<bool> node = nodes(state);
-  const auto soil = static_cast<std::size_t>(std::count(node.begin(), node.end(), false));
+  const std::vector<Part> part = parts(state);
+  const auto soil = static_cast<std::size_t>(std::count(part.begin(), part.end(), Part::soil));
   if (state.yarns.size() == 0 || soil == 0) return {};
   std::vector<Doubt> doubts;
   // A sheet within soil is no bag: most grains are beyond it.
-  if (const std::size_t out = beyond(state, node); out > 0 && 2 * out < soil)
+  if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
     doubts.push_back({"outside", fmt::format("{} of {} grains are outside the bag: they bear nothing of it, and soil "
                                              "stresses and void ratio count them; a finer mesh holds them",
                                              out, soil)});
-  if (const double z = coordination(state).all; z < loosest_bag)
+  if (const double z = coordination(state, those(part, Part::soil)).all; z < loosest_bag)
     doubts.push_back(
         {"preload",
          fmt::format("2 Nc/N of the soil in the bag is {:.2g}, below {:.0f}: it bears nothing yet, and plates "

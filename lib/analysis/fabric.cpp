@@ -69,14 +69,18 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 }
 
 Coordination coordination(const io::Snapshot& state) {
+  std::vector<bool> grains = nodes(state);
+  grains.flip();
+  return coordination(state, grains);
+}
+
+Coordination coordination(const io::Snapshot& state, const std::vector<bool>& counted) {
   Coordination z;
   std::vector<int> count = contacts_per_grain(state);
-  // Nodes of a geotextile are no grains, and their yarns hold them.
-  const std::vector<bool> node = nodes(state);
   double grains = 0, ends = 0;
   z.histogram.assign(1, 0);
   for (std::size_t i = 0; i < count.size(); ++i) {
-    if (node[i]) continue;
+    if (!counted[i]) continue;
     const auto k = static_cast<std::size_t>(count[i]);
     if (k >= z.histogram.size()) z.histogram.resize(k + 1, 0);
     ++z.histogram[k], ++grains, ends += count[i];
@@ -90,7 +94,7 @@ Coordination coordination(const io::Snapshot& state) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < count.size(); ++i)
-      if (!out[i] && !node[i] && count[i] < least_contacts) {
+      if (!out[i] && counted[i] && count[i] < least_contacts) {
         out[i] = 1;
         changed = true;
       }
@@ -105,7 +109,7 @@ Coordination coordination(const io::Snapshot& state) {
   }
   double left = 0, held = 0;
   for (std::size_t i = 0; i < count.size(); ++i) {
-    if (node[i]) continue;
+    if (!counted[i]) continue;
     z.rattlers += out[i] ? 1 : 0;
     left += out[i] ? 0 : 1;
     held += out[i] ? 0 : count[i];
@@ -201,7 +205,9 @@ ForceChains force_chains(const io::Snapshot& state) {
   for (std::size_t k = 0; k < c.size(); ++k)
     if (strong[k]) result.chain[k] = number[find(static_cast<std::size_t>(c.bodies[k][0]))];
   if (result.count > 0) result.mean_length = grains / static_cast<double>(result.count);
-  result.grains_in_chains = grains / static_cast<double>(root.size());
+  // A share of soil and nodes: the fill is there by those of its grains alone that touch them.
+  const auto fill = std::ranges::count(parts(state), Part::fill);
+  result.grains_in_chains = grains / static_cast<double>(std::ssize(root) - fill);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "analysis/fabric.h"
+#include "analysis/parts.h"
 #include "analysis/strain.h"
 #include "analysis/stress.h"
 #include "analysis/tessellation.h"
@@ -119,6 +120,8 @@ void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snap
 
 void put_grains(io::Series& table, const io::Snapshot& state, const Local& local) {
   const int d = state.grains.dimension;
+  const std::vector<Part> part = parts(state);
+  const bool fill = std::ranges::count(part, Part::fill) > 0;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     put_step(table, state);
     put(table, "body_id", "1", "identity of the grain", static_cast<double>(state.grains.body_id[i]));
@@ -126,6 +129,8 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
       put(table, fmt::format("position_{}", axes[a]), "m", "position, not wrapped", state.grains.position[i][a]);
     put(table, "radius", "m", "radius", state.grains.radius[i]);
     put(table, "copy", "1", "copy of the representative volume it is of, -1 for none", state.grains.copy_id[i]);
+    if (fill)
+      put(table, "part", "1", "0: reinforced soil, 1: fill, 2: node of a geotextile", static_cast<double>(part[i]));
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
     // The cell of a grain at the rim reaches outside: it has no volume to spread the forces over.
     put_stress(table,
@@ -153,7 +158,7 @@ void put_fabric(io::Series& table, const io::Snapshot& state) {
   put(table, "stress_obliquity", "1", "q/p from the stress", s.stress);
   put(table, "stress_obliquity_from_fabric", "1",
       "q/p from the anisotropies: 2/5 (a_c + a_n + 3/2 a_t), in 2D 1/2 (a_c + a_n + a_t)", s.fabric);
-  const Coordination z = coordination(state);
+  const Coordination z = coordination(state, those(parts(state), Part::soil));
   put(table, "coordination_number", "1", "2 Nc/N", z.all);
   put(table, "mechanical_coordination_number", "1", "(2 Nc - N1)/(N - N0 - N1), Thornton (2000)", z.mechanical);
   put(table, "backbone_coordination_number", "1", "without rattlers, taken out until none is left", z.backbone);
@@ -165,7 +170,7 @@ void put_fabric(io::Series& table, const io::Snapshot& state) {
 }
 
 void put_histogram(io::Series& table, const io::Snapshot& state) {
-  const Coordination z = coordination(state);
+  const Coordination z = coordination(state, those(parts(state), Part::soil));
   for (std::size_t k = 0; k < z.histogram.size(); ++k) {
     put_step(table, state);
     put(table, "contacts", "1", "contacts of a grain", static_cast<double>(k));

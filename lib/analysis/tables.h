@@ -33,8 +33,8 @@ void put_step(io::Series& table, const io::Snapshot& state);
 /// One volume of interest: number of grains, volume, void ratio, stress, p, q, strain by the best fit.
 void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
                 const Volume& volume, const Local& local);
-/// One row per grain: identity, position, power-cell volume, stress on it (none where it has no cell), strain of the
-/// tetrahedra around it.
+/// One row per grain: identity, position, its part where there is fill, power-cell volume, stress on it (none where it
+/// has no cell), strain of the tetrahedra around it.
 void put_grains(io::Series& table, const io::Snapshot& state, const Local& local);
 
 /// One row per state: fabric tensors, anisotropies, coordination, the stress-force-fabric relation, force chains.

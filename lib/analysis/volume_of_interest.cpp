@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "analysis/parts.h"
 #include "dem/bodies.h"
 
 namespace soilweave::analysis {
@@ -32,8 +33,9 @@ Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
 
 std::vector<Volume> copies(const io::Snapshot& state) {
   std::map<std::int32_t, Volume> by_copy;
+  const std::vector<Part> part = parts(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    if (state.grains.copy_id[i] < 0) continue;  // a node of a geotextile
+    if (part[i] != Part::soil || state.grains.copy_id[i] < 0) continue;
     Volume& v = by_copy[state.grains.copy_id[i]];
     v.name = fmt::format("copy {}", state.grains.copy_id[i]);
     v.grains.push_back(i);
@@ -52,9 +54,11 @@ std::vector<Volume> groups(const io::Snapshot& state) {
   std::vector<Volume> all(static_cast<std::size_t>(n / wide));
   for (std::size_t k = 0; k < all.size(); ++k) all[k].name = fmt::format("#{}", k + 1);
   const std::int32_t middle = (n - 1) / 2;
+  const std::vector<Part> part = parts(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const std::int32_t id = state.grains.copy_id[i], x = id % n, y = id / n;
-    if (id >= 0 && (y == middle || y == n / 2)) all[static_cast<std::size_t>(x / wide)].grains.push_back(i);
+    if (part[i] == Part::soil && id >= 0 && (y == middle || y == n / 2))
+      all[static_cast<std::size_t>(x / wide)].grains.push_back(i);
   }
   std::erase_if(all, [](const Volume& v) { return v.grains.empty(); });
   return all;

@@ -17,10 +17,11 @@ struct Volume {
 
 /// Grains whose wrapped centre lies in an axis-parallel box (m); the upper faces are outside.
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
-/// One volume per copy of a tiled representative volume, in the order of copy_id.
+/// One volume per copy of a tiled representative volume, in the order of copy_id; of its reinforced soil (parts.h).
 std::vector<Volume> copies(const io::Snapshot& state);
 /// #1 to #5 of thesis Fig. 3.9: four neighbouring copies each of ten by ten, along x in the middle of y; as many as
 /// there are pairs along x. Where copies along x are odd in number one each: of five by five twice as large the same.
+/// Groups without reinforced soil are left out; the others keep their names.
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Every grain.
 Volume whole(const io::Snapshot& state);

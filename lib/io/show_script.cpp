@@ -5,7 +5,8 @@
 namespace soilweave::io {
 
 const std::string_view show_script = R"script(# Shows the files beside it in ParaView, each kind in a panel of its own:
-#   grains; force chains (thickness: normal force, colour: shear force); yarns by tension, broken ones as red points;
+#   grains, fill around reinforced soil faint; force chains (thickness: normal force, colour: shear force);
+#   yarns by tension, broken ones as red points;
 #   deviatoric strain of the grains cut by the plane in the middle (fields joined by to-vtk --fields); fields of a mesh.
 #   paraview --script=show.py              interactive
 #   pvpython show.py picture.png           a picture of the last state; without a display: xvfb-run -a pvpython ...
@@ -108,19 +109,30 @@ def within(source, association, name, low, high):
     return part
 
 
-def soil_and_nodes(grains):
-    """The grains that are soil and those that are nodes of a geotextile; either may be none."""
+def parts(grains):
+    """The grains that are soil, those that are fill around it and those that are nodes of a geotextile, or none."""
+    if "part" in grains.PointData.keys():
+        last = grains.PointData["part"].GetRange()[1]
+        return [within(grains, "POINTS", "part", k, k) if k <= last else None for k in (0, 1, 2)]
     copy = next((name for name in ("copy_id", "copy") if name in grains.PointData.keys()), None)
     first, last = grains.PointData[copy].GetRange() if copy else (0, 0)
     if first >= 0:
-        return grains, None
-    return (within(grains, "POINTS", copy, 0, last) if last >= 0 else None), within(grains, "POINTS", copy, first, -1)
+        return grains, None, None
+    nodes = within(grains, "POINTS", copy, first, -1)
+    return (within(grains, "POINTS", copy, 0, last) if last >= 0 else None), None, nodes
 
 
 def show_grains(sources, outlines):
     view = panel(outlines=outlines)
-    soil, nodes = soil_and_nodes(sources["grains"])
-    colour(glyphs(soil or nodes, view, "radius"), view, "POINTS", "radius", "radius (m)")
+    soil, fill, nodes = parts(sources["grains"])
+    if fill and "strain_deviatoric" in sources["grains"].PointData.keys():
+        colour(glyphs(soil, view, "radius"), view, "POINTS", "strain_deviatoric", "deviatoric strain", 0.0, 0.4)
+    else:
+        colour(glyphs(soil or nodes, view, "radius"), view, "POINTS", "radius", "radius (m)")
+    if fill:
+        faint = glyphs(fill, view, "radius")
+        faint.Opacity = 0.05
+        plain(faint, SAND)
     if soil and nodes and "yarns" not in sources:
         plain(glyphs(nodes, view, "radius"), GREY)
     if "yarns" in sources:
@@ -129,7 +141,7 @@ def show_grains(sources, outlines):
 
 def show_cut(grains, deep):
     """The grains as the plane in the middle cuts them; in 2D all of them."""
-    view, (soil, nodes) = panel(along_y=True), soil_and_nodes(grains)
+    view, (soil, fill, nodes) = panel(along_y=True), parts(grains)
     low, high = grains.GetDataInformation().GetBounds()[2:4]
     middle = 0.5 * (low + high)
 
@@ -145,6 +157,8 @@ def show_cut(grains, deep):
 
     if nodes:
         plain(cut(nodes), GREY)
+    if fill:
+        plain(cut(fill), SAND)
     if soil:
         colour(cut(soil), view, "POINTS", "strain_deviatoric", "deviatoric strain", 0.0, 0.4)
 

@@ -3,6 +3,7 @@
 #include "packing/run_tables.h"
 
 #include "analysis/interface.h"
+#include "analysis/reinforced.h"
 #include "core/error.h"
 #include "packing/loaded_bag.h"
 
@@ -31,6 +32,11 @@ const std::vector<RunTable>& run_tables() {
       {"path", "paths of stress of such a bag and its groups up to the first break", demand_bag,
        [](const io::RunFile& run, const std::string& where) {
          return analysis::stress_paths(run.series, run.snapshots, loaded_bag(run, where));
+       }},
+      {"reinforced", "reinforced soil in a periodic cell, one row per row of the series",
+       [](const io::RunFile& run, const std::string& where) { analysis::reinforced_cell(run, where); },
+       [](const io::RunFile& run, const std::string& where) {
+         return analysis::reinforced(run.series, analysis::reinforced_cell(run, where));
        }},
       {"interface", "friction of soil on a flat geotextile in a shear box, one row per row of the series",
        [](const io::RunFile& run, const std::string& where) { analysis::shear_box(run, where); },

@@ -1,4 +1,5 @@
-// The tables that a run gives as a whole, for what it loads: a bag between plates, soil on a geotextile.
+// The tables that a run gives as a whole, for what it loads: a bag between plates, reinforced soil in a cell, soil on
+// a geotextile.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
