@@ -44,6 +44,22 @@ std::unique_ptr<Path> read_path(const std::string& name, Settings& table) {
   return nullptr;
 }
 
+std::vector<double> stations_every(double step, double end, Settings& table) {
+  const double count = std::max(1.0, std::ceil(std::abs(end) / step * (1 - 1e-12)));
+  constexpr double most = 1e6;
+  if (count > most) {
+    table.mistake("increment",
+                  fmt::format("makes {:.3g} stations, and at most {:.0f} are recorded: give at least {:.3g}", count,
+                              most, std::abs(end) / most));
+    return {end};
+  }
+  const auto n = static_cast<std::size_t>(count);
+  std::vector<double> stations;
+  for (std::size_t k = 1; k <= n; ++k)
+    stations.push_back(k == n ? end : std::copysign(step * static_cast<double>(k), end));
+  return stations;
+}
+
 StrainStations read_strain_stations(Settings& table) {
   static constexpr Parameter axial{"axial_strain",
                                    "1",
@@ -64,19 +80,7 @@ StrainStations read_strain_stations(Settings& table) {
   }
   const double end = table.number(axial);
   const double step = table.number(increment, 1e-3);
-  const double count = std::max(1.0, std::ceil(std::abs(end) / step * (1 - 1e-12)));
-  constexpr double most = 1e6;
-  if (count > most) {
-    table.mistake("increment",
-                  fmt::format("makes {:.3g} stations of the axial strain, and at most {:.0f} are recorded: "
-                              "give at least {:.3g}",
-                              count, most, std::abs(end) / most));
-    s.strain = {end};
-    return s;
-  }
-  const auto n = static_cast<std::size_t>(count);
-  for (std::size_t k = 1; k <= n; ++k)
-    s.strain.push_back(k == n ? end : std::copysign(step * static_cast<double>(k), end));
+  s.strain = stations_every(step, end, table);
   return s;
 }
 

@@ -45,6 +45,9 @@ struct StrainStations {
 
 /// axial_strain, increment (or an explicit list `stations`), rate.
 StrainStations read_strain_stations(Settings& table);
+/// Strains from 0 to `end`, 0 left out and `end` taken in, `step` apart. More than a million are a mistake of the
+/// table's key `increment`.
+std::vector<double> stations_every(double step, double end, Settings& table);
 /// max_rate of the stress-controlled axes, 1/s.
 double read_max_rate(Settings& table);
 /// A pressure-like key.

@@ -270,6 +270,11 @@ void read_time(Settings& document, Scenario& s) {
   Settings table = document.table("time");
   s.duration = table.number(duration);
   s.model.interval = table.number(interval);
+  constexpr double most = 1e6;
+  if (s.duration > most * s.model.interval)
+    table.mistake("output_interval",
+                  fmt::format("makes {:.3g} outputs, and at most {:.0f} are recorded: give at least {:.3g} s",
+                              s.duration / s.model.interval, most, s.duration / most));
   s.model.safety = table.number(safety, s.model.safety);
   if (table.has("step")) s.model.time_step = table.number(step);
 }

@@ -112,7 +112,12 @@ TEST(Refused, StrainsThatMeetNoStation) {
 TEST(Refused, MoreStationsThanAreRecorded) {
   expect_error<DataError>(
       [] { scenario(pressed + triaxial.substr(0, triaxial.find("incre")) + "increment = 1e-12\n"); },
-      "stations of the axial strain, and at most 1000000 are recorded");
+      "increment: makes 4e+09 stations, and at most 1000000 are recorded: give at least 4e-09");
+  const std::string plates =
+      "[[plane]]\nname = \"bottom\"\npoint = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+      "[[plane]]\nname = \"top\"\npoint = [0, 0, 1]\nnormal = [0, 0, -1]\n";
+  const std::string loaded = "[[stage]]\npath = \"uniaxial\"\nheight = 1\nstrain = 0.01\nincrement = 1e-12\n";
+  expect_error<DataError>([&] { scenario(plates + loaded); }, "increment: makes 1e+10 stations");
 }
 
 TEST(Refused, StagesWithoutContent) {
@@ -177,6 +182,9 @@ TEST(Refused, GravityAndFractionsOfPointsInTwoScales) {
   io::test::expect_error<DataError>([&] { read("[numerics]\ngravity = [0, -9.81, 0]\n"); },
                                     "numerics.gravity: has nowhere");
   io::test::expect_error<DataError>([&] { read("[record]\npoints = [1.5]\n"); }, "1.5 is no number of a point");
+  io::test::expect_error<DataError>(
+      [&] { fem::read_scenario(text, "test.toml", {"time.output_interval=1e-12"}, std::nullopt); },
+      "time.output_interval: makes 1e+12 outputs, and at most 1000000 are recorded");
 }
 
 TEST(Refused, WeightsThatAreNone) {

@@ -27,9 +27,7 @@ class Uniaxial final : public Path {
       return path;
     }
     const double end = table.number(strain), step = table.number(increment, 0.01);
-    const auto n = static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(end) / step * (1 - 1e-12))));
-    for (std::size_t k = 1; k <= n; ++k)
-      path.strain_.push_back(k == n ? end : std::copysign(step * static_cast<double>(k), end));
+    path.strain_ = stations_every(step, end, table);
     return path;
   }
 
