@@ -17,10 +17,11 @@ C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
 # All but the study's own volume, which the bag itself is made of, and bags that are of full size alone.
 C3_VARIANTS_quick := $(filter-out name seed_$(C3_SEED) bulging_seed_%,$(shell sed '/^#/d' $(C3)/variants.tsv | cut -f 1))
 # What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
-C3V_RATES := paced fast held_often
+C3V_RATES := paced fast held_often followed
 C3V_SLOW_paced := slow_paced
 C3V_SLOW_fast := slow
 C3V_SLOW_held_often := slow_held_often
+C3V_SLOW_followed := slowest
 C3_VARIANTS_thesis := bag $(foreach r,$(C3V_RATES),$(r) $(C3V_SLOW_$(r)))
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
