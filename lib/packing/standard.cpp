@@ -133,10 +133,13 @@ void Room::demand(std::size_t grains) const {
 }
 
 void Room::refuse(std::size_t grains, double now) const {
+  // A cell that is still closing has to be wide enough where it ends.
+  const double loose = dimension == 2 ? loose_disks : loose_spheres;
+  const Room end = at(void_ratio > loose ? (dimension == 2 ? densest_disks : densest_spheres) : void_ratio);
   std::string remedy;
-  if (const auto cutoff = coarsest(chosen_diameters, grains))
+  if (const auto cutoff = end.coarsest(chosen_diameters, grains))
     remedy = fmt::format("leave out grains coarser than {0:.4g} mm (--coarsest {0:.4g}mm)", 1e3 * *cutoff);
-  if (const auto more = fewest(chosen_diameters, most_named))
+  if (const auto more = end.fewest(chosen_diameters, most_named))
     remedy += fmt::format("{}take at least {} grains (--grains)", remedy.empty() ? "" : ", or ", *more);
   if (remedy.empty()) remedy = "take a narrower grading or a more even cell (--aspect 1)";
   throw DataError(

@@ -201,8 +201,8 @@ unmade() {
   local size=${BASH_REMATCH[1]} number=${BASH_REMATCH[2]}
   exits 0 small --grains "$number" --void-ratio 0.7 -o more.h5
   exits 0 small --grains 20 --void-ratio 0.7 --coarsest "$size" -o finer.h5
-  unmade 65 "take at least 650 grains (--grains)" --aspect 0.2 -o out.h5
-  unmade 65 "$message" --grains 12 -o out.h5
+  unmade 65 "take at least 1600 grains (--grains)" --aspect 0.2 -o out.h5
+  unmade 65 "at least 2.03 are needed; take at least 49 grains (--grains)" --grains 12 -o out.h5
   # Whoever asks for ten million steps waits for none of them.
   SECONDS=0
   unmade 65 "not less than half the cell" --grains 20 --void-ratio 0.7 --max-rate 1e-6 -o out.h5
@@ -268,6 +268,8 @@ unmade() {
   unmade 65 "unknown key 'contact.friction_angel'; did you mean 'friction_angle'?" --material m.toml -o out.h5
   material 'friction_angle = "30 Pa"'
   unmade 65 "m.toml:5: contact.friction_angle: 'Pa' does not measure what 'deg' measures" --material m.toml -o out.h5
+  material $'friction_angle = 30\n[grains]\ndensity = 2650'
+  unmade 64 "--density: m.toml has grains.density: leave one of the two out" --density 1e6 --material m.toml -o out.h5
   [[ ! -e out.h5 ]]
 }
 
