@@ -18,6 +18,7 @@
 #include "io/table.h"
 #include "packing/expand.h"
 #include "packing/plan.h"
+#include "packing/surround_compaction.h"
 
 namespace {
 
@@ -34,8 +35,9 @@ struct FilterExpand {
                 "faces, keeps the grains inside a closed surface, lays a woven geotextile on it, and grows the grains "
                 "step by step, with equilibrium between, until their volume stands still and they press.");
     table.example("filter-expand packing.h5 bag.toml -o bag.h5", "a bag, ready for run-dem");
-    table.input(packing, "PACKING", "representative volume, periodic; - for standard input");
-    table.input(plan, "PLAN", "container, geotextile, materials and growth (TOML)");
+    table.example("filter-expand bag.h5 wrapped.toml -o wrapped.h5", "the bag in a cell of soil ([surround])");
+    table.input(packing, "PACKING", "representative volume, periodic; for [surround] a bag; - for standard input");
+    table.input(plan, "PLAN", "container, geotextile, materials and growth, or surroundings (TOML)");
     table.output(output, "packing with geotextile to write");
     table.also_output(history, "history", "write what was measured on the way as tab-separated text");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the plan, as in growth.factor=1.0002");
@@ -50,6 +52,7 @@ struct FilterExpand {
     packing::Plan what = packing::read_plan(text.text, plan.string(), overrides);
     what.numerics.threads = invocation.threads;
     const io::PackingFile volume = io::read_state(packing);
+    if (what.surround) return put_around(volume, what, text.source, invocation);
     const io::Snapshot start = [&] {
       Progress laying("filter-expand", invocation.quiet);
       return packing::assemble(volume.state, what, [&](double done) { laying.update(done, "geotextile laid"); });
@@ -79,6 +82,35 @@ struct FilterExpand {
     if (output == "-") return;
     progress.note(fmt::format("filter-expand: {} grains, {}", start.grains.size(), grown.fill.text()));
     progress.note("filter-expand: " + grown.price.line());
+  }
+
+ private:
+  void put_around(const io::PackingFile& reinforced, const packing::Plan& what, const io::Source& text,
+                  const tool::Invocation& invocation) const {
+    const packing::Surrounded cell = packing::surround(reinforced.state, *what.surround, what.density);
+    dem::described(cell.state, what.model);
+    Progress progress("filter-expand", invocation.quiet);
+    const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    std::vector<io::Source> sources = {reinforced.source, text};
+    sources.insert(sources.end(), what.sources.begin(), what.sources.end());
+    const io::History past = io::extend(sources, invocation, what.resolved);
+    const StopSignals signals;
+    io::demand_no_input(history, past, "--history");
+    io::SafeOutput safe(output, past, invocation);
+    if (safe.finished(progress)) return;
+    packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
+                                                          {safe.part(), interval, &signals});
+    Doubts doubts;  // said by the error below
+    for (const std::string& missed : done.missed) doubts.add({"surround", missed});
+    done.result.price.output +=
+        safe.write([&] { io::write_packing(output, done.result.state, io::with_doubts(past, doubts)); });
+    if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
+    if (output != "-") {
+      progress.note("filter-expand: placed: " + done.before.text());
+      progress.note("filter-expand: compacted: " + done.after.text());
+      progress.note("filter-expand: " + done.result.price.line());
+    }
+    if (!done.missed.empty()) throw TargetNotReached(fmt::format("{}", fmt::join(done.missed, "; ")));
   }
 };
 

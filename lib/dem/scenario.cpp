@@ -3,6 +3,7 @@
 #include "dem/scenario.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "dem/geotextile.h"
@@ -144,6 +145,12 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vec
   return planes;
 }
 
+// An empty list stands for every material.
+bool is_among(const std::vector<std::int32_t>& materials, std::size_t material) {
+  return materials.empty() ||
+         std::find(materials.begin(), materials.end(), static_cast<std::int32_t>(material)) != materials.end();
+}
+
 }  // namespace
 
 Model read_model(Settings& document) {
@@ -221,11 +228,12 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
   return s;
 }
 
-Model with_friction(const Model& model, double angle) {
+Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
   Model changed = model;
   std::visit(
-      [angle](auto& all) {
-        for (auto& m : all) m.friction_angle = angle;
+      [&](auto& all) {
+        for (std::size_t k = 0; k < all.size(); ++k)
+          if (is_among(materials, k)) all[k].friction_angle = angle;
       },
       changed.materials);
   return changed;
@@ -254,11 +262,12 @@ Model with_friction_times(double factor, const Model& model) {
   return changed;
 }
 
-double friction(const Model& model) {
+double friction(const Model& model, const std::vector<std::int32_t>& materials) {
   return std::visit(
-      [](const auto& materials) {
-        double least = materials.front().friction_angle;
-        for (const auto& m : materials) least = std::min(least, m.friction_angle);
+      [&](const auto& all) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < all.size(); ++k)
+          if (is_among(materials, k)) least = std::min(least, all[k].friction_angle);
         return least;
       },
       model.materials);

@@ -70,14 +70,14 @@ Numerics read_numerics(Settings& document);
 /// Reads and checks everything; all mistakes are reported at once. Throws DataError.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 
-/// Model with every friction angle replaced, rad.
-Model with_friction(const Model& model, double angle);
+/// Model with the friction angle of these materials replaced, rad; of every material where the list is empty.
+Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
 /// Model with these materials' friction angle, rad, against any other material: of plates, rough or smooth.
 Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials);
 /// Model with every friction angle multiplied.
 Model with_friction_times(double factor, const Model& model);
-/// Smallest friction angle of a model's materials, rad.
-double friction(const Model& model);
+/// Smallest friction angle of these materials, rad; of all of a model's materials where the list is empty.
+double friction(const Model& model, const std::vector<std::int32_t>& materials = {});
 /// rad; below this friction angle a packing is as dense as friction can make it.
 inline constexpr double lowest_friction = 0.05 * std::numbers::pi / 180;
 

@@ -46,8 +46,8 @@ void demand_stiff(const dem::Model& model, const Recipe& recipe, double radius, 
   throw DataError(fmt::format(
       "at {:.4g} Pa grains of this stiffness would overlap by about {:.2g} of their radius on average, where "
       "the deepest contact may have {:.2g} (guards.overlap): lower the pressure to {:.2g} Pa, or take grains "
-      "with {:.2g} times the Young's modulus (--material)",
-      recipe.pressure, mean, largest, bearable, rounded_up(recipe.pressure / bearable)));
+      "with {:.2g} times the Young's modulus ({})",
+      recipe.pressure, mean, largest, bearable, rounded_up(recipe.pressure / bearable), recipe.remedies.material));
 }
 
 void demand_closing(const dem::Simulation& cloud, const Recipe& recipe, int dimension) {
@@ -58,13 +58,13 @@ void demand_closing(const dem::Simulation& cloud, const Recipe& recipe, int dime
   if (!(steps > 0.5 * static_cast<double>(recipe.largest_stage))) return;
   const double faster = rounded_up(steps / good_steps), rate = recipe.max_rate * faster;
   const std::string raise =
-      rate < largest_rate ? fmt::format("raise the rate to {:.4g} 1/s (--max-rate), or ", rate) : "";
+      rate < largest_rate ? fmt::format("raise the rate to {:.4g} 1/s ({}), or ", rate, recipe.remedies.max_rate) : "";
   throw DataError(
       fmt::format("grains of this size and density would take about {:.2g} steps to come together from a void ratio of "
                   "{:.3g} at {:.4g} 1/s (time step {:.2g} s), and {} are taken at most: {}scale the density by {:.2g} "
-                  "(--density, or grains.density in --material)",
+                  "({})",
                   steps, cloud.void_ratio(), recipe.max_rate, cloud.time_step(), recipe.largest_stage, raise,
-                  rounded_up(faster * faster)));
+                  rounded_up(faster * faster), recipe.remedies.density));
 }
 
 }  // namespace

@@ -12,55 +12,13 @@
 
 #include "core/error.h"
 #include "dem/bodies.h"
+#include "packing/placed.h"
 #include "packing/spatial_order.h"
 
 namespace soilweave::packing {
 namespace {
 
 constexpr int most_tries = 200'000;
-
-// Grains already placed, in bins one largest diameter wide, so that a try looks at 27 bins (9 in 2D).
-class Placed {
- public:
-  Placed(const Vec3& size, double largest_diameter, int dimension) : size_(size), dimension_(dimension) {
-    for (int a = 0; a < 3; ++a)
-      bins_[a] = a < dimension ? std::clamp(static_cast<int>(std::floor(size[a] / largest_diameter)), 1, 128) : 1;
-    members_.resize(static_cast<std::size_t>(bins_.prod()));
-  }
-
-  bool fits(const Vec3& at, double radius) const {
-    const Vec3i home = bin(at);
-    // Fewer than three bins along an axis: every neighbour offset would visit a bin twice.
-    const Vec3i reach = (bins_.array() >= 3).select(Vec3i::Ones().array(), bins_.array() - 1).min(1);
-    for (int dz = -reach[2]; dz <= reach[2]; ++dz)
-      for (int dy = -reach[1]; dy <= reach[1]; ++dy)
-        for (int dx = -reach[0]; dx <= reach[0]; ++dx)
-          for (const auto& [where, r] : members_[index(home + Vec3i(dx, dy, dz))]) {
-            Vec3 d = at - where;
-            for (int a = 0; a < dimension_; ++a) d[a] -= size_[a] * std::round(d[a] / size_[a]);
-            if (d.squaredNorm() < (radius + r) * (radius + r)) return false;
-          }
-    return true;
-  }
-  void add(const Vec3& at, double radius) { members_[index(bin(at))].emplace_back(at, radius); }
-
- private:
-  Vec3i bin(const Vec3& at) const {
-    Vec3i b = Vec3i::Zero();
-    for (int a = 0; a < dimension_; ++a) b[a] = std::min(static_cast<int>(at[a] / size_[a] * bins_[a]), bins_[a] - 1);
-    return b;
-  }
-  std::size_t index(const Vec3i& b) const {
-    Vec3i folded;
-    for (int a = 0; a < 3; ++a) folded[a] = (b[a] + bins_[a]) % bins_[a];
-    return static_cast<std::size_t>((folded[2] * bins_[1] + folded[1]) * bins_[0] + folded[0]);
-  }
-
-  Vec3 size_;
-  int dimension_;
-  Vec3i bins_;
-  std::vector<std::vector<std::pair<Vec3, double>>> members_;
-};
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include "dem/prepare.h"
 #include "dem/scenario.h"
 #include "packing/ahead.h"
+#include "packing/apart.h"
 
 namespace soilweave::packing {
 namespace {
@@ -26,6 +27,11 @@ constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
 // While friction is being lowered the equilibria need not be as good as the last one.
 constexpr double coarse_equilibrium = 10;
+
+// Void ratio by which friction is restored before the target after a slippery compression, and at most.
+constexpr double first_lead = 0.01, largest_lead = 0.05;
+// A share of full friction from which on a slippery compression is one at full friction.
+constexpr double nearly_full = 0.8;
 
 // A void ratio is held at rest within this many tolerances.
 constexpr double tolerances_held = 4;
@@ -76,7 +82,7 @@ class Compaction {
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
         simulation_(last ? dem::Simulation(last->state, model, numerics, kept_)
                          : dem::Simulation(cloud, model, numerics)),
-        angle_(dem::friction(model)) {
+        angle_(dem::friction(model, recipe.materials)) {
     for (int a = 0; a < dimension_; ++a)
       if (!cloud.cell.periodic[static_cast<std::size_t>(a)])
         throw DataError("the packing's cell is not periodic and cannot be compressed: give its lengths (--cell)");
@@ -91,9 +97,12 @@ class Compaction {
       if (recipe.void_ratio) demand_room(*recipe.void_ratio);
       demand_feasible(simulation_, model, recipe, mean_radius(cloud), dimension_, numerics.limits.overlap);
       simulation_.set_damping(recipe.damping);
+      at_.cloud_angle = recipe.first_friction;
+      if (at_.cloud_angle > 0) set_friction(at_.cloud_angle);
     }
-    const dem::AxisGoal goal{dem::AxisGoal::Kind::stress, recipe.pressure, recipe.max_rate};
-    goals_ = {goal, goal, goal};
+    for (std::size_t a = 0; a < goals_.size(); ++a)
+      goals_[a] = {dem::AxisGoal::Kind::stress, recipe.pressure,
+                   recipe.max_rate * recipe.rate_shares[static_cast<Eigen::Index>(a)]};
   }
 
   Result run() {
@@ -121,15 +130,14 @@ class Compaction {
   void go_on() {
     switch (at_.phase) {
       case Phase::compressing:
-        if (!settle("compression", too_dense())) demand_room(simulation_.void_ratio());
+        if (slippery()) return slip();
+        if (!settle("compression", end_of_compression())) demand_room(simulation_.void_ratio());
         return compressed();
       case Phase::choosing:
         return choose();
       case Phase::lowering:
         if (!settle("friction lowered", at_.aim, coarse_equilibrium)) return enter(Phase::choosing);
-        at_.at_restoring = simulation_.void_ratio();
-        set_friction(angle_);
-        return enter(Phase::restoring);
+        return restore();
       case Phase::restoring:
         settle("friction restored", 0);
         at_.lead = std::max(0.0, at_.at_restoring - simulation_.void_ratio());
@@ -148,12 +156,16 @@ class Compaction {
 
   // Whether to lower friction once more, and what void ratio to restore it at.
   void choose() {
-    if (!recipe_.void_ratio) return enter(Phase::done);
+    if (!recipe_.void_ratio) {
+      if (at_.lowered == angle_) return enter(Phase::done);
+      set_friction(angle_);
+      return enter(Phase::ending);
+    }
     const double target = *recipe_.void_ratio, now = simulation_.void_ratio();
     // An attempt after the first takes what will do, rather than set off another fall.
     const double close = at_.attempt == 0 ? 1 : 0.75 * tolerances_held;
     if (now <= target + close * recipe_.void_ratio_tolerance) {
-      if (at_.lowered == angle_) return enter(Phase::done);
+      if (at_.lowered == angle_ && !slippery()) return enter(Phase::done);
       set_friction(angle_);
       return enter(Phase::ending);
     }
@@ -188,9 +200,27 @@ class Compaction {
     return std::abs(simulation_.void_ratio() - *recipe_.void_ratio) <= tolerances_held * recipe_.void_ratio_tolerance;
   }
 
-  // Void ratio at which an attempt ends while the cloud is compressed, since its friction is too low. 0: the first and
-  // the last attempt go on to the end.
-  double too_dense() const {
+  // On the way to the target friction is restored a little before it.
+  void restore() {
+    at_.at_restoring = simulation_.void_ratio();
+    set_friction(angle_);
+    enter(Phase::restoring);
+  }
+
+  // Whether the cloud is compressed at little friction, and at more only where that makes it too dense.
+  bool slippery() const { return recipe_.first_friction > 0; }
+
+  void slip() {
+    at_.lowest = at_.cloud_angle, at_.lowered = angle_;
+    if (settle("compression", end_of_compression(), recipe_.void_ratio ? coarse_equilibrium : 1)) return restore();
+    compressed();
+  }
+
+  // Void ratio at which a compression ends before the pressure is reached, since its friction is too low; 0: never, as
+  // in the first and the last attempt. A slippery one ends a little before its target, where friction is restored.
+  double end_of_compression() const {
+    if (!recipe_.void_ratio) return 0;
+    if (slippery()) return at_.cloud_angle == angle_ ? 0 : *recipe_.void_ratio + std::max(first_lead, at_.least_lead);
     if (at_.attempt == 0 || at_.attempt + 1 == recipe_.most_attempts) return 0;
     return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
   }
@@ -198,13 +228,13 @@ class Compaction {
   // The cloud has been compressed, at full friction in the first attempt.
   void compressed() {
     const double now = simulation_.void_ratio();
-    if (at_.attempt == 0) {
+    if (slippery() ? at_.cloud_angle == angle_ : at_.attempt == 0) {
       at_.loosest = now;
       if (recipe_.void_ratio) demand_looser(*recipe_.void_ratio);
     }
     at_.lead = std::max(recipe_.void_ratio_tolerance, at_.least_lead);
     at_.lowered = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
-    if (now <= too_dense()) {
+    if (!slippery() && now <= end_of_compression()) {
       at_.dense_angle = at_.lowered;
       return begin_again();
     }
@@ -213,12 +243,13 @@ class Compaction {
 
   // At rest with all friction: done, or looser than the target still, or once more from the cloud.
   void conclude() {
+    if (!recipe_.void_ratio) return enter(Phase::done);
     const double fallen = *recipe_.void_ratio - simulation_.void_ratio();
     if (is_held()) return enter(Phase::done);
     if (fallen < 0) return enter(Phase::choosing);
     if (at_.attempt + 1 == recipe_.most_attempts) return enter(Phase::done);
-    at_.least_lead += fallen;
-    at_.loose_angle = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
+    at_.least_lead = fallen + (slippery() ? std::max(first_lead, at_.least_lead) : at_.least_lead);
+    (slippery() ? at_.dense_angle : at_.loose_angle) = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
     begin_again();
   }
 
@@ -233,6 +264,7 @@ class Compaction {
     next.contact_steps = at_.contact_steps + simulation_.contact_steps();
     if (at_.attempt > 0 || at_.loosest > *recipe_.void_ratio + tolerances_held * recipe_.void_ratio_tolerance)
       next.cloud_angle = 0.5 * (next.loose_angle + next.dense_angle);
+    if (slippery()) next.cloud_angle = next_slippery_angle(next.least_lead);
     io::Snapshot start = cloud_;
     start.step = (simulation_.steps() / first_step_multiple + 1) * first_step_multiple;
     next.skipped = at_.skipped + start.step - simulation_.steps();
@@ -248,13 +280,26 @@ class Compaction {
     if (at_.loosest >= target - recipe_.void_ratio_tolerance) return;
     throw TargetNotReached(
         fmt::format("void ratio {:.4f} is not reached at {:.4g} Pa: at the full friction angle of {:.4g} deg the "
-                    "packing is already at "
-                    "{:.4f}; ask for at most {:.4f}",
+                    "packing is already at {:.4f}; ask for at most {:.4f}",
                     target, recipe_.pressure, angle_ / degree, at_.loosest, downwards(at_.loosest)));
+  }
+
+  // Friction is restored earlier first. Where that was so early that grains hardly pressed, they need more friction on
+  // the way, by its ratio to the full one, near which it is full friction that tells whether the target is in reach.
+  double next_slippery_angle(double& lead) const {
+    if (lead <= largest_lead) return at_.dense_angle;
+    lead = 0;
+    const double more = std::sqrt(angle_ * at_.dense_angle);
+    return more > nearly_full * angle_ ? angle_ : more;
   }
 
   [[noreturn]] void refuse_denser() const {
     const double densest = simulation_.void_ratio();
+    if (slippery())
+      throw TargetNotReached(fmt::format(
+          "void ratio {:.4f} is not reached at {:.4g} Pa: without friction the cell stays at {:.4f}, and is at {:.4f} "
+          "with all friction restored; ask for at least {:.4f}",
+          *recipe_.void_ratio, recipe_.pressure, at_.frictionless, densest, upwards(densest)));
     throw TargetNotReached(fmt::format(
         "void ratio {:.4f} is not reached at {:.4g} Pa: without friction the packing stays at {:.4f}, and is at {:.4f} "
         "with all friction restored; ask for one from {:.4f} to {:.4f}",
@@ -265,8 +310,7 @@ class Compaction {
     if (!recipe_.void_ratio || is_held()) return std::nullopt;
     return fmt::format(
         "void ratio {:.4f} is not held at {:.4g} Pa: in {} attempts the packing settled elsewhere as friction was "
-        "restored, "
-        "at last at {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
+        "restored, at last at {:.4f}, which is written; ask for that, or for one within {:.3g} of it",
         *recipe_.void_ratio, recipe_.pressure, at_.attempt + 1, simulation_.void_ratio(),
         tolerances_held * recipe_.void_ratio_tolerance);
   }
@@ -277,7 +321,7 @@ class Compaction {
 
   void set_friction(double angle) {
     at_.friction = angle;
-    simulation_.set_model(dem::with_friction(model_, angle));
+    simulation_.set_model(dem::with_friction(model_, angle, recipe_.materials));
   }
 
   // Runs to equilibrium at the pressure; true as soon as the void ratio falls to `aim` on the way (0: never).
@@ -286,7 +330,9 @@ class Compaction {
     tolerances.unbalanced_force *= coarseness;
     tolerances.stress *= coarseness;
     for (;;) {
+      const Mat3 before = simulation_.cell().velocity_gradient();
       servo_.drive(goals_, dimension_, simulation_);
+      keep_apart(recipe_.apart, simulation_.cell().velocity_gradient() - before, simulation_);
       simulation_.step();
       if (simulation_.steps() % room_interval == 0) demand_room(simulation_.void_ratio());
       if (aim > 0 && simulation_.void_ratio() <= aim) return true;
@@ -301,16 +347,15 @@ class Compaction {
   std::string unsettled(const char* stage, std::int64_t steps) const {
     if (simulation_.measures().contacts == 0)
       return fmt::format(
-          "{}: grains have not come together after {} steps (void ratio {:.4f}): raise the rate (--max-rate) or scale "
-          "the "
-          "density (--density)",
-          stage, steps, simulation_.void_ratio());
+          "{}: grains have not come together after {} steps (void ratio {:.4f}): raise the rate ({}) or scale the "
+          "density ({})",
+          stage, steps, simulation_.void_ratio(), recipe_.remedies.max_rate, recipe_.remedies.density);
     return fmt::format(
         "{}: no equilibrium at {:.4g} Pa after {} steps (unbalanced force {:.2e} of {:.2e}, void ratio {:.4f}): loosen "
         "the "
-        "tolerance (--tolerance) or raise numerics.damping (--material)",
+        "tolerance ({}) or raise numerics.damping ({})",
         stage, recipe_.pressure, steps, simulation_.unbalanced_force(), recipe_.tolerances.unbalanced_force,
-        simulation_.void_ratio());
+        simulation_.void_ratio(), recipe_.remedies.tolerance, recipe_.remedies.material);
   }
 
   io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), {}, servo_, at_); }

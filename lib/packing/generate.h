@@ -16,6 +16,12 @@
 
 namespace soilweave::packing {
 
+/// What the remedies in a compaction's messages are called by the tool that it is done for.
+struct Remedies {
+  std::string max_rate = "--max-rate", tolerance = "--tolerance", material = "--material";
+  std::string density = "--density, or grains.density in --material";
+};
+
 struct Recipe {
   double pressure = 1e3;             // Pa
   std::optional<double> void_ratio;  // none: whatever full friction gives
@@ -27,6 +33,11 @@ struct Recipe {
   std::int64_t largest_stage = 2'000'000;  // steps after which an equilibrium counts as unreachable
   int most_attempts = 8;                   // at a void ratio that is not held at rest, each restoring friction earlier
   std::optional<Room> room = {};           // of the grading; where it is known, errors say how many grains are enough
+  Vec3 rate_shares = Vec3::Ones();         // of max_rate, by axis
+  std::vector<std::int32_t> apart = {};    // grains that the cell's strain moves through contacts and yarns alone
+  double first_friction = 0;               // rad, of the materials while the cloud is compressed; 0: their own
+  std::vector<std::int32_t> materials = {};  // whose friction is lowered; empty: of all
+  Remedies remedies = {};
 };
 
 struct Result {
@@ -40,14 +51,19 @@ struct Result {
 
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
-/// Compresses the assembly isotropically to the pressure at full friction, then lowers the friction step by step
-/// (thesis §3.2.2) and restores it as the void ratio passes the target, until equilibrium at the pressure and full
-/// friction holds the target. Where grains settle below the target as friction is restored, the work begins anew from
-/// the cloud and restores friction earlier, by as much as they fell; if no attempt holds the target, Result::unheld
-/// says so. Throws TargetNotReached where the target is out of reach, with the void ratios measured at full friction
-/// and without; DataError where the cell is not periodic or not two of the largest grains wide, or where before the
-/// first step it is clear that the pressure is too high for the grains or that the cloud will not close. With a folder
-/// to keep it in, the work goes on from what is there and ends in the same packing, bit by bit; Stopped after a signal.
+/// Compresses the assembly isotropically to the pressure at full friction, then lowers the friction of the recipe's
+/// materials step by step (thesis §3.2.2) and restores it as the void ratio passes the target, until equilibrium at the
+/// pressure and full friction holds the target. Where grains settle below the target as friction is restored, the work
+/// begins anew from the cloud and restores friction earlier, by as much as they fell; if no attempt holds the target,
+/// Result::unheld says so. Throws TargetNotReached where the target is out of reach, with the void ratios measured at
+/// full friction and without; DataError where the cell is not periodic or not two of the largest grains wide, or where
+/// before the first step it is clear that the pressure is too high for the grains or that the cloud will not close.
+/// With a folder to keep it in, the work goes on from what is there and ends in the same packing, bit by bit; Stopped
+/// after a signal.
+///
+/// With a first friction the materials slide from the first step on: grains of a loose cell would else lean on each
+/// other in a few columns and bear the pressure before they fill it. Where that makes the cell denser than the target,
+/// the work begins anew at more friction.
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
                const Report& report = {}, const dem::Safekeeping& safekeeping = {});
 

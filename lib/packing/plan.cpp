@@ -12,6 +12,7 @@
 #include "core/memory.h"
 #include "core/named_file.h"
 #include "dem/bodies.h"
+#include "dem/geotextile.h"
 #include "dem/scenario.h"
 #include "io/bytes.h"
 #include "packing/cushion.h"
@@ -86,6 +87,39 @@ void read_fabrics(Settings& document, Plan& plan) {
     sheet.nodes = NodeRecipe::read(table);
     plan.sheets.push_back(sheet);
   }
+}
+
+void read_surround(Settings& document, const NamedFiles& files, Plan& plan) {
+  for (const char* other : {"container", "geotextile_mesh", "sheet", "growth"})
+    if (document.has(other))
+      document.mistake(
+          other,
+          "is given beside [surround], which takes a file that has its geotextile already: leave one of the two out");
+  Settings table = document.table("surround");
+  plan.surround = Surround::read(table, files, plan.sources);
+}
+
+// The fill has a material of its own, whose friction can be lowered.
+void demand_fill(Settings& document, Plan& plan) {
+  Settings table = document.table("surround");
+  Recipe& recipe = plan.surround->recipe;
+  const std::int32_t material = plan.surround->material;
+  const auto known =
+      static_cast<std::int32_t>(std::visit([](const auto& m) { return m.size(); }, plan.model.materials));
+  if (material >= known)
+    return table.mistake("material",
+                         fmt::format("is {}, but the plan describes {}: give the fill a [[material]] of its "
+                                     "own, 0 is [contact], 1 the first [[material]]",
+                                     material, known));
+  const double friction = dem::friction(plan.model, {material});
+  if (recipe.void_ratio && friction < dem::lowest_friction)
+    table.mistake("void_ratio",
+                  fmt::format("cannot be reached by lowering friction: material {}, the fill's, has none; "
+                              "give it a friction_angle, or leave void_ratio out",
+                              material));
+  if (table.has("first_friction_angle") && recipe.first_friction > friction)
+    table.mistake("first_friction_angle", fmt::format("is larger than the fill's own, that of material {}", material));
+  recipe.first_friction = std::min(recipe.first_friction, friction);
 }
 
 // How far soil reaches from the origin along an axis, m.
@@ -205,22 +239,35 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   Plan plan;
-  read_container(document, {name, overrides}, plan);
-  read_fabrics(document, plan);
+  const NamedFiles files{name, overrides};
+  if (document.has("surround")) {
+    read_surround(document, files, plan);
+  } else {
+    read_container(document, files, plan);
+    read_fabrics(document, plan);
+  }
   Settings grains = document.table("grains");
   plan.scale = grains.number(size, 1.0);
   plan.density = dem::read_density(document);
   plan.model = dem::read_model(document);
   plan.numerics = dem::read_numerics(document);
+  std::vector<dem::WireCurve> geotextiles;
+  if (plan.surround)
+    for (Settings table : document.tables("geotextile"))
+      geotextiles.push_back(
+          dem::read_geotextile(table, fmt::format("geotextile.{}", geotextiles.size()), files, plan.sources));
   if (document.has("growth")) {
     Settings table = document.table("growth");
     plan.growth = Growth::read(table);
-    if (!plan.wrapping) table.mistake("", "needs a geotextile to grow against: give [geotextile_mesh]");
+    if (!plan.wrapping && !plan.surround)
+      table.mistake("", "needs a geotextile to grow against: give [geotextile_mesh]");
   }
+  if (plan.surround) demand_fill(document, plan);
   document.finish();
   plan.resolved = document.resolved();
   // Yarns lie without tension while grains grow: any curve will do.
-  plan.model.geotextiles.assign(1, {"resting", {1}, {1}, 1});
+  if (!plan.surround) geotextiles.assign(1, {"resting", {1}, {1}, 1});
+  plan.model.geotextiles = std::move(geotextiles);
   return plan;
 }
 

@@ -12,6 +12,7 @@
 #include "io/provenance.h"
 #include "packing/expand.h"
 #include "packing/geotextile.h"
+#include "packing/surround.h"
 
 namespace soilweave::packing {
 
@@ -33,7 +34,8 @@ struct Plan {
   dem::Model model;
   dem::Numerics numerics;
   std::optional<Growth> growth;
-  std::vector<io::Source> sources;  // files that the plan named
+  std::optional<Surround> surround;  // then there is no container, geotextile or growth
+  std::vector<io::Source> sources;   // files that the plan named
   std::string resolved;
 
   /// How far inside the container's surface soil begins, m: where the nodes around it end.

@@ -1,0 +1,20 @@
+// Grains that a straining cell moves through contacts and yarns alone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/apart.h"
+
+#include "core/v3.h"
+#include "dem/bodies.h"
+
+namespace soilweave::packing {
+
+void keep_apart(const std::vector<std::int32_t>& grains, const Mat3& change, dem::Simulation& simulation) {
+  if (grains.empty() || change.isZero(0.0)) return;
+  simulation.change_velocities([&](dem::Bodies& bodies) {
+    for (const std::int32_t grain : grains) {
+      const auto i = static_cast<std::size_t>(grain);
+      bodies.set_velocity(i, vector_of(bodies.velocity(i)) - change * vector_of(bodies.grains[i].position));
+    }
+  });
+}
+
+}  // namespace soilweave::packing
