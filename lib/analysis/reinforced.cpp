@@ -18,7 +18,7 @@
 namespace soilweave::analysis {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 using Values = std::vector<double>;
 
@@ -45,7 +45,7 @@ Values since_origin(const io::Series& run, const char* name) {
 /// than that of the row after; in proportion to the time where the stage has no rate.
 double first_break_strain(const io::Series& run, const ReinforcedCell& cell, const Values& strain) {
   const Values &time = run.at("time").values, &stage = run.at("stage").values;
-  if (!cell.first_break || time.size() < 2 || *cell.first_break < time.front()) return none;
+  if (!cell.first_break || time.size() < 2 || *cell.first_break < time.front()) return absent;
   std::size_t after = 1;
   while (after + 1 < time.size() && time[after] < *cell.first_break) ++after;
   const double elapsed = *cell.first_break - time[after - 1], whole = strain[after] - strain[after - 1];
@@ -68,7 +68,7 @@ class ReinforcedTable {
     put_stress("", "stress", "the cell, everything in it");
     put("stress_ratio", "1", "axial over lateral stress of the cell", [this](std::size_t i) {
       const double lateral = done("lateral_stress")[i];
-      return lateral != 0 ? done("axial_stress")[i] / lateral : none;
+      return lateral != 0 ? done("axial_stress")[i] / lateral : absent;
     });
     copy("void_ratio");
     put_stress("yarn_", "yarn_stress", "the yarns, their part of the cell's");
