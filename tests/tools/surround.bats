@@ -13,7 +13,7 @@ setup_file() {
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   pack-generate --quiet --grains 60 --aspect 1 --pressure 1e4 --tolerance 1e-2 -o one.h5 2> doubts
   filter-expand --quiet packing.h5 bag.toml -o bag.h5
-  echo 'surround.representative_volume=one.h5 surround.void_ratio=0.65 surround.unbalanced_force=1e-2 surround.max_rate=0.3' |
+  echo 'surround.representative_volume=one.h5 surround.void_ratio=0.65 surround.unbalanced_force=1e-2 surround.max_rate=0.3 surround.height_tolerance=0.02' |
     tr ' ' '\n' | sed 's/^/--set\n/' > options
   mapfile -t around < options
   # The little bag holds less than its own pressure: it gives way by more than a large one may.
