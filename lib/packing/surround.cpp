@@ -23,7 +23,7 @@ namespace {
 
 // Void ratios above the one asked for of the cell that fill is placed in: a looser one where it finds no room.
 constexpr double first_looseness = 0.35, next_looseness = 0.15, last_looseness = 5;
-constexpr int most_tries = 1000;  // of a grain
+constexpr int most_tries_of_a_grain = 1000;
 // Void ratio that fill of a narrow grading cannot fall below; whatever would need less has no room.
 constexpr double densest = 0.35;
 
@@ -122,8 +122,8 @@ class Placing {
 
   // The place of a grain, the nearest tries first; none after many.
   std::optional<Vec3> find(const Vec3& wanted, double radius) {
-    for (int k = 0; k < most_tries; ++k) {
-      const double wide = static_cast<double>(k) / most_tries;
+    for (int k = 0; k < most_tries_of_a_grain; ++k) {
+      const double wide = static_cast<double>(k) / most_tries_of_a_grain;
       Vec3 at = wanted;
       // Tries spread from the place itself over the whole cell.
       for (int a = 0; a < 3; ++a) at[a] += (uniform() - 0.5) * (size_[a] * wide * wide + radius * std::min(k, 8));
