@@ -1,4 +1,4 @@
-// What each body of an assembly is.
+// The part of an assembly that each body belongs to.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/parts.h"
 

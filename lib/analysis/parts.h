@@ -1,4 +1,4 @@
-// What each body of an assembly is: reinforced soil, fill around it, or a node of a geotextile.
+// The part of an assembly that each body belongs to: reinforced soil, fill around it, or the nodes of a geotextile.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

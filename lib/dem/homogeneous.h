@@ -25,7 +25,7 @@ class HomogeneousField {
  public:
   /// held: grains that move as they are told, by number; they take no part.
   HomogeneousField(const Bodies& bodies, OpenAxes open, std::vector<bool> held);
-  /// The same for all grains of a simulation but those in its clamps.
+  /// Takes all grains of a simulation but those in its clamps.
   explicit HomogeneousField(const Simulation& simulation);
 
   /// Gradient that fits the velocities best, 1/s, extension positive; zero along axes that are not open, and all zero

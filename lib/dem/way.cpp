@@ -1,4 +1,4 @@
-// What is done to the grains as the ways to stations begin and end.
+// Changes to the motion of the grains as the ways to stations begin and end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/way.h"
 

@@ -1,4 +1,4 @@
-// What is done to the grains as the ways to stations begin and end, and while stations wait for rest.
+// Changes to the motion of the grains as the ways to stations begin and end, and while stations wait for rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -16,7 +16,7 @@
 
 namespace soilweave::packing {
 
-/// What the remedies in a compaction's messages are called by the tool that it is done for.
+/// Names by which the tool that a compaction is done for knows the remedies in its messages.
 struct Remedies {
   std::string max_rate = "--max-rate", tolerance = "--tolerance", material = "--material";
   std::string density = "--density, or grains.density in --material";

@@ -10,7 +10,7 @@
 
 namespace soilweave::packing {
 
-/// What is measured of a cell around reinforced soil.
+/// Measurements of a cell around reinforced soil.
 struct Shape {
   double void_ratio = 0;         // of all spheres
   double height = 0;             // m, between the upper and the lower faces of the geotextiles, by their mean heights

@@ -1,4 +1,4 @@
-// What a plan's [surround] says.
+// A plan's [surround], read.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <numbers>

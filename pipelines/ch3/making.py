@@ -11,7 +11,7 @@ from .bag import GEOTEXTILES, HERE
 
 CURVE = "data/geotextiles/{}.toml"
 FRICTION = {21: "PP", 25: "PE"}  # degrees between nodes and soil in the shear boxes, and whose they are
-# What is compared of the bag and the representative volume.
+# Quantities compared between the bag and the representative volume.
 SPREADS = {"contact_number": "number of contacts", "orientation": "angle of contacts from the vertical",
            "soil_contact_number": "number of contacts, soil with soil alone",
            "soil_orientation": "angle of contacts from the vertical, soil with soil alone"}

@@ -29,7 +29,7 @@ C4_PUT_quick := --set surround.copies=[5,5,1] --set surround.scale=1.94 --set su
   --set surround.stress_tolerance=0.3 $(C4_COARSE)
 # At rest sooner: half of the steps to 20 % are spent on waiting for it.
 C4_LOAD_quick := $(C4_COARSE) --set equilibrium.unbalanced_force=2e-3 --set equilibrium.kinetic_energy=1e-3
-# Of five by five copies the ring is half a copy wide.
+# The ring of five by five copies is half a copy wide.
 C4_FORM_layered_quick := --set surround.rings=0.5
 # Runs side by side use the cores better than threads within one.
 C4_THREADS ?= 1

@@ -213,7 +213,7 @@ PYTHON
   filter-expand --quiet packing.h5 plans/cut.toml --set container.file=mm.stl --set container.scale=0.001 -o mm.h5
   local file
   for file in binary mm; do cmp text.txt <(to-vtk --text $file.h5) || show "$file: other grains"; done
-  # What only the plan names is no less an input.
+  # A file that only the plan names is no less an input.
   refuses 73 filter-expand "binary.STL: is the surface that this command reads, or a copy of it, and would be lost" packing.h5 plans/cut.toml \
     --set container.file=binary.STL --force -o binary.STL
   refuses 73 filter-expand "name another file with --history" packing.h5 plans/cut.toml --set container.file=binary.STL --force \
