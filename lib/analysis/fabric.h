@@ -34,7 +34,8 @@ struct Coordination {
   std::size_t rattlers = 0;  // grains outside that backbone
   std::vector<std::size_t> histogram;  // grains with 0, 1, 2 ... contacts
 };
-/// Coordination of the counted grains alone, one entry a body: the contacts of others count for them, and others never rattle.
+/// Coordination of the counted grains alone, one entry a body: the contacts of others count for them, and others never
+/// rattle.
 Coordination coordination(const io::Snapshot& state, const std::vector<bool>& counted);
 /// Coordination of all grains that are no nodes of a geotextile.
 Coordination coordination(const io::Snapshot& state);
