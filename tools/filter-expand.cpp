@@ -33,9 +33,9 @@ struct FilterExpand {
     table.about("filter-expand", "fill a container of geotextile with copies of a packing",
                 "Lays copies of a periodic packing side by side, contacts and their memory carried across the copies' "
                 "faces, keeps the grains inside a closed surface, lays a woven geotextile on it, and grows the grains "
-                "step by step, with equilibrium between, until their volume stands still and they press.");
+                "step by step, with equilibrium between, until their volume stands still and they press. A plan with "
+                "[surround] puts soil around such a bag, in a periodic cell.");
     table.example("filter-expand packing.h5 bag.toml -o bag.h5", "a bag, ready for run-dem");
-    table.example("filter-expand bag.h5 wrapped.toml -o wrapped.h5", "the bag in a cell of soil ([surround])");
     table.input(packing, "PACKING", "representative volume, periodic; for [surround] a bag; - for standard input");
     table.input(plan, "PLAN", "container, geotextile, materials and growth, or surroundings (TOML)");
     table.output(output, "packing with geotextile to write");

@@ -105,8 +105,8 @@ struct PackGenerate {
       sources.push_back(text.source);
       given = packing::Contacts(text.text, material.string());
     }
-    if (given && given->density > 0 && density != PackGenerate().density)
-      throw UsageError("--density: " + material.string() + " has grains.density: leave one of the two out");
+    if (given && given->density > 0 && density != PackGenerate().density && density != given->density)
+      throw UsageError("--density: " + material.string() + " has another grains.density: leave one of the two out");
     const double rho = given && given->density > 0 ? given->density : density;
     std::vector<std::string> notes;
     std::optional<packing::Room> room;

@@ -269,7 +269,7 @@ unmade() {
   material 'friction_angle = "30 Pa"'
   unmade 65 "m.toml:5: contact.friction_angle: 'Pa' does not measure what 'deg' measures" --material m.toml -o out.h5
   material $'friction_angle = 30\n[grains]\ndensity = 2650'
-  unmade 64 "--density: m.toml has grains.density: leave one of the two out" --density 1e6 --material m.toml -o out.h5
+  unmade 64 "--density: m.toml has another grains.density: leave one of the two out" --density 1e6 --material m.toml -o out.h5
   [[ ! -e out.h5 ]]
 }
 
