@@ -1,5 +1,6 @@
 // Runs the tests of a program: a test that hangs is stopped and named, and tests that were skipped are noted with their
-// reasons. SPDX-License-Identifier: GPL-3.0-or-later
+// reasons.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <unistd.h>
 

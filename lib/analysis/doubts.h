@@ -1,5 +1,6 @@
 // What is doubtful of a packing, a bag or a run, though it was made as told: numbers with their thresholds and
-// remedies. SPDX-License-Identifier: GPL-3.0-or-later
+// remedies.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

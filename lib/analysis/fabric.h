@@ -1,5 +1,6 @@
 // The arrangement of contacts and forces: fabric tensors and anisotropies, coordination, orientation rose, force
-// chains. SPDX-License-Identifier: GPL-3.0-or-later
+// chains.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

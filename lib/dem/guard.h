@@ -1,5 +1,6 @@
 // Notices when physics breaks, and says where and why: cheap things at every step, what takes a pass over the grains
-// now and then. SPDX-License-Identifier: GPL-3.0-or-later
+// now and then.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // What the grains of pairs tell, from their rows. A pair after the other, all that is needed of its grains at once:
-// else more addresses are alive than the processor has registers for. SPDX-License-Identifier: GPL-3.0-or-later
+// else more addresses are alive than the processor has registers for.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // The two scales together: finite elements whose points are material, beside them the geosynthetic, and the order of
-// one step of both. SPDX-License-Identifier: GPL-3.0-or-later
+// one step of both.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <exception>

@@ -1,5 +1,6 @@
 // The processes that share the points of one run. Alone, there is one; `make mpi` links fem-dem with ranks_mpi.cpp
-// in place of ranks.cpp, to be started by mpirun. SPDX-License-Identifier: GPL-3.0-or-later
+// in place of ranks.cpp, to be started by mpirun.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // A scenario of two scales: mesh, material of the points, supports, geosynthetic, duration, read from TOML and checked
-// whole. SPDX-License-Identifier: GPL-3.0-or-later
+// whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>

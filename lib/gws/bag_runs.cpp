@@ -18,7 +18,7 @@
 namespace soilweave::gws {
 namespace {
 
-/// The mean length at rest of the yarns on the faces of the wrapped fabric, m.
+/// Returns the mean length at rest of the yarns on the faces of the wrapped fabric, m.
 double spacing_of_yarns(const io::YarnsRecord& yarns, std::int32_t fabric) {
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < yarns.size(); ++k)
@@ -26,7 +26,7 @@ double spacing_of_yarns(const io::YarnsRecord& yarns, std::int32_t fabric) {
   return sum / count;
 }
 
-/// The digests of the geotextile files that the run took.
+/// Returns the digests of the geotextile files that the run took.
 std::vector<std::string> geotextile_files(const io::RunFile& run) {
   std::vector<std::string> digests;
   for (const io::ProvenanceRecord& record : run.source.history)

@@ -16,7 +16,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
 
-/// The bag with stiffness J and no limit on its hoops, loaded up to a surcharge.
+/// Returns the bag with stiffness J and no limit on its hoops, loaded up to a surcharge.
 Case unlimited_bag(Case bag, double J, double until) {
   bag.geotextile.stiffness = J;
   bag.geotextile.strength = bag.geotextile.failure_strain = unlimited;
@@ -39,16 +39,16 @@ Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   return trial;
 }
 
-/// The smallest J of the range where excess(trial) is not above 0; excess falls with J. Infinite where even the
-/// stiffest is above.
+/// Returns the smallest J of the range with excess(trial) <= 0, since excess falls with J. Infinite if even the
+/// stiffest exceeds 0.
 template <class Excess>
 double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
   const auto f = [&](double x) {
     try {
       const Trial trial = try_stiffness(bag, demand, std::exp(x));
-      return trial.carried ? excess(trial) : 1.0;  // the soil gives way before the load is on: too soft
+      return trial.carried ? excess(trial) : 1.0;  // soil fails before the load is on: too soft
     } catch (const DataError&) {
-      return 1.0;  // so soft that it cannot begin; the demand itself was tried on the stiffest before
+      return 1.0;  // too soft to begin; an impossible demand has thrown on the stiffest before
     }
   };
   const double low = std::log(range.low), high = std::log(range.high);
@@ -60,7 +60,7 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
   return std::exp(boost::math::tools::toms748_solve(f, low, high, f_low, f_high, close, evaluations).second);
 }
 
-/// NaN in all columns where so soft a bag cannot begin.
+/// Returns NaN in all columns if the bag is too soft to begin.
 ChartRow chart_row(const Case& bag, const Demand& demand) {
   ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached};
   try {

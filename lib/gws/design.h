@@ -9,14 +9,14 @@
 
 namespace soilweave::gws {
 
-/// What a bag has to bear. Settlement: axial strain at the surcharge, counted from compaction.
+/// Demand on a bag. The settlement is the axial strain at the surcharge, counted from compaction.
 struct Demand {
-  double surcharge = 0;   // Pa, at service
-  double settlement = 1;  // admissible; 1: any
+  double surcharge = 0;   // at service, Pa
+  double settlement = 1;  // greatest admissible settlement; 1: any
   double safety = 1;      // factor on the surcharge at which the hoops may reach their stated fraction of the strength
 };
 
-/// Stiffnesses to look between, N/m.
+/// Range of stiffness to search, N/m.
 struct StiffnessRange {
   double low = 1e3, high = 1e8;
 };
@@ -24,15 +24,15 @@ struct StiffnessRange {
 enum class Governs { settlement, strength, range };
 
 struct Design {
-  Geotextile geotextile;  // the softest that does, and the strength it needs
+  Geotextile geotextile;  // softest geotextile that meets the demand, with the strength it needs
   Governs governs = Governs::settlement;
-  Point start, service, factored;  // after compaction; at the surcharge; at safety times the surcharge
+  Point start, service, factored;  // after compaction; at the surcharge; at `safety` times the surcharge
 };
 
-/// The smallest J with eps_a(q) within the settlement and, where the case's geotextile has a strength, that strength
-/// over stiffness kept, hoops within their limit at safety times q: roots bracketed in ln J. Without (strength 0) the
-/// strength follows from the hoop tension at safety times q. Throws TargetNotReached where the stiffest of the range
-/// does not do, DataError for an inadmissible demand.
+/// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J.
+/// If the case's geotextile has a strength, the ratio of strength to stiffness is kept, and the hoops stay within their
+/// limit at `safety` times q. If it has none (0), the strength follows from the hoop tension at `safety` times q.
+/// Throws TargetNotReached if the stiffest geotextile of the range is too soft, DataError for an inadmissible demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
 struct Allowance {
@@ -40,16 +40,17 @@ struct Allowance {
   Governs governs = Governs::strength;
   Point at;
 };
-/// The surcharge a bag carries within the settlement, and with the safety against its capacity.
+/// Returns the surcharge that a bag carries within the settlement, and with the safety against its capacity.
 Allowance allowable_surcharge(const Case& bag, double settlement, double safety);
 
-/// One bag of a design chart; NaN for what it does not reach.
+/// One bag of a design chart. A NaN marks what the bag does not reach.
 struct ChartRow {
   Geotextile geotextile;
-  double capacity = 0, settlement = 0, hoop_strain = 0;    // at the end
+  double capacity = 0, settlement = 0, hoop_strain = 0;    // at the end of the response
   double service_settlement = 0, allowable_surcharge = 0;  // for the demand
 };
-/// n bags, equal in ln J over the range, of the case's geotextile: strength over stiffness and failure strain kept.
+/// Returns n bags with stiffnesses at equal steps of ln J. They keep the geotextile's strength over stiffness and
+/// failure strain.
 std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n);
 
 }  // namespace soilweave::gws

@@ -10,10 +10,10 @@
 namespace soilweave::gws {
 namespace {
 
-// Share of a range's end by which a value may lie beyond it: numbers of data are rounded.
+// Relative tolerance at the ends of a range, because numbers of data are rounded.
 constexpr double slack = 0.01;
 
-// The values that leave a range, as one phrase; empty: none does, or the range is not known.
+// Returns the values that leave a range as one phrase; empty if none does, or if the range is not known.
 std::string beyond(const Span& range, const std::vector<double>& values, const char* name, double unit,
                    const char* unit_name) {
   if (!range.known()) return "";

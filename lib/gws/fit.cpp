@@ -37,7 +37,7 @@ int deviations(const gsl_vector* parameters, void* problem, gsl_vector* result) 
 using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
 
-/// Estimates, errors, residuals from the solver's final state.
+/// Returns estimates, errors and residuals from the solver's final state.
 Fit evaluated(const Workspace& solver, const std::vector<double>& observed) {
   const std::size_t n = solver->f->size, k = solver->x->size;
   const Matrix covariance(gsl_matrix_alloc(k, k), gsl_matrix_free);
@@ -106,7 +106,7 @@ Fit fit(const std::string& what, const std::vector<double>& observed, const std:
   status = gsl_multifit_nlinear_driver(1000, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, solver.get());
   if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw undetermined(status);
   Fit found = evaluated(solver, observed);
-  // GSL leaves out the columns that others make up for: their variance is then zero.
+  // GSL leaves out dependent columns; their variance is then zero.
   for (std::size_t i = 0; i < k; ++i)
     if (!std::isfinite(found.correlation[i * k + i])) throw undetermined(GSL_ESING);
   return found;

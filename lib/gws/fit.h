@@ -1,4 +1,4 @@
-// Least squares with intervals: what identification rests on.
+// Nonlinear least squares with confidence intervals, for identification.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,25 +8,25 @@
 
 namespace soilweave::gws {
 
-/// Estimates with what is known about them. n points, k parameters.
+/// Estimates from n points for k parameters, with their statistics.
 struct Fit {
   std::vector<double> estimates, standard_errors;
   std::vector<double> correlation;        // k x k, row by row
-  std::vector<double> fitted, residuals;  // n; residual = observed - fitted
-  std::vector<double> studentized;        // n; residual over its standard error, its leverage counted
+  std::vector<double> fitted, residuals;  // n each; residual = observed - fitted
+  std::vector<double> studentized;        // n; residual over its standard error, which includes the leverage
   double scatter = 0;                     // standard deviation of the residuals
   double determination = 0;               // R2 = 1 - residual over total sum of squares
-  double freedom = 0;                     // n - k
+  double freedom = 0;                     // degrees of freedom, n - k
 
-  /// Half width of the 95 % interval of parameter i: t(n - k) standard errors; infinite where n = k.
+  /// Returns half the width of the 95 % interval of parameter i: t(n - k) standard errors; infinite if n = k.
   double half_width(std::size_t i) const;
 };
 
-/// A residual farther out than this many standard errors is reported as an outlier.
+/// Distance in standard errors beyond which a residual is reported as an outlier.
 inline constexpr double outlier_distance = 3;
 
-/// Least squares of observed - model(parameters)[i] by Levenberg-Marquardt (GSL), from the start given. Throws
-/// DataError, naming `what`, where there are fewer points than parameters or they do not determine them.
+/// Minimises the sum of squares of observed[i] - model(parameters)[i] from `start`, by Levenberg-Marquardt (GSL).
+/// Throws DataError naming `what` if the points are fewer than the parameters or do not determine them.
 Fit fit(const std::string& what, const std::vector<double>& observed, const std::vector<double>& start,
         const std::function<void(const double* parameters, double* fitted)>& model);
 

@@ -27,7 +27,7 @@ Geotextile read_geotextile(const std::string& text, const std::string& where) {
   found.stiffness = document.number(tensile_stiffness);
   found.strength = document.number(tensile_strength);
   found.failure_strain = document.number(failure_strain_range);
-  // The yarns' curve is the discrete model's.
+  // The yarns' curve belongs to the discrete model, so it is only checked here.
   static constexpr Parameter point{"yarn_strain", "1", 0, 1e12, true, "points of the yarns' curve"};
   for (const char* key : {"yarn_strain", "yarn_tension"})
     if (document.has(key)) document.numbers({key, point.unit, point.low, point.high, true, point.sentence});

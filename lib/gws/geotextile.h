@@ -9,14 +9,14 @@
 
 namespace soilweave::gws {
 
-/// SI. Perfectly elastic up to its end (thesis section 5.3, assumption 3b).
+/// Tensile properties of a geotextile, SI. It is perfectly elastic up to its end (thesis section 5.3, assumption 3b).
 struct Geotextile {
   std::string name;
   double stiffness = 0;       // J, N/m
   double strength = 0;        // T_f, N/m
-  double failure_strain = 0;  // 1
+  double failure_strain = 0;  // strain at failure, 1
 
-  /// n layers: stiffness and strength n times, the same strain.
+  /// Returns n layers: n times the stiffness and strength, at the same strain.
   Geotextile layers(double n) const;
 };
 
@@ -27,14 +27,14 @@ inline constexpr Parameter tensile_strength{
 inline constexpr Parameter failure_strain_range{
     "failure_strain", "1", 0, 2, true, "strain at failure", "a strain of 1 is twice the length"};
 
-/// The geotextiles that data/geotextiles holds, sorted.
+/// Returns the names of the geotextiles in data/geotextiles, sorted.
 std::vector<std::string> geotextile_names();
 
-/// By name ("PP"), by a multiple of one ("3PP", "0.5PP": thesis Fig. 5.15), or from a TOML file (a path with "/" or
-/// ".toml"). Throws DataError naming the nearest known one.
+/// Returns a geotextile by name ("PP"), by a multiple of a name ("3PP", "0.5PP": thesis Fig. 5.15), or from a TOML file
+/// (a path with "/" or ".toml"). Throws DataError that names the nearest known one.
 Geotextile find_geotextile(const std::string& name);
 
-/// Reads one from TOML text. `where` names the document.
+/// Reads a geotextile from TOML text. `where` names the document in errors.
 Geotextile read_geotextile(const std::string& text, const std::string& where);
 
 }  // namespace soilweave::gws

@@ -19,8 +19,8 @@ const Constant& constant(const std::string& key) {
   return *std::find_if(constants().begin(), constants().end(), [&](const Constant& c) { return c.key() == key; });
 }
 
-/// Fits `line` once its points and constants are there. model(soil, i): the fitted value that belongs to observed[i];
-/// ordinate(soil, x): the line in its figure.
+/// Fits `line` once its points and constants are there. model(soil, i) is the fitted value for observed[i];
+/// ordinate(soil, x) is the line in its figure.
 void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
               const std::function<double(const Soil&, std::size_t)>& model,
               const std::function<double(const Soil&, double)>& ordinate) {
@@ -37,13 +37,13 @@ void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
   for (const double x : line.x) line.ordinate.push_back(ordinate(trial, x));
 }
 
-/// The same where the points of the figure are what is fitted.
+/// Fits a line whose plotted points are the fitted quantity.
 void fit_line(Line& line, const Soil& soil, const std::function<double(const Soil&, double)>& ordinate) {
   fit_line(
       line, soil, line.y, [&](const Soil& trial, std::size_t i) { return ordinate(trial, line.x[i]); }, ordinate);
 }
 
-/// A line without points: its constants and the axes of its figure.
+/// Returns a line without points: its constants and the axes of its figure.
 Line started(const std::string& name, const std::vector<std::string>& symbols, const std::array<const char*, 4>& axes) {
   Line line;
   line.name = name;
@@ -111,7 +111,7 @@ Line dilatancy_line(const std::vector<BagSeries>& series, const Soil& soil, Diff
   fit_line(
       line, soil, observed,
       [&](const Soil& trial, std::size_t i) {
-        // d eps_v^p = X d eps_d^p with d eps_d^p = d eps_a^p - d eps_v^p / 3, solved for d eps_v^p.
+        // Solves d eps_v^p = X d eps_d^p with d eps_d^p = d eps_a^p - d eps_v^p / 3 for d eps_v^p.
         const double X = dilatancy(trial, increments[i].failure_obliquity, increments[i].obliquity);
         return X / (1 + X / 3) * increments[i].plastic_axial;
       },
@@ -119,7 +119,7 @@ Line dilatancy_line(const std::vector<BagSeries>& series, const Soil& soil, Diff
   return line;
 }
 
-/// E of one bag: least squares of eps_a^p = p* / E, both accumulated.
+/// Returns E of one bag by least squares of eps_a^p = p* / E, both accumulated.
 double young_modulus(const BagSeries& series, const Soil& soil, Difference difference) {
   double stress = 0, strain = 0, squares = 0, products = 0;
   for (std::size_t i = 0; i + 1 < series.size(); ++i) {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double greatest_pressure = 1e9;  // Pa
 
-/// eta from eta = A - kappa / (D + G eta), the branch that goes over into A - kappa / D as G vanishes; NaN where there
-/// is none.
+/// Solves eta = A - kappa / (D + G eta) on the branch that tends to A - kappa / D as G vanishes. NaN if there is no
+/// solution.
 double stress_ratio(double A, double D, double G, double kappa) {
   const double b = D - A * G, c = kappa - A * D;
   const double discriminant = b * b - 4 * G * c;

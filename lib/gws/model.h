@@ -10,31 +10,31 @@
 
 namespace soilweave::gws {
 
-/// Plastic axial and radial strain, percent: what the path through the model remembers.
+/// Plastic axial and radial strain, percent. They are the only history of the model.
 using Plastic = std::array<double, 2>;
 
-/// Why a response ends. Every one does, with one of these.
+/// Why a response ends. Every response ends with exactly one of these.
 enum class End {
   none,
-  surcharge,        // the surcharge asked for is reached
-  strength,         // the hoop strain at the stated fraction of the geotextile's strength
-  failure_strain,   // the geotextile's failure strain comes first
+  surcharge,        // reached the surcharge asked for
+  strength,         // hoop strain at the stated fraction of the geotextile's strength
+  failure_strain,   // failure strain of the geotextile, if it comes first
   stress_ratio,     // q/p leaves the range where the vertical stress is the greatest
   no_stress_ratio,  // no q/p satisfies Eq. 5.4 with the elastic deviatoric strain of Eq. 5.7
   flow,             // the dilatancy leaves the range where the bag shortens and spreads
   unstable,         // strain grows without bound at this stress
-  stiffness,        // the plastic axial strain would decrease under load
-  collapse,         // the bag is flat
-  pressure,         // a mean stress far beyond any test of soil
-  softening,        // the surcharge has a peak
-  resolution,       // the path has a kink that no step resolves
+  stiffness,        // plastic axial strain would decrease under load
+  collapse,         // height of the bag is zero
+  pressure,         // mean stress far beyond any test of soil
+  softening,        // peak of the surcharge
+  resolution,       // kink of the path that no step resolves
 };
-/// One sentence without a full stop.
+/// Returns the reason as one sentence without a full stop.
 std::string_view reason(End end);
 
-/// The soil at mean stress p. Strains in percent, total: elastic and plastic.
+/// State of the soil at mean stress p. Strains are total (elastic plus plastic), in percent.
 struct SoilState {
-  End end = End::none;  // other than none: the state does not exist, the numbers after the cause mean nothing
+  End end = End::none;  // if not none, the state does not exist, and numbers after the cause mean nothing
   double p = 0;         // Pa
   double failure_obliquity = 0, obliquity = 0;  // M_f, eta = q/p
   double strain_axial = 0, strain_radial = 0, strain_volumetric = 0, strain_deviatoric = 0;
@@ -48,35 +48,37 @@ struct SoilState {
   double stress_increment_ratio() const { return (3 + 2 * path_slope) / (3 - path_slope); }  // K', Eq. 5.10
 };
 
-/// q/p at failure, Eq. 5.5.
+/// Returns q/p at failure, Eq. 5.5.
 double failure_obliquity(const Soil& soil, double p);
-/// Elastic volumetric strain, percent, Eq. 5.6.
+/// Returns the elastic volumetric strain, percent, Eq. 5.6.
 double elastic_volumetric(const Soil& soil, double p);
-/// eps_d^e / (eta eps_v^e), Eq. 5.7.
+/// Returns eps_d^e / (eta eps_v^e), Eq. 5.7.
 double elastic_shear_factor(const Soil& soil);
-/// X from the distance to failure, Eq. 5.12 with the sign of a contraction.
+/// Returns X from the distance to failure, Eq. 5.12, contraction positive.
 double dilatancy(const Soil& soil, double failure, double obliquity);
-/// K_psi from X, last form of Eq. 5.11 (its middle form is another number).
+/// Returns K_psi from X by the last form of Eq. 5.11. The middle form of that equation gives another number.
 double plastic_ratio(double dilatancy);
-/// dp*/dp of Eq. 5.14 is linear in s = dq/dp: coefficients of 1 and of s.
+/// Returns the coefficients of 1 and of s in dp*/dp (Eq. 5.14), which is linear in s = dq/dp.
 std::array<double, 2> generalized_stress(const Soil& soil, double plastic_ratio);
 
-/// The state at p with the plastic strain accumulated so far. q/p and the deviatoric strain depend on each other
-/// through Eq. 5.7 (a quadratic equation), so do the plastic rate and the slope of the stress path (a linear one): both
-/// are solved in closed form, the limit of the thesis's ever smaller increments. E: Young's modulus, Pa.
+/// Returns the state at p with the plastic strain accumulated so far. E: Young's modulus, Pa. q/p and the deviatoric
+/// strain depend on each other through Eq. 5.7, a quadratic equation. The plastic rate and the slope of the stress path
+/// depend on each other linearly. Both are solved in closed form, which is the limit of the thesis's ever smaller
+/// increments.
 SoilState soil_state(const Soil& soil, double E, double p, const Plastic& plastic);
 
-/// A bag: B and H, m.
+/// Width B and height H of a bag, m.
 struct Bag {
   double width = 0.4, height = 0.08;
 };
 
-/// Share of (sigma_r - sigma_rs) that the hoops take off the surcharge, over two: (H/B)(1 - eps_a) / ((1 + H/B)(1 -
-/// eps_r)).
+/// Returns half the share of (sigma_r - sigma_rs) by which the hoops reduce the surcharge: (H/B)(1 - eps_a) / ((1 +
+/// H/B)(1 - eps_r)).
 double hoop_share(const Bag& bag, const SoilState& state);
-/// Surcharge sigma_as, Pa, with lateral stress sigma_rs outside, Eq. 5.3.
+/// Returns the surcharge sigma_as, Pa, for the lateral stress sigma_rs outside the bag, Eq. 5.3.
 double surcharge(const Bag& bag, const SoilState& state, double outer_lateral);
-/// Hoop tension t_h, N/m, from the lateral balance Eq. 5.2 (Eq. 5.16 with the length B that the print lacks, times J).
+/// Returns the hoop tension t_h, N/m, from the lateral balance Eq. 5.2. It is J times Eq. 5.16 with the length B that
+/// the print lacks.
 double hoop_tension(const Bag& bag, const SoilState& state, double outer_lateral);
 
 }  // namespace soilweave::gws

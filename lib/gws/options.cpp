@@ -24,14 +24,14 @@ constexpr Parameter compacted_by{"initial_settlement",  "1", 0, 1, false, "compa
 constexpr Parameter compacted_to{
     "initial_surcharge", "Pa", 0, 1e9, true, "compact the bag to this pressure first", "1 GPa is beyond any test"};
 
-/// One parameter under another name.
+/// Returns a parameter under another name.
 constexpr Parameter named(Parameter parameter, std::string_view name, std::string_view sentence) {
   parameter.name = name;
   parameter.sentence = sentence;
   return parameter;
 }
 
-/// Whether a path is a run, or the folder of one under way; standard input is not looked into.
+/// Returns whether a path is a run, or the folder of an unfinished one. Standard input is not examined.
 bool is_run(const std::filesystem::path& path) {
   if (path == "-") return false;
   const bool folder = std::filesystem::is_directory(path);
@@ -138,7 +138,7 @@ io::Series read_series(const std::filesystem::path& path, const std::string& gro
   const io::FieldsFile file = io::read_fields(path, "series");
   sources.push_back(file.source);
   std::string wanted = group;
-  // The cell of a bag is only the room around it.
+  // The periodic cell is only the room around a bag, so its columns do not count.
   for (const char* name : {"loading", "response", "cell"})
     if (wanted.empty() && std::ranges::any_of(file.groups, [&](const auto& one) { return one.name == name; }))
       wanted = name;

@@ -1,4 +1,4 @@
-// The options that say which bag is meant: geotextile, bag, soil, lateral stress. Shared by the verbs of gws-solve.
+// Options that say which bag is meant: geotextile, bag, soil, lateral stress. The verbs of gws-solve share them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -42,10 +42,10 @@ inline constexpr Parameter lowest_stiffness{
 inline constexpr Parameter highest_stiffness{
     "to", "N/m", 0, 1e10, true, "highest stiffness", "without stiffness the geotextile holds nothing"};
 
-/// The soil whose constants are taken where none is chosen.
+/// Name of the soil that is used if none is chosen.
 inline constexpr const char* default_soil = "toyoura-gws";
 
-/// A case with where its parts came from.
+/// A case, with the sources of its parts.
 struct ReadCase {
   Case the_case;
   SoilFile soil;
@@ -54,16 +54,16 @@ struct ReadCase {
 };
 
 struct CaseOptions {
-  std::string geotextile, soil;  // soil: empty where none was chosen
+  std::string geotextile, soil;  // soil: empty if none was chosen
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;
   std::filesystem::path history;
   double width = 0.4, height = 0.08, lateral = 0, fraction = 0.5, tolerance = 1e-6;
 
   void declare(tool::Table& table);
-  /// Usage mistakes, one a line.
+  /// Returns usage mistakes, one a line.
   std::vector<std::string> mistakes(bool needs_geotextile) const;
-  /// Reads the files and names. Throws DataError, MissingInput.
+  /// Reads the files and names. Throws DataError or MissingInput.
   ReadCase read() const;
   bool chose_soil() const { return !soil.empty(); }
 
@@ -72,22 +72,22 @@ struct CaseOptions {
   LateralStress read_lateral(std::vector<io::Source>& sources) const;
 };
 
-/// A soil by name (data/soils) or from a TOML file, with --set assignments.
+/// Returns a soil by name (data/soils) or from a TOML file, with --set assignments applied.
 SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
                    std::vector<io::Source>& sources, std::string& resolved);
 
-/// A table from TSV text, or a group of an HDF5 fields file (the file's first bytes tell); "-" is such a file on
-/// standard input.
+/// Reads a table from TSV text, or from a group of an HDF5 fields file; the first bytes tell which. "-" is standard
+/// input.
 io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources);
 
-/// One bag a path: a run of run-dem, RUN.part of one under way, or a table as read_series() reads it. geotextiles: of
-/// each in turn, or none. natural: strains of tables are logarithmic; those of a bag's loading are engineering ones
-/// anyhow.
+/// Reads one bag per path. A path is a run of run-dem, RUN.part of an unfinished run, or a table for read_series().
+/// `geotextiles`: one per bag, or none. `natural`: strains of plain tables are logarithmic; tables of a bag's loading
+/// always hold engineering strains.
 std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources);
 
-/// Columns x and y of a TSV, in SI.
+/// Reads columns x and y of a TSV into SI.
 Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
                    const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources);
 

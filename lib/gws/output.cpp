@@ -1,4 +1,4 @@
-// Where the results of gws-solve go.
+// Output of the results of gws-solve.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/output.h"
 

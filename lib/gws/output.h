@@ -1,4 +1,4 @@
-// Where the results of gws-solve go: a text for a reader, one table as TSV, all tables as a fields file.
+// Output of gws-solve: text for a reader, one table as TSV, all tables as a fields file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,10 +21,11 @@ struct Output {
   void declare(tool::Table& table);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes) const;
-  /// Place of the table that --tsv prints; none is needed without. Throws DataError where it was not identified.
+  /// Returns the place of the table that --tsv prints; it needs none without --tsv. Throws DataError if the table was
+  /// not identified.
   std::size_t place_of(const Groups& groups, const std::string& table) const;
-  /// Prints the text, or the table `chosen` as TSV, unless the file itself goes to standard output; writes the file,
-  /// with the doubts, which are said first.
+  /// Says the doubts first. Then prints the text, or the table `chosen` as TSV, unless the file itself goes to standard
+  /// output. Writes the file with the doubts.
   void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
            const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;
 };

@@ -9,13 +9,13 @@
 namespace soilweave::gws {
 namespace {
 
-constexpr double share_of_step = 0.01;    // of the tolerance of the whole path
-constexpr double smallest_strain = 1e-2;  // percent; errors are relative to the strain, but not to less
+constexpr double share_of_step = 0.01;    // share of the whole path's tolerance for one step
+constexpr double smallest_strain = 1e-2;  // percent; below it errors are absolute
 constexpr double longest_step = 0.5;      // in ln p
 
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
 
-/// Right-hand side d plastic / d ln p. A state that does not exist gives zero and is remembered.
+/// Right-hand side d plastic / d ln p. It returns zero at a state that does not exist, and remembers it.
 struct Rates {
   const Soil& soil;
   double E;

@@ -1,6 +1,7 @@
-// The soil's path from its first mean stress upwards: adaptive Runge-Kutta steps in ln p with a controlled error. It
-// depends on the soil and on E alone; surcharge, lateral stress and bag enter only the balance of forces at each of its
-// states. SPDX-License-Identifier: GPL-3.0-or-later
+// The soil's path from its first mean stress upwards: adaptive Runge-Kutta steps in ln p with a controlled error. The
+// path depends on the soil and on E alone. Surcharge, lateral stress and bag enter only the balance of forces at each
+// state.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -10,27 +11,27 @@
 
 namespace soilweave::gws {
 
-/// The path grows step by step; any p within it can be asked for. Each step and each answer is one step of the
-/// fifth-order method of Dormand and Prince, so that the error between nodes is no greater than at them.
+/// A path that grows step by step and can be asked for any p within it. Every step and every answer is one step of the
+/// fifth-order method of Dormand and Prince, so the error between nodes is no greater than at them.
 class Path {
  public:
-  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end of the path; a step is held to a
-  /// hundredth.
+  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end of the path. Each step is held to a
+  /// hundredth of it.
   Path(const Soil& soil, double E, double tolerance);
 
-  /// One more step. False where the path has ended; end() then says why, and the last node lies within `resolution` of
-  /// there.
+  /// Takes one more step. Returns false if the path has ended: end() then tells why, and the last node lies within
+  /// `resolution` of the end.
   bool advance();
   End end() const { return end_; }
   std::size_t steps() const { return nodes_.size() - 1; }
 
-  double first() const { return nodes_.front().x; }  // ln p, as all arguments below
+  double first() const { return nodes_.front().x; }  // ln p, like all arguments below
   double last() const { return nodes_.back().x; }
   double before_last() const { return nodes_.size() > 1 ? nodes_[nodes_.size() - 2].x : first(); }
-  /// The state at ln p = x, between first() and last().
+  /// Returns the state at ln p = x, between first() and last().
   SoilState at(double x) const;
 
-  /// Relative width of p within which a path's end is found.
+  /// Relative width in p within which the end of a path is found.
   static constexpr double resolution = 1e-9;
 
  private:

@@ -1,4 +1,4 @@
-// What gws-solve tells of identification, design and sensitivity.
+// Reports of gws-solve on identification, design and sensitivity.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/report.h"
 
@@ -25,7 +25,7 @@ void put(io::Series& table, std::string name, std::string unit, std::string long
   table.columns.push_back({std::move(name), std::move(unit), std::move(long_name), std::move(values)});
 }
 
-/// The notes of the series that have one, a line each.
+/// Returns the notes of the series that have one, a line each.
 std::string notes(const std::vector<BagSeries>& series) {
   std::string text;
   for (const BagSeries& one : series)

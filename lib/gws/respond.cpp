@@ -16,9 +16,9 @@
 namespace soilweave::gws {
 namespace {
 
-/// The surcharge that balances the state, and the lateral stress that goes with it: Eq. 5.3 is linear in both on each
-/// straight piece of the lateral stress, and grows faster with the surcharge than the lateral stress takes away
-/// (LateralStress::check).
+/// Returns the surcharge that balances the state, with its lateral stress. Eq. 5.3 is linear in both on each straight
+/// piece of the lateral stress. LateralStress::check ensures that its left side grows faster than the lateral stress
+/// reduces it.
 std::pair<double, double> balance(const Bag& bag, const SoilState& state, const LateralStress& lateral) {
   if (lateral.surcharge.empty()) return {surcharge(bag, state, 0), 0};
   const double share = 2 * hoop_share(bag, state);
@@ -125,12 +125,12 @@ Point Response::point(double x) const {
   return at;
 }
 
-/// ln p where value(point) is zero; the signs at the ends differ.
+/// Returns ln p where value(point) is zero; the signs at the ends must differ.
 template <class Value>
 double Response::root(double low, double high, const Value& value) const {
   const auto f = [&](double x) { return value(point(x)); };
   const double f_low = f(low), f_high = f(high);
-  // A sign that is missing at an end is a rounding of what the end was cut to.
+  // Rounding where the end was cut off can cost one end its sign.
   if (f_low == 0 || (f_low > 0) == (f_high > 0)) return std::abs(f_low) < std::abs(f_high) ? low : high;
   if (f_high == 0) return high;
   std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the last bit
@@ -159,7 +159,7 @@ void Response::march() {
           [&](const Point& p) { return p.hoop_strain - limit; });
     if (case_.until && now.surcharge >= *case_.until) {
       cut(End::surcharge, [&](const Point& p) { return p.surcharge - *case_.until; });
-      now.surcharge = *case_.until;  // but for rounding
+      now.surcharge = *case_.until;  // equal but for rounding
     }
     if (!(now.surcharge > before.surcharge)) {
       end_ = End::softening;

@@ -30,7 +30,7 @@ Outcome outcome(const Case& bag) {
   }
 }
 
-/// What can be varied: its name, unit, and its place in a case.
+/// A quantity that can be varied: its name, its unit, and its place in a case.
 struct Handle {
   std::string key, unit;
   std::function<double&(Case&)> place;

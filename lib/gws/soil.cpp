@@ -67,7 +67,7 @@ constexpr std::array table{
              &Soil::poisson_ratio},
 };
 
-/// [scatter.LINE]: a standard error for each constant that has one, their correlation, degrees of freedom.
+/// Reads [scatter.LINE]: a standard error for each constant that has one, their correlation, degrees of freedom.
 Scatter read_scatter(Settings& at, const std::string& line) {
   static constexpr Parameter correlation{"correlation", "1", -1, 1, false, "correlation matrix, row by row"},
       freedom{"freedom", "1", 0, 1e12, true, "degrees of freedom"};

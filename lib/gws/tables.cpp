@@ -1,4 +1,4 @@
-// What gws-solve writes.
+// Tables of gws-solve.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/tables.h"
 

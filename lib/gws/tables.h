@@ -1,4 +1,4 @@
-// What gws-solve writes: tables in SI for files and pipes, and the same for a reader's eyes.
+// Tables of gws-solve, in SI for files and pipes, in readable units for a terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,23 @@
 
 namespace soilweave::gws {
 
-/// One row per state, SI, strains as fractions, counted from the unloaded bag; `settlement` from the compacted one.
+/// Returns one row per state, SI. Strains are fractions counted from the unloaded bag, `settlement` from the compacted
+/// bag.
 io::Series response_table(const std::vector<Point>& points, const Case& what);
 
-/// The main columns in kPa, kN/m and percent.
+/// Returns the main columns in kPa, kN/m and percent.
 io::Series readable(const std::vector<Point>& points);
 
-/// What the bag is, and how the response ends, in a few lines.
-/// chosen: false where the soil is the default; the first line then says so.
+/// Describes the bag and the end of its response in a few lines. `chosen`: false if the soil is the default, which the
+/// first line then says.
 std::string heading(const Case& what, const std::string& soil, bool chosen);
 std::string verdict(const Response& response, const Case& what);
 
-/// Throws TargetNotReached where the response ended before the surcharge asked for.
+/// Throws TargetNotReached if the response ended before the surcharge asked for.
 void demand_reached(const Response& response, std::optional<double> surcharge);
 
-/// Aligned columns for a terminal: names, units, then numbers; each column has the decimals that leave its
-/// greatest number `digits` significant digits, three at most.
+/// Aligns a table for a terminal: names, units, numbers. Each column has the decimals that leave its greatest number
+/// `digits` significant digits, at most three decimals.
 std::string aligned(const io::Series& table, int digits = 5);
 
 }  // namespace soilweave::gws

@@ -1,5 +1,6 @@
 // The global heaps of an HDF5 file, where texts of variable length lie: the one structure that HDF5 1.10 neither checks
-// nor bounds when it reads. SPDX-License-Identifier: GPL-3.0-or-later
+// nor bounds when it reads.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,6 @@
 // The folder of a run under way, OUTPUT.part: its recorded states and checkpoints, each a closed file from which the
-// run can go on to the same bytes. FORMAT.md says what they hold. SPDX-License-Identifier: GPL-3.0-or-later
+// run can go on to the same bytes. FORMAT.md says what they hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <filesystem>

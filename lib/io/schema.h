@@ -1,5 +1,6 @@
 // Every file kind as a table: path, type, shape, unit, meaning. Writers take units and names from it, readers shapes
-// and types; FORMAT.md is its printed form. SPDX-License-Identifier: GPL-3.0-or-later
+// and types; FORMAT.md is its printed form.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>

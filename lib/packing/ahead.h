@@ -1,5 +1,6 @@
 // What is foreseen of a compaction before its first step: how deep grains will overlap, how long a cloud takes to
-// close. SPDX-License-Identifier: GPL-3.0-or-later
+// close.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "dem/model.h"

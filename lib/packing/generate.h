@@ -1,5 +1,6 @@
 // From a cloud to a packing with a given void ratio at a given pressure: compression, then friction lowered step by
-// step. SPDX-License-Identifier: GPL-3.0-or-later
+// step.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
 // The reinforced part of an assembly: soil and geotextiles that are to be surrounded, and what of a block belongs to
-// it. SPDX-License-Identifier: GPL-3.0-or-later
+// it.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // Reinforced soil in a periodic cell, with soil put around it: what a plan's [surround] says, and the assembly before
-// the fill grows. SPDX-License-Identifier: GPL-3.0-or-later
+// the fill grows.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>

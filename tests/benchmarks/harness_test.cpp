@@ -1,5 +1,6 @@
 // The test programs' own habits (tests/main.cpp), tried by tests/tools/harness.bats: they hang or skip where they are
-// asked to. SPDX-License-Identifier: GPL-3.0-or-later
+// asked to.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <unistd.h>
 

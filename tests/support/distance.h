@@ -1,5 +1,6 @@
 // Distances for searches through all pairs, which would take ten times as long with vectors where tests are compiled
-// without optimisation. SPDX-License-Identifier: GPL-3.0-or-later
+// without optimisation.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "core/tensor.h"

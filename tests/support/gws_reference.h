@@ -1,5 +1,6 @@
 // Series of the reference for wrapped soil, and the thesis's own scheme of equal surcharge increments to hold the path
-// against. SPDX-License-Identifier: GPL-3.0-or-later
+// against.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <boost/math/tools/toms748_solve.hpp>

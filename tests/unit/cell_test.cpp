@@ -1,5 +1,6 @@
 // What does not commute, and what is not one: gradients and spins one after the other, and the thickness of a cell of
-// disks. SPDX-License-Identifier: GPL-3.0-or-later
+// disks.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/cell.h"
 
 #include <gtest/gtest.h>

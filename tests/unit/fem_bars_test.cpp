@@ -1,5 +1,6 @@
 // The geosynthetic alone: tension, catenary, friction between flat sides, breakage, energy, and forces read without a
-// step. SPDX-License-Identifier: GPL-3.0-or-later
+// step.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,5 +1,6 @@
 // Defaults of pack-generate belong to grains of any size; what cannot be is told before the first step; a
-// void ratio is held at rest, or the one that is in reach is named. SPDX-License-Identifier: GPL-3.0-or-later
+// void ratio is held at rest, or the one that is in reach is named.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
