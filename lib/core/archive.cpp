@@ -14,7 +14,7 @@ namespace soilweave {
 namespace {
 
 constexpr const char* remedy = "it was changed, or is of another version: give --force without --resume to begin anew";
-constexpr double most_exact = 9007199254740992.0;  // 2^53: whole numbers up to here are doubles
+constexpr double most_exact = 9007199254740992.0;  // 2^53: every whole number up to here is a double
 
 }  // namespace
 

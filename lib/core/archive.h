@@ -1,5 +1,5 @@
-// Named numbers that a program needs to go on later. One list of items serves for keeping and for giving back, so that
-// the two cannot drift apart.
+// Named numbers that a program needs to go on later. One list of items serves to keep them and to give them back, so
+// that the two cannot drift apart.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,24 +16,24 @@ class Archive {
  public:
   using Numbers = std::map<std::string, std::vector<double>, std::less<>>;
 
-  /// Keeps what it is shown.
+  /// Makes an archive that keeps the items it is given.
   Archive() = default;
-  /// Gives back what was kept. where: what messages call the place it comes from.
+  /// Makes an archive that gives back kept numbers. `where`: what messages call their source.
   Archive(Numbers numbers, std::string where);
 
   bool giving_back() const { return giving_back_; }
   const Numbers& numbers() const { return numbers_; }
-  /// Numbers as bytes for another process on an equal machine, and back.
+  /// Packs the numbers as bytes for another process on an equal machine; the second function unpacks them.
   static std::string packed(const Numbers& numbers);
   static Numbers unpacked(const std::string& bytes);
 
-  // Keeps the value, or sets it to the one kept, bit for bit. Throws DataError where none of the name and length is.
+  // Keeps the value, or sets it to the kept one, bit for bit. Throws DataError if none has this name and length.
   void item(const std::string& name, double& value);
   void item(const std::string& name, std::int64_t& value);  // exact below 2^53
   void item(const std::string& name, Vec3& value);
   void item(const std::string& name, Mat3& value);
   void item(const std::string& name, std::vector<double>& values);  // of any length
-  /// Likewise, of the length that `values` has already. Throws DataError where another length was kept.
+  /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
   template <class Whole>
   void whole(const std::string& name, Whole& value) {

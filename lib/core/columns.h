@@ -1,4 +1,4 @@
-// Rows, a grain a row, become columns, a quantity a column, and back.
+// Transposes rows, one per grain, into columns, one per quantity, and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace soilweave {
 
-/// Columns of as many rows as T has lanes: a grain a row, a quantity a column.
+/// Columns with as many rows as T has lanes: row = grain, column = quantity.
 template <class T>
 struct Columns {
   T a, b, c, d;
@@ -19,17 +19,17 @@ inline Columns<Lane4> columns(const Lane4 (&r)[4]) {
   return {__builtin_shufflevector(t0, t2, 0, 1, 4, 5), __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
           __builtin_shufflevector(t0, t2, 2, 3, 6, 7), __builtin_shufflevector(t1, t3, 2, 3, 6, 7)};
 }
-/// Those of rows that one of the four arguments of columns() holds; row(k) gives row k.
+/// Returns argument i of columns() from the rows that it holds; row(k) gives row k.
 template <class T, class Row>
 requires(width<T> == 4) T rows(const Row& row, int i) { return row(i); }
-/// The rows of such columns, from the first to the last to put(i, row).
+/// Transposes columns back to rows and passes each to put(i, row), from first to last.
 template <class Put>
 void to_rows(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d, const Put& put) {
   const Columns<Lane4> r = columns({a, b, c, d});
   put(0, r.a), put(1, r.b), put(2, r.c), put(3, r.d);
 }
 
-/// Two columns to the halves of rows; half(k) points to two numbers of row k.
+/// Writes two columns to halves of rows; half(k) points to two numbers of row k.
 template <class Half>
 void to_halves(const Lane4& a, const Lane4& b, const Half& half) {
   const Lane4 t0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), t1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);

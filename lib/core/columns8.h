@@ -1,4 +1,4 @@
-// What columns.h says of four rows, for eight. Included by columns.h alone.
+// Columns of eight rows (columns.h has those of four). Only columns.h includes this file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Finding the data that come with the tools.
+// Finds the data that come with the tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data.h"
 

@@ -1,4 +1,4 @@
-// The data that come with the tools (data/ in the source, share/soilweave where installed): geotextiles, soils.
+// Data that come with the tools: geotextiles, soils. They lie in data/ of the source, or share/soilweave if installed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace soilweave {
 
-/// The path of data/FOLDER/FILE. Looks in $SOILWEAVE_DATA, else beside and above the program that runs, for
-/// share/soilweave and data. Throws MissingInput.
+/// Returns the path of data/FOLDER/FILE. Searches $SOILWEAVE_DATA, or else share/soilweave and data beside and above
+/// the running program. Throws MissingInput.
 std::filesystem::path data_file(const std::string& folder, const std::string& file);
 
-/// The names of the files of data/FOLDER with this ending, without it, sorted.
+/// Returns the names of the files in data/FOLDER with this ending, without the ending, sorted.
 std::vector<std::string> data_names(const std::string& folder, const std::string& ending);
 
 }  // namespace soilweave

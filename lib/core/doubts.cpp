@@ -14,7 +14,7 @@ void Doubts::add(const Doubt& doubt) {
   if (std::any_of(all_.begin(), all_.end(), [&](const Doubt& known) { return known.key == doubt.key; })) return;
   all_.push_back(doubt);
   if (tool_.empty()) return;
-  // A progress line on a terminal stands where the doubt is to be written.
+  // On a terminal a progress line may stand where the doubt will be written.
   const std::string clear = isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
   tell(clear + printable(tool_ + ": doubt: " + doubt.sentence) + "\n");
 }

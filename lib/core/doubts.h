@@ -1,4 +1,5 @@
-// Doubts: what a tool did as told but a reader should know, said once on standard error and written into the output.
+// Doubts: results that a tool wrote as told, but that a reader should question. Said once on standard error and kept in
+// the output.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,31 +9,31 @@
 
 namespace soilweave {
 
-/// One doubt about a result that is written all the same.
+/// A doubt about a result that is written all the same.
 struct Doubt {
-  std::string key;       // one word for scripts, "rattlers"; at most one doubt of a key in a file
-  std::string sentence;  // for people: what, with number and threshold, and what would mend it
+  std::string key;       // one word for scripts ("rattlers"), unique in a file
+  std::string sentence;  // for people: the finding with number and threshold, and a remedy
 
   bool operator==(const Doubt&) const = default;
 };
 
-/// The doubts of one run of a tool, in the order in which they came up.
+/// Doubts of one run of a tool, in order of appearance.
 class Doubts {
  public:
-  /// Prints nothing: for a library that finds doubts, and for a process that is not the one to speak.
+  /// Makes a list that prints nothing: for the library, and for processes that must not speak.
   Doubts() = default;
-  /// Prints each doubt as "TOOL: doubt: SENTENCE" on standard error, with --quiet too: that silences progress, not
-  /// warnings. A standard error that cannot be written is passed over.
+  /// Makes a list that prints each doubt as "TOOL: doubt: SENTENCE" on standard error. --quiet silences progress, not
+  /// doubts. Failures of standard error are ignored.
   explicit Doubts(std::string tool) : tool_(std::move(tool)) {}
 
-  /// Keeps the doubt and says it, unless one of this key is there already.
+  /// Keeps the doubt and prints it, unless its key is there already.
   void add(const Doubt& doubt);
   void add_all(const std::vector<Doubt>& doubts);
 
   const std::vector<Doubt>& all() const { return all_; }
 
  private:
-  std::string tool_;  // empty: says nothing
+  std::string tool_;  // empty: prints nothing
   std::vector<Doubt> all_;
 };
 

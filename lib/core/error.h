@@ -1,4 +1,4 @@
-// What can go wrong, one type per exit status. Thrown where it is known, translated once, in tool::start.
+// Errors, one type per exit status. They are thrown where they are known and translated once, in tool::start.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace soilweave {
 
-/// Exit statuses (sysexits values); every man page lists them.
+/// Exit statuses (values of sysexits). Every man page lists them.
 enum class Exit : int {
   done = 0,
-  not_reached = 1,     // ran to the end but the target was not reached
+  not_reached = 1,     // ran to the end, but missed the target
   usage = 64,          // wrong usage
-  bad_data = 65,       // input data or scenario invalid
-  no_input = 66,       // input missing
-  internal = 70,       // a defect of ours, or broken physics (NaN, energy, lost grain)
+  bad_data = 65,       // invalid input data or scenario
+  no_input = 66,       // missing input
+  internal = 70,       // a defect of the program, or broken physics (NaN, energy, lost grain)
   cannot_create = 73,  // output cannot be created
   io = 74,             // reading or writing failed
   stopped = 75,        // stopped early, resumable
 };
 
-/// One line for the user: what is wrong, where (file, line, dataset), and what would mend it.
+/// An error in one line for the user: what is wrong, where (file, line, dataset), and how to mend it.
 class Error : public std::runtime_error {
  public:
   Error(Exit status, const std::string& message) : std::runtime_error(message), status_(status) {}

@@ -1,4 +1,4 @@
-// Work shared by threads.
+// Loops shared by threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace soilweave {
 
-/// Calls use(i) once for every i below n; each thread takes some that follow one another. One thread needs no team,
-/// which OpenMP would make anew each time.
+/// Calls use(i) once for every i < n. Each thread takes a contiguous range. One thread runs without an OpenMP team,
+/// which OpenMP would create anew each time.
 template <class Use>
 void in_parallel(std::size_t n, int threads, const Use& use) {
   if (threads == 1) {
@@ -20,7 +20,7 @@ void in_parallel(std::size_t n, int threads, const Use& use) {
   for (std::size_t i = 0; i < n; ++i) use(i);
 }
 
-/// The largest value(i) of every i below n, and 0.
+/// Returns the largest value(i) for i < n, at least 0.
 template <class Value>
 double largest_in_parallel(std::size_t n, int threads, const Value& value) {
   const auto shares = static_cast<std::size_t>(threads);
@@ -34,8 +34,8 @@ double largest_in_parallel(std::size_t n, int threads, const Value& value) {
   return *std::max_element(largest.begin(), largest.end());
 }
 
-/// The sum of value(i) of every i below n, of what += adds to a zero: of each `stretch` of them, and of these in their
-/// order, so that threads do not change its bits.
+/// Returns the sum of value(i) for i < n. Each stretch of `stretch` values is summed from zero, and the stretches are
+/// summed in order, so that the number of threads does not change the bits.
 template <class Value>
 auto sum_in_parallel(std::size_t n, std::size_t stretch, int threads, const Value& value) {
   using Sum = decltype(value(n));

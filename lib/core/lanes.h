@@ -1,6 +1,6 @@
-// Arithmetic shared by one contact (a double) and several at once (a GCC vector of doubles), so that a law is written
-// once and gives the same bits in every lane. No branch may depend on a value: select() instead. A multiplication and
-// an addition become one operation where fused() says so and nowhere else.
+// Arithmetic on one contact (a double) or several at once (a GCC vector of doubles). A law is written once and gives
+// the same bits in every lane. No branch may depend on a value: select() replaces it. Only fused() makes one operation
+// of a multiplication and an addition.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace soilweave {
 
-/// Four contacts at once: the width of the x86-64-v3 baseline. Equal bits in lanes and scalar
-/// need -ffp-contract=off, since the compiler may fuse a multiplication with an addition in one of them only.
+/// Four contacts at once, the width of x86-64-v3. Lanes and scalars need -ffp-contract=off for equal bits, since the
+/// compiler may otherwise fuse a multiplication with an addition in only one of them.
 using Lane4 = double __attribute__((vector_size(32)));
 
 template <class T>
 inline constexpr bool is_lane = !std::is_arithmetic_v<T>;
 
-/// Result of comparing two values: bool for double, a vector of integers for lanes.
+/// Result of a comparison: bool for double, a vector of integers for lanes.
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
@@ -34,14 +34,14 @@ inline double square_root(double x) { return std::sqrt(x); }
 
 inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
 
-/// a b + c, rounded once, in lane and scalar alike.
+/// Returns a b + c, rounded once, for lanes and scalars alike.
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fmadd_pd(a, b, c); }
-/// c - a b, rounded once.
+/// Returns c - a b, rounded once.
 inline double fused_less(double a, double b, double c) { return std::fma(-a, b, c); }
 inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fnmadd_pd(a, b, c); }
 
-/// The same number in every lane.
+/// Returns a register with one number in every lane.
 template <class T>
 T all(double x) {
   if constexpr (is_lane<T>)
@@ -50,11 +50,11 @@ T all(double x) {
     return x;
 }
 
-/// How many contacts a T holds.
+/// Number of contacts that a T holds.
 template <class T>
 inline constexpr int width = static_cast<int>(sizeof(T) / sizeof(double));
 
-/// From and to consecutive doubles, whatever their alignment.
+/// Load and store consecutive doubles of any alignment.
 template <class T>
 T load(const double* from) {
   T x;
@@ -66,7 +66,7 @@ void store(double* to, const T& x) {
   std::memcpy(to, &x, sizeof(T));
 }
 
-/// Bit i of the result is lane i of the mask.
+/// Returns an integer whose bit i is lane i of the mask.
 inline unsigned bits(const Mask<Lane4>& mask) {
   Lane4 signs;
   std::memcpy(&signs, &mask, sizeof signs);
@@ -81,7 +81,7 @@ inline unsigned bits(const Mask<Lane4>& mask) {
 
 namespace soilweave {
 
-/// As many as the object at hand is compiled for.
+/// Widest register that this object is compiled for.
 #ifdef SOILWEAVE_EIGHT_LANES
 using Lanes = Lane8;
 #else
@@ -94,7 +94,7 @@ bool any(const M& mask) {
   return bits(mask) != 0;
 }
 
-/// x where the mask holds, +0 elsewhere, even where x is not a number.
+/// Returns x where the mask holds and +0 elsewhere, even if x is a NaN.
 inline double keep(bool mask, double x) { return mask ? x : 0.0; }
 template <class T>
 requires is_lane<T> T keep(const Mask<T>& mask, const T& x) {

@@ -1,5 +1,5 @@
-// Eight contacts at once: what lanes.h says of four, for the object that is compiled for AVX-512 (and, for tests of its
-// bits, for the baseline). Included by lanes.h alone.
+// Eight contacts at once: lanes.h at the width of AVX-512 (or of the baseline, for tests of its bits). Only lanes.h
+// includes this file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@ inline Lane4 low(const Lane8& x) { return __builtin_shufflevector(x, x, 0, 1, 2,
 
 #ifdef __AVX512F__
 inline Lane4 high(const Lane8& x) { return _mm512_extractf64x4_pd(x, 1); }
-// By name: of a shuffle GCC makes three instructions.
+// The intrinsic takes one instruction; GCC makes three from a shuffle.
 inline Lane8 join(const Lane4& a, const Lane4& b) { return _mm512_insertf64x4(_mm512_castpd256_pd512(a), b, 1); }
 inline Lane8 square_root(const Lane8& x) { return _mm512_sqrt_pd(x); }
 inline Lane8 fused(const Lane8& a, const Lane8& b, const Lane8& c) { return _mm512_fmadd_pd(a, b, c); }

@@ -1,5 +1,5 @@
-// Memory for what every step passes over: pages of 2 MiB, where the kernel gives them, so that looking up where a page
-// lies costs little.
+// Memory on pages of 2 MiB, if the kernel grants them, for arrays that every step traverses. Fewer pages mean fewer
+// misses in the processor's table of addresses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace soilweave {
 
-/// One for the process; threads may share it.
+/// Returns the resource of the process. Threads may share it.
 std::pmr::memory_resource& large_pages();
 
 template <class T>

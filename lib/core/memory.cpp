@@ -1,4 +1,4 @@
-// The memory at hand.
+// Available memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory.h"
 

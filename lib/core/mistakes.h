@@ -8,7 +8,8 @@
 
 namespace soilweave {
 
-/// DataError with a line for each mistake. The lines of any other DataError are one: a line's end in it is a file's.
+/// A DataError with one mistake a line. Any other DataError is a single mistake, whose line feeds belong to a file's
+/// name.
 struct Mistakes : DataError {
   explicit Mistakes(const std::string& lines) : DataError(lines) {}
 };

@@ -8,14 +8,14 @@
 
 namespace soilweave {
 
-/// Where the documents of one reading look for the files they name.
+/// How a document's file names are resolved.
 struct NamedFiles {
-  std::string document;                // path of the document, - for standard input
-  std::vector<std::string> overrides;  // --set, KEY=VALUE
+  std::string document;                // path of the document; - for standard input
+  std::vector<std::string> overrides;  // KEY=VALUE of each --set
 
-  /// The path that `word`, the text of this full key, points to: a relative one from the document's folder; from the
-  /// working folder where --set gave the text, or the document came from standard input. Throws MissingInput that says
-  /// where no file was found.
+  /// Returns the path that `word`, the text of the full key `key`, points to. Relative paths count from the document's
+  /// folder. They count from the working folder if --set gave the text or the document came from standard input. Throws
+  /// MissingInput that names the places searched.
   std::filesystem::path path(const std::string& key, const std::string& word) const;
 };
 

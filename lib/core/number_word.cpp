@@ -25,7 +25,7 @@ std::string with(std::string_view text, std::string_view old, std::string_view p
 
 bool is_number(std::string_view word) { return !word.empty() && number_of(word).has_value(); }
 
-/// The word with a point for its only comma, or nothing.
+/// Returns the word with a point for its only comma, or nothing.
 std::string with_point(std::string_view word) {
   const std::string_view mantissa = word.substr(0, word.find_first_of("eE"));
   const std::size_t comma = mantissa.find(',');

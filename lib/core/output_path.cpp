@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40;  // as the kernel follows
+constexpr int most_links = 40;  // the kernel's own limit
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Whether the file at `path` is another user's, in a folder where only owners may rename and remove (sticky).
+/// Returns whether the file at `path` is another user's, in a folder where only owners may rename and remove (sticky).
 bool of_another_user(const fs::path& path) {
   struct stat folder = {}, file = {};
   if (::stat(folder_of(path).c_str(), &folder) != 0 || ::lstat(path.c_str(), &file) != 0) return false;

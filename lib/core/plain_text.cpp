@@ -1,4 +1,4 @@
-// Bytes of a file to lines of text.
+// Turns bytes of a file into lines of text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plain_text.h"
 
@@ -17,9 +17,9 @@ namespace {
 using namespace std::string_view_literals;
 
 struct Kind {
-  std::string_view begins;  // the first bytes
-  std::string_view name;    // what such a file is, with the remedy
-  bool also_as_text;        // such a file may be text, and is still none of ours
+  std::string_view begins;  // first bytes of the file
+  std::string_view name;    // kind of file, with the remedy
+  bool also_as_text;        // true: the file may be text, but is still refused
 };
 
 constexpr std::array kinds{
@@ -56,7 +56,7 @@ constexpr std::array kinds{
 
 bool has_prefix(std::string_view bytes, std::string_view prefix) { return bytes.substr(0, prefix.size()) == prefix; }
 
-/// True for a web page that was saved where a file was meant.
+/// Returns whether the bytes are a web page, saved instead of a file.
 bool is_web_page(std::string_view bytes) {
   std::string begin(bytes.substr(0, std::min<std::size_t>(bytes.size(), 64)));
   std::transform(begin.begin(), begin.end(), begin.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -64,7 +64,7 @@ bool is_web_page(std::string_view bytes) {
   return begin.starts_with("<!doctype html") || begin.starts_with("<html");
 }
 
-/// True for a binary STL: a head of 80 bytes, the number of triangles, 50 bytes for each.
+/// Returns whether the bytes are a binary STL: a head of 80 bytes, the number of triangles, 50 bytes for each.
 bool is_binary_stl(std::string_view bytes) {
   constexpr std::size_t head = 80, triangle = 50;
   if (bytes.size() < head + sizeof(std::uint32_t)) return false;
@@ -73,14 +73,15 @@ bool is_binary_stl(std::string_view bytes) {
   return bytes.size() == head + sizeof count + triangle * static_cast<std::size_t>(count);
 }
 
-/// The encoding of a text in wide characters, from its mark or from where its zeros are; empty for other bytes.
+/// Returns the encoding of a text in wide characters, from its mark or from the places of its zeros; empty for other
+/// bytes.
 std::string_view wide_encoding(std::string_view bytes) {
   if (has_prefix(bytes, "\xff\xfe\0\0"sv) || has_prefix(bytes, "\0\0\xfe\xff"sv)) return "UTF-32";
   if (has_prefix(bytes, "\xff\xfe"sv) || has_prefix(bytes, "\xfe\xff"sv)) return "UTF-16";
   const std::string_view begin = bytes.substr(0, std::min<std::size_t>(bytes.size(), 512) / 4 * 4);
   std::array<std::size_t, 4> zeros{};
   for (std::size_t i = 0; i < begin.size(); ++i) zeros[i % 4] += begin[i] == '\0';
-  // Digits, Latin letters and line ends leave all other bytes of a wide character zero.
+  // In digits, Latin letters and line ends all bytes of a wide character but one are zero.
   const std::size_t characters = begin.size() / 4;
   if (characters == 0) return "";
   const std::array<bool, 4> zero{zeros[0] == characters, zeros[1] == characters, zeros[2] == characters,
@@ -92,7 +93,7 @@ std::string_view wide_encoding(std::string_view bytes) {
   return "";
 }
 
-/// Length of the UTF-8 sequence that begins at `at`, or 0 where it is none (RFC 3629, table of section 4).
+/// Returns the length of the UTF-8 sequence at `at`, or 0 if it is invalid (RFC 3629, table of section 4).
 std::size_t sequence_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t k) {
     return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : std::uint8_t{0};
@@ -108,7 +109,7 @@ std::size_t sequence_length(std::string_view text, std::size_t at) {
   return 4;
 }
 
-/// Refuses bytes that no text has. Line ends are line feeds by now.
+/// Refuses bytes that no text contains. Line ends are line feeds by now.
 void demand_characters(std::string_view text, const std::string& where, std::string_view role) {
   const auto place = [&](std::size_t at) {
     const std::size_t start = text.rfind('\n', at) == text.npos ? 0 : text.rfind('\n', at) + 1;

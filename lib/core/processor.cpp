@@ -1,4 +1,4 @@
-// Tells a processor that is too old for what was compiled, before anything else runs.
+// Refuses a processor that is too old for the compiled code, before anything else runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/processor.h"
 
@@ -6,8 +6,8 @@
 
 namespace {
 
-// Compiled for any x86-64 (Makefile), and run before the constructors of other files, which are not. Nothing but the
-// system may be called here.
+// This file is compiled for any x86-64 (Makefile). It runs before the constructors of other files, which are not. It
+// may call nothing but the system.
 [[gnu::constructor(101)]] void demand_processor() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) return;

@@ -49,7 +49,7 @@ void Progress::update(double fraction, std::string_view detail) {
   last_ = now;
   const double elapsed = Seconds(now - start_).count();
   const double done = std::clamp(fraction, 0.0, 1.0), gone = done - first_;
-  // Below a hundredth the time left is a guess not worth printing.
+  // Below a hundredth the remaining time is too uncertain to print.
   const std::string left = gone > 0.01 ? fmt::format(", {} left", span_text(elapsed * (1 - done) / gone)) : "";
   const std::string line =
       fmt::format("{} {:3.0f} %{}{}{}", name_, 100 * done, left, detail.empty() ? "" : ", ", detail);

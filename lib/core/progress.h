@@ -1,4 +1,4 @@
-// A sign of life on standard error: in place on a terminal, a plain line now and then otherwise, none when quiet.
+// Progress on standard error: in place on a terminal, otherwise a line now and then, nothing if quiet.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,17 +10,17 @@ namespace soilweave {
 
 class Progress {
  public:
-  /// name: what is advancing ("axial strain"); quiet: print nothing at all.
+  /// name: the advancing quantity ("axial strain"). quiet: print nothing.
   Progress(std::string name, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// fraction: 0 to 1 of a quantity that really advances, from the first call on, since work may be resumed; detail:
-  /// free text ("step 1200, unbalanced 2e-3"). Rate-limited here (10 Hz on a terminal, every 30 s otherwise), so call
-  /// it as often as convenient.
+  /// Shows progress. fraction: 0 to 1 of the advancing quantity; the first call may be above 0, since work may be
+  /// resumed. detail: free text ("step 1200, unbalanced 2e-3"). Prints at most 10 times a second on a terminal and
+  /// every 30 s elsewhere, so callers need not limit their calls.
   void update(double fraction, std::string_view detail = "");
-  /// A note on its own line ("isotropic: done, e = 0.664").
+  /// Prints a note on its own line ("isotropic: done, e = 0.664").
   void note(std::string_view line);
 
  private:

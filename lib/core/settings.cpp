@@ -30,12 +30,12 @@ struct Settings::Document {
   };
   std::string name;
   toml::table root;
-  std::deque<toml::table> absent;                      // what handles to tables that are not there point to
-  std::map<std::string, std::set<std::string>> asked;  // table path -> keys somebody asked for
+  std::deque<toml::table> absent;                      // targets of handles to absent tables
+  std::map<std::string, std::set<std::string>> asked;  // table path -> keys that were read
   std::map<std::string, std::string> assigned;         // full key -> the --set that gave it
   std::vector<Mistake> mistakes;
-  std::set<std::string> unread;    // tables with one mistake that leaves open which keys belong in them
-  std::set<std::string> misspelt;  // full keys absent because another word was written for them
+  std::set<std::string> unread;    // tables whose one mistake leaves open which keys they may have
+  std::set<std::string> misspelt;  // full keys that are absent because they were misspelt
 
   bool is_unread(const std::string& path) const {
     return std::any_of(unread.begin(), unread.end(),
@@ -75,21 +75,21 @@ std::string written(const toml::node& node) {
   return text.str();
 }
 
-/// A value in the parameter's range, so that callers can go on until finish() reports the mistake.
+/// Returns a value in the parameter's range, so that callers can go on until finish() reports the mistake.
 double harmless(const Parameter& parameter) {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
   if (low && high) return 0.5 * (parameter.low + parameter.high);
   return low ? parameter.low + 1 : high ? parameter.high - 1 : 0;
 }
 
-/// "(Pa, from 0 to 1e9 Pa): mean stress of the cell": what the user may write.
+/// Returns what the user may write: "(Pa, from 0 to 1e9 Pa): mean stress of the cell".
 std::string expected(const Parameter& parameter) {
   std::string range = range_text(parameter);
   if (range.empty()) range = parameter.unit == "1" ? "a number" : fmt::format("in {}", parameter.unit);
   return parameter.sentence.empty() ? range : fmt::format("{}: {}", range, parameter.sentence);
 }
 
-/// The number in a node in the parameter's unit; throws DataError saying what is wrong with it.
+/// Returns the number in a node, in the parameter's unit. Throws DataError that says what is wrong with it.
 double read(const toml::node& node, const Parameter& parameter) {
   double value = 0;
   if (const auto* text = node.as_string())
@@ -127,7 +127,7 @@ void find_unknown(Document& document, const std::string& path, const toml::table
   }
 }
 
-/// The entry `index` of an array, from text such as "0".
+/// Returns entry `index` of an array, from text such as "0".
 toml::node& entry(toml::array& array, const std::string& index, std::string_view assignment) {
   std::size_t i = 0;
   const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), i);
@@ -138,7 +138,7 @@ toml::node& entry(toml::array& array, const std::string& index, std::string_view
   return array[i];
 }
 
-/// The table or list under one part of a dotted key; a table is made where there is none.
+/// Returns the table or list under one part of a dotted key; makes a missing table.
 toml::node& step_into(toml::node& node, const std::string& part, std::string_view assignment) {
   auto* array = node.as_array();
   toml::node* next = array != nullptr ? &entry(*array, part, assignment) : node.as_table()->get(part);
@@ -148,7 +148,7 @@ toml::node& step_into(toml::node& node, const std::string& part, std::string_vie
   return *next;
 }
 
-/// A TOML value; text that is none ("100 kPa", hertz-mindlin) stands for itself.
+/// Parses a TOML value; text that is none ("100 kPa", hertz-mindlin) stands for itself.
 toml::table value_of(std::string_view text) {
   if (const std::string excess = toml_excess(text); !excess.empty())
     throw UsageError(fmt::format("--set: the value has {}", excess.substr(excess.find(' ') + 1)));
@@ -244,7 +244,7 @@ std::int64_t Settings::integer(const Parameter& parameter, std::optional<std::in
   const bool fine = document_->mistakes.size() == before;
   if (fine && value != std::floor(value))
     mistake(parameter.name, fmt::format("{} is not a whole number", number_text(value)));
-  // Beyond 2^53 not every whole number is a double, beyond 2^63 none is an integer.
+  // Above 2^53 doubles skip whole numbers; above 2^63 there is no integer.
   constexpr double most = 9007199254740992.0;
   if (fine && std::abs(value) > most)
     mistake(parameter.name, fmt::format("{} is beyond the whole numbers that are read", number_text(value)));
@@ -377,7 +377,7 @@ void Settings::finish() const {
   Document& document = *document_;
   find_unknown(document, "", document.root);
   std::vector<Document::Mistake> mistakes = document.mistakes;
-  // A slip of the finger is one mistake, not an unknown key and a missing one.
+  // A misspelt key is one mistake, not an unknown key plus a missing one.
   std::erase_if(mistakes, [&](const Document::Mistake& m) {
     return std::any_of(document.misspelt.begin(), document.misspelt.end(),
                        [&](const std::string& key) { return m.key == key || m.key.starts_with(key + "."); });

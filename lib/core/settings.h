@@ -1,5 +1,5 @@
-// A TOML document read by described keys. Every mistake is collected (unknown keys with the nearest known one, values
-// out of range with the range and the reason, wrong types), and finish() reports them all at once with file and line.
+// A TOML document read by described keys. All mistakes are collected: unknown keys with the nearest known one, values
+// out of range with range and reason, wrong types. finish() reports them at once, with file and line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,39 +14,40 @@
 
 namespace soilweave {
 
-/// One table of the document. Cheap handle; all handles of a document share its list of mistakes.
+/// One table of the document, as a cheap handle. All handles of a document share its list of mistakes.
 class Settings {
  public:
-  /// name: what error messages call the document (its path). Throws DataError with line and column on bad TOML.
+  /// Parses TOML text. name: what messages call the document (its path). Throws DataError with line and column.
   static Settings parse(std::string_view text, std::string name);
-  /// Applies one --set key=value (dotted keys reach into tables; "stage.0.pressure" reaches into arrays of tables).
+  /// Applies one --set key=value. Dotted keys reach into tables, "stage.0.pressure" into arrays of tables.
   void set(std::string_view assignment);
 
   bool has(std::string_view key) const;
-  /// Numbers: bare numbers are in the parameter's unit; strings such as "100 kPa" are converted to it.
+  /// Returns numbers in the parameter's unit: bare numbers have it already, text such as "100 kPa" is converted.
   double number(const Parameter& parameter, std::optional<double> fallback = std::nullopt);
   std::int64_t integer(const Parameter& parameter, std::optional<std::int64_t> fallback = std::nullopt);
-  /// A number or the word `word` (as in limit = "none"): nullopt for the word.
+  /// Returns a number, or nullopt for the word `word` (as in limit = "none").
   std::optional<double> number_or(const Parameter& parameter, std::string_view word);
   std::vector<double> numbers(const Parameter& parameter, std::optional<std::vector<double>> fallback = std::nullopt);
   Vec3 vector(const Parameter& parameter, std::optional<Vec3> fallback = std::nullopt);
-  /// A vector or the word `word` (as in point = "touch"): nullopt for the word.
+  /// Returns a vector, or nullopt for the word `word` (as in point = "touch").
   std::optional<Vec3> vector_or(const Parameter& parameter, std::string_view word);
   std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
   std::string choice(std::string_view key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);
-  /// A choice that decides which other keys the table has: where it is wrong, nothing more is told of the table.
+  /// Returns a choice that decides which other keys the table has. After a wrong choice no further mistake of the table
+  /// is reported.
   std::string kind(std::string_view key, const std::vector<std::string>& values);
   bool flag(std::string_view key, bool fallback);
 
-  Settings table(std::string_view key);                // an empty one where it is absent
-  std::vector<Settings> tables(std::string_view key);  // array of tables; empty where absent
+  Settings table(std::string_view key);                // empty table if absent
+  std::vector<Settings> tables(std::string_view key);  // array of tables; empty if absent
 
-  /// Adds a mistake about `key` (or the whole table when empty), in the file:line form of all others.
+  /// Adds a mistake about `key` (or about the table if empty), with file and line.
   void mistake(std::string_view key, std::string_view what);
-  /// Throws DataError with every mistake, unknown keys included. Call once, when all keys have been asked for.
+  /// Throws DataError with all mistakes, unknown keys included. Call it once, after the last key.
   void finish() const;
-  /// The document with --set applied, as TOML text with sorted keys: what provenance records.
+  /// Returns the document with --set applied, as TOML text with sorted keys, for provenance.
   std::string resolved() const;
 
   struct Document;

@@ -1,5 +1,5 @@
-// Signals that ask a program to come to an end: held back while it lives, looked at between steps, so that a step is
-// finished and its state written before the program obeys.
+// Signals that ask a program to stop. They are held back and polled between steps, so that a step is finished and its
+// state written first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,17 +7,17 @@
 
 namespace soilweave {
 
-/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and those it starts later, without a handler; what the
-/// caller of the program ignores stays ignored. Make it before the first parallel region.
+/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP, without a handler, in this thread and in those it starts later.
+/// Signals that the caller of the program ignores stay ignored. Make it before the first parallel region.
 class StopSignals {
  public:
   StopSignals();
-  /// Takes what has come off the queue: it was obeyed, or came when all was done.
+  /// Takes remaining signals off the queue: they were obeyed, or came after the work.
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// The name of a signal that has come, nullptr without.
+  /// Returns the name of a signal that has come, or nullptr.
   const char* asked() const;
 
  private:

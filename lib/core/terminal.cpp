@@ -1,4 +1,4 @@
-// Words for a terminal.
+// Text for a terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/terminal.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Point = std::uint32_t;
 
-/// The number of bytes of the UTF-8 character at the start of a text, and the character; 0 where there is none.
+/// Returns the number of bytes of the first UTF-8 character of a text, and the character; 0 bytes if it is invalid.
 std::pair<std::size_t, Point> first_character(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<Point>(static_cast<unsigned char>(text[k])); };
   const Point lead = byte(0);
@@ -36,7 +36,7 @@ std::pair<std::size_t, Point> first_character(std::string_view text) {
   return {length, point};
 }
 
-/// Whether a terminal shows the character as itself and nothing else: no control, no mark of direction, nothing unseen.
+/// Returns whether a terminal shows the character as itself: no control, no mark of direction, nothing invisible.
 bool harmless(Point point) {
   constexpr std::array<std::pair<Point, Point>, 8> others = {{{0, 0x1F},
                                                               {0x7F, 0x9F},
@@ -82,7 +82,7 @@ std::string printable(std::string_view text, std::string_view as_they_are) {
 }
 
 void tell(std::string_view bytes) {
-  constexpr int patience = 1000;  // ms, where standard error does not wait by itself for its reader
+  constexpr int patience = 1000;  // ms, if standard error does not block until it is read
   while (!bytes.empty()) {
     const ssize_t put = ::write(STDERR_FILENO, bytes.data(), bytes.size());
     if (put > 0) bytes.remove_prefix(static_cast<std::size_t>(put));
@@ -96,7 +96,8 @@ void tell(std::string_view bytes) {
 void occupy_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // Opened the wrong way round: who uses the stream meets an error, as before. The lowest free number is this one.
+    // The stream is opened the wrong way round, so that its user meets an error as before. The lowest free number is
+    // this one.
     const int way = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (::open("/dev/null", way) < 0) (void)::open("/", O_RDONLY);
   }

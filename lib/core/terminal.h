@@ -1,4 +1,4 @@
-// Standard error and the words that reach a terminal: nothing that is said can end a program or steer a terminal.
+// Standard error and text for a terminal. Text can neither end a program nor steer a terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,17 +7,18 @@
 
 namespace soilweave {
 
-/// The text with everything that a terminal would obey written out: control characters as \t, \n, \x1b, signs that turn
-/// the direction of writing or hide themselves as \u{202e}, bytes that are no UTF-8 as \xff. Characters in
-/// `as_they_are` (ASCII, as "\n\t") stay.
+/// Returns the text with escapes for everything that a terminal obeys: \t,
+/// , \x1b for control characters, \u{202e} for signs that change the writing direction or are invisible, \xff for bytes
+/// that are not UTF-8. ASCII characters in `as_they_are` ("
+/// \t") stay.
 std::string printable(std::string_view text, std::string_view as_they_are = "");
 
-/// Writes bytes to standard error. What cannot be written (a full disk, a closed or hung-up terminal) is lost without
-/// a word: there is no place to say it, and the work is worth more than what is said about it.
+/// Writes bytes to standard error. Failures (a full disk, a closed terminal) are ignored: they cannot be reported, and
+/// the work is worth more than its messages.
 void tell(std::string_view bytes);
 
-/// Gives closed standard streams a number of their own (0 to 2), so that no file opened later takes it: reading such a
-/// stream and writing to it still fail.
+/// Occupies closed standard streams (0 to 2), so that no file opened later gets their number. Reading from and writing
+/// to them still fails.
 void occupy_standard_streams();
 
 }  // namespace soilweave

@@ -11,7 +11,7 @@
 namespace soilweave {
 namespace {
 
-/// Edits (insert, remove, replace, swap two neighbours) that lead from a to b (optimal string alignment).
+/// Returns the number of edits from a to b: insert, remove, replace, swap two neighbours (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -31,7 +31,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view name, const std::vector<std::string>& known) {
-  // A third of the letters wrong is a slip; more is another word.
+  // A third of the letters wrong is a typing error; more is another word.
   std::size_t best = std::min(std::max<std::size_t>(1, name.size() / 3) + 1, name.size());
   std::string found;
   for (const std::string& candidate : known) {

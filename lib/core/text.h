@@ -1,4 +1,4 @@
-// Numbers, names and paragraphs as text: what messages, help and settings share.
+// Numbers, names and paragraphs as text, for messages, help and settings.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,30 +11,30 @@
 
 namespace soilweave {
 
-/// The known name fewest edits away, if near enough to be a slip of the finger; empty otherwise.
+/// Returns the known name with the fewest edits, if it is near enough to be a typing error; otherwise an empty text.
 std::string nearest(std::string_view name, const std::vector<std::string>& known);
 
-/// "; did you mean 'x'?" for the nearest known name, or the known names where none is near.
+/// Returns "; did you mean 'x'?" for the nearest known name, or lists the known names if none is near.
 std::string suggestion(std::string_view name, const std::vector<std::string>& known);
 
-/// The shortest decimal text that reads back as the same double; long rows of zeros become an exponent.
+/// Returns the shortest decimal text that reads back as the same double. Long rows of zeros become an exponent.
 std::string number_text(double value);
 
-/// A positive number rounded to two significant digits, upwards or downwards: a value that a message names as a remedy
-/// is on the safe side of the limit that it comes from.
+/// Round a positive number to two significant digits, up or down. A value named as a remedy then lies on the safe side
+/// of its limit.
 double rounded_up(double value);
 double rounded_down(double value);
 
-/// "from 0 to 1 Pa", "above 0 Pa", "at least 2", … ; empty where the parameter is unbounded.
+/// Returns "from 0 to 1 Pa", "above 0 Pa", "at least 2", ...; empty if the parameter is unbounded.
 std::string range_text(const Parameter& parameter);
 
-/// Why `value` is no good for the parameter (not finite, out of range), or nothing.
+/// Returns why `value` is inadmissible (not finite, out of range), or nothing.
 std::optional<std::string> range_mistake(double value, std::string_view as_given, const Parameter& parameter);
 
-/// Paragraph broken at blanks so that no line is longer than `width`, unless a word is.
+/// Breaks a paragraph at blanks into lines of at most `width` characters; longer words stay whole.
 std::vector<std::string> wrapped(std::string_view paragraph, std::size_t width);
 
-/// The lines of a text, without their ends.
+/// Returns the lines of a text, without their ends.
 std::vector<std::string> lines_of(std::string_view text);
 
 }  // namespace soilweave

@@ -1,4 +1,4 @@
-// Threads, tried.
+// Starts the requested threads once, to see whether they can be had.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/threads.h"
 
@@ -20,12 +20,14 @@ void demand_threads(int count) {
   try {
     while (static_cast<int>(others.size()) + 1 < count) others.emplace_back([&over] { over.wait(); });
   } catch (const std::exception&) {
-    // Fewer than asked for (a limit on processes or memory): told below, when those that were made are gone.
+    // Fewer threads than requested (a limit on processes or memory) are reported below, once the started ones have
+    // ended.
   }
   const int had = static_cast<int>(others.size()) + 1;
   over.count_down();
   for (std::thread& other : others) other.join();
-  // A thread takes memory beside its stack as soon as it works, so that half of what could be started was too many.
+  // A working thread takes memory beside its stack. Half of the threads that start proved too many, so a quarter is
+  // offered.
   if (had < count)
     throw UsageError(fmt::format(
         "--threads {}: this process may have {} at most (limits on processes or memory: ulimit -u, ulimit -v, those of "

@@ -1,4 +1,4 @@
-// One pass over the marks of a TOML text, strings and comments left out.
+// One pass over the brackets and dots of a TOML text, outside strings and comments.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/toml_depth.h"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int most_parts = 32, most_levels = 32;
 constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-/// The position behind the string that begins with a quote at `at`: basic or literal, of one line or several.
+/// Returns the position behind the string that begins with a quote at `at`: basic or literal, of one line or several.
 std::size_t behind_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);

@@ -1,4 +1,4 @@
-// One run of a tool from arguments to exit status: the only place where errors become lines and numbers.
+// One run of a tool, from arguments to exit status. Only here do errors become lines and numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tool.h"
 
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 int code(Exit status) { return static_cast<int>(status); }
 
-/// The line without its middle where somebody's word has made it too long to read: what follows the word is the remedy.
+/// Returns the line without its middle if a user's word made it too long, because the remedy follows the word.
 std::string readable(const std::string& line) {
   constexpr std::size_t longest = 2000, first = 400, last = 800;
   if (line.size() <= longest) return line;
@@ -43,8 +43,8 @@ void complain(const std::string& tool, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain(tool, std::string_view(line));
 }
 
-/// The tool at work. A library that gives up (OpenMP's, without threads) calls exit(1), which would say that a target
-/// was not reached; only a function that exit() itself calls can tell the two apart, and it takes no argument.
+/// Name of the running tool. A library that gives up (OpenMP without threads) calls exit(1), which would mean a missed
+/// target. Only a function called by exit() can tell the two apart, and it takes no argument.
 const std::string* at_work = nullptr;
 void exit_of_a_library() {
   if (!at_work) return;
@@ -52,18 +52,18 @@ void exit_of_a_library() {
   _exit(code(Exit::internal));
 }
 
-/// From here on: what would end the program, or take the number of a standard stream, does not.
+/// Keeps signals from ending the program, and files from taking the number of a standard stream.
 void take_precautions() {
   link_processor_check();
   occupy_standard_streams();
-  // A reader that goes away must not kill us before the files are in order; writing then fails with EPIPE. A limit on
-  // the size of files is a disk that is full: writing fails with EFBIG.
+  // If a reader goes away, writing must fail with EPIPE, so that files are put in order first. A limit on file size
+  // acts like a full disk: writing fails with EFBIG.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   static const int registered = std::atexit(exit_of_a_library);
   if (registered != 0) throw Error(Exit::internal, "the C library can note no function for the end of the program");
 }
 
-/// Whether nobody reads standard output any more: a reader such as head has seen enough.
+/// Returns whether the reader of standard output, such as head, has closed it.
 bool output_pipe_broken() {
   pollfd descriptor{STDOUT_FILENO, POLLOUT, 0};
   return poll(&descriptor, 1, 0) == 1 && (descriptor.revents & POLLERR) != 0;
@@ -85,9 +85,9 @@ std::string asked_text(Table::Impl& table, Ask ask) {
   return "";
 }
 
-/// Everything that needs no data: usage, then inputs, then the output, so that hours of work are not lost at their end.
+/// Checks everything that needs no data: usage, inputs, then outputs. So no run loses hours of work at its end.
 void prepare(Table::Impl& table, const Program& program, std::vector<std::string>& mistakes) {
-  // A line's end in what was typed is a character of it.
+  // A line feed in a user's word is a character of that word, not the end of a mistake.
   for (std::string& mistake : mistakes) mistake = printable(mistake);
   try {
     if (table.understood && program.validate) program.validate();
@@ -112,7 +112,7 @@ void run(Table::Impl& table, int argc, char** argv, const Program& program) {
   program.run(table.invocation);
 }
 
-/// Flushes and closes standard output: only then is it known whether all of it arrived.
+/// Flushes and closes standard output, because only then is it known whether all of it arrived.
 void close_output() {
   errno = 0;
   std::cout.flush();

@@ -1,6 +1,24 @@
-// The shape of every tool: a struct with options(), validate(), run(); main is one line.
-// From the one option table come parsing, --help, the man page, bash completion, range errors and provenance.
+// The shape of every tool: a struct with options(), validate() and run(), and a main of one line.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A tool is a filter of files: it reads some, computes, and writes one. Its three functions divide that work:
+//
+//   options()   binds each option to a field of the struct: name, unit, range, sentence. This is its only definition.
+//   validate()  checks the fields against each other. It throws all usage mistakes at once and opens no data file.
+//   run()       reads, computes, writes. It parses nothing and throws an error of core/error.h where something fails.
+//
+// From the one table of options come parsing, --help, the manual page, bash completion, range errors, and the command
+// that provenance records. start() calls the three in order, and checks in between that all inputs exist and that the
+// output can be made: no run finds out at its end that it cannot write. It turns each error into one line on standard
+// error and one exit status. A new tool begins as a copy of the smallest one (tools/fabric.cpp):
+//
+//   struct Fabric {
+//     std::filesystem::path input, output;
+//     void options(tool::Table& table) { table.input(input, "INPUT", "packing or run"); ... }
+//     void validate() const { ... }
+//     void run(const tool::Invocation& invocation) const { ... }
+//   };
+//   int main(int argc, char** argv) { return tool::start<Fabric>(argc, argv); }
 #pragma once
 
 #include <cstdint>
@@ -18,7 +36,7 @@ namespace soilweave::tool {
 
 inline constexpr std::string_view version = "0.1.0";
 
-/// How this process was called: what provenance records, and what only concerns the terminal.
+/// How this process was called: what provenance records, and what concerns only the terminal.
 struct Invocation {
   std::string tool;
   std::string version;
@@ -31,31 +49,31 @@ struct Invocation {
   std::uint64_t seed = 0;
 };
 
-/// The option table of one tool. Fields are bound by reference and hold their default when bound.
+/// Option table of one tool. Fields are bound by reference; their values at binding are the defaults.
 class Table {
  public:
   Table();
   ~Table();
   void about(std::string name, std::string sentence, std::string description = "");
-  void example(std::string command, std::string sentence);  // pasteable; the tests run every one
+  void example(std::string command, std::string sentence);  // can be pasted; the tests run every example
 
-  /// Positional file ("-" means standard input where the format is streamable).
+  /// Declares a positional file; "-" means standard input if the format is streamable.
   void input(std::filesystem::path& field, std::string name, std::string sentence);
   void inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_input(std::filesystem::path& field, std::string name, std::string sentence);
-  /// -o/--output; "-" means standard output. An existing file is refused without --force (which this also declares).
-  /// Where the field is empty when bound, the user must give it.
+  /// Declares -o/--output ("-": standard output) and --force, without which an existing file is refused. If the field
+  /// is empty when bound, the user must give it.
   void output(std::filesystem::path& field, std::string sentence);
-  /// The same for a tool that can do without a file (because it prints).
+  /// Declares the output of a tool that can do without a file because it prints.
   void optional_output(std::filesystem::path& field, std::string sentence);
-  /// An option that names one more file to be written, under the same terms; declare it beside output().
+  /// Declares an option that names one more output file, on the terms of output(); call it beside output().
   void also_output(std::filesystem::path& field, std::string_view name, std::string sentence);
-  /// The same for a tool that writes a folder of files.
+  /// Declares the output of a tool that writes a folder of files.
   void output_folder(std::filesystem::path& field, std::string sentence);
 
-  // A name of one letter ("n") is written -n, a longer one --with-hyphens, "pressure,p" both ways. Numbers may carry a
-  // unit ("100 kPa"). Out of the parameter's range: a usage mistake with range and reason.
+  // Declares an option. A name of one letter ("n") is written -n, a longer one --with-hyphens, "pressure,p" both ways.
+  // Numbers may carry a unit ("100 kPa"). A number out of range is a usage mistake with range and reason.
   void option(double& field, const Parameter& parameter);
   void option(std::int64_t& field, const Parameter& parameter);
   void option(std::optional<double>& field, const Parameter& parameter);
@@ -65,11 +83,11 @@ class Table {
               std::string_view sentence);  // repeatable
   void choice(std::string& field, std::string_view name, std::vector<std::string> values, std::string_view sentence);
   void flag(bool& field, std::string_view name, std::string_view sentence);
-  /// The option cannot change the result (--resume): it stays out of Invocation::command.
+  /// Keeps an option that cannot change the result (--resume) out of Invocation::command.
   void unrecorded(std::string_view name);
-  /// --checkpoint-every, s; --resume, into Invocation::resume: an existing output is then the tool's to judge.
+  /// Declares --checkpoint-every, s, and --resume, with which the tool itself judges an existing output.
   void resume(double& interval);
-  /// A flag with which the tool writes no file, so that none need be named.
+  /// Declares a flag with which the tool writes no file, so that none need be named.
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
   void seed();     // --seed N, into Invocation::seed
   void threads();  // --threads N, into Invocation::threads
@@ -81,15 +99,15 @@ class Table {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What tool::start needs from a tool, type-erased.
+/// A tool as tool::start needs it, type-erased.
 struct Program {
   std::function<void(Table&)> options;
   std::function<void()> validate;  // throws UsageError with all mistakes; opens no data file
   std::function<void(const Invocation&)> run;
 };
 
-/// Parses, validates, runs, translates errors to one line and an exit status. --help, --version, --man, --completion
-/// are handled here. A broken pipe is success; standard output is closed and checked.
+/// Parses, validates and runs a tool, and translates errors to one line and an exit status. Handles --help, --version,
+/// --man and --completion. A broken pipe counts as success. Standard output is closed and checked.
 int start(int argc, char** argv, const Program& program);
 
 template <class Tool>
@@ -104,8 +122,8 @@ int start(int argc, char** argv) {
   return start(argc, argv, program(t));
 }
 
-/// A tool of several verbs ("gws-solve respond"): each is a program with an option table of its own, named "TOOL VERB".
-/// The first argument names the verb; the tool's own help, manual page and completion tell of them all.
+/// A tool of several verbs ("gws-solve respond"). The first argument names the verb. Each verb is a program named "TOOL
+/// VERB" with its own option table; help, manual page and completion of the tool cover all verbs.
 struct Suite {
   struct Verb {
     std::string name;

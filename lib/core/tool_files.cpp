@@ -1,5 +1,5 @@
-// The files a tool was told of, looked at before its work: inputs are there, outputs can be made and replace nothing
-// that is still needed.
+// Checks the files of a tool before its work: inputs exist, outputs can be made and replace nothing that is still
+// needed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -36,7 +36,7 @@ void check_input(const fs::path& path) {
 std::vector<fs::path> inputs_of(const Table::Impl& table) {
   std::vector<fs::path> all;
   for (const Positional& place : table.inputs) all.insert(all.end(), place.given.begin(), place.given.end());
-  // "NAME|FILE": a file where there is one of this name.
+  // The value of an option "NAME|FILE" is an input if a file of this name exists.
   for (const Entry& entry : table.options)
     if (!entry.writes && entry.metavar.find("FILE") != std::string::npos)
       all.insert(all.end(), entry.given.begin(), entry.given.end());
@@ -67,7 +67,7 @@ void check_output(const Output& output, bool may_replace) {
     throw CannotCreate(fmt::format("{}: exists; give --force to overwrite it", path.string()));
 }
 
-/// Whether an input, "-" for standard input, is the regular file at `output`.
+/// Returns whether an input ("-": standard input) is the regular file at `output`.
 bool reads(const fs::path& input, const fs::path& output) {
   std::error_code failure;
   if (!fs::is_regular_file(output, failure)) return false;
@@ -77,7 +77,7 @@ bool reads(const fs::path& input, const fs::path& output) {
          in.st_ino == out.st_ino;
 }
 
-/// No output is an input, or lies where a run under way keeps its states, or is another output.
+/// Checks that no output is an input, another output, or a file inside an unfinished run's folder.
 void check_apart(const Table::Impl& table, const std::vector<Output>& outputs) {
   const std::vector<fs::path> inputs = inputs_of(table);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
@@ -109,7 +109,7 @@ void check_files(const Table::Impl& table) {
   if (!table.writes()) return;
   const std::vector<Output> outputs = outputs_of(table);
   std::error_code failure;
-  // Whether a run that goes on may replace its output is the tool's to judge; a finished one has written all of them.
+  // With --resume the tool itself judges its output; a finished run has written all of its outputs.
   const bool goes_on = table.invocation.resume, finished = goes_on && fs::exists(*table.output, failure);
   for (const Output& output : outputs) {
     const bool main = output.option == "--output";

@@ -1,4 +1,4 @@
-// What a tool says about itself on a screen.
+// The help text of a tool.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

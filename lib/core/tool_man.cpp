@@ -10,7 +10,7 @@
 namespace soilweave::tool {
 namespace {
 
-/// Text as roff: backslashes and hyphens keep their look, a leading dot or quote is no request.
+/// Returns text as roff: backslashes and hyphens keep their look, a leading dot or quote is no request.
 std::string roff(std::string_view text) {
   std::string result;
   bool line_begins = true;
@@ -80,7 +80,7 @@ std::string files_man(const Table::Impl& table) {
   return text;
 }
 
-/// A verb's section in the page of its tool.
+/// Returns a verb's section in the page of its tool.
 std::string verb_man(const Table::Impl& verb) {
   std::string text = fmt::format(".SH {}\n{}\n", roff(uppercase(verb.name)), roff(sentence_of(verb.sentence)));
   if (!verb.description.empty()) text += ".PP\n" + roff(sentence_of(verb.description)) + "\n";
@@ -99,7 +99,7 @@ std::string function_name(const Table::Impl& table) {
   return function;
 }
 
-/// The bash function that completes the options of one table.
+/// Returns the bash function that completes the options of one table.
 std::string completion_function(const Table::Impl& table) {
   std::string cases;
   for (const Entry& entry : table.options) {

@@ -1,4 +1,5 @@
-// Reading the arguments of a tool: CLI11 splits them, the table's entries judge them, so that all mistakes are told.
+// Parses the arguments of a tool. CLI11 splits them, and the table's entries judge them, so that all mistakes are
+// reported.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ struct Asked {
   bool help = false, version = false, man = false, completion = false;
 };
 
-/// The parser of one table; every value stays text here.
+/// Declares the options to CLI11; every value stays text here.
 void declare(CLI::App& app, Table::Impl& table, std::vector<std::string>& files, Asked& asked) {
   app.set_help_flag();
   app.allow_extras();
@@ -57,7 +58,7 @@ void report_unknown(const Table::Impl& table, const std::vector<std::string>& ex
   }
 }
 
-/// Files to their places: a place for many takes all that the places after it do not need.
+/// Assigns files to inputs. An input of many files takes all that the inputs after it do not need.
 void assign_inputs(Table::Impl& table, const std::vector<std::string>& files, std::vector<std::string>& mistakes) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < table.inputs.size(); ++i) {
@@ -113,7 +114,7 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   const std::vector<std::string> extras = app.remaining();
   report_unknown(table, extras, mistakes);
   assign_options(table, mistakes);
-  // What follows an unknown option may be its value, so files are not counted then.
+  // The word after an unknown option may be its value, so files are not counted then.
   table.understood = extras.empty();
   if (table.understood) {
     assign_inputs(table, files, mistakes);

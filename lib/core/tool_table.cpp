@@ -1,4 +1,4 @@
-// Filling the option table of a tool.
+// Fills the option table of a tool.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tool_table.h"
 
@@ -21,7 +21,7 @@ std::string unit_metavar(const Parameter& parameter, std::string_view otherwise)
   return std::string(pure ? otherwise : parameter.unit);
 }
 
-/// A number with or without unit, judged against the parameter's range; the mistake, or nothing.
+/// Reads a number with or without unit and checks the parameter's range. Returns the mistake, or nothing.
 std::optional<std::string> read_number(const std::string& text, const Parameter& parameter, double& field) {
   try {
     const double value = quantity(text, parameter.unit);
@@ -61,7 +61,7 @@ constexpr Parameter thread_count{"threads",
                                  "threads to use; the result is the same with any number",
                                  "more threads than that is a slip"};
 
-/// OMP_NUM_THREADS may hold a list, one number per nesting level: the first is meant.
+/// OMP_NUM_THREADS may hold a list, one number per nesting level; the first counts.
 int default_threads() {
   const char* variable = std::getenv("OMP_NUM_THREADS");
   const int wanted = variable == nullptr ? 1 : std::atoi(variable);

@@ -1,4 +1,4 @@
-// A tool of several verbs: the first argument chooses; without one the tool tells about itself or what is missing.
+// A tool of several verbs. The first argument chooses; without one the tool shows its help or names what is missing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::vector<std::string> verb_names(const Suite& suite) {
   return names;
 }
 
-/// The tool's own table: its verbs with their first examples.
+/// Fills the tool's own table: its verbs with their first examples.
 void describe(Table& table, const Suite& suite, std::filesystem::path& verb) {
   table.about(suite.name, suite.sentence, suite.description);
   table.optional_input(verb, "VERB", fmt::format("one of {}", fmt::join(verb_names(suite), ", ")));

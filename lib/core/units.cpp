@@ -62,7 +62,7 @@ constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00
                               Prefix{"m", 1e-3}, Prefix{"c", 1e-2}, Prefix{"d", 1e-1},      Prefix{"k", 1e3},
                               Prefix{"M", 1e6},  Prefix{"G", 1e9}};
 
-/// Units of the field as messages offer them, the commonest of those that differ in case alone first.
+/// Units of the field that messages offer. The commonest stands first among units that differ in case alone.
 constexpr std::array common{"m",  "mm", "um", "cm", "km", "N",   "kN", "MN",  "Pa",  "kPa", "MPa", "GPa", "bar",
                             "kg", "g",  "t",  "s",  "ms", "min", "h",  "rad", "deg", "J",   "Hz",  "%",   "1"};
 
@@ -86,7 +86,7 @@ std::string lower(std::string_view text) {
   return small;
 }
 
-/// "; did you mean 'kPa'?" for a unit that was spelt otherwise, or the units of the field.
+/// Returns "; did you mean 'kPa'?" for a misspelt unit, or lists the units of the field.
 std::string unit_suggestion(std::string_view symbol) {
   std::string small = lower(symbol);
   for (const std::string_view known : common)
@@ -109,7 +109,7 @@ std::optional<Unit> named(std::string_view symbol) {
   return std::nullopt;
 }
 
-/// One factor: a symbol with an optional power, as in "m3", "m^3", "s-1".
+/// Parses one factor: a symbol with an optional power, as in "m3", "m^3", "s-1".
 Unit power_of(std::string_view text) {
   if (const auto whole = named(text)) return *whole;
   std::size_t end = text.size();
@@ -129,7 +129,7 @@ Unit power_of(std::string_view text) {
   return result;
 }
 
-/// The text with digits for raised digits (m², s⁻¹) and ordinary spaces, and one kind of dot.
+/// Returns the text with digits for raised digits (m², s⁻¹), ordinary spaces, and one kind of dot.
 std::string plain_powers(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> marks{
       {{"\u00b9", "1"}, {"\u00b2", "2"}, {"\u00b3", "3"}, {"\u2074", "4"}, {"\u207b", "-"}, {"\u22c5", "\u00b7"}}};
@@ -140,7 +140,7 @@ std::string plain_powers(std::string_view text) {
   return plain;
 }
 
-/// A product such as "N m/rad", "kg/m3", "N·m/rad": a slash divides by the one factor after it.
+/// Parses a product such as "N m/rad", "kg/m3", "N·m/rad". A slash divides by the one factor after it.
 Unit parsed(std::string_view written) {
   constexpr std::string_view dot = "\u00b7";
   const std::string plain = plain_powers(written);
@@ -192,7 +192,8 @@ double quantity(std::string_view given, std::string_view unit) {
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string_view rest = status == std::errc() ? text.substr(static_cast<std::size_t>(end - text.data())) : "";
-  // The number goes as far as marks that only numbers have; what another program writes there is told from a unit.
+  // The number ends at the last mark that only numbers have, so that spellings of other programs are not taken for
+  // units.
   const std::size_t last = text.find_last_of("0123456789");
   // A unit may begin with a digit, as in "0.5 1/s".
   const std::size_t stop =
@@ -206,7 +207,7 @@ double quantity(std::string_view given, std::string_view unit) {
   }
   const std::string_view symbol = trimmed(rest);
   if (symbol.empty()) return value;
-  // Powers of ten are kept exact (100 kPa is 100000 Pa to the last bit) by dividing where the factor is below one.
+  // Dividing by factors below one keeps powers of ten exact: 100 kPa is 100000 Pa to the last bit.
   const double factor = unit_factor(symbol, unit);
   const double inverse = std::round(1 / factor);
   return factor < 1 && std::abs(inverse * factor - 1) < 1e-15 ? value / inverse : value * factor;

@@ -8,16 +8,16 @@
 
 namespace soilweave {
 
-/// Factor that turns a number in unit `from` into one in unit `to` (1 kPa -> 1000 Pa).
-/// Throws DataError naming the part that is no unit, or the two units that measure different things.
+/// Returns the factor from unit `from` to unit `to` (1 kPa -> 1000 Pa). Throws DataError that names the part that is no
+/// unit, or the two units that measure different things.
 double unit_factor(std::string_view from, std::string_view to);
 
-/// Throws DataError with the nearest unit where the text is none.
+/// Throws DataError with the nearest unit if the text is none.
 void demand_unit(std::string_view unit);
 
-/// The number in `text`, converted to `unit`: bare numbers are in that unit already, "100 kPa" is converted.
-/// Throws DataError when the text is no number (saying how to write it: "0,1 MPa" with a point) or its unit does not
-/// fit (naming the nearest: 'KPa'). nan and inf are read, not judged.
+/// Returns the number in `text` in `unit`. Bare numbers have that unit; "100 kPa" is converted. Throws DataError if the
+/// text is no number (with its spelling: "0,1 MPa" needs a point) or if its unit does not fit (with the nearest unit
+/// for 'KPa'). nan and inf are accepted; callers judge them.
 double quantity(std::string_view text, std::string_view unit);
 
 }  // namespace soilweave

@@ -1,5 +1,5 @@
-// Vectors of two, of one contact or of several at once: what v3.h says of three. A turn in the plane is a number, about
-// the axis that leaves it.
+// Vectors of the plane, for one contact or several at once; v3.h has those of space. A rotation in the plane is one
+// number, about the axis normal to it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -36,12 +36,12 @@ template <class T>
 T cross(const V2<T>& a, const V2<T>& b) {
   return fused(a.x, b.y, T(-(a.y * b.x)));
 }
-/// s a + b.
+/// Returns s a + b.
 template <class T>
 V2<T> fused(const T& s, const V2<T>& a, const V2<T>& b) {
   return {fused(s, a.x, b.x), fused(s, a.y, b.y)};
 }
-/// b - s a.
+/// Returns b - s a.
 template <class T>
 V2<T> fused_less(const T& s, const V2<T>& a, const V2<T>& b) {
   return {fused_less(s, a.x, b.x), fused_less(s, a.y, b.y)};

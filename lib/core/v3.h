@@ -1,4 +1,4 @@
-// Vectors of three, of one contact or of several at once (lanes.h), and rows, which hold a vector and a scalar.
+// Vectors of space, for one contact or several at once (lanes.h), and rows of a vector and a scalar.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave {
 
-/// Copied number by number: the compiler then keeps the three in registers where copying the whole would go through
+/// Numbers are copied one by one: the compiler then keeps them in registers, where a copy of the whole would go through
 /// memory.
 template <class T>
 struct V3 {
@@ -50,12 +50,12 @@ template <class T>
 V3<T> cross(const V3<T>& a, const V3<T>& b) {
   return {fused(a.y, b.z, T(-(a.z * b.y))), fused(a.z, b.x, T(-(a.x * b.z))), fused(a.x, b.y, T(-(a.y * b.x)))};
 }
-/// s a + b.
+/// Returns s a + b.
 template <class T>
 V3<T> fused(const T& s, const V3<T>& a, const V3<T>& b) {
   return {fused(s, a.x, b.x), fused(s, a.y, b.y), fused(s, a.z, b.z)};
 }
-/// b - s a.
+/// Returns b - s a.
 template <class T>
 V3<T> fused_less(const T& s, const V3<T>& a, const V3<T>& b) {
   return {fused_less(s, a.x, b.x), fused_less(s, a.y, b.y), fused_less(s, a.z, b.z)};
@@ -73,14 +73,14 @@ T norm(const V3<T>& a) {
   return square_root(norm2(a));
 }
 
-/// A row holds a vector and, in its last place, a scalar that goes with it.
+/// Returns a row: a vector, with a scalar in the last place.
 inline Lane4 row(const Vec3& v, double scalar) { return Lane4{v.x(), v.y(), v.z(), scalar}; }
 inline Vec3 vector_of(const Lane4& r) { return {r[0], r[1], r[2]}; }
 
 inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// One lane taken out, one lane put in.
+/// Take one lane out; put one lane in.
 inline V3<double> lane(const V3<Lane4>& v, int i) { return {v.x[i], v.y[i], v.z[i]}; }
 inline void set_lane(V3<Lane4>& v, int i, const V3<double>& value) {
   v.x[i] = value.x;
