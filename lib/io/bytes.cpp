@@ -1,4 +1,4 @@
-// Whole files through the POSIX calls that can sync and rename.
+// Whole files by the POSIX calls that sync and rename.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bytes.h"
 
@@ -38,7 +38,7 @@ std::string remedy() {
   }
 }
 
-/// Waits until a descriptor that does not wait by itself is ready; false where the failure of a call was another one.
+/// Waits until a non-blocking descriptor is ready. Returns false if the call failed for another reason.
 bool waited(int descriptor, short wanted) {
   if (errno == EINTR) return true;
   if (errno != EAGAIN) return false;
@@ -46,7 +46,7 @@ bool waited(int descriptor, short wanted) {
   return ::poll(&ready, 1, -1) == 1 || errno == EINTR;
 }
 
-/// A file descriptor that is closed at the end of its scope.
+/// A file descriptor, closed at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -93,7 +93,7 @@ fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.
 
 void sync_folder(const fs::path& folder) {
   const Descriptor d(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems cannot sync a folder and say EINVAL; the file itself is safe by then.
+  // Some file systems cannot sync a folder and return EINVAL; the file itself is safe by then.
   if (d && ::fsync(d.number()) != 0 && errno != EINVAL)
     throw IoError(folder.string() + ": syncing the folder failed: " + reason());
 }
@@ -141,7 +141,7 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw CannotCreate(path.string() + ": a directory; name a file in it");
   if (written_in_place(path)) return write_in_place(path, bytes);
-  // A link keeps pointing to the file it names: that file is made or replaced, not the link.
+  // A link keeps pointing to its target, which is made or replaced.
   const fs::path file = followed(path);
   remove_left_temporaries(folder_of(file), file.filename().string());
   replace(file, bytes);

@@ -1,4 +1,4 @@
-// Whole files as bytes: "-" is standard input or output, and a file that is written is never met half done.
+// Reads and writes whole files as bytes. "-" is standard input or output. No reader meets a half-written file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,24 +8,25 @@
 
 namespace soilweave::io {
 
-/// Everything in a file, or in standard input for "-". Throws MissingInput, DataError (a directory, a terminal),
+/// Returns all bytes of a file, or of standard input for "-". Throws MissingInput, DataError (a directory, a terminal),
 /// IoError.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Writes under a temporary name in the same folder, syncs, renames, syncs the folder; an existing file stays as it was
-/// until then, and after any failure, and its permissions stay. A link's target is made or replaced, not the link.
-/// Devices and pipes are written in place; "-" is standard output. Throws CannotCreate, IoError.
+/// Writes a file under a temporary name in the same folder, syncs it, renames it and syncs the folder. Until then, and
+/// after any failure, an existing file stays as it was; its permissions stay in any case. A link's target is made or
+/// replaced, not the link. Devices and pipes are written in place; "-" is standard output. Throws CannotCreate,
+/// IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes likewise into a folder that the program made for itself: whatever has the name, a link too, is replaced, and
-/// nothing is cleaned up.
+/// Writes a file into a folder that the program made for itself. It replaces whatever has the name, even a link, and
+/// cleans nothing up.
 void write_own_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes a folder, so that it is still there after a crash; one that is there already is left as it is, a link to one
-/// is refused. Throws CannotCreate.
+/// Makes a folder that survives a crash. An existing folder stays as it is; a link to a folder is refused. Throws
+/// CannotCreate.
 void make_folder(const std::filesystem::path& path);
 
-/// How messages call a path: "standard input" for "-".
+/// Returns how messages call a path: "standard input" for "-".
 std::string input_name(const std::filesystem::path& path);
 
 }  // namespace soilweave::io

@@ -1,4 +1,4 @@
-// What to show of an assembly of grains.
+// Pictures of an assembly of grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/display.h"
 
@@ -20,7 +20,7 @@ VtkPicture picture_of(const Snapshot& state, VtkShape shape) {
   return picture;
 }
 
-/// Vectors or tensors as one array, row major.
+/// Flattens vectors or tensors to one array, row major.
 template <class Item>
 VtkArray flat(std::string name, const std::vector<Item>& items) {
   constexpr int size = Item::SizeAtCompileTime;
@@ -32,7 +32,8 @@ VtkArray flat(std::string name, const std::vector<Item>& items) {
   return {std::move(name), size, std::move(values)};
 }
 
-/// The cell matrix with a unit vector where the cell has none (the third axis in 2D), so that it can be inverted.
+/// Returns the cell matrix with a unit vector for a missing cell vector (the third axis in 2D), so that it can be
+/// inverted.
 Mat3 invertible(const CellRecord& cell) {
   Mat3 matrix = cell.matrix;
   for (int axis = 0; axis < 3; ++axis)
@@ -53,8 +54,7 @@ struct Box {
   }
 };
 
-/// From where to where the cell reaches, in cell vectors: 0 to 1 along periodic axes, as far as the grains along
-/// others.
+/// Range of the cell in cell vectors: 0 to 1 along periodic axes, otherwise as far as the grains.
 struct Reach {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
@@ -87,7 +87,7 @@ std::vector<std::int32_t> coordination(const Snapshot& state) {
   return number;
 }
 
-/// Where each line of show_contacts comes from.
+/// Origin of each line in show_contacts().
 struct Lines {
   std::vector<std::size_t> contact;
   std::vector<std::uint8_t> copies;
@@ -112,7 +112,8 @@ Lines draw_lines(const Snapshot& state, bool unwrapped, std::vector<Vec3>& point
     const auto first = static_cast<std::size_t>(contacts.bodies[c][0]);
     const bool plane = contacts.bodies[c][1] < 0;
     const auto second = plane ? first : static_cast<std::size_t>(contacts.bodies[c][1]);
-    // The whole cells between the partner as drawn from the first grain and the partner where it is shown itself.
+    // The difference counts whole cells between the partner as drawn from the first grain and the partner as shown
+    // itself.
     const bool split = !plane && (contacts.image[c] - index(first) + index(second)) != Vec3i(Vec3i::Zero());
     draw(c, shown(first), split ? 2 : 1);
     if (split) draw(c, shown(second) - contacts.branch_vector[c], 2);
@@ -128,7 +129,8 @@ std::vector<Item> picked(const std::vector<Item>& items, const std::vector<std::
   return result;
 }
 
-/// body_id of the first (side 0) or second (side 1) body of each chosen contact; a plane keeps its negative number.
+/// Returns body_id of the first (side 0) or second (side 1) body of each chosen contact; planes keep their negative
+/// number.
 std::vector<std::int64_t> body_ids(const Snapshot& state, const std::vector<std::size_t>& chosen, std::size_t side) {
   std::vector<std::int64_t> ids;
   for (const std::size_t c : chosen) {
@@ -192,15 +194,15 @@ void add_principal(VtkPicture& picture) {
   const auto tensors = std::get<std::vector<double>>(stress->values);
   std::vector<Vec3> principal, directions;
   for (std::size_t start = 0; start < tensors.size(); start += 9) {
-    const Eigen::Map<const Mat3> tensor(&tensors[start]);  // its transpose: the symmetric part is the same
-    if (!tensor.allFinite()) {                             // a grain that the joined fields do not name
+    const Eigen::Map<const Mat3> tensor(&tensors[start]);  // transposed, which leaves the symmetric part equal
+    if (!tensor.allFinite()) {                             // grain missing in the joined fields
       principal.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
       directions.push_back(principal.back());
       continue;
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric(tensor));
     principal.push_back(solver.eigenvalues().reverse());
-    // The sign of an eigenvector is arbitrary, the bytes must not be: the largest component is positive.
+    // Bytes must not depend on the arbitrary sign of an eigenvector, so its largest component is made positive.
     Vec3 major = solver.eigenvectors().col(2);
     Eigen::Index largest = 0;
     major.cwiseAbs().maxCoeff(&largest);

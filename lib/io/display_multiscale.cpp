@@ -1,4 +1,4 @@
-// What to show of a run of two scales.
+// Pictures of a two-scale run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/display_multiscale.h"
 
@@ -24,14 +24,14 @@ const Series& demanded(const MultiscaleFile& run, const char* name) {
   throw DataError(run.source.role + ": has no table \"" + name + "\": no mesh can be shown");
 }
 
-// The row that a table names by a number; a file may hold any.
+// Returns the row that a table names by number, checked since a file may hold any number.
 std::size_t row_of(double number, std::size_t rows, const std::string& what) {
   if (number >= 0 && number < static_cast<double>(rows) && number == std::floor(number))
     return static_cast<std::size_t>(number);
   throw DataError(fmt::format("{} {}, and there are {}: the file is damaged", what, number, rows));
 }
 
-// The elements' corner nodes, by number, in the order of the elements.
+// Returns the elements' corner nodes, in the order of the elements.
 std::vector<double> of_corners(const Series& elements, std::size_t corners) {
   std::vector<double> nodes;
   for (std::size_t e = 0; e < elements.rows(); ++e)
@@ -39,7 +39,7 @@ std::vector<double> of_corners(const Series& elements, std::size_t corners) {
   return nodes;
 }
 
-// Means over the points of every element, as a table with a row an element.
+// Returns means over the points of each element, one row per element.
 Series element_means(const Series& points, const TableState& state, std::size_t elements) {
   Series means;
   const std::vector<double>& element = points.at("element").values;

@@ -1,4 +1,4 @@
-// What to show of a table.
+// Pictures of a table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/display_table.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<const char*, 3> prefixes = {"", "position_", "centre_"};
 constexpr std::string_view axes = "xyz";
 
-/// The columns x, y, z of the rows' places; z is null in 2D, all are null without places.
+/// Returns the columns x, y, z of the positions; z is null in 2D, all are null without positions.
 std::array<const Column*, 3> position_columns(const Series& table) {
   for (const std::string prefix : prefixes) {
     const Column *x = table.find(prefix + "x"), *y = table.find(prefix + "y");
@@ -27,7 +27,8 @@ std::array<const Column*, 3> position_columns(const Series& table) {
   return {};
 }
 
-/// "stress_xy" is component (0, 1) of the tensor stress, "velocity_z" component (2) of the vector velocity.
+/// Column name taken apart: "stress_xy" is component (0, 1) of tensor stress, "velocity_z" component (2) of vector
+/// velocity.
 struct Component {
   std::string base;
   int order = 0;  // 0 scalar, 1 vector, 2 tensor
@@ -46,7 +47,7 @@ Component parsed(const std::string& name) {
   return {base, 2, 3 * row + axes.find(suffix[1])};
 }
 
-/// The columns that make one array.
+/// Columns that form one array.
 struct Gathered {
   int order = 0;
   std::array<const Column*, 9> parts = {};
@@ -93,7 +94,7 @@ std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size
     if (column.name == "step" || column.name == "time") continue;
     if (std::find(places.begin(), places.end(), &column) != places.end()) continue;
     Component component = parsed(column.name);
-    // A lone component (fabric_zz) is a number, not a tensor that is zero elsewhere.
+    // A single component (fabric_zz) is a scalar, not a tensor with zeros elsewhere.
     const bool partner = table.find(component.base + (component.order == 2 ? "_xx" : "_x")) &&
                          table.find(component.base + (component.order == 2 ? "_yy" : "_y"));
     if (component.order > 0 && (!partner || table.find(component.base))) component = {column.name, 0, 0};

@@ -1,4 +1,4 @@
-// What to show of a table: rows that have a place in space become points, or are added to the grains they speak of.
+// Pictures of a table: rows with a position become points, or are added to the grains that they describe.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace soilweave::io {
 
-/// A stretch of consecutive rows that belong to one state: equal `step` (or `time`) where there is such a column.
+/// A range of consecutive rows of one state. They share `step` (or `time`), if there is such a column.
 struct TableState {
   double time = 0;  // s
   std::int64_t step = 0;
@@ -18,24 +18,24 @@ struct TableState {
 };
 std::vector<TableState> states_of(const Series& table);
 
-/// Whether rows have a place: columns x y (z), or the same after "position_" or "centre_".
+/// Returns whether rows have a position: columns x y (z), or these names after "position_" or "centre_".
 bool has_positions(const Series& table);
 
-/// The rows of one state as arrays: columns name_x name_y (name_z) become a vector, name_xx name_xy ... a tensor (yx is
-/// taken from xy where absent; what a 2D table leaves out is zero), the others scalars. Positions, step and time are
-/// left out.
+/// Returns the rows of one state as arrays. Columns name_x name_y (name_z) become a vector; name_xx name_xy ... become
+/// a tensor, whose missing yx equals xy and whose other missing components are zero. Other columns become scalars.
+/// Positions, step and time are left out.
 std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size_t>& rows);
 
-/// One vertex a row, with arrays_of it; a line a row, about its place, where the rows have a direction and a length
-/// (the arrays are cell data then). Throws DataError without positions.
+/// Returns one vertex per row with the arrays of arrays_of(). Rows with a direction and a length become lines about
+/// their positions, and the arrays cell data. Throws DataError if rows have no positions.
 VtkPicture show_rows(const Series& table, const TableState& state);
 
-/// Adds the rows of the table that have the picture's step (all of them if it has no step) to the grains with the same
-/// body_id, as point arrays; a grain without a row gets NaN, an array of the same name is replaced. Throws DataError if
-/// the table has no body_id column or no row for this state.
+/// Adds the table as point arrays to the grains with the same body_id. It takes the rows of the picture's step, or all
+/// rows of a table without steps. A grain without a row gets NaN; an array of the same name is replaced. Throws
+/// DataError if the table has no column body_id or no row for this state.
 void join_grains(VtkPicture& grains, const Series& table);
 
-/// Comma-separated values with a header of bare column names, as ParaView reads them.
+/// Returns comma-separated values below a header of bare column names, as ParaView reads them.
 std::string to_csv(const Series& table);
 
 }  // namespace soilweave::io

@@ -74,7 +74,7 @@ bool whole_numbers(const std::vector<double>& values) {
                      [](double v) { return std::abs(v) < 9007199254740992.0 && v == std::nearbyint(v); });
 }
 
-/// `step` is kept as integers, as H5MD wants it, and so are the `id`s of an ensemble; only if that loses nothing.
+/// Writes `step`, and the `id` of an ensemble, as integers if that loses nothing; H5MD requires integer steps.
 void write_column(Writer& file, const std::string& place, const Column& column) {
   const Label label = {column.unit, column.long_name};
   if ((column.name == "step" || place == "/members/id") && whole_numbers(column.values)) {

@@ -33,14 +33,14 @@ Label label_of(const char* path) {
   return {std::string(e.units), std::string(e.long_name)};
 }
 
-/// Whether the path may be the folder of a run under way; any other folder is refused when it is read.
+/// Returns whether the path may be the folder of an unfinished run. Other folders are refused when they are read.
 bool is_folder(const std::filesystem::path& path) {
   std::error_code ignored;
-  const std::filesystem::path name = path.has_filename() ? path : path.parent_path();  // "run.h5.part/", too
+  const std::filesystem::path name = path.has_filename() ? path : path.parent_path();  // "run.h5.part/" too
   return name.extension() == ".part" && std::filesystem::is_directory(path, ignored);
 }
 
-/// Reads and checks every state; the file's history goes into its source.
+/// Reads and checks all states; the file's history goes into its source.
 std::vector<Snapshot> states_in(OpenFile& file) {
   if (file.kind != "checkpoint") file.demand_kind("packing run");
   file.source.history = read_history(file.reader);
@@ -63,7 +63,7 @@ RunFile run_in(OpenFile& file) {
   return run;
 }
 
-/// The row of the series that each state belongs to: the last one of its step. Empty where a state has none.
+/// Returns the row of the series for each state: the last one of its step. Empty if a state has none.
 std::vector<std::size_t> rows_of(const std::vector<Snapshot>& states, const Column& steps) {
   std::vector<std::size_t> rows;
   for (const Snapshot& state : states) {
@@ -74,8 +74,8 @@ std::vector<std::size_t> rows_of(const std::vector<Snapshot>& states, const Colu
   return rows;
 }
 
-/// The series once more where H5MD looks for them. Readers of H5MD take the values frame by frame: they get those of
-/// the states, beside the clock of the trajectory. Where a state has no row all of the series is there, by links.
+/// Writes the series again where H5MD expects it. H5MD readers take values frame by frame, so they get the rows of the
+/// states, beside the trajectory's clock. If a state has no row, links show the whole series.
 void write_observables(Writer& file, const Series& series, const std::vector<Snapshot>& states) {
   const Column* steps = series.find("step");
   if (!steps || !series.find("time")) return;
@@ -95,7 +95,7 @@ void write_observables(Writer& file, const Series& series, const std::vector<Sna
   }
 }
 
-/// What a run of either kind went through: its series, the scenario, the work it took.
+/// Writes the course of a run of either kind: series, scenario, work.
 void write_course(Writer& file, const Series& series, const std::vector<Snapshot>& states, const std::string& scenario,
                   Work work) {
   write_columns(file, series_group, series);
@@ -106,7 +106,7 @@ void write_course(Writer& file, const Series& series, const std::vector<Snapshot
       file.write<std::int64_t>(place, {number, 1}, {}, label_of(place));
 }
 
-/// Failures of a writer's input name the file that was to be written.
+/// Calls a writer; its errors name the file that was to be written.
 template <class Build>
 void write_file(const std::filesystem::path& path, const std::string& kind, const History& history,
                 const Build& build) {
@@ -181,7 +181,7 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
 void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history) {
   write_file(path, "multiscale", history, [&](Writer& file) {
     write_recorded(file, run.groups, run.frames, history);
-    // Frames of several packings at once are no trajectory of one: their series has no value a frame.
+    // The frames belong to several packings and form no trajectory, so there is no value per frame.
     write_course(file, run.series, {}, run.scenario, run.work);
   });
 }

@@ -1,4 +1,4 @@
-// Leaves out what is not finite.
+// Removes what is not finite from a state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/finite_part.h"
 
@@ -20,10 +20,10 @@ bool finite(const ContactsRecord& c, std::size_t k) {
          std::isfinite(c.overlap[k]);
 }
 
-// Steps too large leave quaternions that are no rotations.
+// Too large steps leave quaternions that are no rotations.
 Vec4 rotation(const Vec4& q) { return q.norm() > 0 ? Vec4(q.normalized()) : Vec4(1, 0, 0, 0); }
 
-// A cell that collapsed under the grains is shown open: along its axes nothing can be folded back any more.
+// A collapsed cell is opened, because nothing can be folded back along its axes.
 void open_where_collapsed(Snapshot& state) {
   CellRecord& cell = state.cell;
   const GrainsRecord& g = state.grains;

@@ -1,4 +1,4 @@
-// What is left of a state that went wrong.
+// The valid part of a state that went wrong.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace soilweave::io {
 
-/// The grains and contacts whose numbers are finite, such that readers take them: contacts of a grain that is left out
-/// go with it, quaternions are made rotations again, and axes along which the cell collapsed are open.
+/// Returns the grains and contacts with finite numbers, so that readers accept them. Contacts of removed grains are
+/// removed. Quaternions are normalised. Axes along which the cell collapsed become aperiodic.
 Snapshot finite_part(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -1,4 +1,4 @@
-// Global heaps, walked object by object.
+// Walks through global heaps object by object.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/global_heap.h"
 
@@ -20,7 +20,7 @@ Whole whole_at(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// True if the objects of one heap, the free space (object 0) among them, end where the heap does.
+/// Returns whether the objects of one heap, its free space (object 0) included, end where the heap ends.
 bool is_whole(std::string_view heap) {
   std::size_t at = heap_header;
   while (heap.size() - at >= object_header) {
@@ -40,7 +40,7 @@ bool is_whole(std::string_view heap) {
 bool has_broken_heap(std::string_view bytes) {
   for (std::size_t at = bytes.find(signature); at != bytes.npos; at = bytes.find(signature, at + 1)) {
     if (bytes.size() - at < heap_header) return false;
-    // These bytes may also stand among numbers: then no plausible size follows.
+    // The signature may also occur among numbers; then no plausible size follows.
     const auto size = whole_at<std::uint64_t>(bytes, at + 8);
     if (size < least_heap || size % 8 != 0 || size > bytes.size() - at) continue;
     if (!is_whole(bytes.substr(at, size))) return true;

@@ -1,4 +1,4 @@
-// Links, storage and sizes of HDF5 objects, judged before anything is read.
+// Judges links, storage and sizes of HDF5 objects before anything is read.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/hdf5_guard.h"
 
@@ -10,9 +10,9 @@
 namespace soilweave::io::hdf5 {
 namespace {
 
-constexpr int most_soft_links = 16;  // as HDF5 follows in a row
+constexpr int most_soft_links = 16;  // HDF5's own limit
 
-/// The value of a soft or external link, as HDF5 stores it.
+/// Returns the value of a soft or external link, as HDF5 stores it.
 std::string link_value(hid_t file, const std::string& path, const H5L_info_t& info) {
   std::string value(info.u.val_size, '\0');
   if (H5Lget_val(file, path.c_str(), value.data(), value.size(), H5P_DEFAULT) < 0) value.clear();

@@ -1,4 +1,4 @@
-// HDF5's identifiers, closed as they go, and its names for our types. The only file that includes HDF5.
+// HDF5 identifiers that close themselves, and HDF5's names for our types. Only this file includes HDF5.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace soilweave::io::hdf5 {
 
-/// An HDF5 identifier, closed by the function that fits its kind.
+/// An HDF5 identifier, closed by the function for its kind.
 class Id {
  public:
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -28,7 +28,7 @@ class Id {
   herr_t (*close_)(hid_t);
 };
 
-/// How HDF5 calls a number in memory. T: double, int64, uint64, int32, uint8.
+/// Returns HDF5's type of a number in memory. T: double, int64, uint64, int32, uint8.
 template <class T>
 hid_t native() {
   if (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -37,7 +37,7 @@ hid_t native() {
   return std::is_same_v<T, std::int32_t> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT8;
 }
 
-/// Returns the extents as HDF5's type for them, which is unsigned long or unsigned long long as its version has it.
+/// Returns the extents in HDF5's type, which is unsigned long or unsigned long long depending on its version.
 inline std::vector<hsize_t> extents(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
 }  // namespace soilweave::io::hdf5

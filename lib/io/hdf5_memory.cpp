@@ -1,4 +1,4 @@
-// HDF5 files that lie in a string.
+// HDF5 files in a string.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/hdf5_memory.h"
 
@@ -8,8 +8,8 @@
 namespace soilweave::io::hdf5 {
 namespace {
 
-// HDF5 keeps the file in the caller's string, by these: H5Fget_file_image would copy it, and leaves the checksum of
-// this format's superblock wrong (HDF5 1.10).
+// These callbacks keep the file in the caller's string. H5Fget_file_image would copy it, and leaves a wrong checksum in
+// this format's superblock (HDF5 1.10).
 void* grow(void*, size_t size, H5FD_file_image_op_t, void* bytes) {
   try {
     static_cast<std::string*>(bytes)->resize(size);
@@ -27,7 +27,7 @@ void* share(void* bytes) { return bytes; }
 herr_t leave(void*) { return 0; }
 
 Id in_memory(std::string& bytes, void* (*obtain)(size_t, H5FD_file_image_op_t, void*)) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // or HDF5 prints a stack of its own on every failure
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise HDF5 prints a stack on every failure
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, std::size_t{1} << 22, false);
   H5FD_file_image_callbacks_t callbacks = {obtain, already_there, grow, keep, share, leave, &bytes};
@@ -35,7 +35,7 @@ Id in_memory(std::string& bytes, void* (*obtain)(size_t, H5FD_file_image_op_t, v
   return {access, H5Pclose};
 }
 
-/// HDF5 takes files in memory with equal names for one file: each gets a name that no other has while it is open.
+/// Returns a name that no other open file has: HDF5 takes files in memory with equal names for one file.
 std::string name_in_memory(const std::string& bytes) {
   return "at " + std::to_string(std::bit_cast<std::size_t>(&bytes));
 }

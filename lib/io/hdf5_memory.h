@@ -1,4 +1,4 @@
-// HDF5 files that lie in a string.
+// HDF5 files in a string.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace soilweave::io::hdf5 {
 
-/// A new file, which grows in the string; negative where HDF5 cannot make it. The string must outlive it in its place.
+/// Creates a file that grows in the string. Negative if HDF5 cannot. The string must outlive the file and must not
+/// move.
 hid_t create_in_memory(std::string& bytes);
 
-/// The file that the string is, to be read; negative where HDF5 cannot open it. The string must outlive it in its
-/// place.
+/// Opens the string as a file for reading. Negative if HDF5 cannot. The string must outlive the file and must not move.
 hid_t open_in_memory(std::string& bytes);
 
 }  // namespace soilweave::io::hdf5

@@ -1,4 +1,4 @@
-// A moment of a run under way as a file of kind "checkpoint": that of a run with one state, and what goes beyond it.
+// A checkpoint as a file: a run with one state, plus the numbers that only the running program knows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

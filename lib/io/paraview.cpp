@@ -1,4 +1,4 @@
-// A folder ParaView opens.
+// A folder for ParaView.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/paraview.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What an earlier call wrote into a folder; anything else is the user's.
+/// Returns whether an earlier call wrote this file; all others are the user's.
 bool ours(const std::string& name) {
   static const std::regex pattern(R"(\w+_\d{6}\.vt[pu]|\w+\.(pvd|csv)|show\.py)");
   return std::regex_match(name, pattern);

@@ -1,4 +1,4 @@
-// A folder ParaView opens: numbered VTK files, one .pvd a group with the physical times, and a script that shows them.
+// A folder for ParaView: numbered VTK files, one .pvd per group with the physical times, and a script that shows them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,23 @@
 
 namespace soilweave::io {
 
-/// Throws DataError where the times of a group's frames do not advance: ParaView could not tell them apart.
+/// Throws DataError if the times of a group's frames do not increase, because ParaView could not tell them apart.
 void demand_advance(const std::string& group, const std::vector<double>& times);
 
-/// Every file is written under a temporary name and renamed, the .pvd files last: a reader meets whole files only.
+/// Writer of the folder. Files are written under temporary names and renamed, the .pvd files last, so that readers meet
+/// only whole files.
 class ParaviewFolder {
  public:
-  /// Makes the folder. One that holds anything is refused without `force`; with it the frames, tables and .pvd files an
-  /// earlier call left are removed, other files are left alone. compress: zlib. Throws CannotCreate.
+  /// Makes the folder. A folder that is not empty is refused without `force`. With it the frames, tables and .pvd files
+  /// of an earlier call are removed, and other files stay. compress: zlib. Throws CannotCreate.
   ParaviewFolder(std::filesystem::path folder, bool force, bool compress);
 
-  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh) and notes its time. The frames of a group come in order
-  /// of time; throws DataError where time does not advance.
+  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh) and notes its time. Frames of a group come in order of
+  /// time; throws DataError if time does not increase.
   void add(const std::string& group, std::size_t index, const VtkPicture& picture);
-  /// Writes NAME.csv: columns without a place in space.
+  /// Writes NAME.csv, for columns without a position.
   void add_table(const std::string& name, const std::string& csv);
-  /// Writes one .pvd a group, and show.py: `paraview --script=show.py`.
+  /// Writes one .pvd per group, and show.py for `paraview --script=show.py`.
   void finish() const;
 
  private:

@@ -1,4 +1,4 @@
-// The folder of a run under way.
+// The folder of an unfinished run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/part.h"
 
@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view left_name = "stopped.h5";
-// Of moments that are not recorded, the newest and the one before it.
+// Number of checkpoints kept beside the recorded ones: the newest and the one before it.
 constexpr std::size_t kept_files = 2;
 const std::string recorded_steps = "recorded_steps";
 
-/// Throws CannotCreate for a folder that another user made where all users may: what is written there would be theirs.
+/// Throws CannotCreate for a folder that another user made in a shared folder, since the output would belong to them.
 void demand_own(int folder, const fs::path& path) {
   struct stat own = {}, around = {};
   if (folder < 0 || ::fstat(folder, &own) != 0 || ::stat((path / "..").c_str(), &around) != 0) return;
@@ -37,8 +37,8 @@ void demand_own(int folder, const fs::path& path) {
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
-// Returns what differs between two runs, for the message; empty for equal ones. Doubts are left out, since they come up
-// while a run is under way.
+// Returns the difference between two runs for the message; empty if they are equal. Doubts are left out, since they
+// arise during a run.
 std::string difference(const History& found, const History& wanted) {
   if (describe(without_doubts(found)) == describe(without_doubts(wanted))) return "";
   if (found.empty() || wanted.empty()) return "history";
@@ -79,7 +79,7 @@ Part::Part(const fs::path& output, History history, Entry entry)
   }
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   try {
-    // Where the file system knows no locks, two runs of one output are the user's to avoid.
+    // Without file locks, users must avoid two runs of one output themselves.
     if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
       throw CannotCreate(folder_.string() + ": another process is at work on this run; wait for it, or stop it");
     demand_own(lock_, folder_);
@@ -118,7 +118,7 @@ void Part::enter(Entry entry) {
   fs::remove(folder_ / left_name, ignored);
 }
 
-// Files that are damaged, or lack a recorded state before them, are passed over.
+// Skips files that are damaged, or that lack a recorded state before them.
 void Part::find_last() {
   std::size_t end = files_.size();
   for (; end > 0 && !last_; --end) {
@@ -170,10 +170,10 @@ void Part::keep(Moment moment, bool recorded) {
   try {
     write_moment(path_of(file), moment, history_);
   } catch (const DataError& error) {
-    // The run made what no file may hold, and would make it again: it is its physics that went wrong, not a file.
+    // The run would produce the same invalid state again: its physics went wrong, not a file.
     throw PhysicsError(fmt::format("step {}: the state cannot be kept: {}", file.step, error.what()));
   } catch (const Error&) {
-    // Renamed, but the folder could not be synced: it is there all the same.
+    // The file is renamed, so it exists even if the folder could not be synced.
     std::error_code ignored;
     if (fs::exists(path_of(file), ignored)) files_.push_back(file);
     throw;
@@ -215,7 +215,7 @@ void Part::remove() {
 fs::path Part::last() const { return files_.empty() ? fs::path() : path_of(files_.back()); }
 
 Error Part::explained(const Error& error) const {
-  // Going on, or running again, would end in the same mistake.
+  // Continuing or repeating would end in the same mistake.
   if (error.status() == Exit::bad_data || error.status() == Exit::usage) return error;
   std::error_code ignored;
   const fs::path file = last();

@@ -43,9 +43,9 @@ class Part {
   /// How to take a folder that is there already.
   enum class Entry {
     fresh,          // refuse one that holds more than the start of a run
-    anew,           // empty it
+    anew,           // refuse a folder that holds more than the start of a run
     resume,         // go on from its last moment; refuse another run
-    resume_or_anew  // go on from its last moment; empty it of another run
+    resume_or_anew  // go on from its last checkpoint; refuse another run
   };
 
   /// Makes the folder beside the output and locks it for this process. history: what the output will carry; a moment of

@@ -1,4 +1,4 @@
-// Digests, and the chain of records from a file back to data from outside.
+// Digests, and the chain of records from a file to data from outside.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/provenance.h"
 
@@ -25,7 +25,7 @@ bool same(const ProvenanceRecord& a, const ProvenanceRecord& b) {
                     [](const InputRecord& x, const InputRecord& y) { return same(x, y); });
 }
 
-/// Adds a history behind `merged`, each record once; returns where its last record is, -1 for an empty history.
+/// Appends a history to `merged`, each record once. Returns the index of its last record; -1 for an empty history.
 int merge(History& merged, const History& added) {
   std::vector<int> place;
   for (ProvenanceRecord record : added) {

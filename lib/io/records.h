@@ -1,4 +1,4 @@
-// What files hold about an assembly of grains at one moment, as plain arrays: the common tongue of all tools.
+// Plain arrays for an assembly of grains at one time. All tools exchange them through files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,70 +11,70 @@
 
 namespace soilweave::io {
 
-/// The periodic cell. Columns of `matrix` are the cell vectors (m); an axis that is not periodic has periodic[i] false.
+/// The periodic cell. Columns of `matrix` are the cell vectors, m. periodic[i] is false for an aperiodic axis.
 struct CellRecord {
   Mat3 matrix = Mat3::Identity();
   std::array<bool, 3> periodic = {true, true, true};
   Mat3 velocity_gradient = Mat3::Zero();         // 1/s, extension positive
-  Mat3 deformation_gradient = Mat3::Identity();  // since the reference state of the strains
+  Mat3 deformation_gradient = Mat3::Identity();  // relative to the reference state of the strains
 };
 
-/// N grains; every array has N entries. In 2D (disks) z components are zero, masses are per metre of thickness.
+/// N grains; every array has N entries. In 2D (disks) z components are zero and masses are per metre of thickness.
 struct GrainsRecord {
   int dimension = 3;
   std::vector<std::int64_t> body_id;
-  std::vector<Vec3> position;          // m, not wrapped: a grain keeps its path through the periodic faces
+  std::vector<Vec3> position;          // m, not wrapped: it continues through periodic faces
   std::vector<Vec4> orientation;       // w x y z
   std::vector<Vec3> velocity;          // m/s, fluctuation about the cell's affine motion, half a step behind position
   std::vector<Vec3> angular_velocity;  // rad/s, half a step behind position
   std::vector<double> radius;          // m
-  std::vector<double> mass;            // kg (2D: kg/m); scaled density included
+  std::vector<double> mass;            // kg (2D: kg/m), with scaled density
   std::vector<std::int32_t> material_id;
-  std::vector<std::int32_t> copy_id;  // which copy of a tiled representative volume; 0 where not tiled
+  std::vector<std::int32_t> copy_id;  // number of the copy of a tiled representative volume; 0 if not tiled
 
   std::size_t size() const { return position.size(); }
 };
 
-/// M contacts, sorted by (first, second). Grains are named by index into GrainsRecord, first < second; a rigid plane is
-/// -1 - (its number) in `second`. The history a law keeps is complete: a run can continue from it bit by bit.
+/// M contacts, sorted by (first, second). Grains are indices into GrainsRecord, first < second; a rigid plane is -1 -
+/// (its number) in `second`. The contact's history is complete, so that a run can continue bit by bit.
 struct ContactsRecord {
   std::vector<std::array<std::int32_t, 2>> bodies;
   std::vector<Vec3i> image;             // cell offset added to the second grain's position
   std::vector<Vec3> normal;             // unit, from first to second
-  std::vector<Vec3> branch_vector;      // m, centre to centre (to the contact point for a plane)
+  std::vector<Vec3> branch_vector;      // m, centre to centre (for a plane: to the contact point)
   std::vector<double> overlap;          // m
   std::vector<double> normal_force;     // N, compression positive, viscous part included
   std::vector<Vec3> shear_force;        // N, on the SECOND body (the first gets the opposite), normal to `normal`
   std::vector<Vec3> rolling_moment;     // N m, on the second body
   std::vector<double> twisting_moment;  // N m, about `normal`, on the second body
-  std::vector<std::uint8_t> sliding;    // 1 where the Coulomb limit holds the shear force
+  std::vector<std::uint8_t> sliding;    // 1 if the Coulomb limit holds the shear force
 
   std::size_t size() const { return bodies.size(); }
-  /// Force on the second body: normal_force * normal + shear_force, N.
+  /// Returns the force on the second body, normal_force * normal + shear_force, N.
   Vec3 force(std::size_t c) const { return normal_force[c] * normal[c] + shear_force[c]; }
 };
 
-/// Rigid planes (aperiodic runs): a point and the unit normal pointing into the grains' side.
+/// Rigid planes (aperiodic runs): a point, and the unit normal towards the grains.
 struct PlanesRecord {
   std::vector<Vec3> point, normal, velocity;
   std::vector<std::int32_t> material_id;
   std::vector<std::int32_t> partners =
-      {};  // who touches it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, of each
+      {};  // bodies that touch it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, for every plane
 };
 
-/// Yarns of woven geotextiles: springs between nodes, which are grains. A grain is a node if a yarn, broken or not,
-/// ends in it.
+/// Yarns of woven geotextiles: springs between nodes, which are grains. A grain is a node if a yarn ends in it, broken
+/// or not.
 struct YarnsRecord {
   std::vector<std::array<std::int32_t, 2>> nodes;  // indices into GrainsRecord
   std::vector<std::int32_t> fabric;                // nodes of one fabric do not touch each other
-  std::vector<std::int32_t> geotextile_id;         // which geotextile of the scenario
-  std::vector<std::int32_t> family;                // 0: faces, 1: sides, in plane, 2: sides, from face to face
+  std::vector<std::int32_t> geotextile_id;         // index of the geotextile in the scenario
+  std::vector<std::int32_t> family;                // 0: faces; 1: sides, in plane; 2: sides, from face to face
   std::vector<double> rest_length;                 // m
-  std::vector<double> largest_strain;              // 1, reached so far
+  std::vector<double> largest_strain;              // 1, greatest so far
   std::vector<double> tension;                     // N
   std::vector<std::uint8_t> broken;
-  std::vector<double> break_time;    // s; 0 where whole
-  std::vector<Vec3> break_position;  // m, of its middle; zero where whole
+  std::vector<double> break_time;    // s; 0 if unbroken
+  std::vector<Vec3> break_position;  // m, of its middle; zero if unbroken
 
   std::size_t size() const { return nodes.size(); }
 };
@@ -84,23 +84,23 @@ struct Snapshot {
   double time = 0;  // s
   CellRecord cell;
   GrainsRecord grains;
-  ContactsRecord contacts;  // empty where only geometry is known
+  ContactsRecord contacts;  // empty if only the geometry is known
   PlanesRecord planes;
   YarnsRecord yarns;
 };
 
-/// One column of a series: a value per recorded state.
+/// One column of a series, with a value per recorded state.
 struct Column {
   std::string name, unit, long_name;
   std::vector<double> values;
 };
 
-/// Columns of equal length, one row per recorded state; `step` and `time` are columns like the others.
+/// Columns of equal length, one row per recorded state. `step` and `time` are ordinary columns.
 struct Series {
   std::vector<Column> columns;
 
   const Column* find(std::string_view name) const;
-  const Column& at(std::string_view name) const;  // throws DataError naming the nearest column
+  const Column& at(std::string_view name) const;  // throws DataError that names the nearest column
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 };
 

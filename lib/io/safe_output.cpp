@@ -1,4 +1,4 @@
-// The way of an output that takes long to make.
+// Output of a long computation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/safe_output.h"
 
@@ -32,7 +32,7 @@ bool has_folder(const fs::path& output) {
 
 void demand_no_input(const fs::path& output, const History& history, std::string_view option) {
   std::error_code failure;
-  // The files that documents name are all text or surfaces.
+  // Files that documents name are text or surfaces, never HDF5.
   if (history.empty() || !fs::is_regular_file(output, failure) || is_hdf5(output)) return;
   const std::string digest = sha256(read_bytes(output));
   for (const InputRecord& input : history.back().inputs)
@@ -48,7 +48,7 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
   if (invocation.force) demand_no_input(output, history, "--output");
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
-    // A crash after the output was written, before its folder was gone.
+    // A crash came after the output was written and before its folder was removed.
     if (fs::exists(part_of(output))) Part(output, history, Part::Entry::anew).remove();
     note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;

@@ -1,4 +1,4 @@
-// The way of an output that takes long to make: entered anew or where it was left, and written at its end.
+// Output of a long computation: its folder is entered anew or resumed, and the file is written at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,21 +12,21 @@
 
 namespace soilweave::io {
 
-/// Throws CannotCreate if the file at `output` has the bytes of one of the inputs in the history's last record. Files
-/// that a scenario or plan names are known to the command only once these are read. option: what named the output.
+/// Throws CannotCreate if the file at `output` has the bytes of an input in the history's last record. The command
+/// knows the files that a scenario or plan names only after reading them. option: the option that named the output.
 void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
 
 class SafeOutput {
  public:
-  /// Enters the folder of the output as the options say (--resume, --force); standard output, pipes and devices have
-  /// none. Throws what Part does, CannotCreate where a finished output of another history is in the way.
+  /// Enters the folder of the output as --resume and --force say. Standard output, pipes and devices have no folder.
+  /// Throws what Part throws; CannotCreate if a finished output of another history exists.
   SafeOutput(const std::filesystem::path& output, const History& history, const tool::Invocation& invocation);
 
-  /// Whether there is nothing left to do; says on the way where the work begins.
+  /// Returns whether nothing is left to do. Reports where the work begins.
   bool finished(Progress& progress) const;
-  /// nullptr where there is no folder.
+  /// Returns the folder, nullptr if there is none.
   Part* part() { return part_ ? &*part_ : nullptr; }
-  /// Calls write(), then removes the folder. Errors say what is kept. Returns the seconds it took.
+  /// Calls write(), then removes the folder, and returns the seconds it took. Errors say what is kept.
   double write(const std::function<void()>& write);
 
  private:

@@ -1,4 +1,4 @@
-// Names of columns, as people and programs write them.
+// Column names, as people and programs write them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/spheres_columns.h"
 
@@ -35,12 +35,12 @@ constexpr std::array known_names{
     Known{"r", Role::radius},     Known{"rad", Role::radius},    Known{"radius", Role::radius},
     Known{"d", Role::diameter},   Known{"diam", Role::diameter}, Known{"diameter", Role::diameter}};
 
-// Words of YADE's #format line beside places and radii. Each is one column.
+// Words of YADE's #format line other than positions and radii. Each is one column.
 constexpr std::array yade_words{"id", "matid", "clumpid", "mask", "mass", "material"};
 
 struct Heading {
   std::string name;  // as written, without the unit
-  std::string unit;  // empty where none is written
+  std::string unit;  // empty if none is written
   Role role = Role::other;
 };
 
@@ -66,7 +66,7 @@ bool is_length(const std::string& unit) {
   }
 }
 
-/// "x [mm]", "x (mm)" and "x_mm" are x in mm.
+/// Takes a heading apart: "x [mm]", "x (mm)" and "x_mm" are x in mm.
 Heading heading(const std::string& written) {
   Heading found{written, "", role_of(written)};
   const std::size_t open = written.find_last_of("[(");
@@ -89,7 +89,7 @@ std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{}{}", fmt::join(first, ", "), names.size() > most ? ", ..." : "");
 }
 
-/// The unit that all lengths of a header have. Throws DataError where they differ.
+/// Returns the common unit of all lengths in a header. Throws DataError if they differ.
 std::string common_unit(const std::vector<Heading>& headings) {
   const Heading* first = nullptr;
   for (const Heading& one : headings) {
@@ -172,7 +172,7 @@ std::optional<SphereColumns> commented_columns(std::string_view line) {
   try {
     return named_columns(names);
   } catch (const DataError&) {
-    return std::nullopt;  // a comment is no promise
+    return std::nullopt;  // a comment need not name columns
   }
 }
 

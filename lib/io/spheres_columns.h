@@ -1,4 +1,4 @@
-// Which column of a text of spheres is which.
+// Identifies the columns of a text of spheres.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,32 +9,33 @@
 
 namespace soilweave::io {
 
-/// Columns of a text of spheres. Positions are counted from 0.
+/// Columns of a text of spheres. Positions count from 0.
 struct SphereColumns {
-  std::size_t width = 0;  // columns a line
+  std::size_t width = 0;  // columns per line
   std::size_t x = 0, y = 0, size = 0;
-  std::optional<std::size_t> z;     // disks have none
-  double size_factor = 1;           // from the column `size` to a radius in the unit of lengths: 1/2 for diameters
-  double length_factor = 1;         // from the unit of lengths to m
+  std::optional<std::size_t> z;     // absent for disks
+  double size_factor = 1;           // from column `size` to a radius in the unit of length: 1/2 for diameters
+  double length_factor = 1;         // from the unit of length to m
   std::vector<std::string> unused;  // names of the other columns
 
   bool is_unused(std::size_t column) const { return column != x && column != y && column != size && z != column; }
 };
 
-/// Returns x y z r, or x y r for disks.
+/// Returns x y z r; for disks x y r.
 SphereColumns plain_columns(int dimension);
 
-/// Returns the columns that a header names. Throws DataError saying which is missing, there twice, or in another unit.
+/// Returns the columns that a header names. Throws DataError that names a missing or repeated column or a differing
+/// unit.
 SphereColumns named_columns(const std::vector<std::string>& names);
 
-/// Returns the columns of YADE's line "#format x_y_z_r", "#format id_x_y_z_r_matId"; nothing for any other line.
-/// Throws DataError where the line names something unknown.
+/// Returns the columns of YADE's line "#format x_y_z_r", "#format id_x_y_z_r_matId"; nothing for any other line. Throws
+/// DataError if the line names something unknown.
 std::optional<SphereColumns> yade_columns(std::string_view line);
 
-/// Returns the columns that a comment such as "# x y z r" names; nothing where it names none.
+/// Returns the columns that a comment such as "# x y z r" names, or nothing.
 std::optional<SphereColumns> commented_columns(std::string_view line);
 
-/// Returns the names in a header line, a unit behind a blank joined to its name.
+/// Returns the names in a header line, with a separate unit joined to its name.
 std::vector<std::string> header_names(std::string_view line, char separator);
 
 }  // namespace soilweave::io

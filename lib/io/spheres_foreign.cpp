@@ -1,4 +1,4 @@
-// Packings that other programs write, and how to make plain columns of them.
+// Packings of other programs, and how to convert them to plain columns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/spheres_foreign.h"
 
@@ -16,7 +16,7 @@
 namespace soilweave::io {
 namespace {
 
-/// The first lines of the text.
+/// Returns the first lines of the text.
 std::vector<std::string_view> head(std::string_view text, std::size_t most) {
   std::vector<std::string_view> lines;
   while (!text.empty() && lines.size() < most) {
@@ -48,7 +48,7 @@ std::string dump(std::string_view text) {
       what, mark.size() + 1);
 }
 
-/// Names of the columns that an extended XYZ file gives in Properties=species:S:1:pos:R:3:radius:R:1.
+/// Returns the column names of an extended XYZ file, from Properties=species:S:1:pos:R:3:radius:R:1.
 std::string properties(std::string_view comment) {
   constexpr std::string_view mark = "Properties=";
   const std::size_t at = comment.find(mark);
@@ -89,7 +89,7 @@ std::string mercury(double grains, std::size_t width) {
 constexpr std::string_view lammps_data =
     "a data file of LAMMPS; write a dump of it: write_dump all custom FILE id x y z radius";
 
-/// Whether one of the first lines counts atoms, as data files of LAMMPS do below a first line of any words.
+/// Returns whether one of the first lines counts atoms, as in LAMMPS data files below a first line of any words.
 bool counts_atoms(const std::vector<std::string_view>& lines) {
   return std::any_of(lines.begin(), lines.end(), [](std::string_view line) {
     const std::vector<std::string> words = cells(line, ' ');

@@ -1,4 +1,4 @@
-// Texts of spheres in the formats of other programs, known by their first lines.
+// Recognises texts of spheres in the formats of other programs by their first lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace soilweave::io {
 
-/// Returns what a text is that is no plain list of spheres, with the commands that make one of it: "a dump of LAMMPS or
-/// LIGGGHTS; write ...". Returns an empty string for any other text. Lines end by line feeds.
+/// Returns the kind of a text that is no plain list of spheres, with the commands that convert it: "a dump of LAMMPS or
+/// LIGGGHTS; write ...". Returns an empty text otherwise. Lines must end with line feeds.
 std::string foreign_spheres(std::string_view text);
 
 }  // namespace soilweave::io

@@ -1,4 +1,4 @@
-// Sphere packings as plain text: one grain a line, below a header or without.
+// Sphere packings as plain text: one grain per line, with or without a header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/spheres_text.h"
 
@@ -25,8 +25,8 @@ namespace {
 
 constexpr std::string_view periodic_mark = "##PERIODIC::";
 
-/// The separator of a first line of numbers. Commas separate where no blank stands between two of them; "1,5 2,5" has
-/// decimal commas.
+/// Returns the separator of a first line of numbers. A comma separates only if no blank stands between two commas; "1,5
+/// 2,5" has decimal commas.
 char separator_of_numbers(std::string_view line) {
   const char separator = separator_of(line);
   if (separator != ',') return separator == ';' ? ';' : ' ';
@@ -35,7 +35,7 @@ char separator_of_numbers(std::string_view line) {
   return ',';
 }
 
-/// True for a comment that means to give a period but does not begin as the mark does.
+/// Returns true for a comment that seems to give a period but does not begin like the mark.
 bool is_like_the_mark(std::string_view comment) {
   std::string word;
   for (const char c : comment.substr(0, std::min<std::size_t>(comment.size(), 40)))
@@ -61,7 +61,7 @@ class SpheresReader {
       const std::vector<std::string> names = header_names(kept, separator);
       if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
     }
-    // The last cells of a row may be empty: its tabs count.
+    // The last cells of a row may be empty, so its tabs count.
     grain(std::string_view(plain).substr(0, plain.find('#')));
   }
 
@@ -93,7 +93,7 @@ class SpheresReader {
   [[noreturn]] void fail(const std::string& what) const {
     throw DataError(fmt::format("{}: line {}: {}", where_, line_, what));
   }
-  /// True for a word that is a number, or was meant to be one.
+  /// Returns true for a word that is a number, or was meant to be one.
   static bool is_number(const std::string& word) { return number_of(word) || !number_remedy(word).empty(); }
 
   double value(const std::vector<std::string>& words, std::size_t column) const {
@@ -122,7 +122,7 @@ class SpheresReader {
     has_cell_ = true;
   }
 
-  /// Settles spheres or disks. Throws DataError where it was settled otherwise.
+  /// Fixes the dimension (spheres or disks). Throws DataError if it was fixed otherwise.
   void take_dimension(int dimension, const std::string& said) {
     if (dimension_ && *dimension_ != dimension)
       fail(fmt::format("{} {} lengths where {} are read: give --dimension {}, or change the line", said, dimension,
@@ -156,14 +156,14 @@ class SpheresReader {
     separator_ = separator;
   }
 
-  /// Columns of a text whose first line is numbers.
+  /// Determines the columns of a text that begins with numbers.
   void begin(std::string_view text) {
     separator_ = separator_of_numbers(trimmed(text));
     const std::vector<std::string> words = cells(text, separator_);
     if (commented_ && commented_->width == words.size() && (commented_->z || dimension_ != 3))
       return take(std::move(*commented_), separator_);
     take(plain_columns(dimension_.value_or(3)), separator_);
-    // Decimal commas between commas look like too many columns; a word with one is told as such.
+    // Decimal commas between commas look like too many columns, so words with one are reported as such.
     for (std::size_t k = 0; k < words.size(); ++k)
       if (!number_of(words[k])) value(words, k);
     if (words.size() != columns_->width)
@@ -182,7 +182,7 @@ class SpheresReader {
                "{} values where {} belong, separated by {}{}", words.size(), c.width, separator_name(separator_),
                separator_ == ',' && words.size() > c.width ? "; with decimal commas among them? write points" : ""));
     for (std::size_t k = 0; k < c.width; ++k)
-      if (!c.is_unused(k)) value(words, k);  // the first column that is no number is the one to name
+      if (!c.is_unused(k)) value(words, k);  // the first column that is no number is named
     const Vec3 position(value(words, c.x), value(words, c.y), c.z ? value(words, *c.z) : 0);
     const double size = value(words, c.size);
     if (!(size > 0)) fail(c.size, fmt::format("a {} that is not positive", c.size_factor == 1 ? "radius" : "diameter"));
@@ -205,7 +205,7 @@ class SpheresReader {
     g.copy_id.push_back(0);
   }
 
-  /// Disks lie in one plane, z = 0.
+  /// Puts disks into the plane z = 0.
   void flatten() {
     for (Vec3& x : state_.grains.position) {
       if (x.z() != state_.grains.position.front().z() && &x != state_.grains.position.data())
@@ -216,7 +216,7 @@ class SpheresReader {
     for (Vec3& x : state_.grains.position) x.z() = 0;
   }
 
-  /// A box that would hold the grains and the origin: axes that are not periodic carry a length only.
+  /// Sets a box around the grains and the origin: aperiodic axes carry a length only.
   void aperiodic_cell() {
     const GrainsRecord& g = state_.grains;
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
@@ -239,7 +239,7 @@ class SpheresReader {
   Snapshot state_;
 };
 
-/// True for a cell whose lengths a ##PERIODIC:: line tells whole.
+/// Returns whether the lengths in a line ##PERIODIC:: describe the cell completely.
 bool upright(const Snapshot& state) {
   const bool disks = state.grains.dimension == 2;
   return state.cell.periodic == std::array<bool, 3>{true, true, !disks} && state.cell.matrix.isDiagonal(0.0);

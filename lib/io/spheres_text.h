@@ -1,4 +1,4 @@
-// Packings of spheres and disks as text, one grain a line, as YADE, spreadsheets and this house write them.
+// Packings of spheres and disks as text, one grain per line, as YADE, spreadsheets and to-vtk write them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,33 +11,33 @@
 
 namespace soilweave::io {
 
-/// Properties of spheres that their text does not give.
+/// Properties of spheres that their text lacks.
 struct SpheresOptions {
-  double density = 0;              // kg/m3, of the grains
-  std::optional<CellRecord> cell;  // periodic cell of a text without a ##PERIODIC:: line
-  std::optional<int> dimension;    // 3: spheres, 2: disks; else from the ##PERIODIC:: line or the header
+  double density = 0;              // density of the grains, kg/m3
+  std::optional<CellRecord> cell;  // periodic cell if the text has no line ##PERIODIC::
+  std::optional<int> dimension;    // 3: spheres, 2: disks; none: by the line ##PERIODIC:: or the header
 };
 
 struct ImportedSpheres {
   Snapshot state;
   Source source;
-  std::vector<std::string> notes;  // what was left out, one sentence each
+  std::vector<std::string> notes;  // left-out content, one sentence each
 };
 
-/// Returns the periodic cell of lengths written as "LX,LY,LZ" (spheres) or "LX,LY" (disks), in m or with units.
-/// Throws UsageError naming `what` where they are not that.
+/// Returns the periodic cell for "LX,LY,LZ" (spheres) or "LX,LY" (disks), in m or with units. Throws UsageError naming
+/// `what` for any other text.
 CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 
-/// Reads grains, one a line. Which column is which is said by a header (x, y, z and r, radius or diameter in any order,
-/// with a unit as x [mm] or x_mm, other named columns are left out and noted), by YADE's #format line, or by a comment
-/// that names as many columns; without any of them lines are exactly x y z r, for disks x y r. Columns are separated by
-/// blanks and tabs, by commas or by semicolons, as in the first line. "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the
-/// first grain gives the cell; without it the cell is the one given, or nothing is periodic.
-/// Throws DataError naming line and column of anything else, and formats of other programs by name.
+/// Reads grains, one per line. Columns are identified by a header (x, y, z and r, radius or diameter in any order, with
+/// a unit as x [mm] or x_mm; other named columns are left out and noted), by YADE's #format line, or by a comment that
+/// names as many columns. Otherwise lines are exactly x y z r, for disks x y r. The first line tells the separator:
+/// blanks and tabs, commas or semicolons. "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell;
+/// otherwise it is options.cell, or nothing is periodic. Throws DataError with line and column of anything else, and
+/// names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
-/// Returns the text that import_spheres reads back to the same grains: x y z r a line (disks: x y r below a header), in
-/// full precision, with the ##PERIODIC:: line for an upright periodic cell.
+/// Returns a text from which import_spheres() reads the same grains: x y z r per line (disks: x y r below a header), in
+/// full precision. An upright periodic cell gives the line ##PERIODIC::.
 std::string export_spheres(const Snapshot& state);
 
 }  // namespace soilweave::io

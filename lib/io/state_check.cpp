@@ -1,4 +1,4 @@
-// What every reader promises about a state, and every writer is given.
+// The conditions that every reader promises and every writer requires of a state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -11,11 +11,12 @@
 namespace soilweave::io {
 namespace {
 
-/// Unit vectors in files: rounding of a few normalisations, far below what would show in a force.
+/// Tolerance on unit vectors in files: rounding of a few normalisations, too small to show in a force.
 constexpr double unit_tolerance = 1e-6;
-// Images are counted in 32 bits; a grain this far from its cell got there by mistake.
+// Greatest distance of a grain from its cell, in cells: images are counted in 32 bits, and larger distances are
+// mistakes.
 constexpr double most_cells_away = 1e6;
-// m; farther away, distances between grains are no numbers any more.
+// m; beyond it distances between grains are lost to rounding.
 constexpr double farthest = 1e9;
 
 class Check {
@@ -24,7 +25,7 @@ class Check {
 
   void all() const {
     if (!std::isfinite(state_.time)) fail("time is not finite");
-    // Steps are counted on from here, and kept as doubles in tables.
+    // Steps are counted on from here, and tables keep them as doubles.
     if (state_.step < 0 || state_.step > std::int64_t{1} << 53)
       fail(fmt::format("the step number is {}; it counts from 0", state_.step));
     lengths();
@@ -87,7 +88,7 @@ class Check {
     if (g.dimension == 2 && (g.position[i].z() != 0 || g.velocity[i].z() != 0)) bad("leaves the plane of a 2D state");
   }
 
-  /// The nearest image of a touching pair is unique only while grains are smaller than half the cell.
+  /// Checks sizes: the nearest image of a touching pair is unique only if grains are smaller than half the cell.
   void size() const {
     double largest = 0;
     for (const double radius : state_.grains.radius) largest = std::max(largest, radius);

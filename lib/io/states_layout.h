@@ -1,4 +1,4 @@
-// Which dataset holds which array of a snapshot, and how arrays become rows of numbers.
+// Pairs datasets with arrays of a snapshot, and turns arrays into rows of numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ namespace soilweave::io::layout {
 inline const std::string grains = "/particles/grains";
 inline std::string contacts_of(std::size_t frame) { return fmt::format("/contacts/{:06}", frame); }
 
-// Rows of arrays: `width` numbers of each item, in order.
+// Arrays as rows: `width` numbers per item, in order.
 
 template <class T>
 void append(std::vector<T>& out, const std::vector<T>& items, Extent) {
@@ -61,7 +61,7 @@ inline Mat3 matrix_of_rows(const double* numbers, int dimension) {
   return matrix;
 }
 
-/// The arrays of numbers in records, by the numbers they are made of.
+/// Element type of the arrays in records.
 template <class Items>
 struct NumberOf {
   using type = typename Items::value_type;
@@ -75,7 +75,7 @@ struct NumberOf<std::vector<std::array<std::int32_t, 2>>> {
   using type = std::int32_t;
 };
 
-// THE pairing of datasets and records, for writing and reading alike.
+// The only list that pairs datasets with records. Writing and reading both use it.
 
 template <class Visit>
 void moving(const Visit& visit) {

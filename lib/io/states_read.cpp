@@ -1,4 +1,4 @@
-// Reads the states of packings and runs, and checks what every reader promises.
+// Reads the states of packings and runs, and checks them as every reader promises.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ class StatesReader {
     return values;
   }
 
-  /// Throws DataError where another program gives a trajectory in another unit than it is read in.
+  /// Throws DataError if another program's trajectory has another unit than expected.
   void demand_unit(const std::string& path, std::string_view wanted) const {
     if (!path.starts_with("/particles") || !file_.has_attribute(path, "unit")) return;
     if (const std::string unit = file_.text_attribute(path, "unit"); unit != wanted)

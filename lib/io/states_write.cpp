@@ -50,8 +50,8 @@ class StatesWriter {
     put_unit(path, std::string(e.units));
   }
 
-  /// H5MD's name of the unit, left out for pure numbers as its module `units` wants it. MDAnalysis, whose units of
-  /// length end at the nanometre, opens no file whose positions are said to be in m.
+  /// Writes a unit under H5MD's name, except for pure numbers, as its module `units` demands. MDAnalysis knows no unit
+  /// of length above the nanometre, and opens no file whose positions are said to be in m.
   void put_unit(const std::string& path, const std::string& unit) {
     if (unit == "1" || path == grains + "/position/value") return;
     if (path.starts_with("/particles"))
@@ -147,7 +147,7 @@ class StatesWriter {
   Extents extents_;
 };
 
-/// What all frames share: the number and kind of grains, planes, periodic axes.
+/// Checks that all frames share number and kind of grains, planes and periodic axes.
 void check_alike(const States& states) {
   const Snapshot& first = *states.front();
   for (std::size_t f = 1; f < states.size(); ++f) {

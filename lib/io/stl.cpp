@@ -1,4 +1,4 @@
-// Surfaces of triangles from STL files, binary and text.
+// Triangulated surfaces from STL files, binary and text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/stl.h"
 
@@ -19,7 +19,7 @@
 namespace soilweave::io {
 namespace {
 
-// A binary file: a header, the number of triangles, and of each its normal, its corners and two bytes more.
+// Layout of a binary file: a header, the number of triangles; for each triangle its normal, its corners and two bytes.
 constexpr std::size_t head_bytes = 80, of_triangle = 50, normal = 12;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
@@ -32,7 +32,7 @@ std::size_t triangles_counted(std::string_view bytes) {
   return bytes.size() < head_bytes + 4 ? 0 : number_at(bytes, head_bytes);
 }
 
-// Points numbered as they come, each place once.
+// Points numbered in order of appearance, each place once.
 class Points {
  public:
   explicit Points(TriangleSoup& soup) : soup_(soup) {}
@@ -76,7 +76,8 @@ bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-// solid NAME { facet normal x y z outer loop vertex x y z (three times) endloop endfacet } endsolid NAME, once or more.
+// Grammar: solid NAME { facet normal x y z outer loop vertex x y z (three times) endloop endfacet } endsolid NAME,
+// repeated.
 class Text {
  public:
   Text(std::string_view text, const std::string& where) : text_(text), where_(where) {}
@@ -155,7 +156,7 @@ class Text {
 TriangleSoup read_stl(std::string_view bytes, const std::string& where) {
   const std::size_t counted = triangles_counted(bytes), wanted = head_bytes + 4 + of_triangle * counted;
   if (bytes.size() == wanted) return read_binary(bytes, where);
-  // Text that has zeros in it is told what it is instead.
+  // A text with zero bytes is refused as the kind of file that it is.
   if (bytes.find('\0') == bytes.npos || bytes.size() < head_bytes + 4 || !binary_kind(bytes).empty()) {
     const std::string text = plain_text(std::string(bytes), where, "surface");
     if (!same_letters(text.substr(std::min(text.find_first_not_of(" \t\n"), text.size()), 5), "solid"))

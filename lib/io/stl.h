@@ -1,4 +1,4 @@
-// Surfaces of triangles from STL files, binary and text.
+// Triangulated surfaces from STL files, binary and text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace soilweave::io {
 
-/// The triangles of an STL file, in the file's unit of length; corners at the same place are one point. A file as long
-/// as its count of triangles says is binary, even where its first word is "solid". where: what messages call the file.
-/// Throws DataError: of text with the line, of a binary file that is cut short with both lengths.
+/// Returns the triangles of an STL file, in the file's unit of length. Corners at one place are one point. A file whose
+/// length fits its count of triangles is binary, even if it begins with "solid". where: what messages call the file.
+/// Throws DataError with the line of a text, or with both lengths of a truncated binary file.
 TriangleSoup read_stl(std::string_view bytes, const std::string& where);
 
 }  // namespace soilweave::io

@@ -1,5 +1,24 @@
-// HDF5 behind two plain classes: build a file in memory, read one from memory. Others know HDF5 by these alone.
+// HDF5 behind two plain classes: Writer builds a file in memory, Reader reads one from memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Here a file is a string of
+// bytes that becomes such a tree, and back. Writing to the disk, a pipe or a checkpoint is another matter (bytes.h),
+// and so is what the arrays mean (schema.h):
+//
+//   records of a packing or run  --schema-->  groups and arrays  --Writer-->  bytes  -->  file or pipe
+//
+// Files must be equal when their content is, so that two runs can be compared by digest. Writer therefore fixes what
+// HDF5 leaves open: no times, one format version, names sorted, chunk sizes that depend on the shape alone. Every byte
+// lies under a checksum, so that a damaged file is noticed before its numbers are used.
+//
+// Reader trusts nothing. A file may be cut short, foreign or made to do harm. It refuses links that lead out of the
+// file, sizes that the file cannot hold, and arrays of another shape or type than the caller names:
+//
+//   Writer file;
+//   file.write<double>("/particles/radius", radii, {radii.size()}, {"m", "radius of each grain"});
+//   write_bytes("packing.h5", file.image());
+//   const Reader again(read_bytes("packing.h5"), "packing.h5");
+//   const std::vector<double> radius = again.read<double>("/particles/radius", {1000});
 #pragma once
 
 #include <cstdint>
@@ -12,13 +31,13 @@
 
 namespace soilweave::io {
 
-/// What every dataset says about itself.
+/// Description of a dataset.
 struct Label {
   std::string units, long_name;
 };
 
-/// A file under construction, in memory. Equal calls give equal bytes: no time stamps, a fixed format (HDF5 1.10), and
-/// every byte of structure and of numeric arrays under one of HDF5's own checksums. Parent groups are made as needed.
+/// A file under construction, in memory. Equal calls give equal bytes: there are no time stamps, and the format is
+/// fixed (HDF5 1.10). HDF5's checksums cover all structure and all numeric arrays. Parent groups are made as needed.
 /// Throws IoError naming the object.
 class Writer {
  public:
@@ -28,7 +47,7 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   void group(const std::string& path);
-  /// T: double, int64, int32, uint8. values.size() is the product of the shape.
+  /// Writes an array. T: double, int64, int32, uint8. values.size() must be the product of the shape.
   template <class T>
   void write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label);
   void write_text(const std::string& path, const std::string& text, const Label& label);
@@ -36,15 +55,15 @@ class Writer {
   void attribute(const std::string& path, const std::string& name, const std::string& text);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
-  /// T: double, int64, uint64.
+  /// Writes a number. T: double, int64, uint64.
   template <class T>
   void attribute(const std::string& path, const std::string& name, T value);
-  /// A text, or a row of texts, of variable length: Python has them as str, where fixed lengths are bytes to it. They
-  /// lie in a heap without a checksum: for what others read, and for words that our reader knows all of.
+  /// Write texts of variable length, which Python reads as str (fixed lengths are bytes to it). They lie in a heap
+  /// without a checksum, so they serve only what other programs read, and words that Reader knows.
   void variable_text(const std::string& path, const std::string& name, const std::string& text);
   void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
 
-  /// A second name for an object (a hard link).
+  /// Gives an object a second name (a hard link).
   void link(const std::string& target, const std::string& path);
 
   /// Ends the file and hands over its bytes.
@@ -57,28 +76,28 @@ class Writer {
   std::int64_t file_ = -1;
 };
 
-/// A file read from its bytes. Every error is a DataError of one line: file, path within it, what is wrong. Nothing
-/// outside the file is read: external links and storage and virtual datasets are refused, and so are values that were
-/// never written, for which HDF5 would give zeros.
+/// A file read from its bytes. Every error is a DataError of one line: file, path within it, mistake. Nothing outside
+/// the file is read: external links, external storage and virtual datasets are refused. So are values that were never
+/// written, for which HDF5 would return zeros.
 class Reader {
  public:
-  /// where: what messages call the file. Rejects what is not HDF5, and truncated files.
+  /// where: what messages call the file. Rejects other formats and truncated files.
   Reader(std::string bytes, std::string where);
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
   const std::string& where() const { return where_; }
-  /// Throws DataError where the path leads out of the file (an external or user-defined link).
+  /// Throws DataError if the path leads out of the file (an external or user-defined link).
   bool has(const std::string& path) const;
   bool is_group(const std::string& path) const;
-  /// Names in a group, sorted.
+  /// Returns the names in a group, sorted.
   std::vector<std::string> children(const std::string& path) const;
 
   Shape shape(const std::string& path) const;
-  /// Whether a dataset holds integers.
+  /// Returns whether a dataset holds integers.
   bool is_integer(const std::string& path) const;
-  /// The whole array, row major. Rejects another shape, another class of type, wider integers.
+  /// Returns the whole array, row major. Rejects another shape, another class of type, and wider integers.
   template <class T>
   std::vector<T> read(const std::string& path, const Shape& expected) const;
   std::string read_text(const std::string& path) const;
@@ -86,7 +105,7 @@ class Reader {
   bool has_attribute(const std::string& path, const std::string& name) const;
   std::string text_attribute(const std::string& path, const std::string& name) const;
   std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;
-  /// Integer attributes; T: int64, uint64.
+  /// Returns integer attributes. T: int64, uint64.
   template <class T>
   std::vector<T> integers(const std::string& path, const std::string& name, const Shape& expected) const;
   template <class T>
@@ -94,8 +113,8 @@ class Reader {
     return integers<T>(path, name, {}).front();
   }
 
-  /// Counts bytes of memory that something in the file asks for; read() does it by itself. All together they are
-  /// bounded by the bytes of the file, whatever it declares. Throws DataError beyond.
+  /// Counts memory that an object asks for, bytes; read() calls it. The size of the file bounds the sum, whatever the
+  /// file declares. Throws DataError beyond.
   void claim(const std::string& path, Extent bytes) const;
 
   /// Throws DataError: "FILE: PATH what".

@@ -17,8 +17,8 @@ namespace {
 using hdf5::Id;
 using hdf5::native;
 
-/// A dataset, or an attribute of an object, with its space and type; negative identifiers where it is not there, or
-/// where `refusal` says why it is not read.
+/// A dataset, or an attribute of an object, with its space and type. Identifiers are negative if it does not exist, or
+/// if `refusal` says why it is not read.
 struct Opened {
   Opened(hid_t file, const std::string& path)
       : id(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose),
@@ -41,8 +41,8 @@ Shape extents_of(hid_t space) {
   return Shape(extents.begin(), extents.end());
 }
 
-/// Strings of fixed or variable length; read(type, buffer) does the reading. most: bytes that can be there. Few strings
-/// of variable length may be there, since all of them can name the same bytes.
+/// Reads strings of fixed or variable length by read(type, buffer). most: bytes that can be there. The number of
+/// variable strings is bounded too, since all of them can refer to the same bytes.
 template <class Read>
 bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>& texts, const Read& read) {
   constexpr hssize_t most_variable = 16;
@@ -93,7 +93,7 @@ bool Reader::has(const std::string& path) const {
 }
 
 void Reader::claim(const std::string& path, Extent bytes) const {
-  // Far more than any packing unpacks to: a lattice of equal grains at rest is about a hundredth of its numbers.
+  // Packings unpack to far less: a lattice of equal grains at rest takes about a hundredth of its numbers.
   constexpr Extent packed = 256, free = Extent{256} << 20;
   const Extent most = free + packed * bytes_.size();
   claimed_ = bytes > most - std::min(claimed_, most) ? most + 1 : claimed_ + bytes;
@@ -116,7 +116,7 @@ std::vector<std::string> Reader::children(const std::string& path) const {
     static_cast<std::vector<std::string>*>(list)->push_back(name);
     return 0;
   };
-  // In a given order HDF5 1.10 would list the links first, and where one is damaged free what it has not listed.
+  // With an order given, HDF5 1.10 would list the links first, and for a damaged link free what it has not listed.
   if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect, &names) < 0) fail(path, "is damaged");
   std::sort(names.begin(), names.end());
   return names;

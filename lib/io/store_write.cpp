@@ -30,7 +30,8 @@ void demand(bool good, const std::string& path) {
   if (!good) throw IoError(path + ": HDF5 could not add it to the file in memory; is there memory left?");
 }
 
-/// Chunks of about a megabyte: whole trailing dimensions as far as they fit, then a part of the next, then single rows.
+/// Returns chunks of about a megabyte: whole trailing dimensions as far as they fit, then part of the next one, then
+/// single rows.
 Shape chunk_of(const Shape& shape) {
   Extent room = Extent{1} << 17;
   Shape chunk(shape.size(), 1);
@@ -41,7 +42,8 @@ Shape chunk_of(const Shape& shape) {
   return chunk;
 }
 
-/// Small arrays lie in the object header, whose checksum covers them; large ones in chunks with checksums of their own.
+/// Returns the storage of an array. Small arrays lie in the object header, whose checksum covers them. Large ones lie
+/// in chunks with checksums of their own.
 Id creation(const Shape& shape, std::size_t element_size) {
   constexpr Extent compact_bytes = 4096;
   const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
@@ -52,7 +54,7 @@ Id creation(const Shape& shape, std::size_t element_size) {
   }
   H5Pset_chunk(list, static_cast<int>(shape.size()), hdf5::extents(chunk_of(shape)).data());
   H5Pset_shuffle(list);
-  // The noise in the last digits of doubles does not compress: levels above 1 cost time and save next to nothing.
+  // The last digits of doubles are noise and do not compress: levels above 1 cost time and save almost nothing.
   H5Pset_deflate(list, 1);
   H5Pset_fletcher32(list);
   return {list, H5Pclose};

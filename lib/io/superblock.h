@@ -1,4 +1,4 @@
-// The first bytes of an HDF5 file: what it is and where it ends.
+// First bytes of an HDF5 file: its signature and its stated end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace soilweave::io {
 
-/// Where the file says it ends (superblock versions 2 and 3, which Writer makes); 0 for other versions.
+/// Returns the end of the file that its superblock states (versions 2 and 3; Writer makes these); 0 for other versions.
 std::uint64_t stated_end(std::string_view bytes);
 
-/// Throws DataError, naming `where`, unless the bytes begin an HDF5 file and reach to its end.
+/// Throws DataError naming `where` unless the bytes begin an HDF5 file and reach to its stated end.
 void check_whole(std::string_view bytes, const std::string& where);
 
 }  // namespace soilweave::io

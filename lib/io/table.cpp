@@ -1,4 +1,4 @@
-// Tables as text, to and from series.
+// Converts tables from text to series and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/table.h"
 
@@ -19,7 +19,7 @@
 namespace soilweave::io {
 namespace {
 
-/// Removes and returns what comes before the separator, or everything.
+/// Removes and returns what precedes the separator, or everything.
 std::string_view take(std::string_view& rest, char separator) {
   const std::size_t end = std::min(rest.find(separator), rest.size());
   const std::string_view part = rest.substr(0, end);
@@ -27,7 +27,7 @@ std::string_view take(std::string_view& rest, char separator) {
   return part;
 }
 
-/// A cell as it is meant: without outer blanks and quotes.
+/// Returns a cell without outer blanks and quotes.
 std::string unquoted(std::string_view cell) {
   cell = trimmed(cell);
   if (cell.size() < 2 || !cell.starts_with('"') || !cell.ends_with('"')) return std::string(cell);
@@ -45,7 +45,8 @@ bool is_unit(const std::string& text) {
   }
 }
 
-/// "p [kPa]", and as other programs write it "p (kPa)": round brackets may also be part of a name.
+/// Takes a heading apart: "p [kPa]", or as other programs write it "p (kPa)". Round brackets may also be part of a
+/// name.
 Column headed(const std::string& cell) {
   const std::size_t open = cell.find_last_of("[(");
   const bool square = cell.ends_with(']'), round = cell.ends_with(')');
@@ -56,7 +57,7 @@ Column headed(const std::string& cell) {
   return {std::string(trimmed(std::string_view(cell).substr(0, open))), unit, "", {}};
 }
 
-/// One line of the table; counts lines and columns for the messages.
+/// Reader of table lines; it counts lines and columns for messages.
 class TableReader {
  public:
   explicit TableReader(const std::string& where) : where_(where) {}
@@ -66,7 +67,7 @@ class TableReader {
     if (trimmed(text).empty() || text.starts_with('#')) return;
     if (!table_.columns.empty()) return row(text);
     separator_ = separator_of(text);
-    // Names may have blanks within; a table of one column has no separator.
+    // Names may contain blanks; a table of one column has no separator.
     header(separator_ == ' ' ? std::vector<std::string>{unquoted(text)} : cells(text, separator_));
   }
   Series finish() {
@@ -93,7 +94,7 @@ class TableReader {
     }
   }
 
-  /// Why a line has another number of values than the header.
+  /// Returns why a line has another number of values than the header.
   std::string other_width(std::size_t values, std::string_view text) const {
     const std::size_t width = table_.columns.size();
     std::string why = fmt::format("{} values where the header names {} columns", values, width);

@@ -27,13 +27,13 @@ namespace fs = std::filesystem;
 constexpr std::string_view temporary_ending = ".tmp";
 constexpr std::size_t digits = 16;
 
-/// ".NAME." of a target; of a long name only as much as leaves room for the rest, within the 255 bytes of a file name.
+/// Returns ".NAME." of a target, with a long name cut so that the whole fits the 255 bytes of a file name.
 std::string prefix_of(std::string_view name) {
   constexpr std::size_t longest = 255 - 2 - digits - temporary_ending.size();
   return fmt::format(".{}.", name.substr(0, longest));
 }
 
-/// Whether a file name is that of a temporary file of `name`, or of any file for an empty one.
+/// Returns whether `file` names a temporary file of `name` (empty: of any file).
 bool is_temporary(std::string_view file, std::string_view name) {
   if (!file.starts_with(name.empty() ? "." : prefix_of(name)) || !file.ends_with(temporary_ending)) return false;
   file.remove_suffix(temporary_ending.size());
@@ -50,14 +50,14 @@ std::string random_number() {
   return fmt::format("{:016x}", number);
 }
 
-/// Locks a file of this process. False where another process, cleaning up, was faster or has removed it.
+/// Locks a file of this process. Returns false if another process, cleaning up, locked or removed it first.
 bool lock(int descriptor) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat status = {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
-/// Gives the file the permissions of the one it will replace, and its owner and group as far as the user may.
+/// Gives the file the permissions of the one it will replace; owner and group as far as the user may.
 void resemble(int descriptor, const struct stat& model) {
   constexpr mode_t special = S_ISUID | S_ISGID;
   const bool given = ::fchown(descriptor, model.st_uid, model.st_gid) == 0 ||

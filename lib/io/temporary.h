@@ -1,4 +1,4 @@
-// The file that an output is written to before it takes its name.
+// Temporary file that an output is written to before it is renamed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace soilweave::io {
 
-/// A new file beside `target`, under a name nobody can foretell (".NAME.0123456789abcdef.tmp"), opened exclusively, so
-/// that no link or file of another is ever followed or taken; locked while it lives, which tells it from one that a
-/// process left when it was killed. Where `target` is there, the new file gets its permissions (and its owner, if the
-/// user may give files away) before a byte is in it. Removed unless it was renamed. Throws CannotCreate.
+/// A new file beside `target` with an unpredictable name (".NAME.0123456789abcdef.tmp"). It is opened exclusively, so
+/// that no link or file of another user is followed or taken. It stays locked while it lives, which distinguishes it
+/// from the leftover of a killed process. It gets the permissions of an existing `target` (and its owner, if the user
+/// may) before a byte is written. It is removed unless renamed. Throws CannotCreate.
 class Temporary {
  public:
   explicit Temporary(const std::filesystem::path& target);
@@ -19,9 +19,9 @@ class Temporary {
   Temporary& operator=(const Temporary&) = delete;
 
   int descriptor() const { return descriptor_; }
-  /// Closes the file; false where the system could not write all of it.
+  /// Closes the file. Returns false if the system could not write all of it.
   bool close();
-  /// Gives the file its target's name. Throws CannotCreate.
+  /// Renames the file to its target. Throws CannotCreate.
   void rename();
 
  private:
@@ -30,8 +30,8 @@ class Temporary {
   bool renamed_ = false;
 };
 
-/// Removes the temporary files in a folder that processes which are gone left of the file `name`; empty: of any file.
-/// Where the file system knows no locks none is taken for left.
+/// Removes temporary files of `name` (empty: of any file) that ended processes left in a folder. Without file locks
+/// none counts as left.
 void remove_left_temporaries(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace soilweave::io

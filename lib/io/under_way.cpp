@@ -1,4 +1,4 @@
-// The folder of a run under way seen from outside.
+// The folder of an unfinished run, seen from outside.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/under_way.h"
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view state_name = "state-", checkpoint_name = "checkpoint-", ending = ".h5";
 
-// The step in "state-000000000120.h5" after its prefix; -1 for other names.
+// Returns the step in "state-000000000120.h5" after its prefix; -1 for other names.
 std::int64_t step_in(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix) || !name.ends_with(ending)) return -1;
   name.remove_prefix(prefix.size());
@@ -31,7 +31,7 @@ std::int64_t step_in(std::string_view name, std::string_view prefix) {
   return failure == std::errc() && end == name.data() + name.size() ? step : -1;
 }
 
-// A checkpoint may be replaced by a newer one between the listing and the reading: the folder is then listed again.
+// Lists the folder again if a newer checkpoint replaced one between listing and reading.
 template <class Read>
 auto while_it_changes(const fs::path& folder, const Read& read) {
   constexpr int attempts = 5;
@@ -65,7 +65,7 @@ std::vector<PartFile> part_files(const fs::path& folder) {
   std::vector<PartFile> files;
   std::error_code failure;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
-    // A link leads to what is not of this run, and reading a pipe would wait for ever.
+    // A link may lead to a file of another run, and reading a pipe would wait for ever.
     std::error_code unknown;
     if (!fs::is_regular_file(entry.symlink_status(unknown))) continue;
     const std::string name = entry.path().filename().string();

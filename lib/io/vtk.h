@@ -12,7 +12,7 @@
 
 namespace soilweave::io {
 
-/// One named array, `components` values per point or cell (9: a tensor, row major).
+/// One named array with `components` values per point or cell (9: a tensor, row major).
 struct VtkArray {
   std::string name;
   int components = 1;
@@ -20,31 +20,32 @@ struct VtkArray {
       values;
 };
 
-/// Every cell of a picture has the same shape and takes the next 1, 2, 3, 4 or 8 points: no point is shared.
+/// Shape of all cells of a picture. Each cell takes the next 1, 2, 3, 4 or 8 points; cells share no points.
 enum class VtkShape { vertex = 1, line = 2, triangle = 3, quad = 4, hexahedron = 8 };
 
-/// What one VTK file shows.
+/// Content of one VTK file.
 struct VtkPicture {
   double time = 0;  // s
   std::int64_t step = 0;
   VtkShape shape = VtkShape::vertex;
-  bool grid = false;         // a mesh: an unstructured grid (.vtu) whatever its shape
+  bool grid = false;         // true: unstructured grid (.vtu), whatever the shape
   std::vector<Vec3> points;  // m
   std::vector<VtkArray> point_data, cell_data;
 };
 
-/// PolyData: vertices, lines, triangles or quads. compress: zlib instead of raw. Equal pictures give equal bytes.
-/// Throws DataError if an array's length disagrees with the points or cells.
+/// Returns PolyData: vertices, lines, triangles or quads. compress: zlib instead of raw. Equal pictures give equal
+/// bytes. Throws DataError if the length of an array disagrees with the points or cells.
 std::string to_vtp(const VtkPicture& picture, bool compress = false);
-/// UnstructuredGrid: any shape.
+/// Returns an UnstructuredGrid of any shape.
 std::string to_vtu(const VtkPicture& picture, bool compress = false);
 
-/// A surface as its file has it.
+/// A surface as in its file.
 struct TriangleSoup {
   std::vector<Vec3> points;  // in the file's unit of length
   std::vector<std::array<std::size_t, 3>> triangles;
 };
-/// The polygons of a .vtp file, cut into triangles. Throws DataError where it is none. Null in programs without VTK.
+/// Returns the polygons of a .vtp file, cut into triangles. Throws DataError if it is no such file. Null in programs
+/// without VTK.
 [[gnu::weak]] TriangleSoup read_vtp(const std::string& path);
 
 }  // namespace soilweave::io

@@ -18,7 +18,7 @@
 namespace soilweave::io {
 
 TriangleSoup read_vtp(const std::string& path) {
-  vtkObject::GlobalWarningDisplayOff();  // or it would print, in terms of its own sources, what is told below
+  vtkObject::GlobalWarningDisplayOff();  // else VTK prints warnings about its own sources
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   try {
