@@ -1,5 +1,5 @@
-// The folder of a run under way, OUTPUT.part: its recorded states and checkpoints, each a closed file from which the
-// run can go on to the same bytes. FORMAT.md says what they hold.
+// The folder of an unfinished run, OUTPUT.part. It holds recorded states and checkpoints, each a closed file from which
+// the run can go on to the same bytes. FORMAT.md specifies the files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,9 +16,9 @@
 
 namespace soilweave::io {
 
-/// A moment of a run from which it can go on: the state, the rows of the series so far, and the numbers that only the
-/// running program knows. A run of several scales has no grains in `state` (its step names the file): its grains are in
-/// the numbers, and what it has recorded so far in `tables` and `frames`.
+/// A checkpoint: the state, the rows of the series so far, and numbers that only the running program knows. In a
+/// two-scale run `state` has no grains, only the step that names the file. Its grains are in the numbers, and its
+/// records so far in `tables` and `frames`.
 struct Moment {
   Snapshot state;
   Series series;
@@ -27,56 +27,56 @@ struct Moment {
   std::vector<Snapshot> frames = {};
 };
 
-/// Writes a moment as a file of kind "checkpoint", atomically. Throws CannotCreate, IoError, DataError for a state that
-/// is not finite.
+/// Writes a file of kind "checkpoint" atomically. Throws CannotCreate, IoError; DataError for a state that is not
+/// finite.
 void write_moment(const std::filesystem::path& path, const Moment& moment, const History& history);
-/// Throws DataError where the file is damaged or of another kind.
+/// Reads a checkpoint. Throws DataError for a damaged file or another kind.
 Moment read_moment(const std::filesystem::path& path, History& history);
 
-/// The folder holds another run.
+/// Error: the folder holds another run.
 struct AnotherRun : DataError {
   using DataError::DataError;
 };
 
 class Part {
  public:
-  /// How to take a folder that is there already.
+  /// Treatment of an existing folder.
   enum class Entry {
-    fresh,          // refuse one that holds more than the start of a run
-    anew,           // refuse a folder that holds more than the start of a run
-    resume,         // go on from its last moment; refuse another run
-    resume_or_anew  // go on from its last checkpoint; refuse another run
+    fresh,          // refuse a folder that holds more than the start of a run
+    anew,           // empty it
+    resume,         // go on from its last checkpoint; refuse another run
+    resume_or_anew  // go on from its last checkpoint; empty the folder of another run
   };
 
-  /// Makes the folder beside the output and locks it for this process. history: what the output will carry; a moment of
-  /// another history is of another run. Throws CannotCreate where another process has the folder, or work in it would
-  /// be lost; AnotherRun where the run in it is another one: the message names what differs.
+  /// Makes the folder beside the output and locks it for this process. history: the output's; a checkpoint with another
+  /// history is of another run. Throws CannotCreate if another process has the folder or if work in it would be lost.
+  /// Throws AnotherRun, which names the difference.
   Part(const std::filesystem::path& output, History history, Entry entry);
-  /// Leaves the folder, unless nothing is in it.
+  /// Leaves the folder; removes it if it is empty.
   ~Part();
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
 
-  /// The moment to go on from; none at the beginning of a run. Taken out once.
+  /// Hands over the checkpoint to go on from, once; none at the beginning of a run.
   std::optional<Moment> take_last();
-  /// Writes the moment; recorded ones stay until the end, of the others the last two files.
+  /// Writes a checkpoint. Recorded ones stay until the end; of the others the last two files stay.
   void keep(Moment moment, bool recorded);
-  /// The recorded states in order, read back.
+  /// Reads the recorded states back, in order.
   std::vector<Snapshot> recorded() const;
-  /// Removes the folder: the output is there.
+  /// Removes the folder, once the output is written.
   void remove();
 
-  /// The newest file, empty before the first; its step, -1 before the first.
+  /// Returns the newest file and its step; an empty path and -1 before the first.
   std::filesystem::path last() const;
   std::int64_t last_step() const { return files_.empty() ? -1 : files_.back().step; }
-  /// Whether it held another run's work, which is gone.
+  /// Returns whether the folder held another run, which is gone.
   bool replaced() const { return replaced_; }
-  /// The error with what is whole and how to go on in its line.
+  /// Returns the error with a line on what is kept and how to go on.
   Error explained(const Error& error) const;
-  /// The error of a guard. The state it stopped at is left beside the moments, for the eye; grains whose numbers are
-  /// not finite are not in it.
+  /// Returns the error of a guard. The state at which it stopped is left beside the checkpoints for inspection, without
+  /// grains whose numbers are not finite.
   Error stopped(const Error& error, const Snapshot& state) const;
-  /// The same, of what leave() writes to the path it is given.
+  /// Returns the error of a guard; leave(path) writes what is left for inspection.
   Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
 
  private:
@@ -96,11 +96,11 @@ class Part {
   int lock_ = -1;
 };
 
-/// Whether the output is there already and of this history. Throws CannotCreate where it is of another, and no run
-/// under way beside it was allowed to overwrite it.
+/// Returns whether the output exists with this history. Throws CannotCreate if it has another history, unless an
+/// unfinished run beside it was allowed to overwrite it.
 bool finished(const std::filesystem::path& output, const History& history);
 
-/// The folder of an output.
+/// Returns the folder of an output.
 std::filesystem::path part_of(const std::filesystem::path& output);
 
 }  // namespace soilweave::io

@@ -8,8 +8,8 @@
 //   records of a packing or run  --schema-->  groups and arrays  --Writer-->  bytes  -->  file or pipe
 //
 // Files must be equal when their content is, so that two runs can be compared by digest. Writer therefore fixes what
-// HDF5 leaves open: no times, one format version, names sorted, chunk sizes that depend on the shape alone. Every byte
-// lies under a checksum, so that a damaged file is noticed before its numbers are used.
+// HDF5 leaves open: no times, one format version, and chunk sizes that depend on the shape alone. Checksums cover the
+// structure and the arrays, so that a damaged file is noticed before its numbers are used.
 //
 // Reader trusts nothing. A file may be cut short, foreign or made to do harm. It refuses links that lead out of the
 // file, sizes that the file cannot hold, and arrays of another shape or type than the caller names:
