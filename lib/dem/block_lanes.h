@@ -1,4 +1,4 @@
-// The lanes of a block of pairs that one register holds: how the sweep reads and writes them.
+// Access to the lanes of a block of pairs that one register holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,19 +11,19 @@
 
 namespace soilweave::dem {
 
-/// The lanes from k on.
+/// Lanes of a block from lane k on.
 template <class T>
 struct BlockLanes {
   ContactBlock* block;
   std::size_t lane;
-  double* numbers;  // of the block's first array, from the lane on
+  double* numbers;  // first array of the block, from the lane on
 
   BlockLanes() = default;
   BlockLanes(ContactBlock& of, std::size_t from) : block(&of), lane(from), numbers(of.shear[0] + from) {}
 
   static constexpr unsigned full = (1u << width<T>)-1;
   unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
-  /// Which reach across the cell's faces.
+  /// Returns the mask of pairs that reach across the cell's faces.
   unsigned folded() const { return (unsigned{block->folded} >> lane) & full; }
   void set_masks(unsigned touching, unsigned sliding) const {
     const unsigned others = ~(full << lane);
@@ -63,7 +63,8 @@ struct BlockLanes {
 
   Side first_side(const std::byte* grains) const { return {grains, block->first + lane}; }
   Side second_side(const std::byte* grains) const { return {grains, block->second + lane}; }
-  /// A cell offset comes with `shifts`, a row for each of Contacts::images.
+  /// Reads the rows of both grains. The cell offset of a pair is added from `shifts`, a row for each of
+  /// Contacts::images.
   template <class Space, bool moving>
   PairRows<T, Space> read(const std::byte* grains, const Lane4* shifts) const {
     const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
@@ -81,12 +82,13 @@ struct BlockLanes {
   static double* at_bytes(double* from, std::size_t distance) {
     return reinterpret_cast<double*>(reinterpret_cast<std::byte*>(from) + distance);
   }
-  // The block's arrays of numbers, which lie one after the other.
+  // Arrays of numbers in a block, which lie one after the other.
   enum Array : std::size_t { shear_force = 0, rolling_moment = 3, twisting_moment = 6, normal = 7 };
   static_assert(offsetof(ContactBlock, normal_force) == normal * ContactBlock::size * sizeof(double));
   double* at(Array array) const { return numbers + array * ContactBlock::size; }
 
-  // The last argument tells the kind. What is a number in the plane is the third part.
+  // The last argument only selects the type. A quantity that is a number in the plane lies in the place of the third
+  // component.
   static V3<T> read(const double* from, const V3<T>&) {
     return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};
   }

@@ -1,4 +1,4 @@
-// The periodic cell: shape, velocity gradient, volume, nearest images. Axes that are not periodic only carry a length.
+// The periodic cell: shape, velocity gradient, volume, nearest images. An aperiodic axis only carries a length.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +12,7 @@ class Cell {
   Cell() = default;
   Cell(const io::CellRecord& record, int dimension);
 
-  /// Advances shape and deformation gradient by one step of the velocity gradient (first order, dem-laws: H <- (I + L
-  /// dt) H).
+  /// Advances shape and deformation gradient over a step, first order: H <- (1 + L dt) H (LAWS.md §5).
   void advance(double dt);
   void set_velocity_gradient(const Mat3& gradient) { velocity_gradient_ = gradient; }
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
@@ -26,9 +25,9 @@ class Cell {
   bool deforming() const { return deforming_; }
 
   double volume() const;  // m3 (2D: m2)
-  Vec3 widths() const;    // m, distances between opposite faces
-  /// Integer offset of `to`'s image nearest to `from` (exact for grains smaller than half the cell), periodic axes
-  /// only.
+  Vec3 widths() const;    // distances between opposite faces, m
+  /// Returns the integer offset of `to`'s image nearest to `from`, along periodic axes. Exact for grains smaller than
+  /// half the cell.
   Vec3i nearest_image(const Vec3& from, const Vec3& to) const;
   io::CellRecord record() const;
 

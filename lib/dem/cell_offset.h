@@ -1,4 +1,4 @@
-// Whole cells between a grain and the image of another that it touches, as one number.
+// Number of cells between a grain and the image of another grain that it touches, packed into one integer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace soilweave::dem {
 
-/// x first: offsets order as (x, y, z) do, and add and subtract as vectors do. None is 0. Beyond a million cells along
-/// an axis, farther than pairs reach, all is one.
+/// Packed offset, x in the highest bits, so that offsets order, add and subtract as vectors do. Zero offset is 0.
+/// Offsets beyond a million cells along an axis are equal, since no pair reaches so far.
 using CellOffset = std::int64_t;
 
-constexpr int cell_offset_bits = 21;  // of an axis, sign included
+constexpr int cell_offset_bits = 21;  // bits per axis, sign included
 
 inline CellOffset cell_offset(const Vec3i& cells) {
   constexpr std::int64_t most = (std::int64_t{1} << (cell_offset_bits - 1)) - 1;
@@ -32,7 +32,7 @@ inline Vec3i cells_of(CellOffset offset) {
   return cells;
 }
 
-/// What is added to the position of the second grain, m; matrix: the cell's.
+/// Returns the vector to add to the second grain's position, m. matrix: the cell's.
 inline Vec3 shift_of(CellOffset offset, const Mat3& matrix) {
   return offset == 0 ? Vec3::Zero() : Vec3(matrix * cells_of(offset).cast<double>());
 }

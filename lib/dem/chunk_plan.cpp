@@ -1,4 +1,4 @@
-// In which order the passes of a step over the chunks of grains follow one another, and how threads share them.
+// Order of the passes of a step over the chunks of grains, and its division among threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/chunk_plan.h"
 
@@ -11,13 +11,14 @@ ChunkPlan::ChunkPlan(const std::vector<std::vector<std::uint32_t>>& reached, con
                      int threads)
     : shares_(static_cast<std::size_t>(threads)) {
   const std::size_t chunks = reached.size(), count = shares_.size();
-  std::vector<std::size_t> before(chunks + 1, 0);  // of all chunks before each
+  std::vector<std::size_t> before(chunks + 1, 0);  // work of all chunks before each
   std::partial_sum(work.begin(), work.end(), before.begin() + 1);
   const auto chunk_at = [&](std::size_t done) {
     return static_cast<std::size_t>(std::lower_bound(before.begin(), before.end(), done) - before.begin());
   };
   const auto first_of = [&](std::size_t share) { return chunk_at(share * before.back() / count); };
-  // How much of a share is left for all evens out what the shares differ in, and cores.
+  // The last seventh of each thread's chunks may be taken by any thread. That evens out chunks of unequal cost and slow
+  // cores.
   const auto own_end = [&](std::size_t share) {
     constexpr std::size_t one_of = 7;
     const std::size_t begin = before[first_of(share)], end = before[first_of(share + 1)];

@@ -1,4 +1,4 @@
-// In which order the passes of a step over the chunks of grains follow one another, and how threads share them.
+// Order of the passes of a step over the chunks of grains, and its division among threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,24 +8,24 @@
 
 namespace soilweave::dem {
 
-/// A step passes over the grains to move them, over their pairs, and over the grains again to collect their loads. One
-/// pass after the other would fetch every grain three times from a memory that is slower than the arithmetic. So a
-/// thread moves, sweeps and collects chunk by chunk, while they lie in its cache: a chunk's pairs are swept when all
-/// chunks that they reach have moved, and its loads collected then, since pairs belong to the chunk of their first
-/// grain, the lower one. Each thread has a share of the chunks, one after the other, with as much work as any other
-/// share; the last of each share are left to be swept by who is done first. These, and chunks that another share's
-/// pairs reach, are moved before anything is swept, and collected when everything is.
+/// Order of a step's passes. A step moves the grains, sweeps their pairs, and collects the loads of the grains. Three
+/// passes one after the other would fetch every grain three times from a memory slower than the arithmetic. So a thread
+/// moves, sweeps and collects chunk by chunk, while a chunk lies in its cache. A chunk is swept once all chunks that
+/// its pairs reach have moved. Its loads are collected right after, since pairs belong to the chunk of their first,
+/// lower grain. Each thread has a contiguous share of chunks with equal work. The last chunks of each share are swept
+/// by the first thread that is free. These, and chunks that pairs of another share reach, are moved before all sweeps
+/// and collected after them.
 class ChunkPlan {
  public:
   ChunkPlan() = default;
-  /// reached: for each chunk the higher ones that its pairs reach; work: what each takes, in any unit, not 0.
+  /// reached: for each chunk, the higher chunks that its pairs reach. work: positive cost of each chunk, in any unit.
   ChunkPlan(const std::vector<std::vector<std::uint32_t>>& reached, const std::vector<std::size_t>& work, int threads);
 
   /// Calls move(chunk), sweep(chunk) and collect(chunk) once for each chunk.
   template <class Move, class Sweep, class Collect>
   void run(const Move& move, const Sweep& sweep, const Collect& collect) const {
     const auto threads = static_cast<int>(shares_.size());
-    if (threads == 1) return run(shares_.front(), move, sweep, collect);  // not even a team of one
+    if (threads == 1) return run(shares_.front(), move, sweep, collect);  // not even a team of one thread
 #pragma omp parallel num_threads(threads)
     {
 #pragma omp for schedule(static)
@@ -42,11 +42,11 @@ class ChunkPlan {
  private:
   struct Turn {
     std::uint32_t chunk;
-    std::uint32_t moved_until;  // how many in need must have moved before
+    std::uint32_t moved_until;  // number of chunks of in_need that must have moved first
     bool collect;
   };
   struct Share {
-    std::vector<std::uint32_t> in_need;  // in the order in which their grains are
+    std::vector<std::uint32_t> in_need;  // in the order of their grains
     std::vector<Turn> turns;
   };
 
@@ -60,8 +60,8 @@ class ChunkPlan {
     }
   }
 
-  std::vector<std::uint32_t> apart_, left_;  // moved and collected apart; those of them that no thread has as its own
-  std::vector<Share> shares_;                // one for each thread
+  std::vector<std::uint32_t> apart_, left_;  // chunks moved and collected apart; those of them that no thread owns
+  std::vector<Share> shares_;                // one per thread
 };
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// Grains held together rigidly.
+// Clamps: grains held rigidly together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/clamp.h"
 

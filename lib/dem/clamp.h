@@ -1,4 +1,5 @@
-// Grains held together rigidly, without rotation of the whole: they move as they are told, whatever pulls at them.
+// Clamps: grains held rigidly together without rotation. They move at a prescribed velocity, whatever force acts on
+// them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,17 +12,17 @@ namespace soilweave::dem {
 struct Clamp {
   std::vector<std::int32_t> grains;
   Vec3 velocity = Vec3::Zero();  // m/s
-  Vec3 force = Vec3::Zero();     // N, of its grains on the clamp, gravity included
+  Vec3 force = Vec3::Zero();     // force of its grains on the clamp, gravity included, N
 };
 
 class Clamps {
  public:
   std::vector<Clamp> all;
 
-  /// Takes the forces off the clamped grains, so that the next step moves them at the clamp's velocity; to be called
-  /// when all forces are summed. Returns the work that the clamps did over a step dt that led here, J.
+  /// Moves the forces from the clamped grains to the clamps, so that the next step moves these grains at the clamp's
+  /// velocity. Call it after all forces are summed. Returns the work of the clamps over the step dt that led here, J.
   double take(const Vec3& gravity, double dt, Bodies& bodies);
-  /// Lets clamp k move at a velocity from now on. Returns the kinetic energy this gives, J.
+  /// Sets the velocity of clamp k from now on. Returns the kinetic energy that this adds, J.
   double set_velocity(std::size_t k, const Vec3& velocity, Bodies& bodies);
 };
 

@@ -1,4 +1,4 @@
-// What a contact does to its grains: force and torques, and the stiffness it gives them.
+// Action of a contact on its grains: force, torques, and stiffness.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace soilweave::dem {
 
-/// The force and the torques of a contact.
+/// Force and torques of a contact.
 template <class T, class Space = Spatial>
 struct Action {
   Vector<T, Space> force;                      // N, on the second body
-  Turn<T, Space> torque_first, torque_second;  // N m, that on the first the other way round
+  Turn<T, Space> torque_first, torque_second;  // N m; the first acts the other way round
 };
 
-/// arm_1, arm_2: from the centres to the contact point, m.
+/// Returns force and torques. arm_1, arm_2: distances from the centres to the contact point, m.
 template <class T, class Space>
 Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2, const Memory<T, Space>& memory,
                         const T& normal_force) {
@@ -25,8 +25,8 @@ Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_
   return {joined(normal_force, n, memory.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
 }
 
-/// Diagonals of a contact's stiffness matrices about the axes (Chareyre & Villard 2005), against translation and
-/// rotation.
+/// Diagonals of a contact's stiffness matrices about the axes, for translation and rotation (Chareyre & Villard 2005;
+/// LAWS.md §8).
 template <class T>
 std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
   const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
@@ -41,7 +41,7 @@ std::pair<V2<T>, T> axis_stiffness(const V2<T>& n, const Response<T>& r, const T
           r.rolling_stiffness + r.shear_stiffness * (radius * radius)};
 }
 
-/// Response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
+/// Returns the response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
 template <class T>
 V2<T> affine_stiffness(const V2<T>& n, const T& length, const Response<T>& r) {
   const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;

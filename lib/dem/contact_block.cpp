@@ -1,11 +1,11 @@
-// Lanes of blocks of pairs, one by one.
+// Lanes of blocks of pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contact_block.h"
 
 namespace soilweave::dem {
 
 void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
-  if (!((from.touching >> k) & 1)) return;  // it holds zeros
+  if (!((from.touching >> k) & 1)) return;  // the lane holds zeros
   const double* source = from.shear[0] + k;
   double* target = to.shear[0] + l;
   for (int array = 0; array < ContactBlock::arrays; ++array)

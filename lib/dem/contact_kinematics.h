@@ -1,4 +1,4 @@
-// From the motion of two bodies to the increments a contact law works with.
+// Increments that a contact law works with, from the motion of two bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,25 +6,25 @@
 
 namespace soilweave::dem {
 
-/// The motion of a pair over a step: body 2 relative to body 1.
+/// Motion of a pair over a step, body 2 relative to body 1.
 template <class T, class Space = Spatial>
 struct PairMotion {
-  Vector<T, Space> velocity;      // m/s, of the centres
+  Vector<T, Space> velocity;      // relative velocity of the centres, m/s
   Turn<T, Space> spin_1, spin_2;  // rad/s
-  T lever_1, lever_2;             // m, the radii; 0 for a plane
-  T inverse_distance;             // 1/m, of the centres; of the radius for a plane
+  T lever_1, lever_2;             // radii, m; 0 for a plane
+  T inverse_distance;             // 1/m: 1/(distance of the centres); 1/radius for a plane
 };
 
-/// What both turn the surfaces by, lengthwise: levers times spins, over dt.
+/// Returns the sum of the levers times the spins, over dt: the rotation's part of the slip.
 template <class T, class Space>
 Turn<T, Space> turning(const PairMotion<T, Space>& m, const T& dt) {
   const T lever_1 = dt * m.lever_1, lever_2 = dt * m.lever_2;
   return fused(lever_2, m.spin_2, Turn<T, Space>(lever_1 * m.spin_1));
 }
 
-/// Increments over dt with full-radius levers and the translation amplified by (r1 + r2)/distance, which keeps a
-/// contact from ratcheting when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; dem-laws §1). Normal,
-/// overlap, radii and masses are the caller's.
+/// Sets the increments over dt. Levers are the full radii, and the translation is multiplied by (r1 + r2)/distance.
+/// Then a contact does not ratchet when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; LAWS.md §1). The
+/// caller sets normal, overlap, radii and masses.
 template <class T, class Space>
 void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Space>& k) {
   const T translation = dt * ((m.lever_1 + m.lever_2) * m.inverse_distance);
@@ -39,8 +39,8 @@ void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Sp
   }
 }
 
-/// The slip of the grains' surfaces over dt at the contact point, which lies half the overlap inside each, m: what the
-/// shear force does work on. The law's slip above has longer levers.
+/// Returns the slip of the surfaces over dt, m, at the contact point, which lies half the overlap inside each grain.
+/// The shear force does its work on this slip; the law's slip above has longer levers.
 template <class T, class Space>
 Along<T, Space> surface_slip(const PairMotion<T, Space>& m, const Kinematics<T, Space>& k, const T& dt) {
   const T depth = 0.5 * dt * k.overlap;

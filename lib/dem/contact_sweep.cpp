@@ -1,23 +1,23 @@
 // One sweep over all candidate pairs, a vector register of contacts at a time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is summed over contacts is summed contact by contact within a chunk of grains, and the chunks in order: every
-// bit is independent of the width of the register, of the pairs listed without touching, and of the number of threads.
+// Sums over contacts are made contact by contact within a chunk of grains, and the chunks are summed in order. Every
+// bit is independent of the width of the register, of pairs that do not touch, and of the number of threads.
 //
 // A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
 // of registers through one stage after the other: where the pairs lie (approach), how they move (move), what the law
 // answers (answer), and what that does to the grains (act). Within a stage the processor works on several registers at
-// once, and a batch stays in its first cache. What a contact does to its grains is added at once to their loads, in the
-// order of the pairs; only for grains of other chunks, which another thread may be at, does it wait in a place of its
-// own (contacts.h). Disks go through the same stages with the vectors and turns of the plane (space.h).
+// once, and a batch stays in its first cache. Forces are added at once to the loads of the grains, in the order of the
+// pairs. Grains of other chunks, on which another thread may work, have loads of single pairs for that (contacts.h).
+// Disks go through the same stages with the vectors and rotations of the plane (space.h).
 //
-// This file is compiled once for either width (vector_width.cpp); the same order of operations on every contact gives
-// the same bits.
+// This file is compiled once per width (vector_width.cpp). The order of operations on every contact is the same, and so
+// are the bits.
 //
-// No old normal is kept: where a pair has turned from follows from its velocity (transport.h).
+// No old normal is kept: the rotation of a pair follows from its velocity (transport.h).
 //
-// The stress needs no product of force and branch for every contact: the sum of f (x) l is that of F (x) x over the
-// grains, F their resultants (motion.h), and of f times cell offset over the pairs that reach across the cell's faces.
+// The stress needs no product of force and branch per contact. The sum of f (x) l equals the sum of F (x) x over the
+// grains, F being their resultants (motion.h), plus f (x) cell offset over the pairs across the cell's faces.
 #include "dem/contact_sweep.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ class LawSweep final : public ContactSweep {
     const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
     if (!use_moments_ && dt > 0) let_moments_go(contacts);
     Lane4 stiffness{};
-    // Before the sweep, in which the loads of a chunk are collected.
+    // Planes come first, because the sweep over grains collects the loads of each chunk.
     SweepSums total = planes_.run(scene, dt, contacts, affine_stiffness ? &stiffness : nullptr);
     scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, affine_stiffness != nullptr, contacts, around)
                                 : step<Spatial>(scene, affine, dt, affine_stiffness != nullptr, contacts, around);
@@ -113,7 +113,7 @@ class LawSweep final : public ContactSweep {
     for (const CellOffset image : contacts.images) shifts_.push_back(row(shift_of(image, cell.matrix()), 0));
   }
 
-  // Moments of a state that was made with a law that has them: this one would turn the grains by them for ever.
+  // Moments of a state from another law must go: under this law they would rotate the grains for ever.
   void let_moments_go(Contacts& contacts) {
     if (std::exchange(moments_gone_, true)) return;
     for (auto& chunk : contacts.chunks)
@@ -144,7 +144,7 @@ class LawSweep final : public ContactSweep {
         [this](Batch<Lanes, Space> batch, const Surroundings& s, Lane4& sum) { stiffen<Space>(batch, s, sum); });
   }
 
-  // Chunk by chunk, batch by batch, the pairs that touch, or did so in the last step, through `stage`.
+  // Passes the pairs that touch, or touched in the last step, through `stage`, chunk by chunk and batch by batch.
   template <class Space, bool moving, class Sums, class Before, class After, class Stage>
   void sweep(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, std::vector<Sums>& sums,
              const Before& before, const After& after, const Stage& stage) {
@@ -169,8 +169,8 @@ class LawSweep final : public ContactSweep {
     contacts.plan.run(before, one, after);
   }
 
-  // Fills the batch from `next` on, which becomes the first block not looked at; returns how many were filled. All is
-  // worked out in values and stored at the end: after every store the compiler reads anew what it holds by reference.
+  // Fills the batch from `next` on, which becomes the first unvisited block. Returns the number of filled groups.
+  // Results are held as values and stored at the end, because after every store the compiler reads references again.
   template <class Space, bool moving>
   [[gnu::noinline, gnu::flatten]] std::size_t approach(ContactBlock*& next, ContactBlock* end, const Surroundings& s,
                                                        std::array<Group<Lanes, Space>, batch_size>& groups) const {
@@ -188,10 +188,10 @@ class LawSweep final : public ContactSweep {
         const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(place.touching);
-        // A branch that is hardly ever taken: where the next group goes must not wait for what this one finds.
+        // A rarely taken branch: the place of the next group must not wait for the result of this one.
         if ((touching | lanes.touching()) == 0) [[unlikely]]
           continue;
-        // Part by part: copied whole, it would be read back from the two halves that were just stored, and wait for
+        // Copied member by member: a copy of the whole would be read from the two halves just stored, and wait for
         // them.
         group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
         group->touching = touching;
@@ -218,7 +218,7 @@ class LawSweep final : public ContactSweep {
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] void answer(Batch<Lanes, Space> batch, const Surroundings& s,
                                               StepSums<Lanes>& sums) const {
-    // In registers: what is held by reference is read anew after every store, and spread over the lanes anew.
+    // Copies keep the parameters in registers; references would be read and spread over the lanes after every store.
     const std::optional<typename Law::Couple> lone = couples_.lone();
     const Lanes dt = all<Lanes>(s.dt);
     const bool at_rest = s.dt == 0;
@@ -227,7 +227,7 @@ class LawSweep final : public ContactSweep {
     for (Group<Lanes, Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
       const PairGeometry<Lanes, Space>& g = group.geometry;
-      // What has parted has no memory; then its overlap and increments, zero, give no force.
+      // Pairs that have parted have no history. Their overlap and increments are zero and give no force.
       const auto carried = carry(g);
       Memory<Lanes, Space> before{};
       before.shear = carried(keep(g.touching, lanes.template shear<Space>()));
@@ -250,13 +250,13 @@ class LawSweep final : public ContactSweep {
     }
     sums.overlap = overlap, sums.contacts = contacts;
   }
-  // How what lies along a contact comes with it.
+  // Return the map that carries history from the old contact plane to the present one.
   static Rotation<Lanes> carry(const PairGeometry<Lanes, Spatial>& g) { return Rotation<Lanes>::by_small(g.turn); }
   static std::identity carry(const PairGeometry<Lanes, Planar>&) { return {}; }
 
   template <class Space, bool moments>
   [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& work) {
-    Lane4 all_work = work;  // in a register: through memory each addition would wait for the one before it to be stored
+    Lane4 all_work = work;  // in a register: in memory each addition would wait until the one before is stored
     for (const Group<Lanes, Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
       const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
@@ -273,7 +273,7 @@ class LawSweep final : public ContactSweep {
     work = all_work;
   }
 
-  // The part of f (x) l that comes from pairs across the cell's faces.
+  // Returns the part of f (x) l from pairs across the cell's faces.
   Mat3 force_branch_across() const {
     const std::size_t images = shifts_.size();
     Mat3 force_branch = Mat3::Zero();
@@ -313,7 +313,7 @@ class LawSweep final : public ContactSweep {
     }
   }
 
-  // To pairs at rest.
+  // Returns the response of pairs at rest.
   template <class Space>
   std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
                                                     Memory<Lanes, Space> memory) const {

@@ -1,4 +1,4 @@
-// Work on contacts in a step, and what they dissipate, for the balance of energies.
+// Work on contacts in a step, and their dissipation, for the energy balance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@ namespace soilweave::dem {
 
 template <class T>
 struct Work {
-  T on_springs, frictional, rolling_plastic, viscous;  // J; the first -2 times over
+  T on_springs, frictional, rolling_plastic, viscous;  // J; the first one times -2
 };
 
-/// Forces and moments before and after the step do half of the work each.
+/// Forces and moments before and after the step count half each (trapezoidal rule).
 template <class T, class Space>
 Work<T> work_of(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after,
                 bool moments, const Books<T>& b) {

@@ -18,7 +18,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Empty lanes name a grain so many cells away that they never touch.
+// Offset of empty lanes: so far away that they never touch.
 const CellOffset far_away = cell_offset({1 << 20, 0, 0});
 
 std::vector<CellOffset> images_of(const std::vector<Pair>& pairs) {
@@ -40,19 +40,19 @@ Pair pair_of(const ContactBlock& b, int k, const std::vector<CellOffset>& images
   return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
 }
 
-// Whether the second grain of a pair of this chunk is of another, which then is a higher one.
+// Returns whether the second grain of a pair of this chunk is in another chunk, which is then a higher one.
 bool is_far(const Pair& pair, std::size_t chunk) {
   return static_cast<std::size_t>(pair.second) >= (chunk + 1) * grains_per_chunk;
 }
 
-// Pairs that a chunk knew, in order.
+// Pairs that a chunk had before, in order.
 class Known {
  public:
   Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images, const PairOrder& before)
       : block_(chunk.data()), end_(block_ + chunk.size()), images_(images), before_(before) {
     settle();
   }
-  /// What it knows of a pair, into a lane; pairs are asked for in order.
+  /// Copies the history of a pair into a lane. Pairs must be asked for in order.
   void pass_on(const Pair& pair, ContactBlock& to, int lane) {
     while (block_ != end_ && before_(pair_, pair)) next();
     if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, lane_, to, lane);
@@ -74,7 +74,7 @@ class Known {
   Pair pair_{};
 };
 
-// Lanes from k on name a grain and itself, far away.
+// Lets the lanes from k on name a grain and itself, far away.
 void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far) {
   std::fill(block.first + k, block.first + ContactBlock::size, grain_distance(grain));
   std::fill(block.second + k, block.second + ContactBlock::size, grain_distance(grain));
@@ -83,7 +83,7 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
   block.folded = static_cast<std::uint8_t>(block.folded | (~0u << k));
 }
 
-// Blocks of a chunk's pairs, with what is known of them. Pairs with grains of other chunks have loads from `load` on.
+// Fills the blocks of a chunk with pairs and their history. Pairs with grains of other chunks get loads from `load` on.
 void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs, std::size_t load,
           const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
   const std::size_t begin = chunk * grains_per_chunk;
@@ -203,7 +203,7 @@ void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& cont
 
 double force_sum(const Contacts& contacts) {
   double sum = 0;
-  // What does not touch holds zeros.
+  // Pairs that do not touch hold zeros, so they may be added too.
   const auto add = [&sum](const ContactBlock& block) {
     for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
       const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),

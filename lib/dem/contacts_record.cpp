@@ -1,4 +1,4 @@
-// Contacts as files hold them.
+// Converts contacts to and from records.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contacts_record.h"
 
@@ -8,7 +8,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Of a chunk, what touches.
+// Returns the touching pairs of a chunk, sorted by grains.
 std::vector<std::pair<Pair, History>> in_order_of_grains(const LargeVector<ContactBlock>& chunk,
                                                          const Contacts& contacts) {
   std::vector<std::pair<Pair, History>> found;
@@ -19,7 +19,7 @@ std::vector<std::pair<Pair, History>> in_order_of_grains(const LargeVector<Conta
   return found;
 }
 
-// A contact of disks holds its shear force as a number along it (space.h), a file as a vector.
+// Returns a history with the shear force as a vector: disks hold a number along the contact (space.h).
 History in_space(History h, const Vec3& normal) {
   const V2<double> force = joined(0.0, V2<double>{normal[0], normal[1]}, h.memory.shear.z);
   h.memory.shear = {force.x, force.y, 0};
@@ -31,7 +31,7 @@ History in_plane(History h, const Vec3& normal) {
   return h;
 }
 
-// Of one grain the planes come last to first: in files, plane p is body -1 - p.
+// Sorts by grain, then from the last plane to the first, because in files plane p is body -1 - p.
 std::vector<PlanePair> in_order_of_grains(const PlaneContacts& planes) {
   std::vector<PlanePair> found = planes.pairs();
   std::erase_if(found, [](const PlanePair& p) { return !p.history.touching; });

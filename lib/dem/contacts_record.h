@@ -1,4 +1,4 @@
-// Contacts as files hold them.
+// Converts contacts to and from records.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace soilweave::dem {
 
-/// The pairs that touch, of grains and of grains and planes, with their history, sorted by bodies.
+/// Returns the touching pairs of grains, and of grains and planes, with their history, sorted by bodies.
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
                                    const Planes& planes);
 

@@ -10,10 +10,10 @@ namespace {
 
 // Natural frequency of the servo times the step: fast against the loading, slow against the grains' own oscillation.
 constexpr double frequency_times_step = 0.05;
-constexpr double servo_damping = 1.0;  // of critical
-// While the contact network is too loose to have a stiffness, a stress goal counts as this fraction of one.
+constexpr double servo_damping = 1.0;  // fraction of critical damping
+// Fraction of a stress goal that serves as stiffness while the contact network is too loose to have one.
 constexpr double loosest_stiffness = 10.0;
-// A strain goal is met to this much.
+// Tolerance of a strain goal.
 constexpr double strain_tolerance = 1e-9;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The couples of materials, as a contact law sees them.
+// Pairs of materials, mixed once as a contact law sees them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class Couples {
   }
 
   const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
-  /// That of all pairs of a block.
+  /// Returns the pair of materials of a block, which all its pairs share.
   const typename Law::Couple& of(const ContactBlock& block, const Bodies& bodies) const {
     const auto material = [&](std::uint32_t grain) {
       return bodies.material[static_cast<std::size_t>(ContactBlock::index(grain))];
@@ -28,21 +28,22 @@ class Couples {
     return of(material(block.first[0]), material(block.second[0]));
   }
   const std::vector<typename Law::Couple>& all() const { return all_; }
-  /// The only one, where there is one material.
+  /// Returns the only pair, if there is one material.
   std::optional<typename Law::Couple> lone() const {
     return all_.size() == 1 ? std::optional(all_.front()) : std::nullopt;
   }
-  /// Those of the first n materials with any.
+  /// Returns the pairs of the first n materials with any material.
   std::span<const typename Law::Couple> of_first(std::int32_t n) const {
     return std::span(all_).first(std::min(count_, static_cast<std::size_t>(n)) * count_);
   }
 
-  /// Whether some couple's answer depends on the masses.
+  /// Returns whether the force of some pair of materials depends on the masses.
   bool use_masses() const {
     return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_masses(couple); });
   }
 
-  /// Whether some couple resists rolling or twisting; where none does, no moment of the memory has a meaning.
+  /// Returns whether some pair of materials resists rolling or twisting. If none does, moments in the history mean
+  /// nothing.
   bool use_moments() const {
     return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_moments(couple); });
   }

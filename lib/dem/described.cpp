@@ -1,4 +1,4 @@
-// Whether a state and a model belong together.
+// Checks that a state and a model belong together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/described.h"
 
@@ -17,7 +17,7 @@ void demand_known(const std::vector<std::int32_t>& ids, std::size_t known, const
           fmt::format("the packing has {} {}, the scenario describes {}: add {} tables", has, id, known, table));
 }
 
-// A whole yarn that is longer than it can be, between nodes that are nearer to each other through a face.
+// Throws DataError for an unbroken yarn that is longer than it can be, while its nodes are nearer through a face.
 void demand_inside(const io::Snapshot& state, const Model& model) {
   const Cell cell(state.cell, state.grains.dimension);
   if (!cell.any_periodic()) return;

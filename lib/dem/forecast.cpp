@@ -1,4 +1,4 @@
-// What a run will take, from its input.
+// Forecast of a run from its input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/forecast.h"
 
@@ -17,22 +17,21 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps tried, and the time after which no more are: enough to average over a few looks at the stiffness.
+// Limits of the trial: number of steps and time. They average over a few evaluations of the stiffness.
 constexpr int tried_steps = 200;
 constexpr double tried_seconds = 1;
-// Steps until grains are at rest again after a station, for each e-fold of the unbalanced force and by damping:
-// measured on 60 to 1000 grains; beyond 20 grains across, a wave takes longer.
+// Steps until grains are at rest after a station, per e-fold of the unbalanced force and over the damping: measured on
+// 60 to 1000 grains. Across more than 20 grains a wave takes longer.
 constexpr double settling = 20;
-// Steps until rest for each grain across a bag between plates, where waves come back from soft ends. The thesis's bag
-// of 69,000 grains in PP took 319,000 steps for 21 stations; 245,000 are foreseen.
+// Steps until rest for each grain across a bag between plates, where waves reflect from soft ends. The thesis's bag of
+// 69,000 grains in PP took 319,000 steps for 21 stations; the forecast is 245,000.
 constexpr double swaying = 8;
-// A bag swings as a whole at this share of the frequency that affine contacts would give it, as the drags tell that
-// brought the bags of chapter 3 to rest.
+// Frequency of a bag's swing over the affine one, as found from the drags that brought the bags of chapter 3 to rest.
 constexpr double swing_share = 0.5;
 
 using Seconds = std::chrono::duration<double>;
 
-// A path looked at without grains: strains and stresses are where the goals put them.
+// A loading path without grains: strains and stresses are exactly at their goals.
 class Walk {
  public:
   Walk(const Simulation& simulation, const Scenario& scenario, int dimension, std::size_t grains)
@@ -64,8 +63,7 @@ class Walk {
   }
 
  private:
-  // A swing of frequency w under a drag c decays as exp(-c t/2), or where it creeps as exp(-(c/2 - sqrt(c^2/4 - w^2))
-  // t).
+  // A swing of frequency w under a drag c decays as exp(-c t/2), or if it creeps as exp(-(c/2 - sqrt(c^2/4 - w^2)) t).
   double steps_to_rest(const Stage& stage) const {
     const double half = stage.critical_drag ? swing_ : 0.5 * stage.rest_drag;
     if (half > 0 && swing_ > 0)
@@ -74,7 +72,7 @@ class Walk {
     return waves_ * folds_ / std::max(0.05, damping);
   }
 
-  // Steps on the way to a station, by the slowest axis.
+  // Returns the steps to a station, for the slowest axis.
   double way(const AxisGoals& goals) {
     double slowest = 0;
     for (int a = 0; a < dimension_; ++a) {
@@ -89,7 +87,7 @@ class Walk {
     return slowest;
   }
 
-  // Steps that the slowest part takes from where it was to where it is moved. What a load moves is not foreseen.
+  // Returns the steps of the slowest part between two displacements. Motion under a load is not foreseen.
   double way(const std::vector<DriveGoal>& drives, const std::vector<DriveGoal>& before) const {
     double slowest = 0;
     for (std::size_t k = 0; k < drives.size(); ++k) {
@@ -113,7 +111,7 @@ std::size_t states_of(const Scenario& scenario, std::size_t stations) {
   return 1 + scenario.stages.size() + scenario.snapshots.strains.size();
 }
 
-// What a state takes in memory while it is written or read.
+// Returns the memory of a state while it is written or read.
 double bytes_of(const io::Snapshot& s) {
   constexpr double of_grain = 5 * sizeof(Vec3) + sizeof(Vec4) + 4 * sizeof(double);
   constexpr double of_contact = 5 * sizeof(Vec3) + 4 * sizeof(double);
@@ -132,7 +130,7 @@ std::string time_text(double seconds) {
   return seconds < 172800 ? fmt::format("{:.3g} h", seconds / 3600) : fmt::format("{:.3g} days", seconds / 86400);
 }
 
-// The first steps of the run, timed.
+// Times the first steps of the run.
 Price tried(Simulation& simulation, const Scenario& scenario, int dimension) {
   Servo servo(scenario.servo);
   const Stage& first = scenario.stages.front();
@@ -186,7 +184,7 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   const auto state_bytes = static_cast<double>(io::packing_bytes(state));
   const double write = Seconds(std::chrono::steady_clock::now() - writing).count();
   const auto states = static_cast<double>(f.states);
-  // Every state is written when it is recorded, read back at the end, and written once more.
+  // Every state is written when recorded, read back at the end, and written once more.
   f.price.output = 3 * states * write;
   f.file_bytes = states * state_bytes + 300.0 * static_cast<double>(stations);
   f.memory_bytes = peak_memory() + (states + 1) * bytes_of(state) + f.file_bytes;

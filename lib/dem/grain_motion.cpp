@@ -1,5 +1,5 @@
-// How forces move grains in a step. Compiled once for either width (vector_width.cpp); the same order of operations on
-// every grain, and of sums, gives the same bits.
+// Moves grains by their forces over one step. Compiled once per width (vector_width.cpp). The order of operations on
+// every grain, and of sums, is the same, and so are the bits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/grain_motion.h"
 
@@ -15,18 +15,19 @@ namespace {
 
 constexpr int at_once = width<Lanes>;
 
-// What local damping takes of a force that speeds a grain up, or adds to one that slows it down, and what then is left.
+// Shares of a force under local damping: taken if it speeds a grain up, added if it slows it down, and the remaining
+// factor.
 struct Damping {
   explicit Damping(double part)
       : taken(all<Lanes>(part)), added(all<Lanes>(-part)), less(1.0 - taken), more(1.0 - added) {}
   Lanes taken, added, less, more;
 };
 
-// Force damped, velocity advanced by dt/mass. Adds to `lost` what the damping took, over half a step.
+// Returns the velocity after a damped force over dt/mass. Adds the energy taken by damping to `lost`, over half a step.
 Lanes kick(const Lanes& force, const Lanes& ratio, const Damping& damping, const Lanes& velocity, Lanes& lost) {
   const Lanes zero{}, change = ratio * force;
   const Lanes power = force * fused(all<Lanes>(0.5), change, velocity);
-  // Without power there is hardly ever a force: to ask for that, too, would be one comparison more.
+  // Zero power almost always means zero force, so no further comparison is worth it.
   const Mask<Lanes> slower = power < zero;
   const Lanes share = select<Lanes>(slower, damping.more, damping.less);
   const Lanes taken = select<Lanes>(slower, damping.added, damping.taken);
@@ -56,10 +57,10 @@ V2<Lanes> affine(const Mat3& g, const V2<Lanes>& x, const V2<Lanes>& v) {
   return {component(0, v.x), component(1, v.y)};
 }
 
-// Scales quaternions to unit length by one Newton step, which leaves 3/8 of the fourth power of half the angle turned.
-// Where that would show in a file (1e-6: more than 0.077 rad in a step) the length is computed in full.
+// Scales quaternions to unit length by one Newton step, with an error of 3/8 of the fourth power of half the angle
+// turned. If this could show in a file (1e-6: more than 0.077 rad in a step), the length is computed in full.
 Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
-  constexpr double newton_suffices = 1.0015;  // square of the length
+  constexpr double newton_suffices = 1.0015;  // squared length
   const Lanes square = fused(d, d, fused(c, c, fused(b, b, Lanes(a * a))));
   Lanes scale = fused_less(all<Lanes>(0.5), square, all<Lanes>(1.5));
   const Mask<Lanes> fast = square > all<Lanes>(newton_suffices);
@@ -68,7 +69,7 @@ Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes&
   return {scale * a, scale * b, scale * c, scale * d};
 }
 
-// What pushes and turns grains, and how they move.
+// Forces and torques on grains, with their motion.
 template <class Vector, class Turn>
 struct Acting {
   Vector force;
@@ -81,7 +82,7 @@ struct Moving {
   Lanes mass, radius;
 };
 
-// The step over mass, and over moment of inertia.
+// Step over mass, and over moment of inertia.
 struct Ratios {
   Lanes move, turn;
 };
@@ -90,7 +91,7 @@ Columns<Lanes> read_rows(const auto& row) {
   return columns({rows<Lanes>(row, 0), rows<Lanes>(row, 1), rows<Lanes>(row, 2), rows<Lanes>(row, 3)});
 }
 
-// Rows of grains, read as columns and written back.
+// Rows of spheres, read as columns and written back.
 struct InSpace {
   using Vector = V3<Lanes>;
   Grain* grains;
@@ -105,7 +106,7 @@ struct InSpace {
     return {{f.a, f.b, f.c}, {t.a, t.b, t.c}};
   }
   void use_up() const {
-    // Not `loads[k] = {}`, of which the compiler would make one string instruction, slower than all before it.
+    // `loads[k] = {}` would compile to a string instruction, slower than everything before it.
     for (int k = 0; k < at_once; ++k) loads[k].force = loads[k].torque = Lane4{};
   }
   Moving<Vector, Vector> moving() const {
@@ -121,7 +122,7 @@ struct InSpace {
     return {x.a, x.b, x.c};
   }
   void put_place(const Vector& x, const Lanes& radius) const { put<&Grain::position>(x, radius); }
-  // q <- (1, half the turn) q.
+  // q <- (1, half the rotation) q.
   void turn(const Vector& by) const {
     const Vector half = all<Lanes>(0.5) * by;
     const Columns<Lanes> q = read<&Grain::orientation>();
@@ -144,7 +145,7 @@ struct InSpace {
   }
 };
 
-// Disks have rows of three parts to push and turn them: what is third turns.
+// Rows of disks: three components each for force and motion, the third one for rotation.
 struct InPlane {
   using Vector = V2<Lanes>;
   Grain* grains;
@@ -196,7 +197,8 @@ void add_up(Lane4& sum, const Lane4& of_grains) { sum += of_grains; }
 double largest(const Lane4& x) { return largest_of(x); }
 #endif
 
-// What is moved three rounds later, 24 grains at the width of eight: the hardware begins anew at every chunk and page.
+// Prefetches the grains of three rounds later (24 at the width of eight), since the hardware restarts at every chunk
+// and page.
 void call_for(const MovedGrains& at, std::size_t i) {
   constexpr std::size_t ahead = 24, line = 64;
   for (std::size_t k = i + ahead; k < i + ahead + at_once; ++k) {
@@ -206,14 +208,14 @@ void call_for(const MovedGrains& at, std::size_t i) {
   }
 }
 
-// Sums stay in registers: through memory each addition would wait for the one before it to be stored.
+// Sums stay in registers: in memory each addition would wait until the one before is stored.
 template <class Rows>
 [[gnu::flatten]] void move(const Push& push, const MovedGrains at, std::size_t begin, std::size_t end,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
   const Lanes dt = all<Lanes>(push.dt), gyration = all<Lanes>(push.gyration);
   const Damping damping(push.damping);
-  // One division for both.
+  // One division serves both ratios.
   const auto ratios_of = [&](const Rows& of) -> Ratios {
     const auto [mass, radius] = of.mass_and_radius();
     const Lanes shape = gyration * radius * radius, turn = dt / (mass * shape);
@@ -227,7 +229,7 @@ template <class Rows>
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
     if (!in_cache) call_for(at, i);
-    // First, though the rows are read once more below: what follows waits for the division.
+    // The division comes first, although the rows are read again below, because the rest waits for it.
     const Ratios ratio = ratios_of(of);
     auto [force, torque] = of.acting();
     of.use_up();

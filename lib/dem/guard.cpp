@@ -11,12 +11,12 @@
 namespace soilweave::dem {
 namespace {
 
-// A little less than a half: readers take the state that is left.
+// Slightly below a half, so that readers accept the state that is left.
 constexpr double widest_grain = 0.4999;
-// Unbalanced force below which a deep overlap is a matter of load, not of motion.
+// Unbalanced force below which a deep overlap comes from load, not from motion.
 constexpr double quiet = 0.1;
-// Mean stress over the stiffness of the contacts: Hertzian spheres that overlap by a tenth of their radius have about
-// this much. Stiff grains that are flung into each other stay far below.
+// Mean stress over the stiffness of the contacts for Hertzian spheres that overlap by a tenth of their radius. Stiff
+// grains that are flung into each other stay far below.
 constexpr double soft = 0.03;
 
 bool finite(const Lane4& r) { return std::isfinite(r[0]) && std::isfinite(r[1]) && std::isfinite(r[2]); }

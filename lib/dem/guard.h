@@ -18,19 +18,19 @@ class Guard {
  public:
   Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes);
 
-  // All throw PhysicsError: step, body or axis, numbers, likely cause.
+  // All functions throw PhysicsError with step, body or axis, numbers, and likely cause.
 
-  /// Every number of the state is finite. force: sum over the contacts; spent: what damping took, which no grain with a
-  /// velocity that is none leaves finite.
+  /// Checks that every number of the state is finite. `force`: a sum over all contact forces. `spent`: the energy taken
+  /// by damping. A NaN in any velocity makes `spent` a NaN, so that two sums stand for all grains.
   void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
-  /// A contact is deeper than it may be. deepest: names it, "grains 3 and 5 overlap by ..."
+  /// Throws for a contact that is too deep. deepest: its name, "grains 3 and 5 overlap by ..."
   [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
                              const Measures& measures) const;
-  /// No grain spans half the cell along a periodic axis.
+  /// Checks that no grain spans half the cell along a periodic axis.
   void room(std::int64_t step, const Cell& cell) const;
-  /// Energy is neither created nor lost, kinetic energy being that of the moment.
+  /// Checks the energy balance; the kinetic energy must be the present one.
   void balance(std::int64_t step, const Energies& energies) const;
-  /// No grain left through an open side: planes guard it only where they are.
+  /// Checks that no grain left through an open side. Planes hold grains back only where they are.
   void escape(std::int64_t step, const Bodies& bodies) const;
 
   void archive(Archive& archive) { archive.item("guard_low", low_), archive.item("guard_high", high_); }
@@ -40,9 +40,9 @@ class Guard {
 
   Limits limits_;
   bool fixed_step_;
-  double largest_;                                 // m, diameter
+  double largest_;                                 // largest diameter, m
   std::array<bool, 3> open_{};                     // axes along which a grain may leave
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // m, how far it may go
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // farthest allowed positions, m
   int dimension_;
 };
 

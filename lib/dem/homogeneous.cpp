@@ -1,4 +1,4 @@
-// A homogeneous field of velocity laid over grains.
+// A homogeneous field of velocity.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/homogeneous.h"
 

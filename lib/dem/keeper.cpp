@@ -1,4 +1,4 @@
-// Keeping a run under way.
+// Writes checkpoints of an unfinished run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/keeper.h"
 
@@ -12,9 +12,9 @@
 namespace soilweave::dem {
 namespace {
 
-// A look at clock and signals costs as much as stepping a handful of grains: few grains are looked at less often.
+// Checking clock and signals costs as much as stepping a handful of grains, so few grains are checked less often.
 constexpr std::int64_t grains_per_look = 4096;
-// Checkpoints take at most this fraction of the time, however large the run and slow the disk.
+// Upper bound of the share of time for checkpoints, however large the run and slow the disk.
 constexpr double largest_share = 0.2;
 
 auto duration(double seconds) {

@@ -1,4 +1,4 @@
-// When a run under way is written down: at intervals of the clock, and when a signal asks for its end.
+// Writes checkpoints of an unfinished run: at intervals of the clock, and when a signal asks for its end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace soilweave::dem {
 
-/// Steps between two reports, and between two looks at whether what is waited for has come to rest.
+/// Steps between two reports, and between two checks whether the grains are at rest.
 inline constexpr std::int64_t report_interval = 512, look_interval = 16;
 
-/// Where and when a run is kept.
+/// Place and times of checkpoints.
 struct Safekeeping {
-  io::Part* part = nullptr;              // nullptr: nowhere; a signal then ends the program as it always does
-  double interval = 300;                 // s of the clock between checkpoints; 0: only recorded states
-  const StopSignals* signals = nullptr;  // nullptr: none are looked for
+  io::Part* part = nullptr;              // nullptr: no checkpoints; a signal then ends the program as usual
+  double interval = 300;                 // s of the clock between checkpoints; 0: recorded states only
+  const StopSignals* signals = nullptr;  // nullptr: signals are ignored here
 };
 
 class Keeper {
@@ -28,7 +28,7 @@ class Keeper {
 
   bool keeps() const { return how_.part != nullptr; }
   io::Part& part() const { return *how_.part; }
-  /// To be called after every step: takes the moment by make() where it is time. Throws Stopped after a signal.
+  /// Call it after every step. Writes the checkpoint that make() returns when it is due. Throws Stopped after a signal.
   template <class Make>
   void after_step(const Make& make) {
     if (!keeps() || ++steps_ % look_interval_ != 0) return;
@@ -38,7 +38,7 @@ class Keeper {
     if (signal) stop(signal);
   }
   void keep(io::Moment moment, bool recorded);
-  /// s, spent in keeping so far.
+  /// Returns the time spent in checkpoints so far, s.
   double seconds() const { return seconds_; }
 
  private:
@@ -51,8 +51,8 @@ class Keeper {
   double seconds_ = 0;
 };
 
-/// work.run(). Where the work is kept, an error says what is whole and how to go on, and a guard leaves
-/// work.snapshot() to be looked at; so does a target that is not reached, if it is to be shown.
+/// Calls work.run(). If the work is kept, errors say what is whole and how to go on. A guard then leaves
+/// work.snapshot() for inspection; so does an unreached target if show_unreached.
 template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();

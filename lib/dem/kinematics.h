@@ -1,4 +1,4 @@
-// The motion of one contact over one step: geometry only, no forces. What every contact law is given.
+// Motion of one contact over one step, the input of every contact law. Geometry only, no forces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,22 +6,22 @@
 
 namespace soilweave::dem {
 
-/// Body 1 to body 2; all increments are of body 2 relative to body 1 over the step that led to the present positions.
-/// T is double or a vector of doubles (one contact a lane).
+/// All vectors point from body 1 to body 2; increments are those of body 2 relative to body 1 over the step that led to
+/// the present positions. T is double or a vector of doubles, one contact per lane.
 template <class T, class Space = Spatial>
 struct Kinematics {
-  Vector<T, Space> normal;  // unit, from body 1 to body 2
+  Vector<T, Space> normal;  // unit vector from body 1 to body 2
   T overlap;                // m, > 0 in contact
-  T approach_speed;         // m/s, rate of the overlap
-  Along<T, Space> slip;     // m, shear displacement increment
-  Turn<T, Space> roll;      // rad, increment of the relative rotation, normal to `normal`
-  T twist;                  // rad, increment of the relative rotation about `normal`; not in the plane
-  T r1, r2;                 // m; against a plane r2 = r1
-  T R_star;                 // m, r1 r2/(r1 + r2); against a plane r1
-  T per_reach;              // 1/m, of r1 + r2
-  T m1, m2;                 // kg; a plane's is infinite
+  T approach_speed;         // rate of the overlap, m/s
+  Along<T, Space> slip;     // shear displacement increment, m
+  Turn<T, Space> roll;      // increment of the relative rotation normal to `normal`, rad
+  T twist;                  // increment of the relative rotation about `normal`, rad; absent in the plane
+  T r1, r2;                 // radii, m; r2 = r1 against a plane
+  T R_star;                 // r1 r2/(r1 + r2), m; r1 against a plane
+  T per_reach;              // 1/(r1 + r2), 1/m
+  T m1, m2;                 // masses, kg; a plane's is infinite
 
-  T m_star() const { return m1 / (1.0 + m1 / m2); }  // kg, reduced mass
+  T m_star() const { return m1 / (1.0 + m1 / m2); }  // reduced mass, kg
 };
 
 }  // namespace soilweave::dem

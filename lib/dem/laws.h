@@ -1,4 +1,4 @@
-// What a contact law must offer, and THE list of laws: one name in the list registers a new one.
+// Requirements on a contact law, and the list of all laws. A new law is registered by its name in that list.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace soilweave::dem {
 
-/// A stateless law: materials mixed once per couple, then pure functions from kinematics and memory to forces, for one
-/// contact and for four at once.
+/// A stateless law: materials are mixed once per pair of materials. Pure functions then turn kinematics and history
+/// into forces, for one contact or several at once.
 template <class L>
 concept ContactLaw = requires(const typename L::Material& material, const typename L::Couple& couple,
                               const Kinematics<double>& kinematics, double dt, Memory<double>& memory,
@@ -35,7 +35,7 @@ struct LawList {
   using Materials = std::variant<std::vector<typename Law::Material>...>;
 
   static std::vector<std::string> names() { return {std::string(Law::name)...}; }
-  /// Reads each table as a material of the law called `name`, which must be one of names().
+  /// Reads each table as a material of the law `name`, which must be one of names().
   static Materials read(std::string_view name, std::vector<Settings>& tables) {
     Materials all;
     const auto take = [&]<class L>() {

@@ -1,5 +1,5 @@
-// What a simulation counts from step to step, as items of an archive: THE lists of what a checkpoint keeps beyond the
-// state of the grains. What is added to SweepSums, Measures or Energies is added here.
+// Lists of all numbers that a checkpoint keeps beyond the state of the grains. A member added to SweepSums, Measures or
+// Energies must be added here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -40,7 +40,7 @@ inline void archive(Archive& a, Energies& e) {
   a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
-/// Forces and torques of the grains, as they lie in their loads; of disks what they have turned by.
+/// Keeps forces and torques of the grains from their loads, and for disks their rotation.
 inline void archive(Archive& a, Bodies& bodies) {
   const auto of_as_many = [&bodies](const std::string& name, std::size_t numbers, std::size_t of_each) {
     if (numbers != of_each * bodies.size()) throw DataError(name + ": is of another number of grains; begin anew");

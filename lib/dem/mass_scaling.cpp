@@ -1,4 +1,4 @@
-// Masses with which grains of any size bear the same time step.
+// Masses with which grains of any size admit the same time step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/mass_scaling.h"
 

@@ -1,4 +1,4 @@
-// Memory that a sweep will come to is called for before: the hardware does not foresee which grains pairs will name.
+// Prefetches memory for the sweep, because the hardware cannot foresee which grains the pairs name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave::dem {
 
-/// Calls for blocks to come, into the second cache, and for the grains of other chunks that one of them names.
+/// Prefetches blocks to come into the second cache, and the grains of other chunks that one of them names.
 inline void call_for(const ContactBlock* next, const ContactBlock* end, const std::byte* grains) {
   constexpr int ahead = 16, soon = 3, line = 64, second_cache = 2;
   if (end - next <= ahead) return;

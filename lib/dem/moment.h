@@ -1,4 +1,4 @@
-// What a run under way is made of, so that it goes on bit by bit.
+// A checkpoint of a simulation, from which the run goes on bit by bit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace soilweave::dem {
 
-/// The simulation, its clock (keeping: s spent in checkpoints) and table, and whatever else has an archive().
+/// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive(). keeping: s spent
+/// in checkpoints.
 template <class... Parts>
 io::Moment moment_of(const Simulation& simulation, PriceClock& clock, double keeping, const io::Series& table,
                      Parts&... parts) {
@@ -20,8 +21,8 @@ io::Moment moment_of(const Simulation& simulation, PriceClock& clock, double kee
   return {simulation.snapshot(), table, archive.numbers()};
 }
 
-/// Throws DataError where a number that a checkpoint keeps cannot be one of this run (an edited file). file: the
-/// checkpoint; what: names the number.
+/// Throws DataError unless a number from a checkpoint is possible in this run (the file was edited). file: the
+/// checkpoint. what: name of the number.
 inline void demand_kept(bool possible, const std::filesystem::path& file, const char* what) {
   if (!possible)
     throw DataError(file.string() + ": keeps a " + what +

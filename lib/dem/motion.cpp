@@ -19,8 +19,8 @@ Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
   return bodies.force(i) + bodies.mass(i) * gravity;
 }
 
-// Adds the loads of single pairs, or their stiffnesses, to those of a chunk's grains and leaves them zero. Pair by
-// pair: how many a grain has is not foreseen.
+// Adds the loads, or stiffnesses, of single pairs to those of a chunk's grains, and leaves them zero. The loop runs
+// over pairs, because the number of pairs of a grain cannot be predicted.
 void collect_singles(const Contacts& contacts, std::size_t chunk, const Bodies& bodies, LargeVector<Load>& loads) {
   constexpr std::ptrdiff_t ahead = 8;
   const auto from = [&](std::size_t c) {
@@ -35,7 +35,7 @@ void collect_singles(const Contacts& contacts, std::size_t chunk, const Bodies& 
   }
 }
 
-// x, y and z squared and added.
+// Returns x^2 + y^2 + z^2.
 double length2(const Lane4& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 
 double kinetic_energy_of(std::size_t i, const Bodies& bodies, const Lane4& gravity, double dt) {
@@ -77,7 +77,7 @@ Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, B
     for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
     sums.force = maximum(sums.force, Lane4(load.force * load.force));
   };
-  // Two sums take turns: each addition waits for the one before it.
+  // Two sums alternate, because each addition waits for the one before it.
   Collected sums, others;
   std::size_t i = first_grain(chunk, bodies);
   const std::size_t end = first_grain(chunk + 1, bodies);
@@ -85,7 +85,7 @@ Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, B
   if (i < end) collect_one(i, sums);
   for (int a = 0; a < dimension; ++a) sums.virial[a] += others.virial[a];
   sums.force = maximum(sums.force, others.force);
-  if (dimension == 2) {  // what the torque, third in the row, has added
+  if (dimension == 2) {  // removes the torque's part, third in the row
     for (Lane4& v : sums.virial) v[2] = 0;
     sums.force[2] = 0;
   }
@@ -130,7 +130,7 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
   MotionTally tally;
   move(push_, all, begin, whole, tally);
   if (rest > 0) {
-    // The last few, beside grains at rest that do not fall.
+    // The last few grains are moved together with dummies that are at rest and do not fall.
     Push last = push_;
     std::array<Grain, 8> few;
     const Lane4 unit{0, 0, 0, 1};

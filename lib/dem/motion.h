@@ -1,4 +1,4 @@
-// From forces to motion: per-grain sums in fixed order, leap-frog with local damping, the stable time step.
+// From forces to motion: sums per grain in fixed order, leap-frog with local damping, the stable time step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,47 +9,47 @@
 
 namespace soilweave::dem {
 
-/// What a pass over the grains measures.
+/// Sums of a pass over the grains.
 struct MotionSums {
-  double damping = 0;       // J, taken by local damping in this step
-  double gravity_work = 0;  // J, in this step
-  double fastest = 0;       // m/s, largest fluctuation speed
-  double haste = 0;         // 1/s, largest speed over leeway (Neighbours)
+  double damping = 0;       // energy taken by local damping in this step, J
+  double gravity_work = 0;  // in this step, J
+  double fastest = 0;       // largest fluctuation speed, m/s
+  double haste = 0;         // largest speed over skin distance (Neighbours), 1/s
 };
 
-/// Passes over the grains, chunk by chunk (contacts.h); keeps the sums of the chunks from call to call, so that
-/// stepping allocates nothing. Different threads may be at different chunks.
+/// Passes over the grains, chunk by chunk (contacts.h). It keeps the sums of the chunks from call to call, so that
+/// stepping allocates nothing. Different threads may work on different chunks.
 class Motion {
  public:
   Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
 
-  /// Says by what the next step moves the grains.
+  /// Sets what the next step moves the grains by.
   void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
-  /// Moves the grains of a chunk. Uses their loads up: they are left zero.
+  /// Moves the grains of a chunk. Leaves their loads zero.
   void advance(std::size_t chunk, Bodies& bodies);
   void advance_all(Bodies& bodies);
   MotionSums advanced() const;
-  /// No grain will gain more speed than this in the step set out for, m/s, by the forces as they were collected;
-  /// infinite before they were. To be asked before anything moves.
+  /// Returns a bound on the speed that any grain can gain in the coming step, m/s, from the collected forces; infinite
+  /// before forces were collected. Call it before anything moves.
   double gain_bound(double smallest_mass) const;
 
   /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.
   void collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
-  /// Sum of force (x) position over the grains, N m.
+  /// Returns the sum of force (x) position over the grains, N m.
   Mat3 collected() const;
 
-  /// Sum over the grains of |resultant|, gravity included, N.
+  /// Returns the sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
 
-  /// Stability limit from the grains' stiffnesses (ContactSweep::stiffen), which are left zero, s: sqrt(2) times the
-  /// least sqrt(m/k) over grains and axes, translation and rotation (Chareyre & Villard 2005, Eq. 2.9; dem-laws §8).
-  /// Infinite without contacts.
+  /// Returns the stability limit, s, from the grains' stiffnesses (ContactSweep::stiffen), which are left zero: sqrt(2)
+  /// times the least sqrt(m/k) over grains and axes, for translation and rotation (Chareyre & Villard 2005, Eq. 2.9;
+  /// LAWS.md §8). Infinite without contacts.
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
   struct Collected {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
-    Lane4 force{};         // the largest of each component, N, squared
+    Lane4 force{};         // largest of each component, squared, N2
   };
   template <int dimension>
   static Collected collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
@@ -65,16 +65,16 @@ class Motion {
 };
 
 struct Slowed {
-  double energy_before = 0, energy_after = 0;  // J, kinetic, as below
+  double energy_before = 0, energy_after = 0;  // kinetic energy, J, as defined below
 
   void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }
 };
-/// Of fluctuation velocities and spins this share is left.
+/// Multiplies all fluctuation velocities and spins by `share`. Returns the kinetic energy before and after.
 Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads);
-/// Kinetic energy of the fluctuation at the time of the forces, J: half a step of the present forces added.
+/// Returns the kinetic energy of the fluctuation at the time of the forces, J: velocities are advanced by half a step.
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
-/// The same of the grains that something acts on. What floats free without gravity is slowed by nothing, and bears
-/// nothing: an assembly at rest may hold any number of such grains.
+/// Returns the kinetic energy of the grains under some force. A grain that floats free without gravity is never slowed
+/// and bears nothing; an assembly at rest may hold any number of such grains.
 double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// Leeways by how fast grains are, and the pairs within them.
+// Skins by the speed of grains, and lists of the pairs within them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/neighbours.h"
 
@@ -13,17 +13,17 @@
 namespace soilweave::dem {
 namespace {
 
-// Skins over the largest radius: of the search, and of what grains at rest are given.
+// Skins over the largest radius: of the search, and of grains at rest.
 constexpr double relative_outer_skin = 0.25;
 constexpr double relative_rest = 0.001;
-// Steps that a list is to last. Longer: candidates that do not touch cost as much as contacts; shorter: a list costs as
-// much as a sweep. In the plane there are fewer of them in the same skin.
+// Steps that a list is to last. A longer horizon lists so many pairs that do not touch that they cost as much as
+// contacts; a shorter one makes lists as expensive as sweeps. In the plane a skin holds fewer pairs.
 constexpr double horizon_of_spheres = 24, horizon_of_disks = 56;
-// When so much of a leeway is truly used up, another look at what the grains have moved is not worth it.
+// Used share of a skin above which measuring the grains' motion again is not worth it.
 constexpr double nearly_all = 0.8;
 
-// A list that grew by doubling may hold twice what it needs. A small one keeps that; a large one has room for the few
-// pairs more that the next list will have, so that neither grows at every list.
+// Gives back the spare memory of a list that grew by doubling. A small list keeps it. A large one keeps room for the
+// few more pairs of the next list, so that neither grows at every list.
 void give_back_spare(std::vector<Pair>& pairs) {
   constexpr std::size_t worth_it = (std::size_t{1} << 20) / sizeof(Pair);
   if (pairs.capacity() - pairs.size() < std::max(worth_it, pairs.size() / 4)) return;
@@ -106,7 +106,7 @@ void Neighbours::set_leeways(const Bodies& bodies) {
 
 bool Neighbours::fit_outer_list(const Bodies& bodies) {
   if (searched_.position.empty()) return false;
-  // What is not in the outer list was farther off than its skin, when it was searched.
+  // Pairs outside the outer list were farther apart than its skin when it was searched.
   const double each = 0.5 * (outer_skin_ - searched_.strain() * longest() - cell_leeway_);
   const double lack = largest_over_grains(bodies, threads_, [&](std::size_t i) {
     const double left = each - std::sqrt(searched_.moved2(bodies, i)), wanted = 0.5 * leeway_[i];
@@ -129,7 +129,7 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
   std::partial_sum(listed_before_.begin(), listed_before_.end(), listed_before_.begin());
   listed_.resize(listed_before_.back());
   in_parallel(shares, threads_, [&](std::size_t share) {
-    // Without asking each pair, whose answer is not foreseen: what is not near is written over by the next.
+    // No branch asks whether a pair is near, since it would be mispredicted: the next pair overwrites one that is not.
     Pair* const end = listed_.data() + listed_before_[share + 1];
     std::size_t k = begin(share);
     for (Pair* next = listed_.data() + listed_before_[share]; next != end; ++k) {
@@ -150,7 +150,7 @@ bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) 
 }
 
 std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Planes& planes) const {
-  // Stretches of grains of all planes, one plane after the other: looked through apart, put together in that order.
+  // Ranges of grains of all planes, plane by plane: searched in parallel, joined in order.
   const std::size_t stretches = chunks_of(bodies.size());
   std::vector<std::vector<PlanePair>> near(stretches * planes.all.size());
   in_parallel(near.size(), threads_, [&](std::size_t k) {

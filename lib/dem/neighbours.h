@@ -1,10 +1,14 @@
-// Which pairs may touch soon. Two lists: an outer one with a wide skin from a search (pair_search.h), and the one that
-// is swept, filtered from it. Contacts keep their memory across rebuilds.
-//
-// A grain has a leeway: how far it may move beside the cell before pairs are listed anew. A pair is listed that may
-// close within the leeways of both and that of the cell. In a sheared packing few grains are fast, most of all those
-// that rattle in their cage, and they alone get a long one: the list lasts, and names little that does not touch.
+// Lists of the pairs that may touch soon.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Testing all pairs of N grains would cost N^2. So pairs are listed, and the list is used until it may be incomplete.
+// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it. Contacts keep
+// their history when lists change.
+//
+// Each grain has a skin distance, its leeway: how far it may move relative to the cell before pairs are listed anew. A
+// pair is listed if it may close within both skins and that of the cell. In a sheared packing only few grains are fast,
+// mostly rattlers in their cages. Only these get a wide skin, so the list lasts long and has few pairs that never
+// touch.
 #pragma once
 
 #include <vector>
@@ -18,23 +22,23 @@ namespace soilweave::dem {
 
 class Neighbours {
  public:
-  /// Skins are fractions of this radius, m.
+  /// Skins are fractions of the largest radius, m.
   explicit Neighbours(double largest_radius);
 
-  /// Counts how much of the leeways a step has used up, and when that may be all, by how far the grains have truly
-  /// moved since they were listed. Returns true when the list is no longer safe. haste: the largest speed over leeway
-  /// of a grain in the step, 1/s (Motion); fastest_plane in m/s.
+  /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have truly moved
+  /// since the list was made. Returns true if the list is no longer safe. haste: largest speed over skin of a grain in
+  /// the step, 1/s (Motion). fastest_plane: m/s.
   bool outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient, double dt);
-  /// Whether a step without planes is sure not to use up the leeways by that count, where no grain gains more speed
-  /// than this, m/s.
+  /// Returns whether the list surely outlasts one more step without planes, if no grain gains more speed than `gain`,
+  /// m/s.
   bool outlast(double gain, const Mat3& velocity_gradient, double dt) const;
-  /// Lists all pairs of grains, and of grains and planes, that may touch within their leeways, which are set anew by
-  /// the present speeds and those that outdated() was last told of; what `contacts` knew of the pairs is kept. Loads of
-  /// the bodies are left zero.
+  /// Lists all pairs of grains, and of grains and planes, that may touch within their skins. Skins are set anew from
+  /// the present speeds and from the last call of outdated(). Contacts keep the history of their pairs. Leaves the
+  /// loads zero.
   void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:
-  // A state that pairs were looked for in, and how the cell has deformed since.
+  // The state in which pairs were searched, and the deformation of the cell since.
   struct Since {
     std::vector<Vec3> position;
     Mat3 deformation = Mat3::Identity();
@@ -42,10 +46,10 @@ class Neighbours {
     void begin(const Bodies& bodies, int threads);
     void step(const Mat3& velocity_gradient, double dt) { deformation += dt * velocity_gradient * deformation; }
     double strain() const { return (deformation - Mat3::Identity()).norm(); }
-    /// How far a grain has moved beside the cell, squared, m2.
+    /// Returns the squared distance that a grain has moved relative to the cell, m2.
     double moved2(const Bodies& bodies, std::size_t i) const;
   };
-  // The last step counted.
+  // The last counted step.
   struct Pace {
     double dt = 0, plane = 0;  // s, m/s
     Mat3 velocity_gradient = Mat3::Zero();
@@ -57,21 +61,21 @@ class Neighbours {
   bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   void begin_list(Bodies& bodies);
-  double longest() const { return 2 * radius_ + outer_skin_; }  // branch that is listed, m
+  double longest() const { return 2 * radius_ + outer_skin_; }  // longest branch in a list, m
 
   double radius_, outer_skin_;  // m
   Pace pace_;
   std::vector<double> leeway_;                 // m
-  double least_leeway_ = 0, cell_leeway_ = 0;  // m; of all grains; closing of a pair with the cell
-  double plane_leeway_ = 0;                    // m, what a plane, and a grain with the cell, may move
-  double haste_ = 0, worn_ = 0;                // 1/s; share of its leeway a grain has used up at most
-  double planes_moved_ = 0, extent_ = 0;       // m; how far from the origin grains are
+  double least_leeway_ = 0, cell_leeway_ = 0;  // m; least skin of all grains; closing of a pair by the cell
+  double plane_leeway_ = 0;                    // m, for the motion of planes, and of grains with the cell
+  double haste_ = 0, worn_ = 0;                // 1/s; largest used share of a skin, so far
+  double planes_moved_ = 0, extent_ = 0;       // m; largest distance of a grain from the origin
   bool planes_ = false;
   int threads_ = 1;
   Since filtered_, searched_;
   std::vector<Pair> outer_, listed_;        // sorted
-  std::vector<char> near_;                  // of the outer ones: whether it is listed
-  std::vector<std::size_t> listed_before_;  // by share of the outer ones, how many of the shares before
+  std::vector<char> near_;                  // by pair of the outer list: whether it is in the swept list
+  std::vector<std::size_t> listed_before_;  // by share of the outer list: number of listed pairs in the shares before
 };
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// How deep grains lie in one another.
+// The deepest overlap of an assembly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/overlap.h"
 

@@ -1,4 +1,4 @@
-// How deep grains lie in one another.
+// The deepest overlap of an assembly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace soilweave::dem {
 
-/// The contact of the largest overlap over the smaller radius. Zero without contacts.
+/// The contact of the largest overlap over the smaller radius; zeros without contacts.
 struct DeepestContact {
-  std::int32_t first = 0, second = 0;  // of io::ContactsRecord::bodies
+  std::int32_t first = 0, second = 0;  // as in io::ContactsRecord::bodies
   double overlap = 0;                  // m
-  double relative = 0;                 // over the smaller radius
+  double relative = 0;                 // overlap over the smaller radius, 1
 };
 DeepestContact deepest_of(const io::ContactsRecord& contacts, const Bodies& bodies);
 
-/// In words, for messages.
+/// Returns the contact in words, for messages.
 std::string description(const DeepestContact& contact);
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// How fast what is moved or strained by a given way goes.
+// Loading speed of plates and cells.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/pace.h"
 
@@ -8,16 +8,16 @@
 namespace soilweave::dem {
 namespace {
 
-// A step is a share of the time in which a grain swings on its neighbours: a wave takes some steps from each to the
-// next.
+// Steps that a wave takes from a grain to the next, since a step is a fraction of the period of a grain on its
+// neighbours.
 constexpr double steps_past_a_grain = 10;
-// The pace is never less: where contacts are lost, however slowly, it must go on until they are found again.
+// Least share: where contacts are lost, however slowly, the loading must go on until they are found again.
 constexpr double least_share = 0.01;
-// Crossings in which it becomes e times faster, or as much slower, where the unbalanced force is off by e times or
-// more. Faster: slowly enough for the grains to tell, except at the start, when it must not creep, whatever speed it is
-// a share of: grains that are hardly loaded lose what they bear.
+// Crossings in which the speed changes by a factor e, if the unbalanced force is off by a factor e or more. The speed
+// grows slowly, so that the grains can respond. At the start it grows fast, because grains that are hardly loaded lose
+// their contacts while it creeps.
 constexpr double faster = 10, slower = 1, faster_at_start = 1;
-// The start is over where the unbalanced force, which lags behind by a crossing, is this share of the wanted one.
+// Share of the wanted unbalanced force that ends the start. The unbalanced force lags behind by a crossing.
 constexpr double found_share = 0.5;
 
 }  // namespace

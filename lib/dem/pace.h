@@ -1,4 +1,5 @@
-// How fast what is moved or strained by a given way goes: as fast as the grains follow, no faster than it is given.
+// Loading speed of plates and cells. It slows down while the unbalanced force exceeds its limit, and never exceeds the
+// prescribed rate.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +12,22 @@ namespace soilweave::dem {
 
 class Pace {
  public:
-  /// Of so many grains in so many dimensions, which say how many steps a wave takes across them.
+  /// The number of grains and the dimension tell how many steps a wave takes across the assembly.
   Pace(std::size_t grains, int dimension);
 
-  /// Starts slowly, and finds how fast it may go, anew.
+  /// Begins slowly and searches the admissible speed anew.
   void begin_stage();
-  /// Keeps the unbalanced force (mean resultant over mean contact force, as it is after so many steps more) near the
-  /// wanted one.
+  /// Adapts the speed so that the unbalanced force (mean resultant over mean contact force, now measured) stays near
+  /// `wanted`. steps: number of steps since the last call.
   void follow(double unbalanced, double wanted, std::int64_t steps);
-  /// Of the given speeds and rates, in (0, 1].
+  /// Returns the share of the prescribed speeds and rates, in (0, 1].
   double share() const { return share_; }
   void archive(Archive& archive);
 
  private:
   double crossing_;  // steps of a wave across the grains
   double share_;
-  bool found_ = false;  // a good part of the wanted unbalanced force, since the stage began
+  bool found_ = false;  // whether the unbalanced force came near the wanted one since the stage began
 };
 
 }  // namespace soilweave::dem

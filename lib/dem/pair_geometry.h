@@ -1,4 +1,4 @@
-// From the rows of two grains, or of a grain and a plane, to what a contact law is given. T is double or lanes.
+// Geometry and motion of a pair of grains, or of a grain and a plane, from their rows. T is double or lanes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,18 +9,17 @@
 
 namespace soilweave::dem {
 
-/// What a contact law and the sums over contacts are given. Where two bodies do not touch, the overlap and all
-/// increments are zero.
+/// Input of contact law and sums for a pair. If the bodies do not touch, overlap and all increments are zero.
 template <class T, class Space = Spatial>
 struct PairGeometry {
   Kinematics<T, Space> kinematics;
   Along<T, Space> surface_slip;  // m, contact_kinematics.h
-  // Gibbs vector that carries the memory (transport.h); what lies along a contact in the plane is carried as it is.
+  // Gibbs vector of the rotation of the history (transport.h). In the plane the history along a contact needs none.
   Turn<T, Space> turn;
   Mask<T> touching;
 };
 
-/// The velocity that the deforming cell adds to a pair: affine closing over the step, at the branch before the cell
+/// Velocity that the deforming cell adds to a pair: the affine closing over the step, at the branch before the cell
 /// moved, to first order in the step: (L - dt L^2) d.
 struct AffineMotion {
   Mat3 gradient;
@@ -47,7 +46,7 @@ struct AffineMotion {
   }
 };
 
-/// Where two grains are to each other.
+/// Relative position of two grains.
 template <class T, class Space>
 struct Place {
   Vector<T, Space> normal;
@@ -55,12 +54,12 @@ struct Place {
   Mask<T> touching;
 };
 
-/// From the branch vector and their radii.
+/// Returns the position from branch vector and radii.
 template <class T, class Space>
 Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r2) {
   const T reach = r1 + r2, distance_squared = norm2(branch);
   const Mask<T> touching = distance_squared <= reach * reach;
-  // The division beside the root, not after it.
+  // Dividing beside the root is faster than dividing after it.
   const T distance = square_root(distance_squared), inverse = 1.0 / (distance_squared * reach);
   const T inverse_distance = distance * (reach * inverse), per_reach = distance_squared * inverse;
   return {inverse_distance * branch, keep(touching, reach - distance),
@@ -68,7 +67,7 @@ Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r
           inverse_distance,          touching};
 }
 
-/// How they move, over a step dt that led there. Masses are the caller's.
+/// Sets the motion over a step dt that led to the position. The caller sets the masses.
 template <class T, class Space>
 void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
   Kinematics<T, Space>& k = g.kinematics;
@@ -82,9 +81,9 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
   k.approach_speed = keep(g.touching, k.approach_speed);
 }
 
-/// A grain and a plane, by its inward normal, which stays as it is; velocity is the plane's relative to the grain's.
-/// Levers are the full radius, for slip and torque alike: work-conjugate, and the rigid-body limit of the benchmarks.
-/// listed: where there is such a pair.
+/// Returns the geometry of a grain and a plane with a constant inward normal. velocity: the plane's, relative to the
+/// grain. Levers are the full radius for slip and torque alike, hence work-conjugate and exact in the rigid limit.
+/// listed: mask of the pairs that exist.
 template <class T>
 PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
                                const T& height, const V3<T>& inward, const Mask<T>& listed, double dt) {

@@ -1,5 +1,5 @@
-// What the grains of pairs tell, from their rows. A pair after the other, all that is needed of its grains at once:
-// else more addresses are alive than the processor has registers for.
+// Collects the rows of the grains of pairs. One pair after the other takes all it needs at once, because otherwise more
+// addresses are alive than the processor has registers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace soilweave::dem {
 
-/// The grains at one side of the pairs; distances in bytes.
+/// The grains on one side of the pairs, by byte offsets.
 struct Side {
   const std::byte* grains;
   const std::uint32_t* distance;
   const Grain& operator[](int k) const { return *reinterpret_cast<const Grain*>(grains + distance[k]); }
 };
 
-/// Second grain less first, in branch and velocity.
+/// Difference of the second and the first grain in position and velocity.
 template <class T, class Space>
 struct PairRows {
   Vector<T, Space> branch, velocity;
@@ -27,7 +27,7 @@ struct PairRows {
   T radius_1, radius_2;
 };
 
-/// Where pairs reach across the cell's faces, its offset comes with the branch: shift(k) is a row.
+/// Reads pairs. For pairs across the cell's faces the offset shift(k), a row, is added to the branch.
 template <class T, bool moving, class Shift>
 PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Spatial) {
   constexpr int quarter = 4;
@@ -46,8 +46,8 @@ PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, co
   return {{d.a, d.b, d.c}, {v.a, v.b, v.c}, {w1.a, w1.b, w1.c}, {w2.a, w2.b, w2.c}, w1.d, w2.d};
 }
 
-/// Of disks, whose rows are two. Places come first, and what reaches across: then roots and divisions begin while the
-/// velocities are read.
+/// Reads pairs of disks, which have two rows each. Positions and offsets come first, so that roots and divisions begin
+/// while velocities are read.
 template <class T, bool moving, class Shift>
 PairRows<T, Planar> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Planar) {
   constexpr int quarter = 4;

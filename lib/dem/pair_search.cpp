@@ -1,4 +1,5 @@
-// Bins in reduced coordinates. Their grains, brought into the cell, lie side by side and are looked at four at a time.
+// Bins in reduced coordinates. The grains of a bin, moved into the cell, lie side by side and are tested four at a
+// time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/pair_search.h"
 
@@ -13,7 +14,7 @@
 namespace soilweave::dem {
 namespace {
 
-// At least one interaction length wide along every axis.
+// Grid whose bins are at least one interaction length wide along every axis.
 class Grid {
  public:
   Grid(const Bodies& bodies, const Cell& cell, double length, int threads) : bodies_(bodies), cell_(cell) {
@@ -41,7 +42,7 @@ class Grid {
     const int reach_z = bodies_.dimension == 3 ? 1 : 0;
     for (int dz = -reach_z; dz <= reach_z; ++dz)
       for (int dy = -1; dy <= 1; ++dy) {
-        // Along x bins lie one after the other, but where the cell ends.
+        // Bins are contiguous along x, except at the end of the cell.
         const int from = std::max(home[0] - 1, 0), to = std::min(home[0] + 1, bins_[0] - 1);
         near(i, {from, home[1] + dy, home[2] + dz}, to - from, skin, found);
         if (home[0] == 0) near(i, {-1, home[1] + dy, home[2] + dz}, 0, skin, found);
@@ -51,7 +52,7 @@ class Grid {
   }
 
  private:
-  // In a bin and so many that follow it.
+  // Adds the pairs in a bin and in `more` bins after it.
   void near(std::size_t i, Vec3i bin, int more, double skin, std::vector<Pair>& found) const {
     Vec3i turn = Vec3i::Zero();
     if (!fold(bin, turn)) return;
@@ -70,14 +71,14 @@ class Grid {
         const auto j = static_cast<std::size_t>(members_[at]);
         if (j <= i) continue;
         const CellOffset image = offset + wrap_[i] - wrap_[j];
-        // Yarns have no images: a fabric touches its own image as it touches another fabric.
+        // Yarns have no images, so a fabric touches its own image like another fabric.
         if (image != 0 || !bodies_.in_one_fabric(i, j))
           found.push_back({static_cast<std::int32_t>(i), members_[at], image});
       }
     }
   }
 
-  // Periodic axes are binned over the cell, the others over the extent of the grains.
+  // Periodic axes are binned over the cell, others over the extent of the grains.
   void frame(double length) {
     inverse_ = cell_.matrix().inverse();
     const Vec3 widths = cell_.widths();
@@ -143,7 +144,7 @@ class Grid {
 void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
                 std::vector<Pair>& found) {
   const Grid grid(bodies, cell, longest, threads);
-  // Each thread finds those of some grains one after the other; what the first finds is where all come to be.
+  // Each thread searches a contiguous range of grains. The first thread's list finally takes the others.
   std::vector<std::vector<Pair>> others(static_cast<std::size_t>(threads) - 1);
   const std::size_t shares = others.size() + 1;
   in_parallel(shares, threads, [&](std::size_t share) {
@@ -155,7 +156,7 @@ void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double long
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
   const PairOrder order(bodies);
   if (order.is_that_of_grains()) return;
-  // Grain by grain they come chunk by chunk, too: within one they are ordered by their materials.
+  // Order of grains is also order of chunks; within a chunk pairs are sorted by their materials.
   std::vector<std::span<Pair>> parts;
   for (std::size_t chunk = 0; chunk < chunks_of(bodies.size()); ++chunk)
     parts.push_back(of_chunk(std::span(found), chunk));

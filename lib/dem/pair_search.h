@@ -1,4 +1,4 @@
-// Pairs of grains near one another, by a grid over the (possibly sheared) cell.
+// Searches pairs of near grains by a grid over the (possibly sheared) cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace soilweave::dem {
 
-/// Replaces `found` by all pairs whose gap is below the skin (m), in the order of lists; nodes of one fabric are no
-/// pairs. longest: no such pair's branch is longer, m.
+/// Replaces `found` by all pairs with a gap below the skin (m), in the order of lists. Nodes of one fabric form no
+/// pairs. longest: upper bound on the branch of such a pair, m.
 void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
                 std::vector<Pair>& found);
 

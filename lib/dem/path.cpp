@@ -1,4 +1,4 @@
-// THE list of loading paths, and the keys they share.
+// The list of loading paths, and the keys they share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/path.h"
 

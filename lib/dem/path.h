@@ -1,5 +1,5 @@
-// A loading path: stations to be reached one after the other, and what each axis is asked for on the way.
-// A new path is one file in paths/ and one line in the list of path.cpp.
+// A loading path: a sequence of stations, and the goals of each axis on the way. A new path is one file in paths/ and
+// one line in the list of path.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace soilweave::dem {
 
-/// What a path may look at when it sets goals.
+/// State that a path may use to set goals.
 struct PathState {
   int dimension;
   Mat3 stress;  // Pa, compression positive
@@ -26,35 +26,34 @@ class Path {
  public:
   virtual ~Path() = default;
   virtual std::size_t stations() const = 0;
-  /// Goals on the way to a station (0 to stations() - 1); strains count from the start of the stage.
+  /// Returns the goals on the way to a station (0 to stations() - 1). Strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
-  /// What plates and clamps are asked for on the way to a station.
+  /// Returns the goals of plates and clamps on the way to a station.
   virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
-  /// The strain that names a station, where the cell's own does not.
+  /// Returns the strain that names a station, if the cell's own does not.
   virtual double nominal_strain(std::size_t) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-/// Loading axis: the last one of the space.
+/// Returns the loading axis: the last axis of the space.
 inline int loading_axis(int dimension) { return dimension - 1; }
 
-/// Keys most paths share.
+/// Keys that most paths share.
 struct StrainStations {
-  std::vector<double> strain;  // natural, compression positive, ascending in the loading's direction
-  double rate;                 // 1/s, largest
+  std::vector<double> strain;  // natural, compression positive, monotonic in the loading direction
+  double rate;                 // greatest rate, 1/s
 };
 
-/// axial_strain, increment (or an explicit list `stations`), rate.
+/// Reads axial_strain and increment, or an explicit list `stations`, and rate.
 StrainStations read_strain_stations(Settings& table);
-/// Strains from 0 to `end`, 0 left out and `end` taken in, `step` apart. More than a million are a mistake of the
-/// table's key `increment`.
+/// Returns strains `step` apart from `step` to `end`. More than a million are a mistake of the table's key `increment`.
 std::vector<double> stations_every(double step, double end, Settings& table);
-/// max_rate of the stress-controlled axes, 1/s.
+/// Reads max_rate of the stress-controlled axes, 1/s.
 double read_max_rate(Settings& table);
-/// A pressure-like key.
+/// Reads a stress, Pa.
 double read_stress(Settings& table, std::string_view key, std::string_view sentence);
 
 std::vector<std::string> path_names();
-/// Throws nothing itself: mistakes are collected in the table's document.
+/// Reads the path `name`. Mistakes are collected in the table's document.
 std::unique_ptr<Path> read_path(const std::string& name, Settings& table);
 
 }  // namespace soilweave::dem

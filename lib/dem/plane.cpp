@@ -8,7 +8,7 @@
 namespace soilweave::dem {
 namespace {
 
-// A vector that is of unit length already stays as it is: normalised again and again it would change its last bits.
+// Returns a unit vector unchanged: repeated normalisation would change its last bits.
 Vec3 unit(const Vec3& v) {
   constexpr double rounding = 1e-15;
   return std::abs(v.squaredNorm() - 1) <= rounding ? v : v.normalized();

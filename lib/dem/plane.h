@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// Who touches a plane; numbers as in files.
+/// Grains that touch a plane; numbers as in files.
 enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
 
 struct Plane {
@@ -32,7 +32,7 @@ struct Planes {
   io::PlanesRecord record() const;
 };
 
-/// Plane named by a contact's negative second index.
+/// Returns the plane that a contact's negative second index names.
 inline std::size_t plane_number(std::int32_t second) { return static_cast<std::size_t>(-1 - second); }
 
 }  // namespace soilweave::dem

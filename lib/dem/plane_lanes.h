@@ -1,4 +1,4 @@
-// The pairs of grains and a plane that one register holds: where they are, and what acts on their grains.
+// The pairs of grains and a plane that one register holds: their geometry, and the loads of their grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace soilweave::dem {
 
-/// What a step sums over pairs with planes, pair by pair.
+/// Sums of a step over pairs with planes, pair by pair.
 template <class T>
 struct PlaneSums {
   StepSums<T> step;
   std::array<Lane4, 3> force_branch{};  // columns, N m
-  Lane4 force{};                        // of the grains on the planes, N; last its work in the step, twice, J
+  Lane4 force{};  // force of the grains on the planes, N; last component: twice its work in the step, J
 
   void add(const V3<T>& force_on_plane, const T& twice_the_work, const V3<T>& branch) {
     double at[3][width<T>];
@@ -35,7 +35,7 @@ struct PlaneSums {
 template <class T>
 class PlaneLanes {
  public:
-  /// Those of a block from lane k on.
+  /// Takes the lanes of a block from lane k on.
   PlaneLanes(const Scene& scene, PlaneBlock& block, std::size_t k)
       : pairs(block.pairs, k),
         plane(scene.planes.all[static_cast<std::size_t>(block.plane)]),
@@ -51,7 +51,7 @@ class PlaneLanes {
 
   PairGeometry<T> geometry(double dt) const {
     const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
-    const bool planar = bodies_.dimension == 2;  // then the spin comes with the velocity
+    const bool planar = bodies_.dimension == 2;  // in the plane the spin comes with the velocity
     const V3<T> velocity{v.a, v.b, planar ? T{} : v.c}, spin = planar ? V3<T>{T{}, T{}, v.c} : V3<T>{w.a, w.b, w.c};
     const V3<T> inward = in_lanes(plane.normal);
     const T height = dot(centres() - in_lanes(plane.point), inward);
@@ -60,15 +60,15 @@ class PlaneLanes {
     const Mask<T> listed = number < all<T>(pairs.block->count);
     return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt);
   }
-  /// Of the perpendicular from a grain's centre, m.
+  /// Returns the foot of the perpendicular from a grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
-  /// What has parted has no memory.
+  /// Returns the history; pairs that have parted have none.
   Memory<T> memory(const Mask<T>& touching) const {
     return {keep(touching, pairs.template shear<Spatial>()), keep(touching, pairs.template rolling<Spatial>()),
             keep(touching, pairs.twisting())};
   }
 
-  /// Into loads, or what is laid out like them; as the sweep puts it, in the plane too.
+  /// Writes loads, or data laid out like them, as the sweep lays them out, also in the plane.
   void put(const V3<T>& force, const V3<T>& torque, LargeVector<Load>& loads) const {
     const bool planar = bodies_.dimension == 2;
     put_rows(force.x, force.y, planar ? torque.z : force.z, &Load::force, loads);

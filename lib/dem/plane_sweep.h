@@ -1,4 +1,4 @@
-// What a sweep does with pairs of grains and planes, a register of them at a time.
+// Sweep over pairs of grains and planes, a register of them at a time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ class PlaneSweep {
  public:
   explicit PlaneSweep(const Couples<Law>& couples) : couples_(couples), moments_(couples.use_moments()) {}
 
-  /// Updates the contacts over a step dt and sets their loads, and their stiffness where its affine part is asked for
+  /// Updates the contacts over a step dt and sets their loads. Sets their stiffness too if affine_stiffness is given
   /// (ContactSweep).
   SweepSums run(const Scene& scene, double dt, Contacts& contacts, Lane4* affine_stiffness) {
     over(scene, contacts, sums_, [&](const PlaneLanes<T>& lanes, PlaneSums<T>& sums) {
@@ -34,13 +34,13 @@ class PlaneSweep {
     return total;
   }
 
-  /// Sets the pairs' stiffness and returns the affine one (ContactSweep).
+  /// Sets the stiffness of the pairs and returns the affine one (ContactSweep).
   Lane4 stiffen(const Scene& scene, Contacts& contacts) {
     return total(scene, contacts,
                  [&](const PlaneLanes<T>& lanes, Lane4& sum) { stiffen(lanes, scene.bodies.stiffness, sum); });
   }
 
-  /// Normal, shear, rolling and twisting energy, J.
+  /// Returns normal, shear, rolling and twisting energy, J.
   Lane4 stored(const Scene& scene, Contacts& contacts) {
     return total(scene, contacts, [this](const PlaneLanes<T>& lanes, Lane4& sum) {
       const PairGeometry<T> g = lanes.geometry(0);
@@ -50,7 +50,7 @@ class PlaneSweep {
   }
 
  private:
-  // Blocks that one thread takes in one go.
+  // Number of blocks that one thread takes at a time.
   static constexpr std::size_t blocks_per_chunk = 64;
 
   template <class Sum, class Use>
@@ -85,7 +85,7 @@ class PlaneSweep {
     Memory<T> memory = before;
     Books<T> books;
     const Response<T> response = Law::respond(couple(lanes), k, all<T>(dt), memory, books);
-    if (dt == 0) memory = before;  // as in the sweep
+    if (dt == 0) memory = before;  // as in the sweep over grains
     lanes.pairs.remember_shear(memory.shear);
     lanes.pairs.remember_moments(memory);
     lanes.pairs.remember_normal_force(response.normal_force);
@@ -96,7 +96,7 @@ class PlaneSweep {
     add_to(sums.step.work, work_of(g, before, memory, moments_, books));
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
-    // Of f (x) l what is not F (x) x: f at the foot of the perpendicular.
+    // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
     const V3<T> moved = T(all<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
     sums.add(act.force, keep(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
   }

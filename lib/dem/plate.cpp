@@ -1,4 +1,4 @@
-// What grains do to the rigid planes they touch.
+// Loads of the grains on the rigid planes that they touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/plate.h"
 
@@ -17,7 +17,7 @@ std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodie
       const double overlap = bodies.radius(i) - (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
       PlateLoad& load = loads[p];
       load.force += to_eigen(h.memory.shear) - h.normal_force * plane.normal;
-      // The tangent of Hertz's law; a linear contact has two thirds of it.
+      // This is the tangent of Hertz's law; the tangent of a linear contact is two thirds of it.
       if (overlap > 0) load.stiffness += 1.5 * h.normal_force / overlap;
       ++load.contacts;
     }

@@ -1,4 +1,4 @@
-// What grains do to the rigid planes they touch.
+// Loads of the grains on the rigid planes that they touch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,12 @@
 namespace soilweave::dem {
 
 struct PlateLoad {
-  Vec3 force = Vec3::Zero();  // N, of the grains on the plane
-  double stiffness = 0;       // N/m, of all its contacts along the normal, at least
+  Vec3 force = Vec3::Zero();  // force of the grains on the plane, N
+  double stiffness = 0;       // lower bound of the stiffness of its contacts along the normal, N/m
   std::size_t contacts = 0;
 };
 
-/// One entry a plane, from the last sweep.
+/// Returns one entry per plane, from the last sweep.
 std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodies, const Planes& planes);
 
 }  // namespace soilweave::dem

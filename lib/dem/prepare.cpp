@@ -1,4 +1,4 @@
-// A packing made ready for a scenario.
+// Prepares a packing for a scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/prepare.h"
 
@@ -20,7 +20,7 @@
 namespace soilweave::dem {
 namespace {
 
-// A plane may press on the grains it meets by this much of their radius at the start; more, and it stands in them.
+// Overlap over radius up to which a plane may press on grains at the start; beyond, it stands inside them.
 constexpr double deepest_start = 0.02;
 
 void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
@@ -57,17 +57,17 @@ bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
                     [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
 }
 
-// Strain along the loading axis by which snapshots are named, at every station, as far as it is known beforehand.
+// Strain along the loading axis that names snapshots, at every station, as far as known beforehand.
 struct KnownStations {
   std::vector<double> strains;
-  bool all = true;  // false: some stage begins at a strain that only the run finds
+  bool all = true;  // false: a stage begins at a strain that only the run finds
 };
 
 KnownStations known_stations(const io::Snapshot& packing, const Scenario& scenario) {
   const int axis = packing.grains.dimension - 1;
   const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
   KnownStations known;
-  // Natural strain since the packing's reference, as Simulation::strain() has it.
+  // Natural strain since the packing's reference, as in Simulation::strain().
   std::optional<double> start = 0.0 - std::log(packing.cell.deformation_gradient(axis, axis));
   for (const Stage& stage : scenario.stages) {
     if (stage.reset_strain) start = 0.0;
@@ -122,7 +122,7 @@ Plane plane_of(const io::Snapshot& state, std::size_t k) {
           static_cast<Partners>(state.planes.partners[k])};
 }
 
-// Puts planes where they just touch the outermost grain that they meet.
+// Moves planes until they just touch the outermost grain they meet.
 void put_in_touch(io::Snapshot& state, const Scenario& scenario) {
   const std::vector<bool> node = nodes_of(state);
   for (const std::size_t k : scenario.touching) {
@@ -147,8 +147,8 @@ std::string name_of(std::size_t plane, const Scenario& scenario) {
   return std::to_string(plane);
 }
 
-// Planes that the run brings along must not stand inside what it loads. Plates may press a little at the start, planes
-// without a name as deep as contacts may be.
+// Throws DataError for a plane of the scenario that stands inside the grains it loads. Plates may press a little at the
+// start; planes without a name as deep as contacts may be.
 void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
   const std::vector<bool> node = nodes_of(state);
   for (std::size_t k = 0; k < scenario.planes.point.size(); ++k) {
@@ -231,7 +231,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
         "of "
         "them out");
   io::Snapshot state = packing;
-  // Planes of an earlier run stay where the scenario has none.
+  // Planes of an earlier run stay if the scenario has none.
   if (!scenario.planes.point.empty()) state.planes = scenario.planes;
   described(state, scenario.model);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
@@ -240,7 +240,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   }
   if (scenario.equal_steps) equalise_steps(scenario.model, state.grains);
   put_in_touch(state, scenario);
-  // Contacts with planes of an earlier run are not with these.
+  // Contacts with planes of an earlier run do not belong to new planes.
   if (!scenario.planes.point.empty() && !are_parallel(packing.planes, state.planes))
     state.contacts = without_planes(state.contacts);
   demand_footing(state, scenario.numerics.gravity);
@@ -255,7 +255,7 @@ void demand_stable(Simulation& simulation, const Numerics& numerics) {
   if (!numerics.time_step) return;
   const double limit = simulation.stability_limit();
   if (*numerics.time_step <= limit) return;
-  // Rounded down, so that the limit that is told is a step that is taken.
+  // Rounded down, so that the reported limit is an accepted step.
   const double digit = std::pow(10, std::floor(std::log10(limit)) - 3);
   throw DataError(fmt::format(
       "the time step of {:.4g} s is over the stable one of {:.4g} s: lower numerics.time_step, or leave it out",

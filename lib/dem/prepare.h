@@ -1,4 +1,4 @@
-// A packing made ready for a scenario, and what the two must agree on.
+// Prepares a packing for a scenario, and checks that the two agree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,18 +10,17 @@
 
 namespace soilweave::dem {
 
-/// A packing made ready for a scenario: density (masses follow) and mass scaling, planes, and materials checked against
-/// the model. Planes that are to touch are put there. Throws DataError where the packing names materials or geotextiles
-/// the scenario lacks, a stage loads an axis that is not periodic, a yarn passes through a periodic face, gravity has
-/// nothing to press on, a plane starts inside the grains, a clamp holds nothing, a strain to record meets no
-/// station, a homogeneous start has no parts that face each other, a critical drag no axis to swing along, or scaled
-/// masses would fall.
+/// Returns the packing with the scenario's density (masses follow), mass scaling, and planes; planes that are to touch
+/// are put in place. Throws DataError if the packing names materials or geotextiles that the scenario lacks, a stage
+/// loads an aperiodic axis, a yarn passes through a periodic face, gravity has nothing to press on, a plane starts
+/// inside the grains, a clamp holds nothing, a strain to record is no station, a homogeneous start has no parts that
+/// face each other, a critical drag has no axis to swing along, or scaled masses would fall.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 
-/// Throws DataError where a fixed time step is over the stability limit of the simulation's present contacts.
+/// Throws DataError if a fixed time step exceeds the stability limit of the present contacts.
 void demand_stable(Simulation& simulation, const Numerics& numerics);
 
-/// The nodes of geotextiles in an upright box, m, ascending.
+/// Returns the nodes of geotextiles in an upright box (m), ascending.
 std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 
 }  // namespace soilweave::dem

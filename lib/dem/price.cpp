@@ -1,4 +1,4 @@
-// What a run cost.
+// Cost of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/price.h"
 
@@ -11,7 +11,7 @@ double Price::share(Phase phase) const {
   const double all_steps = static_cast<double>(steps) / static_cast<double>(times.looked_at);
   double phases = 0;
   for (const double s : times.seconds) phases += s * all_steps;
-  // Steps that were looked at may have been slow ones by chance: the phases share what stepping took, no more.
+  // Sampled steps may have been slow by chance, so the phases are scaled down to the time of stepping.
   const double scale = phases > stepping ? stepping / phases : 1;
   return scale * times.of(phase) * all_steps / (stepping + output);
 }

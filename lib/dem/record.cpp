@@ -12,10 +12,10 @@ namespace {
 struct Coordination {
   double all = 0;         // 2 Nc/N
   double mechanical = 0;  // Thornton (2000): (2 Nc - N1)/(N - N0 - N1)
-  double sliding = 0;     // share of contacts
+  double sliding = 0;     // share of the contacts
 };
 
-// What a row is computed from, gathered once.
+// Quantities of a row, gathered once.
 struct Moment {
   const Simulation& simulation;
   int dimension, stage;

@@ -1,4 +1,4 @@
-// What moves the named plates and clamps of a run.
+// Drives the named plates and clamps of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/rig.h"
 
@@ -12,12 +12,12 @@
 namespace soilweave::dem {
 namespace {
 
-// A massless plate follows its contacts as if it had the mass that oscillates on them so slowly, times the step; it is
-// damped critically.
+// Frequency times step of a massless plate. It follows its contacts like a mass that oscillates on them at this
+// frequency, with critical damping.
 constexpr double plate_frequency_times_step = 0.1;
-// A displacement is met to this much, m.
+// Tolerance of a displacement, m.
 constexpr double displacement_tolerance = 1e-10;
-// Planes face each other whose normals are opposite to this cosine.
+// Planes face each other if the cosine between their normals is below minus this.
 constexpr double opposite = 0.99;
 
 Vec3 middle(const Clamp& clamp, const Bodies& bodies) {
@@ -53,10 +53,11 @@ double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates
                           const Simulation& simulation) {
   State& s = states_[part];
   const double dt = simulation.time_step();
-  const double error = s.load + force(part, plates, simulation).dot(s.direction);  // N, what the grains do not bear yet
+  const double error =
+      s.load + force(part, plates, simulation).dot(s.direction);  // part of the load that the grains do not bear yet, N
   double mass = parts_[part].mass, direct = 0;
   if (mass == 0 && !parts_[part].is_clamp) {
-    // Until it touches, the plate approaches at its full speed.
+    // Before it touches, the plate approaches at its full speed.
     const double stiffness = plates[parts_[part].number].stiffness;
     if (stiffness == 0) return s.velocity = s.load > 0 ? s.speed : 0.0;
     const double omega = plate_frequency_times_step / dt;
@@ -84,7 +85,7 @@ void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation&
       s.loaded = true;
       s.direction = goal.direction, s.load = goal.value, s.speed = goal.speed;
     } else {
-      // A part that is moved along its load's direction carries the load no more.
+      // A part that moves along the direction of its load no longer carries it.
       if (s.loaded && std::abs(s.direction.dot(goal.direction)) > 0.5) s.loaded = false;
       const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
       const double speed = pace * goal.speed;

@@ -1,4 +1,4 @@
-// Sums over contacts that are the same whether contacts come one by one or many at a time.
+// Sums over contacts whose bits do not depend on how many contacts a register holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace soilweave::dem {
 
-/// Adds four quantities of every contact to a row, contact after contact.
+/// Adds four quantities of every contact to a row, contact by contact.
 template <class T>
 void add_to(Lane4& row, const T& a, const T& b, const T& c, const T& d) {
   if constexpr (is_lane<T>)
@@ -17,7 +17,7 @@ void add_to(Lane4& row, const T& a, const T& b, const T& c, const T& d) {
     row = row + Lane4{a, b, c, d};
 }
 
-/// Adds the parts of a vector of every contact.
+/// Adds the components of a vector of every contact.
 template <class T>
 void add_to(Lane4& row, const V3<T>& v) {
   add_to(row, v.x, v.y, v.z, T{});

@@ -1,4 +1,4 @@
-// A scenario carried out.
+// Carries out a scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/run.h"
 
@@ -19,7 +19,8 @@
 namespace soilweave::dem {
 namespace {
 
-// Uniform in [-1, 1) from the engine's bits alone: standard distributions differ between libraries.
+// Returns a uniform number in [-1, 1) from the engine's bits alone, because standard distributions differ between
+// libraries.
 double symmetric_uniform(std::mt19937_64& engine) {
   return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;
 }
@@ -45,12 +46,12 @@ Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
   return numerics;
 }
 
-// How far a run is.
+// Progress of a run.
 struct Position {
-  std::size_t stage = 0, station = 0;  // station: the one to be reached next
-  bool begun = false;                  // the stage
-  std::int64_t first = 0;              // step at which the way to the station began
-  std::size_t done = 0;                // stations, of all stages
+  std::size_t stage = 0, station = 0;  // station: the next one to reach
+  bool begun = false;                  // whether the stage has begun
+  std::int64_t first = 0;              // step at which the loading to the station began
+  std::size_t done = 0;                // number of stations done, in all stages
   Vec3 start_of_stage = Vec3::Zero();  // strain
 
   void archive(Archive& a) {
@@ -140,7 +141,7 @@ class Runner {
     return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
   }
 
-  // What a stage changes in the grains.
+  // Applies a stage's changes to the grains.
   void apply(const Stage& stage) {
     if (!stage.friction && !stage.plate_friction) return;
     if (stage.friction) model_ = with_friction(model_, *stage.friction);
@@ -153,7 +154,7 @@ class Runner {
     apply(stage);
     if (stage.reset_strain) {
       simulation_.set_reference();
-      if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table, too
+      if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table too
     }
     at_.start_of_stage = simulation_.strain();
     rig_.begin_stage();
@@ -163,7 +164,7 @@ class Runner {
     at_.begun = true;
   }
 
-  // A path counts strains from the start of its stage, the simulation from its reference.
+  // Returns the goals with strains since the simulation's reference; a path counts them from the start of its stage.
   AxisGoals goals_of(const Stage& stage, std::size_t station) const {
     AxisGoals goals = stage.path->goals(
         station, {dimension_, simulation_.measures().stress, simulation_.strain() - at_.start_of_stage});
@@ -197,7 +198,7 @@ class Runner {
     tell(stage, station);
   }
 
-  // Share of the given speeds and rates.
+  // Returns the share of the prescribed speeds and rates.
   double pace_on_the_way(const Stage& stage) {
     if (stage.way_unbalanced_force == 0) return 1;
     if (simulation_.steps() % look_interval == 0)
@@ -205,7 +206,7 @@ class Runner {
     return pace_.share();
   }
 
-  // Whether all that moves by a set way has arrived, and only rest is waited for.
+  // Returns whether all prescribed motion has arrived, so that only rest is waited for.
   bool waits(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
     return rig_.moved(drives) && Servo::strained(goals, dimension_, simulation_);
   }
@@ -215,7 +216,8 @@ class Runner {
       if (simulation_.steps() % look_interval != 0) return false;
       if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
     }
-    // Both take a pass over all that there is. Between plates, where drag is waited for, the energy is what comes last.
+    // Both checks pass over all grains, so the rarer one is first. Between plates, where drag acts, the energy is last
+    // to fall.
     return rig_.any() ? still() && servo_settled(goals) : servo_settled(goals) && still();
   }
 
@@ -245,7 +247,7 @@ class Runner {
     return fmt::format(", at {:.2g} % of its speed", 100 * pace_.share());
   }
 
-  // A cell around plates says nothing of what is between them.
+  // Between plates the cell tells nothing about the grains.
   std::string state() const {
     if (rig_.any()) return rig_.text(simulation_);
     return fmt::format("p {:.4g} Pa, e {:.4f}", mean(simulation_.measures().stress, dimension_),

@@ -145,7 +145,7 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vec
   return planes;
 }
 
-// An empty list stands for every material.
+// Returns whether the list names the material; an empty list names all.
 bool is_among(const std::vector<std::int32_t>& materials, std::size_t material) {
   return materials.empty() ||
          std::find(materials.begin(), materials.end(), static_cast<std::int32_t>(material)) != materials.end();

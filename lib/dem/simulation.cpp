@@ -22,17 +22,17 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps between two looks at the stiffness: it changes slowly against the step it limits, but a cloud that is pressed
-// together blew up with 16. Where hardly any contacts are added, none is pressed much deeper, and no yarns hold light
-// nodes to heavy grains, rarer looks do.
+// Steps between two evaluations of the stiffness, which changes slowly against the step it limits. A cloud under
+// compression blew up at 16. Rarer evaluations suffice if few contacts are added, none is pressed much deeper, and no
+// yarns tie light nodes to heavy grains.
 constexpr std::int64_t stiffness_interval = 8, calm_stiffness_interval = 32;
 constexpr double calm_contact_growth = 1.01, calm_overlap_growth = 1.05;
-// Steps between two passes over the grains by the guards.
+// Steps between two passes of the guards over the grains.
 constexpr std::int64_t guard_interval = 256;
-// Sooner where the largest overlap has become this many times what it was: a stiffness grows with its root, and a step
-// may be too long by the root of that at most, which its safety covers.
+// Growth of the largest overlap that calls for an earlier evaluation. Stiffness grows with the root of the overlap, so
+// the step is too long by at most the root of that root, which its safety covers.
 constexpr double overlap_growth = 2;
-// The fastest grain, or plane, moves at most this fraction of the smallest radius in a step.
+// Greatest motion of a grain or plane in a step, over the smallest radius.
 constexpr double largest_move = 1e-2;
 
 }  // namespace
@@ -61,7 +61,7 @@ struct Simulation::Impl {
     neighbours.rebuild(bodies, cell, planes, contacts);
     for (const auto& held : numerics.clamps) clamps.all.push_back({held});
     if (kept) {
-      yarns.run(time, numerics.threads, bodies);  // lengths and directions, of which nothing is kept
+      yarns.run(time, numerics.threads, bodies);  // restores lengths and directions, which no checkpoint keeps
       archive(*kept);
     } else {
       begin();
@@ -82,7 +82,7 @@ struct Simulation::Impl {
     energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0, numerics.threads) + now.elastic();
   }
 
-  // Forces at the present positions, as they are met; the step that they bear.
+  // Computes forces and the stable step at the present positions.
   void meet() {
     StepPasses passes(false, contacts, motion, bodies);
     Vec3 stiffness;
@@ -90,7 +90,7 @@ struct Simulation::Impl {
     estimate_step(stiffness);
   }
 
-  // Forces of contacts and yarns on every grain, after a step dt; and the contacts' stiffness, where asked for.
+  // Computes forces of contacts and yarns after a step dt, and the contacts' stiffness if requested.
   void act(double dt, StepPasses& passes, Vec3* stiffness) {
     sums = sweep->run(scene(), dt, contacts, passes, stiffness);
     sums.force_branch += motion.collected();
@@ -116,7 +116,7 @@ struct Simulation::Impl {
     for (Clamp& c : clamps.all) a.item(fmt::format("clamp_force_{}", &c - clamps.all.data()), c.force);
   }
 
-  // Of disks: as vectors, as records have them, they would not come back bit by bit.
+  // Keeps the shear forces of disks as numbers: as vectors of a record they would lose bits.
   void archive_shear_forces(Archive& a) {
     std::vector<double> forces = shear_forces_of_disks(contacts);
     a.sized("shear_force", forces);
@@ -163,8 +163,8 @@ struct Simulation::Impl {
     clock.lap(Phase::contacts);
   }
 
-  // Whether grains may move while their pairs are swept: no new list will be needed. What yarns and clamps do to the
-  // grains comes after the forces are collected, by which their speed is foreseen.
+  // Returns whether no new list will be needed, so that grains may move while their pairs are swept. Yarns and clamps
+  // act after forces are collected, so the speed of their grains cannot be foreseen.
   bool list_outlasts_step() const {
     return planes.all.empty() && !yarns.any() && clamps.all.empty() &&
            neighbours.outlast(motion.gain_bound(smallest.mass), cell.velocity_gradient(), time_step);
@@ -208,8 +208,8 @@ struct Simulation::Impl {
     guard.escape(steps, bodies);
   }
 
-  // No overlap may be deeper than this share of the smallest radius, m; once one was, since its grains are larger, the
-  // next look comes when it has grown.
+  // Overlap, m, beyond which grains are checked one by one: the limit at the smallest radius. After a check that
+  // passed, since larger grains allow more, the next one comes when the overlap has grown.
   double alarm() const { return std::max(numerics.limits.overlap * smallest.radius, 1.1 * looked_at); }
   void look_at_overlap() {
     looked_at = sums.largest_overlap;
@@ -235,7 +235,7 @@ struct Simulation::Impl {
     return e;
   }
 
-  // s, from the grains' stiffnesses, which are used up.
+  // Returns the stability limit, s, from the grains' stiffnesses, which are left zero.
   double stability_limit() {
     const StepBound to_come = bound_to_come(*sweep, bodies, smallest);
     const double nodes = std::sqrt(2.0 / yarns.stiffness_over_mass(bodies, contacts));  // infinite without yarns
@@ -244,7 +244,7 @@ struct Simulation::Impl {
     return std::min(others, to_come.rotation);
   }
 
-  // Whether the largest overlap is so many times what it was when the step was last estimated.
+  // Returns whether the largest overlap is more than `times` its value at the last estimate of the step.
   bool outgrown(double times) const {
     return sums.largest_overlap > times * std::max(estimated_at, reference_overlap * smallest.radius);
   }
@@ -253,7 +253,7 @@ struct Simulation::Impl {
            static_cast<double>(sums.contacts) <= calm_contact_growth * static_cast<double>(contacts_at_estimate);
   }
 
-  // After the grains were given their stiffnesses, whose affine sum over the contacts this is.
+  // Estimates the step from the grains' stiffnesses. affine: their affine sum over the contacts.
   void estimate_step(const Vec3& affine) {
     estimated_at = sums.largest_overlap, contacts_at_estimate = sums.contacts;
     const double limit = stability_limit();
@@ -278,7 +278,7 @@ struct Simulation::Impl {
   io::ContactsRecord contacts_record() const { return dem::contacts_record(contacts, bodies, cell, planes); }
 
   Numerics numerics;
-  io::Snapshot record;  // identities and whatever the engine does not change
+  io::Snapshot record;  // identities, and data that the engine never changes
   Bodies bodies;
   Cell cell;
   Planes planes;
@@ -294,12 +294,12 @@ struct Simulation::Impl {
   Energies energies;
   Smallest smallest;
   double stable = 0, time_step = 0, time = 0;
-  double estimated_at = 0;                // largest overlap when the step was last estimated, m
-  std::int64_t contacts_at_estimate = 0;  // how many there were then
-  // Whether rolling or twisting in contacts still to come bounds the step. Each contact that a grain gets then counts
-  // at full stiffness at once, so that the stiffness is looked at in every step.
+  double estimated_at = 0;                // largest overlap at the last estimate of the step, m
+  std::int64_t contacts_at_estimate = 0;  // number of contacts at the last estimate
+  // Whether rolling or twisting in contacts still to form bounds the step. A new contact then has its full stiffness at
+  // once, so the stiffness is evaluated in every step.
   bool rotation_bounds = false;
-  double looked_at = 0;  // largest overlap when it was last compared with the grains' own radii, m
+  double looked_at = 0;  // largest overlap at the last check against the grains' own radii, m
   std::int64_t steps = 0, contact_steps = 0;
   StepTimes times;
 };
@@ -367,7 +367,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   s.measure();
   const Energies after = s.stored();
   s.energies.boundary_work += after.elastic() - before.elastic();
-  // What the law has taken stays as it is.
+  // The energy that the law has taken must not change.
   s.energies.tangential_work += before.law - after.law;
 }
 

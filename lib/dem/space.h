@@ -1,7 +1,9 @@
-// What vectors and turns are in space, and in the plane of disks, where a vector has two parts and a turn has one. The
-// same formulas serve both (core/v2.h, core/v3.h). What lies along a contact is a vector normal to its normal in space;
-// in the plane there is one such direction, the normal turned by a right angle, and it is a number along that.
+// Vectors and rotations in space, and in the plane of disks.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// In the plane a vector has two components and a rotation one. The same formulas serve both (core/v2.h, core/v3.h).
+// A shear force is a vector normal to the contact normal. In the plane only one such direction exists, the normal
+// rotated by a right angle, and the shear force is a number along it.
 #pragma once
 
 #include "core/v2.h"
@@ -16,7 +18,7 @@ struct Spatial {
   using Turn = V3<T>;
   template <class T>
   using Along = V3<T>;
-  static constexpr bool twists = true;  // grains can turn about the normal of a contact
+  static constexpr bool twists = true;  // grains can rotate about the normal of a contact
 };
 
 struct Planar {
@@ -36,7 +38,7 @@ using Turn = typename Space::template Turn<T>;
 template <class T, class Space>
 using Along = typename Space::template Along<T>;
 
-/// Of a vector, what lies along a contact.
+/// Returns the part of a vector along a contact.
 template <class T>
 V3<T> along(const V3<T>& normal, const V3<T>& v) {
   return fused_less(dot(v, normal), normal, v);
@@ -46,7 +48,7 @@ T along(const V2<T>& normal, const V2<T>& v) {
   return cross(normal, v);
 }
 
-/// The normal times a turn, which lies along the contact.
+/// Returns normal x turn, which lies along the contact.
 template <class T>
 V3<T> turned(const V3<T>& normal, const V3<T>& turn) {
   return cross(normal, turn);
@@ -56,7 +58,7 @@ T turned(const V2<T>&, const T& turn) {
   return -turn;
 }
 
-/// The normal times what lies along the contact, a turn.
+/// Returns normal x (vector along the contact), a turn.
 template <class T>
 V3<T> moment(const V3<T>& normal, const V3<T>& along) {
   return cross(normal, along);
@@ -66,7 +68,7 @@ T moment(const V2<T>&, const T& along) {
   return along;
 }
 
-/// So much of the normal, and what lies along the contact.
+/// Returns a multiple of the normal plus a vector along the contact.
 template <class T>
 V3<T> joined(const T& of_normal, const V3<T>& normal, const V3<T>& along) {
   return fused(of_normal, normal, along);

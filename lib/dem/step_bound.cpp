@@ -1,4 +1,4 @@
-// The bound that contacts still to come set to the time step.
+// Bound on the time step from contacts that do not exist yet.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/step_bound.h"
 

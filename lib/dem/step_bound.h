@@ -1,4 +1,4 @@
-// The bound that contacts still to come set to the time step.
+// Bound on the time step from contacts that do not exist yet.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave::dem {
 
-/// The least radius (m), mass (kg) and moment of inertia (kg m2, nodes apart) of any body, each by itself.
+/// Least radius (m), mass (kg) and moment of inertia (kg m2, without nodes) of any body, each on its own.
 struct Smallest {
   double radius, mass, inertia;
   explicit Smallest(const Bodies& bodies)
@@ -17,13 +17,13 @@ struct Smallest {
 /// Overlap over radius of the contact that bounds the step while no stiffer one exists.
 inline constexpr double reference_overlap = 1e-4;
 
-/// Time steps, s, that contacts still to come leave stable; infinite where a model has no such stiffness.
+/// Time steps, s, that remain stable when new contacts form; infinite if a model has no such stiffness.
 struct StepBound {
-  /// Translation: sqrt(2 m/(4 k_n)) at the reference overlap. The four stands for several contacts at once, and for a
-  /// stiffness that grows with the overlap before it is looked at again.
+  /// Translation: sqrt(2 m/(4 k_n)) at the reference overlap. The four allows for several contacts at once, and for a
+  /// stiffness that grows before it is evaluated again.
   double translation;
-  /// Rolling and twisting: sqrt(2 I/k_r), the limit of two equal grains that turn against each other. A moment's
-  /// stiffness may be the same from the first touch on, and large beside that of so small an overlap.
+  /// Rolling and twisting: sqrt(2 I/k_r), the limit of two equal grains that rotate against each other. The stiffness
+  /// of a moment may be constant from the first touch on, and large beside that of so small an overlap.
   double rotation;
 };
 

@@ -1,4 +1,4 @@
-// What a step does with the grains of a chunk beside sweeping their pairs.
+// Passes of a step over the grains of a chunk, around the sweep of their pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace soilweave::dem {
 
-/// Moves the grains, where they have not moved before the sweep, and collects their loads.
+/// Moves the grains, if they have not moved before the sweep, and collects their loads.
 class StepPasses final : public AroundChunk {
  public:
-  /// time: counts what the passes take, where one is given.
+  /// time: accumulates the time of the passes, if given.
   StepPasses(bool moving, const Contacts& contacts, Motion& motion, Bodies& bodies, PassTime* time = nullptr)
       : moving_(moving), contacts_(contacts), motion_(motion), bodies_(bodies), time_(time) {}
 

@@ -1,4 +1,4 @@
-// Where the time of a step goes, looked at in one step of seven: a clock read costs as much as a contact or two.
+// Time of a step by phases, sampled in one step of seven: reading a clock costs as much as a contact or two.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,22 @@ namespace soilweave::dem {
 
 enum class Phase : std::uint8_t { contacts, integration, neighbours };
 
-/// Seconds of the steps that were looked at.
+/// Seconds of the sampled steps.
 struct StepTimes {
   std::array<double, 3> seconds = {};
-  std::int64_t looked_at = 0;  // steps
+  std::int64_t looked_at = 0;  // number of sampled steps
 
   double of(Phase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
 };
 
-/// Lives for one step; laps count only in a step that is looked at.
+/// Watch of one step. Laps count only in sampled steps.
 class StepWatch {
  public:
   StepWatch(StepTimes& times, std::int64_t step) : times_(times), on_(step % interval == 0) {
     if (on_) ++times_.looked_at, last_ = Clock::now();
   }
   bool on() const { return on_; }
-  /// The time since the last lap was this phase's.
+  /// Counts the time since the last lap for this phase.
   void lap(Phase phase) {
     if (!on_) return;
     const Clock::time_point now = Clock::now();
@@ -34,7 +34,7 @@ class StepWatch {
     last_ = now;
   }
 
-  /// Of the laps of one phase, s were another one's.
+  /// Moves s seconds from one phase to another.
   void shift(double s, Phase from, Phase to) {
     times_.seconds[static_cast<std::size_t>(from)] -= s;
     times_.seconds[static_cast<std::size_t>(to)] += s;
@@ -42,7 +42,7 @@ class StepWatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Without a common divisor with the interval at which the engine looks at the stiffness.
+  // It has no common divisor with the interval at which the engine evaluates the stiffness.
   static constexpr std::int64_t interval = 7;
 
   StepTimes& times_;
@@ -50,10 +50,10 @@ class StepWatch {
   bool on_;
 };
 
-/// What passes within a phase take, by all threads.
+/// Time of passes within a phase, summed over all threads.
 class PassTime {
  public:
-  /// Does it, and counts its time where one is given.
+  /// Runs a pass and adds its time, if a timer is given.
   template <class Pass>
   static void count(PassTime* time, const Pass& pass) {
     using Clock = std::chrono::steady_clock;

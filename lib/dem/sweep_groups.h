@@ -1,4 +1,4 @@
-// What the stages of a sweep hand to one another, and how what a contact does reaches its grains.
+// Data between the stages of a sweep, and the addition of forces to the grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,12 +16,12 @@
 
 namespace soilweave::dem {
 
-/// What a step sums over the contacts of a chunk.
+/// Sums of a step over the contacts of a chunk.
 template <class Lanes>
 struct StepSums {
   Lane4 work{};              // contact_work.h
-  Lanes overlap{};           // the largest, a lane each
-  Lane4 affine_stiffness{};  // where asked for
+  Lanes overlap{};           // largest overlap, per lane
+  Lane4 affine_stiffness{};  // if requested
   std::int64_t contacts = 0;
 
   void put_into(SweepSums& s) const {
@@ -32,16 +32,16 @@ struct StepSums {
   }
 };
 
-/// What a sweep works with beside the pairs.
+/// Input of a sweep beside the pairs.
 struct Surroundings {
   const Bodies& bodies;
-  const std::vector<Lane4>& shifts;  // of Contacts::images, m
+  const std::vector<Lane4>& shifts;  // vectors of Contacts::images, m
   AffineMotion affine;
   double dt;
-  bool in_cache;  // all pairs and grains are from step to step
+  bool in_cache;  // whether all pairs and grains stay in the cache from step to step
   double* loads;
   double* stiffness;
-  double* across;  // of this chunk: forces summed by image
+  double* across;  // forces of this chunk, summed by image
 
   const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
 };
@@ -55,15 +55,15 @@ struct Group {
   PairGeometry<Lanes, Space> geometry;
   Work<Lanes> work;
 };
-inline constexpr std::size_t batch_size = 8;  // what the first cache holds
+inline constexpr std::size_t batch_size = 8;  // so many fit the first cache
 template <class Lanes, class Space>
 using Batch = std::span<Group<Lanes, Space>>;
 
 inline void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
 inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
 
-/// Adds the forces of pairs that reach across the cell's faces to the sums by image; they alone: each waits for the one
-/// before it to be stored.
+/// Adds the forces of pairs across the cell's faces to the sums by image. Only these, because each addition waits until
+/// the one before it is stored.
 template <class Lanes>
 void add_across(const V3<Lanes>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   unsigned folded = lanes.folded();
@@ -76,10 +76,10 @@ void add_across(const V3<Lanes>& force, const BlockLanes<Lanes>& lanes, const Su
   }
 }
 
-/// To the loads of the grains, pair by pair.
+/// Adds forces and torques to the loads of the grains, pair by pair.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
-  double* const loads = s.loads;  // by reference it would be read anew after every store
+  double* const loads = s.loads;  // a reference would be read again after every store
   std::array<Lane4, width<Lanes>> force, torque;
   const auto& f = act.force;
   const auto &t1 = act.torque_first, &t2 = act.torque_second;
@@ -94,7 +94,7 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   });
   add_across(f, lanes, s);
 }
-/// In the plane the torque comes as the third part of the force.
+/// In the plane the torque is the third component of the force.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   double* const loads = s.loads;
@@ -110,7 +110,7 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
   add_across(V3<Lanes>{f.x, f.y, Lanes{}}, lanes, s);
 }
 
-/// Stiffness against translation and rotation, at place(lane), laid out as the loads are.
+/// Adds stiffness for translation and rotation at place(lane), laid out like the loads.
 template <class Lanes, class Place>
 void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const Place& place) {
   const V3<Lanes>&t = translation, &r = rotation;

@@ -1,4 +1,4 @@
-// How fast what waits for rest swings.
+// Frequency of the swing of an assembly that waits for rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/swing.h"
 
@@ -11,11 +11,11 @@
 namespace soilweave::dem {
 namespace {
 
-// Looks are so many steps apart that the grains' own rattling, which is faster than a swing of the whole, evens out.
+// Steps between samples: rattling of grains, faster than a swing of the whole, evens out in between.
 constexpr std::int64_t steps_between_looks = 5 * look_interval;
-// Looks before the first estimate.
+// Samples before the first estimate.
 constexpr std::int64_t first_looks = 6;
-// The slowest swing that is believed, over that of affine contacts.
+// Lower bound of the frequency over that of affine contacts.
 constexpr double slowest_share = 0.1;
 
 }  // namespace
@@ -39,11 +39,11 @@ void Swing::look(const Simulation& simulation) {
 void Swing::estimate(const Vec3& moments, double interval) {
   const auto& [before, now, after] = gradient_;
   const Vec3 second = (after - 2 * now + before) / (interval * interval), first = (after - before) / (2 * interval);
-  // A swing is seen while it lasts: after a time of 1/w it has lost half of its weight or more.
+  // Samples older than 1/w lose half of their weight or more, because the swing lasts no longer.
   const double kept = std::exp(-interval * frequency_);
   products_ = kept * products_ - moments.dot(now.cwiseProduct(second + critical_drag() * first));
   squares_ = kept * squares_ + moments.dot(now.cwiseProduct(now));
-  // Where no force drives back what moves, this is no swing: grains find new places.
+  // A negative sum means that no force drives the motion back: the grains find new places, and this is no swing.
   if (looks_ < first_looks || !(products_ > 0)) return;
   frequency_ = std::clamp(std::sqrt(products_ / squares_), slowest_share * bound_, bound_);
 }

@@ -1,13 +1,13 @@
-// How fast what waits for rest swings, and the drag that brings it to rest soonest.
+// Frequency of the swing of an assembly that waits for rest, and the drag that stops it soonest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mode of frequency w under a drag c (over the mass) decays soonest where c = 2 w: with less it swings on, with more
-// it creeps. An assembly of scaled density swings slowest as a whole. The velocity gradient L that fits its grains
-// best, looked at every so many steps, tells how fast: from L'' + c L' + w^2 L = 0 by least squares,
+// A mode of frequency w under a drag c (over the mass) decays soonest for c = 2 w. With less it swings on, with more it
+// creeps. The slowest swing of an assembly with scaled density is that of the whole. Its frequency follows from samples
+// of the velocity gradient L that fits the grains best: L'' + c L' + w^2 L = 0 gives by least squares
 //   w^2 = -sum M L (L'' + c L') / sum M L^2,
-// with the second moments of mass M for weights, so that the swing that holds the energy counts. Dynamic relaxation
-// estimates its damping likewise (Underwood, 1983). Contacts that strain affinely are stiffer than any that do not:
-// their frequency bounds the estimate from above, and is what there is before the first.
+// with the second moments of mass M as weights, so that the swing with most energy counts. Dynamic relaxation estimates
+// its damping in this way (Underwood, 1983). Contacts that strain affinely are stiffer than others. Their frequency
+// bounds the estimate from above, and serves before the first estimate.
 #pragma once
 
 #include <array>
@@ -19,22 +19,22 @@ namespace soilweave::dem {
 
 class Swing {
  public:
-  /// As what moved the grains stops: they swing about another state from here.
+  /// Starts anew when the loading stops, because the grains then swing about another state.
   void begin(const Simulation& simulation);
-  /// Looks at the grains after a step, now and then.
+  /// Samples the grains after a step, at intervals.
   void look(const Simulation& simulation);
-  /// 1/s, twice the frequency of the swing.
+  /// Returns twice the frequency of the swing, 1/s.
   double critical_drag() const { return 2 * frequency_; }
   void archive(Archive& archive);
 
  private:
   void estimate(const Vec3& moments, double interval);
 
-  double bound_ = 0, frequency_ = 0;  // 1/s; bound_: of contacts that strain affinely; 0: nothing touches
-  /// 1/s, diagonal of L at the last three looks, the latest last.
+  double bound_ = 0, frequency_ = 0;  // 1/s; bound_: of contacts that strain affinely; 0: no contacts
+  /// Diagonal of L at the last three samples, latest last, 1/s.
   std::array<Vec3, 3> gradient_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  std::int64_t looks_ = 0;             // since it began
-  double products_ = 0, squares_ = 0;  // the sums, older looks counting less
+  std::int64_t looks_ = 0;             // number since it began
+  double products_ = 0, squares_ = 0;  // sums in which older samples count less
 };
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// How many contacts, and grains, are taken at a time: chosen once per run, by what the processor can do.
+// Width of the vector loops over contacts and grains, chosen once per run by the processor.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/contact_sweep.h"
 #include "dem/grain_motion.h"
@@ -7,7 +7,7 @@ namespace soilweave::dem {
 namespace {
 
 #ifdef SOILWEAVE_AVX512
-// What the objects of eight lanes are compiled for (Makefile).
+// Returns whether the processor has the instructions that the objects of eight lanes use (Makefile).
 bool eight_at_a_time() {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");

@@ -1,4 +1,4 @@
-// Changes to the motion of the grains as the ways to stations begin and end.
+// Changes of the grains' motion at the start and end of the loading to a station.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/way.h"
 
@@ -43,7 +43,7 @@ void Way::before_step(const Stage& stage, bool waiting, const std::vector<DriveG
 void Way::after_step(Simulation& simulation) {
   if (!waiting_) return;
   ++waited_;
-  // Local damping weakens as forces balance; what sways then with little to hold it needs a drag to come to rest.
+  // Local damping weakens as forces balance, so a slow swing needs a drag to come to rest.
   if (critical_) swing_.look(simulation);
   const double drag = critical_ ? swing_.critical_drag() : drag_;
   if (drag > 0 && simulation.steps() % look_interval == 0)

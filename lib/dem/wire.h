@@ -1,5 +1,5 @@
-// Yarns as tension-only springs along a piecewise-linear curve: they yield, unload, break. Strains and tensions alone;
-// it knows nothing of nodes and lists.
+// Yarns as tension-only springs along a piecewise-linear curve: they yield, unload and break. Only strains and tensions
+// here; nodes and lists are elsewhere.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace soilweave::dem {
 
-/// Tension against strain of a yarn: straight between points, from the origin on; beyond the last point it breaks.
-/// Below the largest strain so far it unloads and reloads along `unloading` from the plastic strain (dem-laws §9).
+/// Tension against strain of a yarn, linear between points from the origin on. Beyond the last point it breaks. Below
+/// its largest strain so far it unloads and reloads with slope `unloading` from the plastic strain (LAWS.md §9).
 struct WireCurve {
   std::string name;
   std::vector<double> strain;   // ascending, 1
@@ -20,7 +20,7 @@ struct WireCurve {
   double unloading = 0;         // N per unit of strain
 
   double breaking_strain() const { return strain.back(); }
-  /// N, on the curve of first loading, 0 to breaking_strain(). T is double or lanes.
+  /// Returns the tension on the curve of first loading, N, from 0 to breaking_strain(). T is double or lanes.
   template <class T>
   T loading(const T& e) const {
     std::size_t k = strain.size() - 1;
@@ -28,7 +28,7 @@ struct WireCurve {
     while (k-- > 0) t = select<T>(e < all<T>(strain[k]), on_piece(k, e), t);
     return t;
   }
-  /// N per unit of strain, the steepest that the curve ever is.
+  /// Returns the steepest slope that the curve ever has, N per unit of strain.
   double stiffest() const {
     double most = unloading;
     for (std::size_t k = 0; k < strain.size(); ++k) most = std::max(most, piece(k).slope);
@@ -37,9 +37,9 @@ struct WireCurve {
 
  private:
   struct Piece {
-    double strain, tension, slope;  // at its beginning
+    double strain, tension, slope;  // values at its beginning
   };
-  /// That which ends at point k.
+  /// Returns the piece that ends at point k.
   Piece piece(std::size_t k) const {
     const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
     return {e0, t0, (tension[k] - t0) / (strain[k] - e0)};
@@ -51,14 +51,14 @@ struct WireCurve {
   }
 };
 
-/// What yarns remember.
+/// History of yarns.
 template <class T = double>
 struct WireMemory {
   T largest_strain{};
   Mask<T> broken{};
 };
 
-/// Tension at a strain, N; moves the memory along. Compression carries nothing.
+/// Returns the tension at a strain, N, and updates the history. A yarn carries no compression.
 template <class T>
 T pull(const WireCurve& curve, const T& strain, WireMemory<T>& memory) {
   memory.broken = memory.broken | (strain > all<T>(curve.breaking_strain()));

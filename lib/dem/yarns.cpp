@@ -19,14 +19,14 @@
 namespace soilweave::dem {
 namespace {
 
-// Blocks of yarns that one thread takes in one go; sums are made chunk by chunk.
+// Blocks of yarns per chunk; one thread takes a chunk at a time, and sums are made chunk by chunk.
 constexpr std::size_t blocks_per_chunk = 128;
-// m: nodes of a torn fabric may come to lie in one place, where their yarn is slack and has no direction.
+// Least length, m. Nodes of a torn fabric may coincide; their yarn is then slack and has no direction.
 constexpr double least_length = 1e-12;
 
 double sum_of(const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; }
 
-/// J, what unloading gives back; per_unloading: 1/N.
+/// Returns the energy that unloading returns, J. per_unloading: 1/N.
 Lane4 elastic(const Lane4& tension, const Lane4& rest_length, double per_unloading) {
   return 0.5 * per_unloading * rest_length * tension * tension;
 }
@@ -45,7 +45,7 @@ Yarns::Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<Wire
 void Yarns::lay_out(const io::YarnsRecord& record) {
   std::vector<std::size_t> order(record.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // In the order of their nodes: a thread pulls at nodes that it has stretched the yarns of.
+  // Yarns are sorted by nodes, so that a thread pulls at nodes whose yarns it has stretched.
   const auto place = [&record](std::size_t k) { return std::pair(record.geotextile_id[k], record.nodes[k][0]); };
   std::stable_sort(order.begin(), order.end(), [&place](std::size_t a, std::size_t b) { return place(a) < place(b); });
   slot_.resize(record.size());
@@ -184,7 +184,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
       const Block& block = blocks_[slot / Block::size];
       if (block.memory.broken[lane]) continue;
       const double k = stiffest[static_cast<std::size_t>(block.geotextile)] / block.rest_length[lane];
-      const double sideways = block.tension[lane] / std::max(block.length[lane], least_length);  // a taut string's
+      const double sideways =
+          block.tension[lane] / std::max(block.length[lane], least_length);  // stiffness of a taut string
       const Lane4 n2 = pulls_[slot] * pulls_[slot];
       along += k * n2 + sideways * (1.0 - n2);
     }

@@ -1,4 +1,4 @@
-// The yarns of all geotextiles: their tensions, and what they do to their nodes.
+// The yarns of all geotextiles: their tensions, and the forces on their nodes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace soilweave::dem {
 
-/// Sums over the yarns. Elastic: what unloading gives back.
+/// Sums over the yarns. elastic: the energy that unloading returns.
 struct YarnSums {
   double elastic = 0;     // J
   double dissipated = 0;  // J, by yielding and breaking in the last step
   double tension = 0;     // N, sum of the tensions
   std::int64_t taut = 0;  // yarns under tension
   std::int64_t broken = 0;
-  // Sum of -T l n (x) n, N m: tension, length and direction of each yarn, as SweepSums has the contacts' f (x) l.
+  // Sum of -T l n (x) n over tension, length and direction of each yarn, N m; SweepSums has the contacts' f (x) l.
   Mat3 force_branch = Mat3::Zero();
 
   YarnSums& operator+=(const YarnSums& s) {
@@ -32,25 +32,25 @@ struct YarnSums {
 class Yarns {
  public:
   Yarns() = default;
-  /// curves: by geotextile_id. Throws DataError where the record names one that is not there, or a yarn of a fabric
+  /// curves: by geotextile_id. Throws DataError if the record names one that does not exist, or if a yarn of a fabric
   /// shares a node with another fabric.
   Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
 
   bool any() const { return !blocks_.empty(); }
-  /// Fabric of every grain, -1 of soil; empty without yarns.
+  /// Returns the fabric of every grain, -1 for soil; empty without yarns.
   std::vector<std::int32_t> fabric_of() const;
   void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
 
-  /// Stretches all yarns to the present positions and adds their pull to the forces on their nodes, each node in the
-  /// order of its yarns. The result is the same on any number of threads.
+  /// Stretches all yarns to the present positions and adds their tension to the forces on their nodes, for each node in
+  /// the order of its yarns. Bits do not depend on the number of threads.
   void run(double time, int threads, Bodies& bodies);
   const YarnSums& sums() const { return sums_; }
 
-  /// Largest stiffness over mass of the nodes, 1/s2: of their yarns, and of the contacts as
-  /// ContactSweep::stiffen leaves it. 0 without yarns.
+  /// Returns the largest stiffness over mass of the nodes, 1/s2, from their yarns, and from contacts as
+  /// ContactSweep::stiffen leaves them. 0 without yarns.
   double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
   /// Returns the affine stiffness of the taut yarns times their squared lengths along the axes, N m, as
-  /// ContactSweep::stiffen returns it for contacts: a yarn is stiff along itself, and sideways as a taut string.
+  /// ContactSweep::stiffen does for contacts. A yarn is stiff along itself, and sideways as a taut string.
   Vec3 affine_stiffness(int threads) const;
   io::YarnsRecord record() const;
 
@@ -58,9 +58,9 @@ class Yarns {
   /// Yarns of one geotextile. Lanes from `count` on are empty: broken from the start.
   struct Block {
     static constexpr std::size_t size = width<Lane4>;
-    std::uint32_t first[size]{}, second[size]{};  // distances of the nodes from the first grain, in bytes
+    std::uint32_t first[size]{}, second[size]{};  // byte offsets of the nodes from the first grain
     Lane4 rest_length = all<Lane4>(1);            // m
-    Lane4 tension{}, length{};                    // N, and m, of the last look; 0: none yet
+    Lane4 tension{}, length{};                    // N and m, at the last evaluation; 0: none yet
     WireMemory<Lane4> memory{{}, ~Mask<Lane4>{}};
     std::int32_t geotextile, count = 0;
 
@@ -77,17 +77,17 @@ class Yarns {
   void note_breakage(double time, const Bodies& bodies, std::size_t slot);
 
   LargeVector<Block> blocks_;
-  // Of each lane of each block, a slot: unit vector from its first node to the second, and its tension, N.
+  // For each lane of each block, a slot: unit vector from first to second node, and tension, N.
   LargeVector<Lane4> pulls_;
-  std::vector<std::size_t> slot_;   // of each yarn of the record
+  std::vector<std::size_t> slot_;   // for each yarn of the record
   std::vector<Breakage> breakage_;  // by slot
   std::vector<WireCurve> curves_;
   std::vector<std::int32_t> node_;  // grains that are nodes, ascending
   std::vector<std::uint32_t> start_,
-      ends_;  // of node k: ends_[start_[k]] .. : twice the slot, plus one at its second end
+      ends_;  // of node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
   std::vector<YarnSums> partial_;
   YarnSums sums_;
-  io::YarnsRecord identity_;  // what does not change
+  io::YarnsRecord identity_;  // data that never change
   std::size_t grains_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// What every contact law keeps, returns and accounts for. Forces and moments are those on body 2. T is double or lanes.
+// History, response and energies of a contact, as every law has them. Forces and moments act on body 2. T is double or
+// lanes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,16 +15,16 @@ struct Memory {
   T twisting;              // N m, about the contact normal
 };
 
-/// Forces are in Memory after the call; the rest is here.
+/// Response of a law. Shear force and moments are in Memory after the call.
 template <class T>
 struct Response {
   T normal_force;                           // N, compression positive, viscous part included
   T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
   T rolling_stiffness, twisting_stiffness;  // N m/rad
-  Mask<T> sliding;                          // the Coulomb limit holds the shear force
+  Mask<T> sliding;                          // whether the Coulomb limit holds the shear force
 };
 
-/// Energies of one contact, J: stored now; stored by the old memory at the present stiffness; dissipated in this step.
+/// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.
 template <class T>
 struct Books {
   T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
@@ -33,8 +34,9 @@ struct Books {
 using soilweave::keep;
 using soilweave::select;
 
-/// One spring of a contact, vector (shear, rolling) or scalar (twisting): force -= stiffness * increment, then cut back
-/// to the limit. Returns stored energies and the dissipation, which by the trapezoidal rule is what the cut removes.
+/// One spring of a contact, a vector (shear, rolling) or a scalar (twisting): force -= stiffness * increment, cut back
+/// to the limit. Returns stored energies and dissipation, which by the trapezoidal rule is the energy that the cut
+/// removes.
 template <class T, class Quantity>
 struct SpringStep {
   Quantity force;
@@ -67,7 +69,7 @@ T product(const V3<T>& a, const V3<T>& b) {
   return dot(a, b);
 }
 
-/// limit: the largest magnitude, not negative; 0 where there is no stiffness.
+/// limit: the largest magnitude, not negative; 0 if there is no stiffness.
 template <class T, class Quantity>
 SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
                                             const T& limit) {
@@ -75,18 +77,18 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
   const Quantity trial = fused_less(stiffness, increment, old);
   const T force2 = squared(trial), force = magnitude(trial);
   s.limited = force > limit;
-  // One division, beside the root and not after it, for what the force is scaled by and for the compliance. No branch:
-  // a guess that fails costs more than both.
+  // One division serves the scale of the force and the compliance; beside the root it is faster than after it. No
+  // branch: a wrong prediction costs more than both.
   const T inverse = 1.0 / maximum(T(force2 * stiffness), all<T>(1e-300)), compliance = force2 * inverse;
   const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
   s.force = scale * trial;
-  // Work by the trapezoidal rule less the change of energy, with increment = (old - trial)/stiffness put in.
+  // Trapezoidal work minus the change of energy, with increment = (old - trial)/stiffness inserted.
   s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
   s.stored = half * squared(s.force);
   return s;
 }
 
-/// The same without a limit.
+/// Applies a spring without a limit.
 template <class T, class Quantity>
 SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const T& compliance,
                                     const Quantity& increment) {
@@ -98,7 +100,7 @@ SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, con
   return s;
 }
 
-/// 1/stiffness; 0 where there is none.
+/// Returns 1/stiffness; 0 for no stiffness.
 template <class T>
 T compliance_of(const T& stiffness) {
   return select<T>(stiffness > all<T>(0), T(1.0 / maximum(stiffness, all<T>(1e-300))), all<T>(0));

@@ -1,4 +1,4 @@
-// Viscous damping of the normal force from a coefficient of restitution.
+// Viscous damping of the normal force, from a coefficient of restitution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,11 @@
 
 namespace soilweave::dem {
 
-/// Restitution (0 < e <= 1) of two bodies meeting through a spring and a dashpot of damping ratio beta, when the
-/// contact's force is cut at zero (attraction false) or may pull until the overlap is gone (true). Linear spring:
-/// Schwager & Poeschel 2007. Hertz with a dashpot ~ overlap^(1/4): the same, since overlap^(5/4) obeys the linear
-/// equation (Antypov & Elliott 2011); Thornton, Cummins & Cleary 2013 fit a polynomial to the inverse of this.
+/// Returns the restitution (0 < e <= 1) of two bodies that meet through a spring and a dashpot of damping ratio beta.
+/// attraction: false if the contact force is cut at zero, true if it may pull until the overlap is gone. Linear spring:
+/// Schwager & Poeschel 2007. A Hertz spring with a dashpot ~ overlap^(1/4) has the same restitution, since
+/// overlap^(5/4) obeys the linear equation (Antypov & Elliott 2011). Thornton, Cummins & Cleary 2013 fit a polynomial
+/// to the inverse.
 inline double restitution(double beta, bool attraction) {
   if (attraction) return beta < 1 ? std::exp(-std::numbers::pi * beta / std::sqrt((1 - beta) * (1 + beta))) : 0.0;
   const double w2 = (1 - beta) * (1 + beta);
@@ -23,7 +24,8 @@ inline double restitution(double beta, bool attraction) {
                 : std::exp(-2 * beta * std::acosh(beta) / std::sqrt(-w2));
 }
 
-/// Damping ratio that gives this restitution. With attraction: beta = -ln e / sqrt(pi^2 + ln^2 e) (Tsuji et al. 1992).
+/// Returns the damping ratio for this restitution. With attraction: beta = -ln e / sqrt(pi^2 + ln^2 e) (Tsuji et al.
+/// 1992).
 inline double damping_ratio(double e, bool attraction) {
   if (e >= 1) return 0;
   const double log_e = std::log(e);
@@ -36,24 +38,24 @@ inline double damping_ratio(double e, bool attraction) {
   return 0.5 * (low + high);
 }
 
-/// Dashpot of a pair of materials. Unset restitution means none lost; of two the smaller holds.
+/// Dashpot of a pair of materials. Unset restitution loses nothing; the smaller of two counts.
 struct Damping {
   double ratio = 0;         // beta
-  bool attraction = false;  // true: the dashpot may pull while the bodies part
+  bool attraction = false;  // whether the dashpot may pull while the bodies part
 
   static Damping mix(std::optional<double> e1, std::optional<double> e2, bool attraction) {
     return {damping_ratio(std::min(e1.value_or(1.0), e2.value_or(1.0)), attraction), attraction};
   }
 
-  /// Elastic force (N) and a dashpot 2 ratio sqrt(m* stiffness) at the approach speed, cut at zero unless attraction is
-  /// allowed.
+  /// Returns the elastic force (N) plus a dashpot 2 ratio sqrt(m* stiffness) times the approach speed, cut at zero
+  /// unless attraction is allowed.
   template <class T, class Space>
   T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T, Space>& k) const {
     if (ratio == 0) return elastic;
     const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star() * stiffness) * k.approach_speed;
     return attraction ? sum : maximum(sum, all<T>(0));
   }
-  /// What it takes in a time dt, J.
+  /// Returns the energy that the dashpot takes in a time dt, J.
   template <class T, class Space>
   T work(const T& force, const T& elastic, const Kinematics<T, Space>& k, const T& dt) const {
     return ratio == 0 ? all<T>(0) : T((force - elastic) * k.approach_speed * dt);

@@ -1,7 +1,7 @@
-// Hertz-Mindlin: elastic spheres in contact without slip, with Coulomb's limit, rolling and twisting resistance.
-// The shear force is incremental with the present stiffness and is not rescaled when the overlap falls: a cycle of
-// shearing at varying overlap can create energy (Elata & Berryman 1996); the energy balance keeps that as a term of its
-// own, and tests/property/laws_test.cpp measures it.
+// Hertz-Mindlin law: elastic spheres without slip, with Coulomb's limit, rolling and twisting resistance (LAWS.md §2).
+// The shear force is incremental with the present stiffness and is not rescaled when the overlap falls, so a cycle of
+// shear at varying overlap can create energy (Elata & Berryman 1996). The energy balance has a term for it, and
+// tests/property/laws_test.cpp measures it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -55,7 +55,7 @@ struct HertzMindlin {
             read_attraction(table)};
   }
 
-  /// 1/E* = sum (1 - nu^2)/E; G* as in thesis Eq. 3.3, 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
+  /// Mixes two materials: 1/E* = sum (1 - nu^2)/E; thesis Eq. 3.3: 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
   static Couple mix(const Material& a, const Material& b) {
     const auto compliance = [](const Material& m) { return (1 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
     const auto shear = [](const Material& m) {
@@ -68,15 +68,15 @@ struct HertzMindlin {
   static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
   static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
 
-  /// Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2 (its kn is the tangent 2 E* sqrt(R*
-  /// delta)).
+  /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2, whose kn is the
+  /// tangent 2 E* sqrt(R* delta).
   template <class T, class Space>
   static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
                              Books<T>& books) {
     const T a = square_root(k.R_star * k.overlap);  // contact radius, m
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;
-    // Tsuji, Tanaka & Ishida (1992): critical fraction beta gives a restitution independent of the speed.
+    // Tsuji, Tanaka & Ishida (1992): a critical fraction beta gives a restitution independent of speed.
     const double ratio = std::sqrt(5.0 / 6.0) * c.damping.ratio;
     Response<T> r;
     r.normal_force = c.damping.force(elastic, ratio, kn, k);

@@ -1,4 +1,5 @@
-// Cundall's linear springs: stiffness from the grains' moduli and radii, Coulomb's limit, rolling, twisting resistance.
+// Cundall's linear springs: stiffness from moduli and radii, Coulomb's limit, rolling and twisting resistance (LAWS.md
+// §3).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +17,7 @@ struct Linear {
 
   struct Material {
     using Law = Linear;
-    double young_modulus;               // Pa, E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2)
+    double young_modulus;               // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
     double stiffness_ratio;             // ks/kn of two equal grains
     double friction_angle;              // rad
     std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
@@ -26,7 +27,7 @@ struct Linear {
   };
   struct Couple {
     double E1, E2;  // Pa
-    double S1, S2;  // Pa, modulus times stiffness ratio
+    double S1, S2;  // modulus times stiffness ratio, Pa
     Damping damping;
     Tangential tangential;
   };
@@ -64,7 +65,8 @@ struct Linear {
   static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
   static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
 
-  /// Springs of the two grains in series, dem-laws §3: kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn = kn delta.
+  /// Returns the response of two springs in series (LAWS.md §3): kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn =
+  /// kn delta.
   template <class T, class Space>
   static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
                              Books<T>& books) {
@@ -75,7 +77,7 @@ struct Linear {
     } else {
       const T tiny = all<T>(1e-300);
       const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
-      // One division for both.
+      // One division serves both.
       const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);
       r.normal_stiffness = 2.0 * n1 * n2 * (s * inverse);
       r.shear_stiffness = 2.0 * s1 * s2 * (n * inverse);
@@ -84,7 +86,7 @@ struct Linear {
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     books.elastic_normal = 0.5 * elastic * k.overlap;
     books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
-    // Without stiffness there is no shear force, and no moment scaled by it, also where the state was made with one.
+    // Without shear stiffness there is no shear force and no moment scaled by it, even if the initial state has one.
     if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(memory);
     tangential_step(c.tangential, k, memory, r, books);
     return r;

@@ -1,4 +1,4 @@
-// The keys that contact laws share in a scenario.
+// Keys that contact laws share in a scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// Degrees in the scenario, radians inside.
+/// Reads a friction angle, degrees in the scenario, as radians.
 inline double read_friction_angle(Settings& table) {
   static constexpr Parameter friction_angle{"friction_angle",
                                             "deg",
@@ -34,11 +34,11 @@ inline std::optional<double> read_restitution(Settings& table) {
   return table.number(restitution);
 }
 
-/// Whether the dashpot may pull while the grains part.
+/// Reads whether the dashpot may pull while the grains part.
 inline bool read_attraction(Settings& table) { return table.flag("attraction", false); }
 
-/// [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at all),
-/// arm.
+/// Reads [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at
+/// all), arm.
 inline Resistance read_resistance(Settings& table, std::string_view key) {
   static constexpr Parameter stiffness{
       "stiffness", "1",   0,

@@ -1,4 +1,4 @@
-// Resistance to rolling and to twisting: an elastic spring with an optional plastic limit, held by any law.
+// Resistance to rolling and twisting: an elastic spring with an optional plastic limit. Any law may hold it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,23 +17,23 @@ struct Resistance {
   enum class Arm { mean_radius, smaller_radius };
   double stiffness = 0;
   Scale scale = Scale::absolute;
-  std::optional<double> limit;  // moment at most limit * arm * normal force; none: elastic; 0: no moment at all
+  std::optional<double> limit;  // greatest moment over (arm * normal force); none: elastic; 0: no moment at all
   Arm arm = Arm::mean_radius;
 };
 
-/// The resistance of two materials in contact. Each side keeps its own limit, since the peer's linear law caps at
-/// min(eta1 r1, eta2 r2).
+/// Resistance of two materials in contact. Each side keeps its own limit, since the linear law caps at min(eta1 r1,
+/// eta2 r2) (LAWS.md §3).
 struct PairResistance {
   double stiffness = 0;
   Resistance::Scale scale = Resistance::Scale::absolute;
   Resistance::Arm arm = Resistance::Arm::mean_radius;
   bool limited = false;
-  double limit_1 = 0, limit_2 = 0;  // infinite on a side that has none
+  double limit_1 = 0, limit_2 = 0;  // infinite on a side without a limit
 };
 
-/// Stiffnesses in series where the scale is the contact's (harmonic mean, dem-laws §3), the smaller one where it is
-/// absolute (a moment passes through both grains, so the softer one rules). A limit of 0 leaves no stiffness either.
-/// Throws DataError where the two differ in kind: there is no meaningful mean of N m/rad and a factor.
+/// Mixes two resistances. Stiffnesses scaled by the contact are in series (harmonic mean, LAWS.md §3). The smaller
+/// absolute stiffness counts, since a moment passes through both grains. A limit of 0 removes the stiffness. Throws
+/// DataError if the kinds differ: N m/rad and a factor have no mean.
 inline PairResistance mix(const Resistance& a, const Resistance& b) {
   if (a.stiffness > 0 && b.stiffness > 0 && (a.scale != b.scale || a.arm != b.arm))
     throw DataError("rolling or twisting resistance: two materials in contact must have the same scale and arm");
@@ -48,21 +48,21 @@ inline PairResistance mix(const Resistance& a, const Resistance& b) {
   return m;
 }
 
-/// N m/rad. shear_stiffness: the law's tangent ks, N/m.
+/// Returns the stiffness, N m/rad. shear_stiffness: tangent ks of the law, N/m.
 template <class T, class Space>
 T resistance_stiffness(const PairResistance& r, const Kinematics<T, Space>& k, const T& shear_stiffness) {
   if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness);
   return r.stiffness * shear_stiffness * k.r1 * k.r2;
 }
 
-/// rad/(N m), of a stiffness from resistance_stiffness; 0 without stiffness.
+/// Returns the compliance of resistance_stiffness, rad/(N m); 0 without stiffness.
 template <class T>
 T resistance_compliance(const PairResistance& r, const T& stiffness) {
   if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness > 0 ? 1 / r.stiffness : 0);
   return compliance_of(stiffness);
 }
 
-/// Largest moment of a limited resistance, N m. normal_force: N, not negative.
+/// Returns the greatest moment of a limited resistance, N m. normal_force: N, not negative.
 template <class T, class Space>
 T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const T& normal_force) {
   const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
@@ -70,8 +70,8 @@ T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const
   return arm * normal_force;
 }
 
-/// Rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness there is no moment, also where
-/// the state was made with one: it would turn the grains for ever, at no cost to any store of energy.
+/// Applies rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness the moment is zero,
+/// even if the initial state has one, which would otherwise rotate the grains for ever at no cost of energy.
 template <class T, class Quantity, class Space>
 SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T, Space>& k, const Quantity& old,
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {

@@ -1,4 +1,5 @@
-// What laws share beside the normal force: incremental shear with Coulomb's limit, rolling and twisting resistance.
+// Parts that laws share beside the normal force: incremental shear with Coulomb's limit, rolling and twisting
+// resistance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,14 +11,14 @@
 
 namespace soilweave::dem {
 
-/// Of a couple of materials.
+/// Tangential parameters of a pair of materials.
 struct Tangential {
   double mu;  // tangent of the friction angle
   PairResistance rolling, twisting;
 
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
 
-  /// Of what shear stiffness bears, where there is none.
+  /// Removes shear force and the moments scaled by it, if there is no shear stiffness.
   template <class T, class Space>
   void let_go(Memory<T, Space>& memory) const {
     memory.shear = Along<T, Space>{};
@@ -26,7 +27,7 @@ struct Tangential {
   }
 };
 
-/// rad: the smaller one, but for a material whose friction holds against any other.
+/// Returns the smaller friction angle, rad, unless a material's friction holds against any other.
 template <class Material>
 double mix_friction(const Material& a, const Material& b) {
   if (a.friction_decides != b.friction_decides) return a.friction_decides ? a.friction_angle : b.friction_angle;
@@ -38,8 +39,8 @@ Tangential mix_tangential(const Material& a, const Material& b) {
   return {std::tan(mix_friction(a, b)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
 }
 
-/// Completes a response whose normal force and shear stiffness are known: memory becomes the present shear force and
-/// moments, books the energies of the three springs. Fs <- Fs - ks slip, |Fs| <= mu Fn (dem-laws §2, §3).
+/// Completes a response with known normal force and shear stiffness: Fs <- Fs - ks slip, |Fs| <= mu Fn (LAWS.md §2,
+/// §3). `memory` becomes the present shear force and moments, `books` the energies of the three springs.
 template <class T, class Space>
 void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<T, Space>& memory, Response<T>& r,
                      Books<T>& books) {

@@ -1,4 +1,4 @@
-// Axial strain in stations at constant mean stress: the lateral stress yields what the axial one takes.
+// Axial strain in stations at constant mean stress: the lateral stress falls as the axial stress rises.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class ConstantP final : public Path {
   AxisGoals goals(std::size_t station, const PathState& state) const override {
     const int axis = loading_axis(state.dimension);
     const double lateral_stress = (state.dimension * mean_stress_ - state.stress(axis, axis)) / (state.dimension - 1);
-    // Below this the lateral stress has vanished: p cannot be held any more, and a goal of tension would open the cell.
+    // Lower bound of the lateral stress. Below it p cannot be held, and a tensile goal would open the cell.
     const AxisGoal lateral{AxisGoal::Kind::stress, std::max(lateral_stress, 1e-3 * mean_stress_), max_rate_};
     AxisGoals goals = {lateral, lateral, lateral};
     goals[static_cast<std::size_t>(axis)] = {AxisGoal::Kind::strain, axial_.strain[station], axial_.rate};

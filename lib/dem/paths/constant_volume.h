@@ -13,7 +13,8 @@ class ConstantVolume final : public Path {
 
   explicit ConstantVolume(StrainStations axial) : axial_(std::move(axial)) {}
   std::size_t stations() const override { return axial_.strain.size(); }
-  /// Every axis moves straight to the station, the lateral ones in proportion, so the volume stays at every step.
+  /// Every axis moves straight to the station, the lateral ones in proportion, so that the volume is constant in every
+  /// step.
   AxisGoals goals(std::size_t station, const PathState& state) const override {
     const double share = 1.0 / (state.dimension - 1);
     const double goal = axial_.strain[station];

@@ -1,4 +1,4 @@
-// Plates and clamps moved and loaded at will: [[stage.move]] and [[stage.load]], approached in equal parts.
+// Free motion and loading of plates and clamps: [[stage.move]] and [[stage.load]], approached in equal parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

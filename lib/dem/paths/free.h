@@ -12,8 +12,8 @@ namespace soilweave::dem {
 class Free final : public Path {
  public:
   static constexpr std::string_view name = "free";
-  /// [stage.x], [stage.y], [stage.z]: `stress` (reached over the stations from `stress_from`, or held) or `strain`, and
-  /// `max_rate`; `stations`: how many equal parts the strains (and ramped stresses) are cut into.
+  /// Reads [stage.x], [stage.y], [stage.z]: `stress` (held, or reached from `stress_from` over the stations) or
+  /// `strain`, and `max_rate`. `stations`: number of equal parts of the strains and ramped stresses.
   static Free read(Settings& table) {
     static constexpr Parameter count{"parts", "1", 1, 1e6, false, "equal parts the goals are approached in"};
     static constexpr Parameter strain{"strain", "1", -2, 2, false, "natural strain of the stage, compression positive"};

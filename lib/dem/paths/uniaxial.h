@@ -1,4 +1,4 @@
-// Uniaxial compression between two plates, in stations of engineering strain; may turn back and unload.
+// Uniaxial compression between two plates, in stations of engineering strain, with optional unloading.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
