@@ -1,4 +1,4 @@
-// A bag of soil wrapped in geotextile as one.
+// Soil wrapped in geotextile as a whole.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/bag.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<const char*, 3> families = {"face", "side_horizontal", "side_vertical"};
 
-// atan(tau/sigma) on the face across an axis, deg.
+// Returns atan(tau/sigma) on the face normal to an axis, deg.
 double face_friction(const Mat3& stress, int axis) {
   const Mat3 s = symmetric(stress);
   const double tau = std::hypot(s(axis, (axis + 1) % 3), s(axis, (axis + 2) % 3));
@@ -41,7 +41,7 @@ void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarte
         face_friction(quarter, a));
 }
 
-// A state with what is averaged over parts of it.
+// A state, with the quantities to average over parts of it.
 struct Averages {
   const io::Snapshot& state;
   std::vector<Mat3> dyads;           // N m
@@ -58,7 +58,7 @@ struct Averages {
   }
 };
 
-// The fill, and the groups of the soil within it.
+// Appends the averages of the fill, and of the groups of soil.
 void put_surroundings(io::Series& table, const Averages& averages, const Volume& all_fill) {
   const VolumeState fill = averages.state_of(all_fill);
   put(table, "fill_stress", "Pa", "Love-Weber stress of the fill over its power cells", symmetric(fill.stress), 3);
@@ -85,8 +85,8 @@ void put_yarn_means(io::Series& table, const io::Snapshot& state) {
   put(table, "broken_yarns", "1", "yarns broken so far", broken);
 }
 
-// A bag in an open assembly lies around the origin. One in a periodic cell lies anywhere: around the middle of its
-// nodes, and without a geotextile of its soil.
+// Returns the middle of the reinforced soil: the origin in an open assembly; in a periodic cell the middle of the
+// nodes, or without a geotextile of the soil.
 Vec3 middle(const io::Snapshot& state) {
   if (!state.cell.periodic[0] && !state.cell.periodic[1]) return Vec3::Zero();
   const Part around = state.yarns.size() > 0 ? Part::node : Part::soil;
@@ -97,15 +97,16 @@ Vec3 middle(const io::Snapshot& state) {
   return 0.5 * (low + high);
 }
 
-// Nearness of every yarn to the seam between faces and sides, by the middles of yarns: on a face, by axis, its distance
-// from the middle over that of the outermost one, of both axes the greater; on the sides the same of its height.
+// Returns the nearness of every yarn to the seam between faces and sides, from the yarns' middles. On a face it is the
+// distance from the centre over that of the outermost yarn, the greater one of both axes. On the sides it is so for the
+// height.
 std::vector<double> nearness_to_seams(const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   const auto at = [&](std::size_t k) -> Vec3 {
     return 0.5 * (state.grains.position[static_cast<std::size_t>(y.nodes[k][0])] +
                   state.grains.position[static_cast<std::size_t>(y.nodes[k][1])]);
   };
-  // By face and side.
+  // Bounds of faces and of sides.
   std::array<Vec3, 2> low, high;
   low.fill(Vec3::Constant(std::numeric_limits<double>::infinity()));
   high.fill(-low[0]);

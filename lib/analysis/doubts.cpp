@@ -17,18 +17,20 @@
 namespace soilweave::analysis {
 namespace {
 
-// Six packings of 1000 grains of the thesis are 4.8 diameters of their largest grain wide and agree to their scatter.
+// Narrowest cell, in diameters of its largest grain. Six packings of 1000 grains of the thesis are 4.8 wide and agree
+// within their scatter.
 constexpr double narrowest_cell = 4;
 // Largest share of rattlers; the six packings have 10 to 15 % at 1 kPa.
 constexpr double most_rattlers = 0.25;
-// Largest q/p of an isotropic state: an upright cell cannot relieve shear stress. Five of the six packings are below.
+// Largest q/p of an isotropic state, since an upright cell cannot relieve shear stress. Five of the six packings are
+// below.
 constexpr double largest_obliquity = 0.1;
-// Soil that has been grown into a bag has 2.5 (packing::Growth).
+// Least mean number of contacts in a bag; soil grown into a bag has 2.5 (packing::Growth).
 constexpr double loosest_bag = 2;
-// Linear springs at 10 %/s and 3e-3 are up to 6 % off the answer at rest.
+// Largest inertial number. Linear springs at 10 %/s and 3e-3 are up to 6 % off the answer at rest.
 constexpr double largest_inertia = 1e-4;
 
-// Loading of one stage: its axial rate and the mean stress that it goes at.
+// Loading of one stage: its axial rate, and its mean stress.
 struct Loading {
   std::size_t stage;
   double rate, pressure;  // 1/s, Pa
@@ -38,7 +40,7 @@ dem::AxisGoals goals_at(const dem::Stage& stage, std::size_t station, int dimens
   return stage.path->goals(station, {dimension, pressure * Mat3::Identity(), Vec3::Zero()});
 }
 
-// Mean of the stresses that a stage asks for at a station; none where it asks for strains alone.
+// Returns the mean of the stresses that a stage demands at a station; none if it demands strains alone.
 std::optional<double> asked_pressure(const dem::AxisGoals& goals, int dimension) {
   double sum = 0, count = 0;
   for (int a = 0; a < dimension; ++a)
@@ -47,8 +49,8 @@ std::optional<double> asked_pressure(const dem::AxisGoals& goals, int dimension)
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// Largest rate, 1/s, at which a stage strains an axis by a given way; 0 where stresses lead, or where the rate follows
-// the unbalanced force.
+// Returns the largest prescribed strain rate of a stage, 1/s; 0 if stresses control it, or if the rate follows the
+// unbalanced force.
 double given_rate(const dem::Stage& stage, int dimension) {
   if (stage.way_unbalanced_force > 0) return 0;
   double rate = 0;
@@ -70,7 +72,7 @@ bool is_isotropic(const dem::Stage& stage, int dimension) {
   });
 }
 
-// The rate that would do, rounded down to one digit.
+// Returns the rate that would suffice, rounded down to one digit.
 double slower(double rate, double inertia) {
   const double exact = rate * largest_inertia / inertia, digit = std::pow(10, std::floor(std::log10(exact)));
   return std::floor(exact / digit) * digit;
@@ -125,7 +127,7 @@ std::vector<Loading> carried_out(const io::Snapshot& start, const dem::Scenario&
   for (std::size_t s = 0; s < scenario.stages.size(); ++s) {
     const double rate = given_rate(scenario.stages[s], start.grains.dimension);
     double least = INFINITY;
-    // Row 0 is the packing before its first stage has done anything.
+    // Row 0 is the packing before its first stage.
     for (std::size_t row = 1; row < stages.size(); ++row)
       if (stages[row] == static_cast<double>(s) && pressures[row] > 0) least = std::min(least, pressures[row]);
     if (rate > 0 && std::isfinite(least)) loadings.push_back({s, rate, least});
@@ -133,7 +135,7 @@ std::vector<Loading> carried_out(const io::Snapshot& start, const dem::Scenario&
   return loadings;
 }
 
-// The recorded state at the end of the last isotropic stage; nullptr where there is none.
+// Returns the recorded state at the end of the last isotropic stage, or nullptr.
 const io::Snapshot* last_compacted(const dem::Scenario& scenario, const io::RunFile& run, int dimension) {
   const std::vector<double>&stages = run.series.at("stage").values, &steps = run.series.at("step").values;
   for (std::size_t s = scenario.stages.size(); s-- > 0;) {
@@ -151,7 +153,7 @@ void append(std::vector<Doubt>& to, std::vector<Doubt> more) {
   std::move(more.begin(), more.end(), std::back_inserter(to));
 }
 
-// Directions spread evenly over the sphere (Fibonacci's spiral).
+// Returns directions spread evenly over the sphere (Fibonacci's spiral).
 std::vector<Vec3> directions() {
   constexpr int count = 300;
   std::vector<Vec3> all;
@@ -162,7 +164,7 @@ std::vector<Vec3> directions() {
   return all;
 }
 
-// Soil grains whose centres are beyond the nodes of the geotextile in some direction.
+// Returns the number of soil grains whose centres are beyond the nodes of the geotextile in some direction.
 std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
   std::vector<bool> out(state.grains.size(), false);
   for (const Vec3& u : directions()) {
@@ -179,7 +181,7 @@ std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
 
 std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
   const double largest = 2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end());
-  // Distance of opposite faces: the volume over the area that the other two vectors span.
+  // The distance of opposite faces is the volume over the area that the other two vectors span.
   for (int a = 0; a < state.grains.dimension; ++a) {
     if (!state.cell.periodic[static_cast<std::size_t>(a)]) continue;
     const Mat3& h = state.cell.matrix;
@@ -227,7 +229,7 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
   const auto soil = static_cast<std::size_t>(std::count(part.begin(), part.end(), Part::soil));
   if (state.yarns.size() == 0 || soil == 0) return {};
   std::vector<Doubt> doubts;
-  // A sheet within soil is no bag: most grains are beyond it.
+  // Most grains are beyond a sheet within soil, which is no bag.
   if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
     doubts.push_back({"outside", fmt::format("{} of {} grains are outside the bag: they bear nothing of it, and soil "
                                              "stresses and void ratio count them; a finer mesh holds them",

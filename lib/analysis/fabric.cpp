@@ -1,4 +1,4 @@
-// The arrangement of contacts and forces.
+// Arrangement of contacts and forces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/fabric.h"
 
@@ -15,10 +15,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 const double cos45 = std::sqrt(0.5);
-// With friction two contacts can hold a grain, one cannot (Thornton 2000).
+// With friction two contacts can hold a grain, but one cannot (Thornton 2000).
 constexpr int least_contacts = 2;
 
-// Eq. 3.9: second invariant with the sign of the tensor's inclination to the stress deviator.
+// Returns the scalar of Eq. 3.9: the second invariant, with the sign of the tensor's inclination to the stress
+// deviator.
 double scalar(const Mat3& a, const Mat3& deviator, int dimension) {
   const double size = std::sqrt((dimension == 3 ? 1.5 : 0.5) * a.squaredNorm());
   return a.cwiseProduct(deviator).sum() < 0 ? -size : size;
@@ -134,7 +135,7 @@ Rose polar_rose(const io::Snapshot& state, std::size_t classes) {
     rose.angle.push_back(low + 0.5 * width);
     rose.contacts.push_back(rose.density[k]);
     if (rose.density[k] > 0) rose.normal_force[k] /= rose.density[k];
-    // The share of the half sphere between the two cones.
+    // The divisor is the share of the half sphere between the two cones.
     rose.density[k] /= n > 0 ? n * (std::cos(low) - std::cos(low + width)) : 1;
   }
   return rose;
@@ -178,7 +179,7 @@ ForceChains force_chains(const io::Snapshot& state) {
   std::vector<Vec3> axis;
   for (const Mat3& dyad : dyads) axis.push_back(principal(dyad, state.grains.dimension).directions.col(0));
 
-  // Grains are joined by the strong contacts that lie along the main stress of both; joined sets are the chains.
+  // Strong contacts along the main stress of both grains join them; joined sets are the chains.
   std::vector<std::size_t> root(state.grains.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
@@ -205,7 +206,7 @@ ForceChains force_chains(const io::Snapshot& state) {
   for (std::size_t k = 0; k < c.size(); ++k)
     if (strong[k]) result.chain[k] = number[find(static_cast<std::size_t>(c.bodies[k][0]))];
   if (result.count > 0) result.mean_length = grains / static_cast<double>(result.count);
-  // A share of soil and nodes: the fill is there by those of its grains alone that touch them.
+  // The share refers to soil and nodes, because fill appears only with the grains that touch them.
   const auto fill = std::ranges::count(parts(state), Part::fill);
   result.grains_in_chains = grains / static_cast<double>(std::ssize(root) - fill);
   return result;

@@ -13,7 +13,7 @@
 namespace soilweave::analysis {
 namespace {
 
-/// Sum over planes of their displacement (m) or force (N) in a row.
+/// Returns the sum over planes of their displacement (m) or force (N) in a row.
 Vec3 sum(const io::Series& run, const char* what, const std::vector<std::string>& planes, std::size_t row) {
   Vec3 total = Vec3::Zero();
   for (const std::string& name : planes)
@@ -46,7 +46,7 @@ io::Series interface(const io::Series& run, const ShearBox& box) {
   const auto way = [&](const std::string& plane, std::size_t i) -> Vec2 {
     return sum(run, "displacement", {plane}, i).head<2>();
   };
-  // The plane that goes farthest, and how far.
+  // Plane with the greatest displacement.
   std::string foremost = box.planes.front();
   Vec2 farthest(0, 0);
   for (const std::string& plane : box.planes)

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The series of a run by the words of its bag, and the table that is made of it.
+/// The series of a run of a bag, and the table made from it.
 class LoadingTable {
  public:
   LoadingTable(const io::Series& run, const LoadedBag& bag)
@@ -53,18 +53,19 @@ class LoadingTable {
   }
   const std::vector<double>& done(const char* name) const { return table_.at(name).values; }
 
-  /// Distance by which the plates have moved apart since the start of the run, m.
+  /// Returns the distance by which the plates have moved apart since the start of the run, m.
   double apart(std::size_t i) const {
     return plate("displacement", bag_.upper, 'z')[i] - plate("displacement", bag_.lower, 'z')[i];
   }
-  /// Horizontal displacement of the upper plate less that of the lower one, m.
+  /// Returns the horizontal displacement of the upper plate minus that of the lower one, m.
   Vec2 travel(std::size_t i) const {
     const auto along = [&](char axis) {
       return plate("displacement", bag_.upper, axis)[i] - plate("displacement", bag_.lower, axis)[i];
     };
     return {along('x'), along('y')};
   }
-  /// The horizontal direction in which the upper plate travels farthest from above the lower one; x where it does not.
+  /// Returns the horizontal direction in which the upper plate travels farthest relative to the lower one; x without
+  /// travel.
   Vec2 direction_of_shear() const {
     Vec2 farthest(0, 0);
     for (std::size_t i = 0; i < run_.rows(); ++i)
@@ -101,7 +102,7 @@ class LoadingTable {
     const auto &xz = of("soil_stress_xz"), &yz = of("soil_stress_yz");
     const auto &along_x = plate("force", bag_.upper, 'x'), &along_y = plate("force", bag_.upper, 'y');
     const auto& above = plate("force", bag_.upper, 'z');
-    // The grains hold the moving plate back, and what they pass on is negative where compression is positive.
+    // The grains resist the moving plate, and the stress they pass on is negative if compression is positive.
     put("shear_stress", "Pa", "shear stress of the soil along the travel of the plates, x where they do not travel",
         [&](std::size_t i) { return 0.0 - shear_.dot(Vec2(xz[i], yz[i])); });
     const auto force = [&](std::size_t i) { return 0.0 - shear_.dot(Vec2(along_x[i], along_y[i])); };
@@ -166,7 +167,7 @@ class LoadingTable {
   io::Series table_;
 };
 
-/// p and q of each group in the states between two steps.
+/// Returns p and q of each group in the states between two steps.
 std::vector<std::array<std::vector<double>, 2>> stresses_of_groups(const std::vector<io::Snapshot>& states, double from,
                                                                    double to) {
   std::vector<std::array<std::vector<double>, 2>> stresses;

@@ -1,4 +1,4 @@
-// The part of an assembly that each body belongs to.
+// Part of an assembly that a body belongs to.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/parts.h"
 

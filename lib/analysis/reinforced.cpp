@@ -27,7 +27,7 @@ bool at_zero(const io::Series& run, std::size_t row) {
                              [&](const char* name) { return run.at(name).values[row] == 0; });
 }
 
-/// A strain of the cell in every row since the origin. A row at which strains begin anew is the state of the row
+/// Returns a strain of the cell in every row since the origin. A row where strains restart is the state of the row
 /// before.
 Values since_origin(const io::Series& run, const char* name) {
   Values total = run.at(name).values;
@@ -41,8 +41,8 @@ Values since_origin(const io::Series& run, const char* name) {
   return total;
 }
 
-/// Strain along z when the first yarn broke: that of the row before and what the stage's rate gives until then, no more
-/// than that of the row after; in proportion to the time where the stage has no rate.
+/// Returns the strain along z when the first yarn broke: that of the row before plus the stage's rate until then, at
+/// most that of the row after. Without a rate it is interpolated in time.
 double first_break_strain(const io::Series& run, const ReinforcedCell& cell, const Values& strain) {
   const Values &time = run.at("time").values, &stage = run.at("stage").values;
   if (!cell.first_break || time.size() < 2 || *cell.first_break < time.front()) return absent;
@@ -90,7 +90,7 @@ class ReinforcedTable {
   }
   void copy(const std::string& name) { table_.columns.push_back(run_.at(name)); }
 
-  /// Axial and lateral stress, from the tensor `source` of the series.
+  /// Appends axial and lateral stress from the tensor `source` of the series.
   void put_stress(const std::string& prefix, const std::string& source, const std::string& whose) {
     const Values &x = of(source + "_xx"), &y = of(source + "_yy"), &z = of(source + "_zz");
     put(prefix + "axial_stress", "Pa", "vertical stress of " + whose, [&](std::size_t i) { return z[i]; });

@@ -14,7 +14,7 @@
 namespace soilweave::analysis {
 namespace {
 
-// For each grain of one state the index of the same body in the other.
+// Returns for each grain of one state the index of the same body in the other.
 std::vector<std::size_t> same_bodies(const io::Snapshot& one, const io::Snapshot& other) {
   std::unordered_map<std::int64_t, std::size_t> index;
   for (std::size_t i = 0; i < other.grains.size(); ++i) index[other.grains.body_id[i]] = i;
@@ -34,7 +34,7 @@ std::vector<std::size_t> same_bodies(const io::Snapshot& one, const io::Snapshot
 
 Mat3 natural_strain(const Mat3& f) {
   const Eigen::SelfAdjointEigenSolver<Mat3> stretch(Mat3(f * f.transpose()));
-  const Vec3 logs = 0.0 - 0.5 * stretch.eigenvalues().array().log();  // 0 - 0: no strain is not -0
+  const Vec3 logs = 0.0 - 0.5 * stretch.eigenvalues().array().log();  // 0 - 0 avoids -0 for no strain
   return stretch.eigenvectors() * logs.asDiagonal() * stretch.eigenvectors().transpose();
 }
 
@@ -93,7 +93,7 @@ Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& presen
   Vec3 middle_before = Vec3::Zero(), middle_after = Vec3::Zero();
   const double n = static_cast<double>(grains.size());
   for (const std::size_t i : grains) {
-    // Both positions move by the same image, so that grains which left through a face count as neighbours again.
+    // Both positions move by the same image, so that grains that left through a face are neighbours again.
     Vec3 image = Vec3::Zero();
     const Vec3 reduced = inverse * reference.grains.position[same[i]];
     for (int a = 0; a < d; ++a)

@@ -9,24 +9,24 @@
 
 namespace soilweave::analysis {
 
-/// Minus the logarithm of the left stretch of a deformation gradient.
+/// Returns minus the logarithm of the left stretch of a deformation gradient.
 Mat3 natural_strain(const Mat3& deformation_gradient);
-/// Natural strains of the cell since its reference.
+/// Returns the natural strains of the cell since its reference.
 Mat3 cell_strain(const io::CellRecord& cell);
-/// Sum of the natural strains, contraction positive; and sqrt(2/3 e:e) of the deviator e, in 2D the difference of the
-/// principal strains.
+/// Return the trace of the natural strains, contraction positive, and sqrt(2/3 e:e) of their deviator e (in 2D the
+/// difference of the principal strains).
 double volumetric_strain(const Mat3& strain, int dimension);
 double deviatoric_strain(const Mat3& strain, int dimension);
 
-/// Deformation gradient of each simplex of the reference, from the displacements of its grains (which are matched by
-/// body_id; throws DataError where one is missing). Exact for an affine motion. Bagi 1996.
+/// Returns the deformation gradient of each simplex of the reference, from the displacements of its grains, matched by
+/// body_id. Throws DataError if one is missing. Exact for an affine motion. Bagi 1996.
 std::vector<Mat3> simplex_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                     const std::vector<Simplex>& simplices);
-/// Mean of the simplices around each grain of the present state, weighted by their reference volume.
+/// Returns for each present grain the mean gradient of the simplices around it, weighted by their reference volume.
 std::vector<Mat3> grain_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                   const std::vector<Simplex>& simplices, const std::vector<Mat3>& gradients);
-/// Deformation gradient that maps the reference positions of some grains (indices in the present state) best onto the
-/// present ones (least squares, free translation). Throws DataError where they are too few or lie in a plane.
+/// Returns the gradient that best maps the reference positions of some grains (indices in the present state) to the
+/// present ones: least squares, free translation. Throws DataError if they are too few or lie in a plane.
 Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& present,
                        const std::vector<std::size_t>& grains);
 

@@ -58,7 +58,7 @@ Principal principal(const Mat3& stress, int dimension) {
     p.values.head<2>() = solver.eigenvalues().reverse();
     p.directions.topLeftCorner<2, 2>() = solver.eigenvectors().rowwise().reverse();
   }
-  // An eigenvector has no sign: the largest component points up, so that equal states give equal numbers.
+  // An eigenvector has no sign, so the largest component is made positive: equal states give equal numbers.
   for (int k = 0; k < dimension; ++k) {
     int largest = 0;
     p.directions.col(k).cwiseAbs().maxCoeff(&largest);

@@ -1,4 +1,4 @@
-// What homogenize and fabric write.
+// Tables of homogenize and fabric.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/tables.h"
 
@@ -132,7 +132,7 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
     if (fill)
       put(table, "part", "1", "0: reinforced soil, 1: fill, 2: node of a geotextile", static_cast<double>(part[i]));
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
-    // The cell of a grain at the rim reaches outside: it has no volume to spread the forces over.
+    // The cell of a grain at the rim reaches outside, so there is no volume to spread the forces over.
     put_stress(table,
                local.cell_volumes[i] > 0 ? Mat3(local.dyads[i] / local.cell_volumes[i])
                                          : Mat3::Constant(std::numeric_limits<double>::quiet_NaN()),

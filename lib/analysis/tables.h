@@ -1,4 +1,4 @@
-// What homogenize and fabric write: one row per state, column by column.
+// Tables of homogenize and fabric, filled state by state and column by column.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,49 +10,48 @@
 
 namespace soilweave::analysis {
 
-/// Appends a value to the named column, which is made where it is missing.
+/// Appends a value to the named column; makes a missing column.
 void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
          double value);
-/// The components of a symmetric tensor of the space as columns PREFIX_xx, PREFIX_yy ...
+/// Appends the components of a symmetric tensor to columns PREFIX_xx, PREFIX_yy ...
 void put(io::Series& table, const std::string& prefix, const std::string& unit, const std::string& long_name,
          const Mat3& tensor, int dimension);
 
-/// Step, time, strains, stresses, p, q, principal values and directions, void ratio, of the whole cell.
+/// Appends step, time, strains, stresses, p, q, principal values and directions, and void ratio of the whole cell.
 void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate);
 
-/// What is read off one state for its volumes of interest and grains.
+/// Data of one state for its volumes of interest and grains.
 struct Local {
-  std::vector<Mat3> dyads;           // N m, per grain
-  std::vector<double> cell_volumes;  // m3 (2D: m2), per grain
-  std::vector<Mat3> deformation;     // gradient since the reference, per grain
+  std::vector<Mat3> dyads;           // by grain, N m
+  std::vector<double> cell_volumes;  // by grain, m3 (2D: m2)
+  std::vector<Mat3> deformation;     // by grain, gradient since the reference
 };
-/// `reference` is the state that strains count from; it may be `state` itself.
+/// Computes the data. Strains count from `reference`, which may be `state` itself.
 Local local(const io::Snapshot& reference, const io::Snapshot& state);
-/// Step and time of the state, as every table of several states begins.
+/// Appends step and time, the first columns of every table of several states.
 void put_step(io::Series& table, const io::Snapshot& state);
-/// One volume of interest: number of grains, volume, void ratio, stress, p, q, strain by the best fit.
+/// Appends one volume of interest: number of grains, volume, void ratio, stress, p, q, best-fit strain.
 void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
                 const Volume& volume, const Local& local);
-/// One row per grain: identity, position, its part where there is fill, power-cell volume, stress on it (none where it
-/// has no cell), strain of the tetrahedra around it.
+/// Appends one row per grain: identity, position, part (with fill), power-cell volume, stress (none without a cell),
+/// strain of the tetrahedra around it.
 void put_grains(io::Series& table, const io::Snapshot& state, const Local& local);
 
-/// One row per state: fabric tensors, anisotropies, coordination, the stress-force-fabric relation, force chains.
+/// Appends one row: fabric tensors, anisotropies, coordination, the stress-force-fabric relation, force chains.
 void put_fabric(io::Series& table, const io::Snapshot& state);
-/// Rows for one state of the coordination histogram, and of the contact-orientation rose.
+/// Append the rows of one state to the coordination histogram and to the contact-orientation rose.
 void put_histogram(io::Series& table, const io::Snapshot& state);
 void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes);
-/// One row per contact of a force chain.
+/// Appends one row per contact of a force chain.
 void put_chains(io::Series& table, const io::Snapshot& state);
 
-/// The columns that `names` lists, separated by commas, in that order; the whole table where it is empty. Throws
-/// UsageError naming the nearest column, or the column that is listed twice.
+/// Returns the columns that `names` lists, separated by commas, in that order; the whole table if empty. Throws
+/// UsageError naming the nearest column, or a column listed twice.
 io::Series chosen_columns(const io::Series& table, const std::string& names);
 
-/// Whether the text can name states: all, first, last or a whole number.
+/// Returns whether the text can name states: all, first, last or a whole number.
 bool names_states(const std::string& which);
-/// The states it names (numbered from 0, or from the end where negative). Throws UsageError where there are not so
-/// many.
+/// Returns the named states, numbered from 0, or from the end if negative. Throws UsageError for a missing state.
 std::vector<std::size_t> chosen_states(const std::string& which, std::size_t count, const std::string& where);
 
 }  // namespace soilweave::analysis

@@ -37,12 +37,12 @@ struct Site {
   Vec3 centre;
   double radius;
   std::size_t grain;
-  Vec3i image;  // from the recorded, unwrapped position
-  Vec3i shift;  // from the wrapped one; zero for the grain itself
+  Vec3i image;  // counted from the recorded, unwrapped position
+  Vec3i shift;  // counted from the wrapped position; zero for the grain itself
   bool original;
 };
 
-// Width of the margin of images, as a share of the cell along each axis.
+// Returns the width of the margin of images, as a share of the cell along each axis.
 Vec3 margin_of(const io::Snapshot& s, double diameters) {
   const double largest = *std::max_element(s.grains.radius.begin(), s.grains.radius.end());
   const Mat3 inverse = s.cell.matrix.inverse();
@@ -53,7 +53,7 @@ Vec3 margin_of(const io::Snapshot& s, double diameters) {
   return margin;
 }
 
-// All grains, wrapped along the periodic axes, and the images whose centres lie in the margin around the cell.
+// Returns all grains, wrapped along the periodic axes, and the images whose centres lie in the margin around the cell.
 std::vector<Site> sites(const io::Snapshot& s, const Vec3& margin) {
   const int d = s.grains.dimension;
   const Mat3 inverse = s.cell.matrix.inverse();
@@ -89,8 +89,8 @@ Vec3 to_vec3(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Centre of the sphere orthogonal to four weighted points. Flat tetrahedra, which equal spheres in regular positions
-// have, lose all digits in doubles and are done in rational numbers.
+// Returns the centre of the sphere orthogonal to four weighted points. Flat tetrahedra, as equal spheres in regular
+// positions have, lose all digits in doubles, so they are computed in rational numbers.
 template <class Triangulation, class Cell>
 Vec3 dual(const Triangulation& t, const Cell& cell) {
   const auto vertex = [&](int k) { return to_vec3(cell->vertex(k)->point().point()); };
@@ -103,11 +103,11 @@ Vec3 dual(const Triangulation& t, const Cell& cell) {
   return {CGAL::to_double(centre.x()), CGAL::to_double(centre.y()), CGAL::to_double(centre.z())};
 }
 
-// CGAL walks edges, and the cells around one, in an order that depends on where they lie in memory. What is summed over
-// them has an order of its own, so that equal states give equal bits.
+// CGAL visits edges, and cells around an edge, in an order that depends on memory addresses. Sums over them get an
+// order of their own, so that equal states give equal bits.
 struct Facet {
   std::size_t one, other;   // sites
-  double of_one, of_other;  // m3, pyramids
+  double of_one, of_other;  // volumes of the pyramids, m3
 };
 
 void from_first_corner(std::vector<Vec3>& polygon) {
@@ -201,7 +201,7 @@ std::vector<double> volumes_2d(const std::vector<Site>& all, std::size_t n) {
   return area;
 }
 
-// Each simplex of the periodic tiling once: the copy whose first vertex, by grain and shift, is no image.
+// Returns whether this is the one copy of a simplex to keep: its first vertex, by grain and shift, is no image.
 bool keep(const std::vector<Site>& all, const std::array<std::size_t, 4>& corners, int count) {
   const auto order = [&](std::size_t k) {
     const Vec3i& s = all[k].shift;
@@ -257,7 +257,7 @@ bool periodic(const io::Snapshot& s) {
   return all;
 }
 
-// Makes something of the sites with a margin that grows until `sum` of it fills the cell.
+// Makes a tessellation of the sites with a margin that grows until its `sum` fills the cell.
 template <class Make, class Sum>
 auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
   const int d = s.grains.dimension;
@@ -275,7 +275,7 @@ auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
   }
 }
 
-// A cell this many times its grain reaches outside through a hole.
+// Largest volume of a cell over that of its grain; a larger cell reaches outside through a hole.
 constexpr double largest_cell = 8;
 
 std::vector<double> open_volumes(const io::Snapshot& s) {

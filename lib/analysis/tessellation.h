@@ -1,5 +1,25 @@
 // The space between grains: power (radical Voronoi) cells and Delaunay tetrahedra, by CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where does a grain end and its pore begin to belong to another? Two tessellations of the centres answer.
+//
+// The power (radical Voronoi) cell of grain i holds the points whose power |x - x_i|^2 - r_i^2 is least for i. Its
+// faces are planes normal to the branches; between two grains that touch, the face passes through their contact. So
+// every point of the assembly belongs to one grain, and volumes add up: local void ratios and stresses are averages
+// over cells.
+//
+// The Delaunay tetrahedra join the centres of neighbouring grains, four at a time, so that no other centre lies in
+// their circumscribed sphere. They show the pores and how they deform: the displacements of four centres give one
+// deformation gradient. Their total volume is the volume of an assembly that has no cell around it. Against the volume
+// of the grains parts inside it, it gives the thesis's void ratio of a bag (section 3.2.3):
+//
+//   e = V_tetrahedra / V_solid_inside - 1
+//
+// In a periodic cell, images of the grains are laid in a margin around it, and each cell or tetrahedron is kept once.
+// The margin grows until they fill the periodic cell to 1e-10: a grain lost or counted twice is found at once.
+//
+//   const std::vector<double> cells = power_cell_volumes(state);        // m3 per grain
+//   const std::vector<Simplex> tetrahedra = delaunay(state);
 #pragma once
 
 #include <array>
@@ -9,14 +29,15 @@
 
 namespace soilweave::analysis {
 
-/// Volume of every grain's power cell, m3 (2D: area, m2). A cell that is periodic along every axis may be sheared;
-/// images are laid around it and triangulated. Throws DataError for one that is periodic along some axes only, and
-/// PhysicsError unless every grain has a cell and they fill the periodic cell to 1e-10: a grain lost or counted twice
-/// shows there. In an open assembly of spheres the cells of nodes of geotextiles bound those of the soil; nodes, and
-/// soil whose cell reaches outside, have the volume 0.
+/// Returns the volume of every grain's power cell, m3 (2D: area, m2). A cell that is periodic along every axis may be
+/// sheared. Throws DataError for a cell that is periodic along some axes only. Throws PhysicsError unless every grain
+/// has a cell and they fill the periodic cell to 1e-10, which reveals a grain lost or counted twice. In an open
+/// assembly of spheres the cells of geotextile nodes bound those of the soil. Nodes, and soil whose cell reaches
+/// outside, have volume 0.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
-/// A tetrahedron of grain centres (2D: a triangle, the fourth vertex unused). A vertex lies at position + cell * image.
+/// A tetrahedron of grain centres (2D: a triangle, without the fourth vertex). A vertex lies at position + cell *
+/// image.
 struct Simplex {
   struct Vertex {
     std::size_t grain = 0;
@@ -26,11 +47,11 @@ struct Simplex {
   double volume = 0;  // m3 (2D: m2)
 };
 
-/// Delaunay tetrahedra of the grain centres. Through periodic faces each is given once, and together they fill the
-/// cell to 1e-10 where all axes are periodic (else PhysicsError).
+/// Returns the Delaunay tetrahedra of the grain centres. A tetrahedron through periodic faces appears once. With all
+/// axes periodic they fill the cell to 1e-10, or PhysicsError is thrown.
 std::vector<Simplex> delaunay(const io::Snapshot& state);
 
-/// Their total volume, m3 (2D: m2): the measure of an assembly without a cell (thesis, section 3.2.3).
+/// Returns the volume of all tetrahedra, m3 (2D: m2): the measure of an assembly without a cell (thesis section 3.2.3).
 double delaunay_volume(const io::Snapshot& state);
 
 }  // namespace soilweave::analysis

@@ -1,4 +1,4 @@
-// Boxes, copies, and what is averaged over them.
+// Boxes, copies, and averages over them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/volume_of_interest.h"
 

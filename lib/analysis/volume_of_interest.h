@@ -9,24 +9,25 @@
 
 namespace soilweave::analysis {
 
-/// A part of the assembly: its grains, each counted with the volume of its power cell.
+/// A part of the assembly: its grains, each with the volume of its power cell.
 struct Volume {
   std::string name;
   std::vector<std::size_t> grains;
 };
 
-/// Grains whose wrapped centre lies in an axis-parallel box (m); the upper faces are outside.
+/// Returns the grains whose wrapped centre lies in an axis-parallel box (m); the upper faces are excluded.
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
-/// One volume per copy of a tiled representative volume, in the order of copy_id; of its reinforced soil (parts.h).
+/// Returns one volume per copy of a tiled representative volume, in the order of copy_id, of its reinforced soil
+/// (parts.h).
 std::vector<Volume> copies(const io::Snapshot& state);
-/// #1 to #5 of thesis Fig. 3.9: four neighbouring copies each of ten by ten, along x in the middle of y; as many as
-/// there are pairs along x. Where copies along x are odd in number one each: of five by five twice as large the same.
-/// Groups without reinforced soil are left out; the others keep their names.
+/// Returns the groups #1 to #5 of thesis Fig. 3.9: four neighbouring copies each of ten by ten, along x in the middle
+/// of y, one per pair along x. An odd number of copies along x gives one group per copy, with the same positions for
+/// five by five copies of twice the size. Groups without reinforced soil are left out; the others keep their names.
 std::vector<Volume> groups(const io::Snapshot& state);
-/// Every grain.
+/// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);
 
-/// Stress (Pa; 2D: N/m) and void ratio of a volume from the dyads (N m) and power-cell volumes of its grains.
+/// Stress (Pa; 2D: N/m) and void ratio of a volume, from dyads (N m) and power-cell volumes of its grains.
 struct VolumeState {
   double volume = 0;  // m3 (2D: m2)
   double void_ratio = 0;
@@ -35,7 +36,7 @@ struct VolumeState {
 VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
                          const std::vector<double>& cell_volumes);
 
-/// Cell volume, m3 (2D: m2), and void ratio with overlaps counted twice.
+/// Return the cell volume, m3 (2D: m2), and the void ratio; overlaps count twice.
 double cell_volume(const io::Snapshot& state);
 double void_ratio(const io::Snapshot& state);
 

@@ -286,7 +286,7 @@ TEST(Transport, IsOfSecondOrderWhenTurnAndSpinGoTogether) {
   EXPECT_GT(std::log2(error[0] / error[1]), 1.9);
 }
 
-// The peer's way (dem-laws.md, section 1): f - f x (n_old x n) - f x (angle n_old), first order, not renormalised.
+// YADE's rotation of the history (LAWS.md §1): f - f x (n_old x n) - f x (angle n_old), first order, not renormalised.
 V3<double> first_order(const V3<double>& f, const V3<double>& old_normal, const V3<double>& normal, double angle) {
   const V3<double> turned = f - cross(f, cross(old_normal, normal));
   return turned - cross(turned, angle * old_normal);
