@@ -1,4 +1,4 @@
-// fabric: how contacts and forces are arranged. Reads a packing or a run, writes fabric tensors, rose and histogram.
+// fabric: arrangement of contacts and forces. Reads a packing or a run, writes fabric tensors, rose and histogram.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ struct FabricTool {
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
     for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
-      // Reinforced soil alone is told of, by all its contacts: with soil, geotextile, plates and fill, as the thesis
+      // Only reinforced soil is described, by all its contacts, with soil, geotextile, plates and fill, as the thesis
       // counts them.
       const io::Snapshot& all = file.snapshots[n];
       const io::Snapshot s = analysis::is_reinforced(all) ? analysis::soil_contacts(all, soil) : all;

@@ -100,7 +100,7 @@ struct FilterExpand {
     if (safe.finished(progress)) return;
     packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
                                                           {safe.part(), interval, &signals});
-    Doubts doubts;  // said by the error below
+    Doubts doubts;  // the error below says them
     for (const std::string& missed : done.missed) doubts.add({"surround", missed});
     done.result.price.output +=
         safe.write([&] { io::write_packing(output, done.result.state, io::with_doubts(past, doubts)); });

@@ -22,7 +22,7 @@ using namespace soilweave;
 
 using Group = io::FieldsFile::Group;
 
-/// The tables that a file has and --table names, in the file's order; those without rows are left out of it.
+/// Tables of a file, in its order, that --table can name. Tables without rows are not written.
 struct Tables {
   Group cell{"cell", "whole cell, one row per state", {}};
   Group volumes{"volumes", "volumes of interest, one row per volume and state", {}};
@@ -103,7 +103,7 @@ struct Homogenize {
     if (!output.empty()) write(tables, file.source, invocation);
   }
 
-  /// Whether a table that takes time is written or printed.
+  /// Returns whether a slow table is written or printed.
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables) const {
@@ -119,7 +119,7 @@ struct Homogenize {
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
   }
 
-  /// A file of fields has the tables that the run gives; asked for by name, what it lacks is an error.
+  /// Adds the tables that the run provides. A table asked for by name throws for what the run lacks.
   void put_of_run(const io::RunFile& file, Tables& tables) const {
     for (const packing::RunTable& one : packing::run_tables())
       if ((tsv && table == one.name) || (!output.empty() && one.given_by(file)))
@@ -138,7 +138,7 @@ struct Homogenize {
     return volumes;
   }
 
-  /// A line a table: its name for --table, what it holds.
+  /// Prints one line per table: its name for --table, and its content.
   static void print_list(const io::RunFile& file) {
     Tables tables;
     const bool has_series = file.series.rows() > 0, has_yarns = file.snapshots.back().yarns.size() > 0;
@@ -162,7 +162,7 @@ struct Homogenize {
       }
   }
 
-  // A table that has no rows because the input is of another kind; that no yarn is broken is no fault.
+  // Throws if a table is empty because the input is of another kind. A run without broken yarns is no fault.
   void explain_absence() const {
     if (table == "series")
       throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));

@@ -123,7 +123,8 @@ struct PackGenerate {
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
     if (as_is) {
-      const dem::Simulation checked(state, contacts.model, contacts.numerics);  // refuses grains that overlap too much
+      const dem::Simulation checked(state, contacts.model,
+                                    contacts.numerics);  // throws for grains that overlap too much
       return void(safe.write([&] { io::write_packing(output, state, history); }));
     }
     packing::Recipe recipe;
@@ -136,7 +137,7 @@ struct PackGenerate {
     const std::vector<Doubt> about = packing::doubts_about(result.state, contacts.model, room);
     Doubts("pack-generate").add_all(about);
     Doubts doubts;
-    if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // said by the error below
+    if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // the error below says it
     doubts.add_all(about);
     const io::History with = io::with_doubts(history, doubts);
     result.price.output += safe.write([&] { io::write_packing(output, result.state, with); });
@@ -144,7 +145,7 @@ struct PackGenerate {
     if (result.unheld) throw TargetNotReached(*result.unheld);
   }
 
-  // The grading and the cell that its grains are to fill.
+  // Returns the grading, and the cell that its grains will fill.
   packing::Room read_room(std::vector<io::Source>& sources, std::vector<std::string>& notes) const {
     packing::Grading curve = packing::Grading::toyoura();
     if (grading != "toyoura") {
@@ -157,7 +158,7 @@ struct PackGenerate {
     return {curve, static_cast<int>(dimension), {1, dimension == 2 ? aspect : 1.0, aspect}, cloud_void_ratio};
   }
 
-  // A number of grains that was given is kept; the default one is raised to what a wide grading takes.
+  // Keeps a given number of grains; raises the default to what a wide grading needs.
   io::Snapshot make_cloud(const packing::Room& room, double rho, const tool::Invocation& invocation) const {
     const auto names_grains = [](const std::string& word) { return word.starts_with("--grains"); };
     auto n = static_cast<std::size_t>(grains);

@@ -89,7 +89,7 @@ struct Assimilate {
     t.input(ensemble, "ENSEMBLE", "file of draw or resample, or a TSV with id and parameters");
     t.input(observations, "OBSERVATIONS", "TSV: station, observables");
     t.option(runs, "runs", "PATTERN", "run files with {id} for the number, or one TSV with ids");
-    t.unrecorded("runs");  // the digests of the runs are
+    t.unrecorded("runs");  // the runs' digests are recorded instead
     comparison.declare(t);
     t.option(prior, "prior", "FILE", "TOML, for an ensemble that is a TSV; else what it spans");
     t.choice(table, "table", calibration::assimilation_table_names(), "what --tsv prints");

@@ -1,4 +1,4 @@
-// run-dem: loads a packing along the stages of a scenario and records what it does.
+// run-dem: loads a packing along the stages of a scenario and records it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 #include <vector>

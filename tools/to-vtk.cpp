@@ -1,4 +1,4 @@
-// to-vtk: what the other tools write, for ParaView; also a file's history, and packings as text.
+// to-vtk: files of the other tools for ParaView; also a file's history, and packings as text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <filesystem>
@@ -29,7 +29,7 @@ constexpr Parameter force_scale_parameter = {
     .low = 0,
     .sentence = "tube radius of a contact per newton of normal force; by default the greatest is half a grain"};
 
-/// The value of --state as an index; nothing for "last" and "all".
+/// Returns the value of --state as an index; nothing for "last" and "all".
 std::optional<std::size_t> index_in(const std::string& state) {
   std::size_t index = 0;
   const auto [end, failure] = std::from_chars(state.data(), state.data() + state.size(), index);
@@ -94,7 +94,7 @@ struct ToVtk {
   }
 
  private:
-  /// Indices of the states asked for.
+  /// Returns the indices of the requested states.
   std::vector<std::size_t> chosen(std::size_t count) const {
     if (count == 0) throw DataError(input.string() + " holds no state to show");
     if (state == "last") return {count - 1};
@@ -135,7 +135,7 @@ struct ToVtk {
       io::add_principal(grains);
       return grains;
     };
-    // What does not fit is found before anything is written.
+    // Mismatches must show before anything is written.
     std::vector<double> times;
     for (const io::Snapshot* snapshot : shown) {
       times.push_back(snapshot->time);

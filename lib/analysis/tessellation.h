@@ -10,10 +10,10 @@
 //
 // The Delaunay tetrahedra join the centres of neighbouring grains, four at a time, so that no other centre lies in
 // their circumscribed sphere. They show the pores and how they deform: the displacements of four centres give one
-// deformation gradient. Their total volume is the volume of an assembly that has no cell around it. Against the volume
-// of the grains parts inside it, it gives the thesis's void ratio of a bag (section 3.2.3):
+// deformation gradient. Their total volume serves as the volume of an assembly without a cell, such as a bag. Over
+// the volume of the grains it gives the thesis's void ratio of a bag (section 3.2.3):
 //
-//   e = V_tetrahedra / V_solid_inside - 1
+//   e = V_tetrahedra / V_grains - 1
 //
 // In a periodic cell, images of the grains are laid in a margin around it, and each cell or tetrahedron is kept once.
 // The margin grows until they fill the periodic cell to 1e-10: a grain lost or counted twice is found at once.

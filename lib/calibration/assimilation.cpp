@@ -1,4 +1,4 @@
-// An assimilation as a whole, and its tables.
+// A whole assimilation, and its tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/assimilation.h"
 
@@ -24,7 +24,7 @@ void put(io::Series& table, std::string name, std::string unit, std::string long
   table.columns.push_back({std::move(name), std::move(unit), std::move(long_name), std::move(values)});
 }
 
-/// Columns `step`, counted from 1, and the station; one where the station itself is called step.
+/// Adds the columns `step`, counted from 1, and the station; only one column if the station is called step.
 void put_station(io::Series& table, const Assimilation& a, const std::vector<double>& steps) {
   std::vector<double> at;
   for (const double t : steps) at.push_back(a.observed.at[static_cast<std::size_t>(t) - 1]);
@@ -38,7 +38,7 @@ std::vector<double> all_steps(const Assimilation& a) {
   return steps;
 }
 
-/// A value of each step's weights.
+/// Returns value(weights) of each step.
 template <class Value>
 std::vector<double> over_steps(const Assimilation& a, const Value& value) {
   std::vector<double> values;
@@ -46,7 +46,7 @@ std::vector<double> over_steps(const Assimilation& a, const Value& value) {
   return values;
 }
 
-/// Values of one observable at one step, 0 for members without a run (they have no weight).
+/// Returns the values of one observable at one step; 0 for members without a run, which have no weight.
 Vector predictions(const Assimilation& a, Eigen::Index t, Eigen::Index c) {
   Vector values = Vector::Zero(static_cast<Eigen::Index>(a.runs.values.size()));
   for (std::size_t i = 0; i < a.runs.values.size(); ++i)

@@ -1,4 +1,4 @@
-// An assimilation as a whole: ensemble, observations and runs go in; tables and a text for a reader come out.
+// A whole assimilation: from ensemble, observations and runs to tables and a text for a reader.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace soilweave::calibration {
 
-/// What the filter is, with its source.
+/// Description of the filter, with its source.
 inline constexpr std::string_view assumptions =
     "Sequential importance sampling after H. Cheng's dissertation (Hiroshima University, 2016, section 2.2): parameter "
     "sets drawn from a prior are run once, by any code; each observation multiplies their weights by its Gaussian "
@@ -26,31 +26,32 @@ struct Assimilation {
   Ensemble ensemble;  // with the weights of the last step
   Observations observed;
   Simulated runs;
-  Matrix misfit, variance;  // N x T; T x C, its factor included
+  Matrix misfit, variance;  // N x T; T x C, with its factor
   Filtered filtered;
-  std::vector<Eigen::Index> chosen;  // steps of densities and covariances
+  std::vector<Eigen::Index> chosen;  // steps at which densities and covariances are given
 };
 
-/// least_size: as share of the members, then the error model gives the shape of the variance and its size is searched.
-/// stations: where densities and covariances are wanted, each the last station not beyond it; none: the last one.
+/// Assimilates all steps. least_size: least effective size as a share of the members; the error model then gives the
+/// shape of the variance, and its size is searched. stations: where densities and covariances are wanted, each taken at
+/// the last station not beyond it; empty: the last station.
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
                         std::optional<double> least_size, const std::vector<double>& stations);
 
-/// The names of the tables of groups_of, in order, and curves.
+/// Returns the names of the tables of groups_of() in order, then "curves".
 std::vector<std::string> assimilation_table_names();
-/// Tables for files. steps: means, deviations and 5 and 95 % quantiles of each parameter, effective size, evidence,
-/// predictions; weights: a column a step; covariance, density: at the chosen steps; runs: what became of each, and root
-/// mean squares of its deviations from the observations.
+/// Returns the tables for files. steps: means, deviations, and 5 and 95 % quantiles of each parameter, effective size,
+/// evidence, predictions. weights: a column per step. covariance, density: at the chosen steps. runs: the fate of each
+/// run, and the root mean squares of its deviations from the observations.
 std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a);
-/// The table with one of the names above: from `groups`, made by groups_of, or `curves`, the used runs at the stations.
-/// Files do not hold that one, since the runs do.
+/// Returns the table of that name: one of `groups`, made by groups_of(), or "curves", the used runs at the stations.
+/// Files omit the curves, since the runs hold them.
 io::Series table_of(const Assimilation& a, const std::vector<io::FieldsFile::Group>& groups, std::string_view name);
 
-/// What is wrong with the weights, a sentence each: degeneracy, likelihoods beyond double precision, unused runs.
+/// Returns doubts about the weights, a sentence each: degeneracy, likelihoods beyond double precision, unused runs.
 std::vector<std::string> warnings(const Assimilation& a);
-/// Where every likelihood of a step is zero in double precision: what to say.
+/// Returns a message if every likelihood of a step is zero in double precision.
 std::optional<std::string> all_zero(const Assimilation& a);
-/// Runs that are not used, the error model, a table of some steps, the parameters at the end.
+/// Describes the unused runs, the error model, some steps, and the parameters at the end.
 std::string describe(const Assimilation& a);
 
 }  // namespace soilweave::calibration

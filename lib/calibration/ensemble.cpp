@@ -1,4 +1,4 @@
-// Ensembles to and from tables.
+// Converts ensembles to and from tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/ensemble.h"
 
@@ -43,7 +43,7 @@ io::Series table_of(const Ensemble& e, bool importance) {
   return table;
 }
 
-/// Numbers without a column of their own: what a table lacks does not hold it back.
+/// Returns a column that may be missing.
 Vector optional_column(const io::Series& table, const char* name, Eigen::Index rows, const std::string& where) {
   const io::Column* column = table.find(name);
   if (column == nullptr) return name == weight_name ? Vector() : Vector(Vector::Zero(rows));
@@ -53,7 +53,7 @@ Vector optional_column(const io::Series& table, const char* name, Eigen::Index r
   return vector_of(column->values);
 }
 
-/// Empty where the ensemble has no weights yet.
+/// Returns the weights; empty if the ensemble has none yet.
 Vector read_weights(const io::Series& table, Eigen::Index rows, const std::string& where) {
   const Vector weight = optional_column(table, weight_name, rows, where);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
@@ -77,7 +77,7 @@ std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& w
   return ids;
 }
 
-// Rounding of logarithms may put a set this share of the range outside.
+// Share of the range by which rounding of logarithms may put a set outside.
 constexpr double rounding_of_range = 1e-9;
 
 void demand_within(const Range& range, const std::vector<double>& values, const std::vector<std::int64_t>& id,
@@ -201,7 +201,7 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
   Prior own = read_prior(document);
   document.finish();
   Ensemble members = from_table(file.members, given ? *given : own, where);
-  // Rounds are told in the coordinates of the file's own prior.
+  // Rounds use the coordinates of the file's own prior.
   if (given) return members;
   for (const io::FieldsFile::Group& group : file.groups)
     if (group.name == rounds_name)

@@ -1,4 +1,4 @@
-// An ensemble: parameter sets, each with a number that stays with it, where they were drawn from, and their weights.
+// An ensemble: numbered parameter sets, the distributions they were drawn from, and their weights.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,29 +16,29 @@ namespace soilweave::calibration {
 struct Ensemble {
   Prior prior;
   std::vector<std::int64_t> id;
-  Matrix values;              // a row a member, a column a parameter, in its unit
-  Vector log_importance;      // log of the prior density over that of all rounds together; 0 where drawn from the prior
+  Matrix values;              // row = member, column = parameter, in its unit
+  Vector log_importance;      // log(prior density / density of all rounds together); 0 if drawn from the prior
   Vector weight;              // after assimilation, sum 1; empty before
-  std::vector<Round> rounds;  // what the members were drawn from; empty where that is not known
+  std::vector<Round> rounds;  // distributions that the members were drawn from; empty if unknown
 
   std::size_t size() const { return id.size(); }
-  /// Values in the prior's coordinates, a row a member.
+  /// Returns the values in the prior's coordinates, one row per member.
   Matrix coordinates() const;
-  /// What importance alone gives, before any observation: log weights, sum of weights 1.
+  /// Returns the log weights by importance alone, before any observation. The weights sum to 1.
   Vector log_prior_weight() const;
 };
 
-/// Members numbered from first_id at the given coordinates (a row each), drawn from the prior.
+/// Returns members drawn from the prior at the given coordinates (one row each), numbered from first_id.
 Ensemble members_at(const Prior& prior, const Matrix& coordinates, std::int64_t first_id = 0);
 
-/// id, parameters, log_importance where it is not 0 for all, weight where there is one.
+/// Returns the table of id, parameters, log_importance if not all 0, and weight if there is one.
 io::Series members_table(const Ensemble& ensemble);
 
-/// For files; log_importance is always there.
+/// Returns the file; log_importance is always in it.
 io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsFile::Group> groups = {});
 
-/// An ensemble file, or a TSV with the column id and one a parameter; a TSV needs the prior's TOML, else the prior is
-/// the range that its values span. Throws DataError.
+/// Reads an ensemble file, or a TSV with the column id and one column per parameter. A TSV needs the prior's TOML;
+/// otherwise the prior is the range of its values. Throws DataError.
 Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem::path& prior,
                        std::vector<io::Source>& sources);
 

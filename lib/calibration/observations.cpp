@@ -1,4 +1,4 @@
-// What the laboratory measured, and the runs brought to the same stations.
+// Observations of the laboratory, and runs interpolated to their stations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/observations.h"
 
@@ -16,7 +16,7 @@
 namespace soilweave::calibration {
 namespace {
 
-/// "NAME=COLUMN,COLUMN": the observed column and those of a run.
+/// Parses "NAME=COLUMN,COLUMN": the observed column and those of a run.
 Observable observable(const std::string& text, const io::Series& table) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const io::Column& column = table.at(text.substr(0, equals));
@@ -30,7 +30,7 @@ Observable observable(const std::string& text, const io::Series& table) {
   return one;
 }
 
-/// Factor from a run's column to the observation's unit. A column without a unit holds pure numbers.
+/// Returns the factor from a run's column to the observation's unit. A column without a unit holds pure numbers.
 double factor_between(const io::Column& run, const Observable& observed) {
   if (run.unit == observed.unit) return 1;
   if (run.unit.empty() != observed.unit.empty()) {
@@ -44,7 +44,7 @@ double factor_between(const io::Column& run, const Observable& observed) {
   return unit_factor(run.unit, observed.unit);
 }
 
-/// The mean of the columns of a run, in the observation's unit.
+/// Returns the mean of the columns of a run, in the observation's unit.
 std::vector<double> column_of(const io::Series& run, const Observable& what) {
   std::vector<double> mean(run.rows(), 0);
   for (const std::string& name : what.columns) {
@@ -56,7 +56,7 @@ std::vector<double> column_of(const io::Series& run, const Observable& what) {
   return mean;
 }
 
-/// The rows of a table for which every condition holds.
+/// Returns the rows of a table that meet every condition.
 io::Series selected(const io::Series& table, const std::vector<std::pair<std::string, double>>& conditions) {
   if (conditions.empty()) return table;
   std::vector<bool> keep(table.rows(), true);
@@ -79,7 +79,7 @@ struct Unfit {
   std::string why;
 };
 
-/// The greatest value of each observable over the rows of a run. Throws Unfit.
+/// Returns the greatest value of each observable over the rows of a run. Throws Unfit.
 Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Observations& observed) {
   Matrix values(1, index(columns.size()));
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -91,10 +91,10 @@ Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Ob
   return values;
 }
 
-/// A run at the stations. Throws Unfit.
+/// Returns a run at the stations. Throws Unfit.
 Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
   const io::Series run = selected(whole, choice.where);
-  std::vector<std::vector<double>> columns;  // first, since a column that is not there is no fault of the run
+  std::vector<std::vector<double>> columns;  // first, since a missing column is no fault of the run
   for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
   if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
   if (choice.greatest) return greatest_values(columns, observed);
@@ -131,7 +131,7 @@ Matrix at_stations(const io::Series& whole, const Observations& observed, const 
   return values;
 }
 
-/// One table for all members, cut up by its column id.
+/// Splits one table for all members by its column id.
 std::map<std::int64_t, io::Series> by_member(const io::Series& table, const std::string& where) {
   std::map<std::int64_t, io::Series> members;
   const io::Column& id = table.at("id");
@@ -148,7 +148,7 @@ std::map<std::int64_t, io::Series> by_member(const io::Series& table, const std:
 }
 
 std::string path_of(const std::string& pattern, std::int64_t id) {
-  // A name of a million digits would be made before it is found to be too long.
+  // The width is checked first: a name of a million digits would be made before it is found too long.
   for (std::size_t at = pattern.find('{'); at != std::string::npos; at = pattern.find('{', at + 1)) {
     const std::string_view field = std::string_view(pattern).substr(at, pattern.find('}', at) - at);
     if (std::count_if(field.begin(), field.end(), [](char c) { return c >= '0' && c <= '9'; }) > 3)
@@ -163,7 +163,7 @@ std::string path_of(const std::string& pattern, std::int64_t id) {
   }
 }
 
-/// The series of one run. Throws Unfit where it is not there or cannot be read.
+/// Returns the series of one run. Throws Unfit if it is missing or cannot be read.
 io::SeriesFile read_member(const std::string& path) {
   try {
     if (io::is_hdf5(path)) return io::read_run_series(path);
@@ -176,7 +176,7 @@ io::SeriesFile read_member(const std::string& path) {
   }
 }
 
-/// All runs as one source: a digest of the lines "id digest", the history of the first.
+/// Returns all runs as one source: a digest of the lines "id digest", and the history of the first run.
 io::Source together(const std::vector<std::pair<std::int64_t, io::Source>>& runs) {
   std::string lines;
   for (const auto& [id, source] : runs) lines += fmt::format("{} {}\n", id, source.sha256);

@@ -1,4 +1,4 @@
-// The options of pf-weight.
+// Options of pf-weight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/options.h"
 
@@ -15,7 +15,7 @@
 namespace soilweave::calibration {
 namespace {
 
-/// "0.1,0.2" as numbers; empty where a part is none.
+/// Parses "0.1,0.2"; empty if a part is no number.
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> list;
   for (std::size_t at = 0; at <= text.size();) {
@@ -29,7 +29,7 @@ std::vector<double> numbers(const std::string& text) {
   return list;
 }
 
-/// COLUMN=NUMBER; no name where it is not of this form.
+/// Parses COLUMN=NUMBER; an empty name for any other form.
 std::pair<std::string, double> condition(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return {};

@@ -1,4 +1,4 @@
-// The options of pf-weight, and where its results go.
+// Options of pf-weight, and its output.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -34,7 +34,7 @@ inline constexpr Parameter components_range{"components",         "1", 1, 100, f
 inline constexpr Parameter prior_share_range{
     "prior-share", "1", 0, 1, false, "share drawn from the prior, which bounds importance", "it is a share"};
 
-/// Which observations are compared with what of the runs, and how exact they are.
+/// Which observations are compared with which columns of the runs, and their accuracy.
 struct ComparisonOptions {
   std::string station, error;
   std::string covariance = "uniform";
@@ -46,7 +46,7 @@ struct ComparisonOptions {
   void check(std::vector<std::string>& mistakes) const;
   Choice choice() const;
   ErrorModel model() const;
-  /// Of --at.
+  /// Returns the stations of --at.
   std::vector<double> chosen_stations() const;
 };
 
@@ -57,7 +57,7 @@ struct Output {
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes, bool needed) const;
-  /// Prints the table (--tsv) or the text, unless the file itself goes to standard output; writes the file.
+  /// Prints the table (--tsv) or the text, unless the file itself goes to standard output. Writes the file.
   void put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
            const std::vector<io::Source>& sources, const tool::Invocation& invocation) const;
 };

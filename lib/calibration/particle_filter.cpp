@@ -14,9 +14,9 @@ namespace soilweave::calibration {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double least_share = 0.01;  // of the greatest observation, where an observation passes through zero
+constexpr double least_share = 0.01;  // share of the greatest observation, for observations near zero
 
-/// The smallest effective size of all steps.
+/// Returns the smallest effective size of all steps.
 double smallest_size(const Matrix& misfit, const Vector& log_prior, double factor) {
   Vector logs = log_prior;
   double least = infinite;
@@ -115,7 +115,8 @@ Filtered filter(const Matrix& misfit, const Matrix& variance, const Vector& log_
 }
 
 Filtered filter_to_size(const Matrix& misfit, const Matrix& variance, const Vector& log_prior, double least) {
-  // From a factor that makes the largest misfit count for nothing down to one that leaves the best member alone.
+  // The search runs from a factor that makes the largest misfit negligible down to one that leaves only the best
+  // member.
   double high = 0;
   for (Eigen::Index k = 0; k < misfit.size(); ++k)
     if (std::isfinite(misfit.data()[k])) high = std::max(high, misfit.data()[k]);

@@ -1,5 +1,27 @@
 // Sequential importance sampling, step by step in logs: thesis Eqs. 2.3 to 2.8. N members, T steps, C observables.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which parameters of a grain model explain a laboratory test? Draw N parameter sets from a prior, run each, and weigh
+// them by how well they predict the observations. At station t, member i predicts x_t(i), the laboratory measured y_t,
+// and the error of observation is Gaussian with variance R. The likelihood is
+//
+//   p(y_t | i) ~ exp(-chi2_t(i) / 2),   chi2_t(i) = sum over c of (y_tc - x_tc(i))^2 / R_tc        Eq. 2.7
+//
+// and the weights follow recursively, normalised to a sum of 1 at every station:
+//
+//   w_t(i) ~ w_{t-1}(i) p(y_t | i)                                                                  Eq. 2.8
+//
+// Hence log w_t(i) is the prior's log weight minus half of all chi2 so far. Weights are kept in logs, since
+// exp(-chi2/2) is zero in doubles beyond a chi2 of 1490, and zero over zero would be a NaN in all later steps.
+//
+// Few members soon carry all the weight. The effective size 1 / sum of w^2 counts them: N for equal weights, 1 for a
+// single survivor. Means and densities of a posterior (posterior.h) mean little at a few. Then the error model is too
+// strict, or the next round must be drawn where the weight is (proposal.h). filter_to_size() searches the variance that
+// keeps a wanted size, so that no step degenerates.
+//
+//   const Matrix variance = variances(model, observed);
+//   const Filtered filtered = filter(misfits(observed, runs, variance), variance, ensemble.log_prior_weight());
+//   const Vector weight = exponentials(filtered.log_weight.rightCols(1));
 #pragma once
 
 #include <string>
@@ -10,50 +32,51 @@
 
 namespace soilweave::calibration {
 
-/// What the variance of the observation error is made from.
+/// Model of the variance of the observation error.
 struct ErrorModel {
   enum class Kind { uniform, component, relative, largest };
   Kind kind = Kind::uniform;
   std::vector<double> size;  // uniform: one variance; component: C variances; else one relative standard deviation
 };
 
-/// The kinds by name: uniform (one variance for all components, as in the thesis), component (one each), relative (the
-/// standard deviation a share of each observation, no less than of 1 % of the greatest), largest (of the greatest).
+/// Returns the kind of this name: uniform (one variance for all components, as in the thesis), component (one each),
+/// relative (standard deviation as a share of each observation, at least of 1 % of the greatest), largest (as a share
+/// of the greatest).
 ErrorModel::Kind error_kind(std::string_view name);
 
-/// Variances, T x C, in the observations' squared units. Throws DataError where the sizes do not fit the observations.
+/// Returns the variances, T x C, in squared units of the observations. Throws DataError if the sizes do not fit.
 Matrix variances(const ErrorModel& model, const Observations& observed);
 
-/// chi2_t(i) = sum over c of (y_tc - x_tc(i))^2 / R_tc, N x T; infinite for members without a run.
+/// Returns chi2_t(i) = sum over c of (y_tc - x_tc(i))^2 / R_tc, N x T; infinite for members without a run.
 Matrix misfits(const Observations& observed, const Simulated& runs, const Matrix& variance);
 
 struct Filtered {
   Matrix log_weight;           // N x T, each column normalised; -inf: no weight
   Vector effective_size;       // T, 1 / sum of w^2
   Vector log_evidence;         // T, log p(y_1..t)
-  Vector least_misfit;         // T, smallest chi2 of that step among members that have weight before it
-  double variance_factor = 1;  // that the variances were multiplied by
+  Vector least_misfit;         // T, smallest chi2 of that step among members with weight before it
+  double variance_factor = 1;  // factor on all variances
 
   Vector weights(Eigen::Index step) const;
 };
 
-/// Eqs. 2.6 to 2.8 from the prior's log weights (N). The Gaussian's constant counts in the evidence alone.
-/// Throws DataError where no member has a finite misfit.
+/// Weights all members by Eqs. 2.6 to 2.8, from the prior's log weights (N). The constant of the Gaussian enters only
+/// the evidence. Throws DataError if no member has a finite misfit.
 Filtered filter(const Matrix& misfit, const Matrix& variance, const Vector& log_prior);
 
-/// The same with all variances multiplied by the smallest factor for which the effective size stays at or above `least`
-/// at every step. Throws DataError where no factor reaches that.
+/// Weights all members with variances multiplied by the smallest factor that keeps the effective size at `least` or
+/// more in every step. Throws DataError if there is no such factor.
 Filtered filter_to_size(const Matrix& misfit, const Matrix& variance, const Vector& log_prior, double least);
 
-/// Below this chi2 of one step exp(-chi2/2) is a number; beyond, every likelihood of the step is zero unless in logs.
+/// Largest chi2 of one step with exp(-chi2/2) > 0 in doubles. Beyond it every likelihood is zero unless in logs.
 inline constexpr double underflow_misfit = 1490;
 
-/// exp of each, exactly 0 for -inf, which Eigen's own vector form does not give.
+/// Returns exp of each, exactly 0 for -inf, unlike Eigen's vector form.
 Vector exponentials(const Vector& logs);
-/// log of the sum of exponentials; -inf for none.
+/// Returns the log of the sum of exponentials; -inf for none.
 double log_sum(const Vector& logs);
 
-/// 1 / sum of w^2 of weights that sum to 1.
+/// Returns 1 / sum of w^2 for weights that sum to 1.
 double effective_size(const Vector& weight);
 
 }  // namespace soilweave::calibration

@@ -1,4 +1,4 @@
-// What weights say about the parameters.
+// Moments, quantiles and densities of weighted parameters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/posterior.h"
 
@@ -12,7 +12,7 @@
 namespace soilweave::calibration {
 namespace {
 
-constexpr double narrowest = 0.01;             // bandwidth, share of the range
+constexpr double narrowest = 0.01;             // bandwidth as a share of the range
 constexpr double quartiles_of_normal = 1.349;  // their distance in standard deviations
 
 }  // namespace

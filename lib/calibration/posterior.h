@@ -1,4 +1,4 @@
-// What weights say about the parameters: moments, quantiles, densities. Weights sum to 1.
+// Moments, quantiles and densities of weighted parameters. Weights sum to 1.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,22 +8,23 @@
 
 namespace soilweave::calibration {
 
-/// Weighted mean of each column (thesis chapter 2: E, too, in its own unit and not in logs).
+/// Returns the weighted mean of each column, in its unit and not in logs (thesis chapter 2, for E too).
 Vector weighted_mean(const Matrix& values, const Vector& weight);
-/// Sum of w (x - mean)(x - mean)^T.
+/// Returns the sum of w (x - mean)(x - mean)^T.
 Matrix weighted_covariance(const Matrix& values, const Vector& weight);
-/// The value below which the share of the weight lies; straight between the members' own middles.
+/// Returns the value below which a share of the weight lies, linear between the middles of the members' weights.
 double weighted_quantile(const Vector& values, const Vector& weight, double share);
 
-/// A marginal density over the range of one parameter.
+/// Marginal density over the range of one parameter.
 struct Density {
   std::vector<double> value;    // of the parameter
-  std::vector<double> density;  // per its unit; on a log scale per decade
+  std::vector<double> density;  // per unit of the parameter; on a log scale per decade
   double bandwidth = 0;         // in the coordinate
 };
 
-/// Weighted Gaussian kernels in the coordinate, mirrored at the ends of the range, bandwidth by Silverman's (1986) rule
-/// with the effective sample size; no narrower than a hundredth of the range. `points` values over the range.
+/// Returns the density at `points` values over the range: weighted Gaussian kernels in the coordinate, mirrored at its
+/// ends. The bandwidth follows Silverman's (1986) rule with the effective sample size, at least a hundredth of the
+/// range.
 Density marginal_density(const Range& range, const Vector& values, const Vector& weight, std::size_t points);
 
 }  // namespace soilweave::calibration

@@ -1,4 +1,4 @@
-// What is known of the parameters before any observation.
+// The prior of the parameters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/prior.h"
 
@@ -16,7 +16,7 @@
 namespace soilweave::calibration {
 namespace {
 
-/// Columns of an ensemble that are no parameters.
+/// Returns the columns of an ensemble that are no parameters.
 const std::set<std::string>& taken_names() {
   static const std::set<std::string> names = {
       "id", "step", "station", "weight", "log_importance", "effective_size", "log_evidence"};

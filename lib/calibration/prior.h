@@ -1,4 +1,4 @@
-// What is known of the parameters before any observation: each lies anywhere in its range, on a linear or log scale.
+// The prior: each parameter lies anywhere in its range, on a linear or log scale.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,12 +12,12 @@ namespace soilweave::calibration {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
-/// Where vectors and containers of the standard library are read side by side.
+/// Converts an index of the standard library to one of Eigen.
 inline Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 enum class Scale { linear, log };
 
-/// One parameter. Its coordinate u runs from 0 at `low` to 1 at `high`; the prior is uniform in it.
+/// Range of one parameter. Its coordinate u runs from 0 at `low` to 1 at `high`; the prior is uniform in it.
 struct Range {
   std::string name, unit, long_name;
   double low = 0, high = 1;
@@ -25,7 +25,7 @@ struct Range {
 
   double value(double u) const;
   double coordinate(double value) const;
-  /// How much of the scale (decades of a log one) the range covers.
+  /// Returns the width of the range on its scale (in decades on a log scale).
   double width() const;
 };
 
@@ -34,15 +34,15 @@ struct Prior {
 
   std::size_t size() const { return ranges.size(); }
   std::vector<std::string> names() const;
-  /// Between a row of coordinates and one of values.
+  /// Convert a row of coordinates to values, and back.
   Vector values(const Vector& coordinates) const;
   Vector coordinates(const Vector& values) const;
 };
 
-/// [[parameter]] tables: name, low, high; unit ("1"), scale ("linear" or "log"), long_name. Mistakes go to the
+/// Reads [[parameter]] tables: name, low, high; unit ("1"), scale ("linear" or "log"), long_name. Mistakes go to the
 /// document's list.
 Prior read_prior(Settings& document);
-/// The inverse, with SI numbers.
+/// Returns the prior as TOML, with SI numbers.
 std::string prior_text(const Prior& prior);
 
 }  // namespace soilweave::calibration

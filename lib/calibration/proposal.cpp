@@ -1,4 +1,4 @@
-// Where the next parameter sets are drawn from.
+// Proposal of the next parameter sets.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/proposal.h"
 
@@ -17,7 +17,7 @@
 namespace soilweave::calibration {
 namespace {
 
-constexpr double least_deviation = 1e-3;  // of a Gaussian along any axis, share of the range
+constexpr double least_deviation = 1e-3;  // of a Gaussian along any axis, as a share of the range
 constexpr std::size_t inside_draws = 1 << 14;
 constexpr int iterations = 200;
 constexpr double settled = 1e-8;  // relative change of the log likelihood
@@ -29,7 +29,7 @@ Matrix root_of(const Matrix& covariance) {
 
 bool in_cube(const Vector& point) { return (point.array() >= 0).all() && (point.array() <= 1).all(); }
 
-/// The means to start from: the heaviest member, then each time the one with the greatest weighted distance.
+/// Returns the means to start from: the heaviest member, then always the one with the greatest weighted distance.
 std::vector<Gaussian> started(const Matrix& points, const Vector& weight, std::size_t count) {
   const Matrix root = root_of(weighted_covariance(points, weight) / static_cast<double>(count));
   std::vector<Gaussian> start;
@@ -46,7 +46,7 @@ std::vector<Gaussian> started(const Matrix& points, const Vector& weight, std::s
   return start;
 }
 
-/// Expectation maximisation with weights; returns the weighted mean log likelihood.
+/// Fits by weighted expectation maximisation. Returns the weighted mean log likelihood.
 double maximise(const Matrix& points, const Vector& weight, std::vector<Gaussian>& gaussians) {
   const Eigen::Index rows = points.rows();
   double before = -std::numeric_limits<double>::infinity(), now = before;

@@ -1,4 +1,4 @@
-// What an assimilation tells a reader.
+// Report of an assimilation for a reader.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ std::string observations_text(const Assimilation& a) {
   return text + ".\n";
 }
 
-/// About a dozen steps, the last among them.
+/// Returns about a dozen steps, with the last.
 std::string steps_text(const Assimilation& a) {
   const auto last = static_cast<Eigen::Index>(a.observed.stations()) - 1;
   std::set<Eigen::Index> shown(a.chosen.begin(), a.chosen.end());

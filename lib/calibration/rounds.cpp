@@ -1,4 +1,4 @@
-// Densities of rounds, and rounds to and from tables.
+// Densities of rounds, and rounds in tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibration/rounds.h"
 

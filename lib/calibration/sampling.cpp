@@ -16,7 +16,8 @@
 namespace soilweave::calibration {
 namespace {
 
-/// Uniform in [0, 1) from the engine's bits alone: standard distributions differ between libraries.
+/// Returns a uniform number in [0, 1) from the engine's bits alone, because standard distributions differ between
+/// libraries.
 double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
 
 }  // namespace

@@ -10,24 +10,25 @@
 
 namespace soilweave::calibration {
 
-/// The digits of `index` in the base, mirrored at the point (van der Corput): 6 = 110 in base 2 gives 0.011 = 3/8.
+/// Returns the digits of `index` in the base, mirrored at the point (van der Corput): 6 = 110 in base 2 gives 0.011 =
+/// 3/8.
 double radical_inverse(std::uint64_t index, unsigned base);
 
-/// The first primes: Halton's own bases.
+/// Returns the first primes, Halton's own bases.
 std::vector<unsigned> prime_bases(std::size_t dimension);
 
-/// "2,5,7,9,11". Throws UsageError where it is no list of numbers from 2 on, or two share a factor (the points would
-/// lie on lines); bases need not be primes (thesis chapter 2 has 9 among them).
+/// Parses "2,5,7,9,11". Throws UsageError for anything but numbers from 2 on, or if two share a factor (points would
+/// lie on lines). Bases need not be primes (thesis chapter 2 uses 9).
 std::vector<unsigned> parse_bases(std::string_view text);
 
-/// Rows first, first + 1, ... of the Halton sequence (Halton 1960); row 0 is the origin.
+/// Returns rows first, first + 1, ... of the Halton sequence (Halton 1960). Row 0 is the origin.
 Matrix halton(std::size_t rows, const std::vector<unsigned>& bases, std::uint64_t first);
 
-/// Rows first, first + 1, ... of the Sobol sequence (GSL; Bratley and Fox 1988); row 0 is the origin. Up to 40
-/// dimensions, else DataError.
+/// Returns rows first, first + 1, ... of the Sobol sequence (GSL; Bratley and Fox 1988). Row 0 is the origin. Throws
+/// DataError above 40 dimensions.
 Matrix sobol(std::size_t rows, std::size_t dimension, std::uint64_t first);
 
-/// One point at random in each of `rows` equal slices of every axis (McKay et al. 1979). The same seed gives the same
+/// Returns one random point in each of `rows` equal slices of every axis (McKay et al. 1979). One seed gives the same
 /// points everywhere.
 Matrix latin_hypercube(std::size_t rows, std::size_t dimension, std::uint64_t seed);
 

@@ -12,12 +12,12 @@
 namespace soilweave::fem {
 namespace {
 
-// How far disks may come nearer from one step of the soil to the next, in radii.
+// Greatest approach of disks from one step of the soil to the next, in radii.
 constexpr double room = 0.5;
 
 Vec2 right_of(const Vec2& direction) { return {direction[1], -direction[0]}; }
 
-// Counter-clockwise from n.
+// Returns the tangent, counter-clockwise from n.
 Vec2 tangent(const Vec2& n) { return {-n[1], n[0]}; }
 
 double turning(const Vec2& bar, const Vec2& relative) {
@@ -125,7 +125,7 @@ std::vector<double> Bars::interface_stiffness() const {
     if (c.of_interface) {
       stiffness[c.bar] += c.normal_stiffness;
     } else if (c.line == 0) {
-      // Rows of the interpolation add up to one: at most the whole stiffness goes to either node.
+      // Rows of the interpolation sum to one, so at most the whole stiffness goes to either node.
       for (const std::size_t n : {c.segment, c.segment + 1}) stiffness[n] += 0.5 * c.normal_stiffness;
     }
   }
@@ -167,7 +167,7 @@ double Bars::nearest(const Line& line, const Vec2& p, Contact& contact) {
     return a.dot(p - line.x[s]) / a.squaredNorm();
   };
   double m = along(contact.segment);
-  // Beyond the end of its bar a disk goes to the next one, unless that lies before its own start: a corner between.
+  // A disk beyond the end of its bar moves to the next bar, unless it lies before that bar's start, at a corner.
   while (m > 1 && contact.segment + 2 < line.x.size()) {
     const double next = along(contact.segment + 1);
     if (next <= 0) return 1;
@@ -189,8 +189,8 @@ void Bars::contact_force(Contact& c, double dt) {
         dt);
 }
 
-// Virtual disks at the middle of the bar and at the place nearest to it: kinematics interpolated from the nodes, spins
-// those of the bars; forces and moments go back by the same interpolation, so that they do the same work.
+// Contact of virtual disks, at the middle of the bar and at the nearest point. Motion is interpolated from the nodes,
+// with the spins of the bars. Forces and moments return by the same interpolation, so that the work is equal.
 void Bars::touch(Contact& c, const Vec2& p, const Vec2& v, double spin, double dt) {
   Line& line = lines_[c.line];
   const double m = nearest(line, p, c);
@@ -245,7 +245,7 @@ void Bars::forces(double dt) {
   for (const std::size_t c : near_) contact_force(contacts_[c], dt);
 }
 
-// What cannot touch before the next look is left out of the steps until then.
+// Contacts that cannot close before the next search are left out of the steps until then.
 void Bars::look_around() {
   near_.clear();
   const double reach = 2 * setup_.radius + room * setup_.radius;

@@ -1,4 +1,4 @@
-// The geosynthetic before the start, and between two sittings.
+// The geosynthetic before the start, and its state in checkpoints.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ void Bars::seat(const std::vector<double>& loads) {
     kick(dt);
     worst = 0;
     for (std::size_t n = 0; n < x_.size(); ++n) x_[n][1] += dt * v_[n][1];
-    // Fictitious masses that are stable with the step.
+    // Fictitious masses are chosen to be stable with the step.
     for (std::size_t n = 0; n < loads.size(); ++n) {
       const double mass = 4 * std::max(stiffness[n], 1e-12) * dt * dt, force = loads[n] + on_interface_[n][1];
       const double side = force * speed[n] > 0 ? 1 : -1;

@@ -20,7 +20,7 @@ Vec3 mohr_coulomb_return(const Vec3& trial, double bulk, double shear, double si
   const auto yield = [&](double major, double minor) { return major - minor + (major + minor) * f - strength; };
   const double main = yield(trial[0], trial[2]);
   if (main <= 0) return trial;
-  // What a unit of plastic flow takes off the first, adds to the one between, and adds to the last.
+  // Change of the three principal stresses by a unit of plastic flow.
   const double first = 2 * shear * (1 + d / 3) + 2 * bulk * d, between = (4 * shear / 3 - 2 * bulk) * d,
                last = 2 * shear * (1 - d / 3) - 2 * bulk * d;
   const double a = 4 * shear * (1 + f * d / 3) + 4 * bulk * f * d;
@@ -29,7 +29,7 @@ Vec3 mohr_coulomb_return(const Vec3& trial, double bulk, double shear, double si
   Vec3 s = trial + one * Vec3(-first, between, last);
   if (descending(s, tolerance)) return s;
 
-  // To the edge where the stress between equals the minor one (triaxial extension), or the major one.
+  // Maps to the edge where the intermediate stress equals the minor one (triaxial extension), or the major one.
   const bool right = (1 - d) * trial[0] - 2 * trial[1] + (1 + d) * trial[2] > 0;
   const double b = 2 * shear * (right ? 1 + f + d - f * d / 3 : 1 - f - d - f * d / 3) + 4 * bulk * f * d;
   const double other = right ? yield(trial[0], trial[1]) : yield(trial[1], trial[2]);

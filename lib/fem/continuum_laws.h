@@ -1,4 +1,4 @@
-// Plane-strain laws of continua for verification and for setting problems up: elastic, and Mohr-Coulomb.
+// Plane-strain laws of continua, for verification and for setting up problems: elastic, and Mohr-Coulomb.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,16 +6,16 @@
 
 namespace soilweave::fem {
 
-/// Isotropic elasticity in rate form, or with a Mohr-Coulomb limit. Objective: the increment is taken on the
-/// configuration midway and the stress rotated (Hughes & Winget 1980), so that a rigid rotation of any size leaves no
-/// stress.
+/// Isotropic elasticity in rate form, optionally with a Mohr-Coulomb limit. It is objective: the increment is taken on
+/// the midway configuration and the stress is rotated (Hughes & Winget 1980), so that a rigid rotation of any size
+/// leaves no stress.
 struct ContinuumLaw {
   double young_modulus = 1e7;  // Pa
   double poisson_ratio = 0.25;
-  std::optional<double> friction_angle;  // rad; nothing: elastic
+  std::optional<double> friction_angle;  // rad; none: elastic
   double cohesion = 0;                   // Pa
   double dilation_angle = 0;             // rad
-  Vec3 initial_stress = Vec3::Zero();    // Pa, xx, yy, zz, tension positive
+  Vec3 initial_stress = Vec3::Zero();    // xx, yy, zz, tension positive, Pa
 };
 
 class ContinuumPoint : public MaterialPoint {
@@ -38,8 +38,8 @@ class ContinuumPoint : public MaterialPoint {
   double out_of_plane_, work_ = 0, initial_energy_ = 0;  // Pa; J/m3
 };
 
-/// Principal stresses s (descending, tension positive) returned to the Mohr-Coulomb surface; inside it unchanged.
-/// sines: of friction and dilation. (De Souza Neto, Peric & Owen 2008, box 8.4 to 8.7, perfectly plastic.)
+/// Returns principal stresses (descending, tension positive) mapped back to the Mohr-Coulomb surface; unchanged inside
+/// it. sines: of friction and dilation. Perfectly plastic (De Souza Neto, Peric & Owen 2008, boxes 8.4 to 8.7).
 Vec3 mohr_coulomb_return(const Vec3& trial, double bulk, double shear, double sin_friction, double sin_dilation,
                          double cohesion);
 

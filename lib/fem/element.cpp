@@ -8,7 +8,7 @@
 namespace soilweave::fem {
 namespace {
 
-// Corners, then the middles of the sides between them, counter-clockwise.
+// Corners, then the middles of the sides, counter-clockwise.
 constexpr std::array<double, 8> xi_of = {-1, 1, 1, -1, 0, 1, 0, -1}, eta_of = {-1, -1, 1, 1, -1, 0, 1, 0};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A file of Gmsh as it stands: nodes, elements and groups by Gmsh's own numbers, with the lines they stand on.
+// Content of a Gmsh file: nodes, elements and groups by Gmsh's own numbers, with their lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace soilweave::fem {
 
-/// Gmsh's numbers of the element types that are taken.
+/// Gmsh's numbers of the accepted element types.
 namespace gmsh {
 inline constexpr int line2 = 1, triangle3 = 2, line3 = 8, vertex = 15, quadrilateral8 = 16;
 }
 
-/// What is known of a type of Gmsh's elements: "6-node triangle" and 6; no nodes where the type is unknown.
+/// Name and number of nodes of a Gmsh element type: "6-node triangle" and 6; no nodes for an unknown type.
 struct GmshType {
   std::string_view name;
   int nodes = 0;
@@ -28,27 +28,27 @@ GmshType gmsh_type(int number);
 struct GmshFile {
   struct Node {
     Vec3 at;           // m
-    std::size_t line;  // of the file
+    std::size_t line;  // in the file
   };
   struct Item {
     std::int64_t tag;
-    std::size_t line;  // of the file
+    std::size_t line;  // in the file
     int type;
-    std::vector<int> groups;  // physical ones, without their sign, which is a sense
+    std::vector<int> groups;  // physical groups without sign; the sign is an orientation
     std::vector<std::int64_t> nodes;
   };
   std::map<std::int64_t, Node> nodes;
   std::vector<Item> items;
-  std::map<std::pair<int, int>, std::string> names;  // of groups, by dimension and number
+  std::map<std::pair<int, int>, std::string> names;  // names of groups, by dimension and number
 };
 
-/// The text of a file, ASCII 2.2 or 4.1; sections that say nothing of the mesh are skipped. Throws DataError with file
-/// and line.
+/// Parses a file, ASCII 2.2 or 4.1. Sections that do not concern the mesh are skipped. Throws DataError with file and
+/// line.
 GmshFile parse_gmsh(std::string_view text, const std::string& where);
 
-/// The plane mesh of a file. Elements that stand in it several times count once, clockwise ones are turned round, nodes
-/// of no element are left out; the mesh's doubts say so. Throws DataError, by Gmsh's numbers, where elements are not
-/// plane, without area, crossed or folded, overlap, or where a boundary is no side of an element.
+/// Builds the plane mesh of a file. Repeated elements count once, clockwise ones are reversed, and nodes of no element
+/// are left out; the mesh's doubts say so. Throws DataError, with Gmsh's numbers, for elements that are not plane, have
+/// no area, are crossed or folded, or overlap, and for a boundary that is no side of an element.
 Mesh build_mesh(const GmshFile& file, const std::string& where);
 
 }  // namespace soilweave::fem

@@ -1,4 +1,4 @@
-// Plane meshes: the generator, the checks, lines along boundaries.
+// Plane meshes: generator, checks, lines along boundaries.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/mesh.h"
 
@@ -97,7 +97,7 @@ std::vector<std::array<Index, 2>> Mesh::coincident() const {
   std::vector<Index> order(nodes.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return nodes[a].x() < nodes[b].x(); });
-  // Runs of nodes of nearly one x, each by y.
+  // Groups of nodes with nearly one x, each sorted by y.
   std::vector<std::array<Index, 2>> pairs;
   for (Index from = 0, to = 0; from < order.size(); from = to) {
     for (to = from + 1; to < order.size() && nodes[order[to]].x() - nodes[order[to - 1]].x() <= near;) ++to;
@@ -113,7 +113,7 @@ std::vector<std::array<Index, 2>> Mesh::coincident() const {
 }
 
 std::vector<Mesh::Piece> Mesh::pieces() const {
-  // A node leads on towards the first of its piece.
+  // Links of a node lead to the first node of its piece.
   std::vector<Index> to(nodes.size());
   std::iota(to.begin(), to.end(), Index{0});
   const auto first = [&](Index n) {
@@ -139,7 +139,7 @@ std::vector<Mesh::Piece> Mesh::pieces() const {
 Mesh rectangle(double width, double height, Index columns, Index rows, Shape shape) {
   Mesh mesh;
   mesh.shape = shape;
-  const Index step = shape == Shape::triangle3 ? 1 : 2;  // grid points to a side
+  const Index step = shape == Shape::triangle3 ? 1 : 2;  // grid points per side
   const Index across = step * columns + 1, up = step * rows + 1;
   std::vector<Index> number(across * up, 0);
   for (Index j = 0; j < up; ++j)

@@ -1,4 +1,4 @@
-// A plane mesh: nodes, elements of one shape, boundaries by name. From a generator, or from Gmsh's text files.
+// A plane mesh: nodes, elements of one shape, named boundaries. From a generator, or from Gmsh's text files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,11 +17,11 @@ namespace soilweave::fem {
 
 using Index = std::size_t;
 
-/// Edges in the sense of the domain's contour: counter-clockwise about it, the domain to their left.
+/// Edges in the order of the domain's contour: counter-clockwise, with the domain on the left.
 struct Boundary {
   std::vector<std::array<Index, 2>> ends;  // corner nodes
-  std::vector<Index> middle;               // the node between them, 8-node quadrilaterals only
-  std::vector<Index> nodes;                // all of them, ascending; a boundary of points has these alone
+  std::vector<Index> middle;               // node in between, only for 8-node quadrilaterals
+  std::vector<Index> nodes;                // all nodes, ascending; a boundary of points has only these
 };
 
 struct Mesh {
@@ -29,23 +29,22 @@ struct Mesh {
   std::vector<Vec2> nodes;                              // m
   std::vector<std::array<Index, most_nodes>> elements;  // counter-clockwise, corners first
   std::map<std::string, Boundary, std::less<>> boundaries;
-  std::vector<std::int64_t> node_tags;  // of nodes in the file they come from; none of a rectangle
-  std::vector<Doubt> doubts;            // about the file: what was turned round, counted once or left out
+  std::vector<std::int64_t> node_tags;  // numbers of the nodes in their file; empty for a rectangle
+  std::vector<Doubt> doubts;            // about the file: elements reversed or repeated, nodes left out
 
   Index nodes_of_element() const { return nodes_of(shape); }
-  /// Corners of an element where they are now.
+  /// Returns the corners of an element at the given positions.
   ElementNodes corners(Index element, const std::vector<Vec2>& positions) const;
-  /// Throws DataError naming the element and the likely cause: node numbers out of range, an element without area or
-  /// turned over, a node of no element, a boundary that is none.
+  /// Throws DataError, naming the element and the likely cause, for node numbers out of range, an element without area
+  /// or inverted, a node of no element, and an invalid boundary.
   void check(const std::string& where) const;
-  /// The boundary of this name. Throws DataError naming the nearest one.
+  /// Returns the boundary of this name. Throws DataError naming the nearest one.
   const Boundary& boundary(const std::string& name) const;
-  /// The boundaries joined to one line of nodes, corner to corner. Throws DataError where they are not connected in
-  /// this order.
+  /// Joins boundaries to one line of nodes, corner to corner. Throws DataError if they do not connect in this order.
   std::vector<Index> line(const std::vector<std::string>& names) const;
-  /// Pairs of nodes that lie on one another, to a hundred-millionth of the mesh.
+  /// Returns pairs of coincident nodes, within a hundred-millionth of the mesh size.
   std::vector<std::array<Index, 2>> coincident() const;
-  /// The pieces that share no node: elements of each, and the mean of its nodes, m.
+  /// A piece of the mesh that shares no node with others: its elements, and the mean of its nodes, m.
   struct Piece {
     Index elements = 0;
     Vec2 middle = Vec2::Zero();
@@ -53,13 +52,13 @@ struct Mesh {
   std::vector<Piece> pieces() const;
 };
 
-/// A rectangle from (0, 0) of columns x rows squares; triangles are cut by the diagonal from bottom right to top left,
-/// as in the thesis's meshes. Boundaries: bottom, right, top, left, and of nodes alone bottom-corners.
+/// Returns a rectangle from (0, 0) of columns x rows squares. Triangles are cut by the diagonal from bottom right to
+/// top left, as in the thesis's meshes. Boundaries: bottom, right, top, left, and bottom-corners, which has nodes only.
 Mesh rectangle(double width, double height, Index columns, Index rows, Shape shape);
 
-/// Gmsh's MSH format, ASCII, 2.2 and 4.1: triangles of 3 or quadrilaterals of 8 nodes in the plane z = 0, boundaries
-/// from physical groups of lines and points, by name. An element of several groups counts once, a clockwise one is
-/// turned round, a node of no element left out (doubts). Throws DataError with the line and Gmsh's numbers.
+/// Reads Gmsh's MSH format, ASCII, 2.2 and 4.1: triangles of 3 or quadrilaterals of 8 nodes in the plane z = 0, and
+/// boundaries from named physical groups of lines and points. An element in several groups counts once, a clockwise one
+/// is reversed, a node of no element is left out (doubts). Throws DataError with the line and Gmsh's numbers.
 Mesh read_gmsh(std::string_view text, const std::string& where);
 
 }  // namespace soilweave::fem

@@ -14,7 +14,7 @@
 namespace soilweave::fem {
 namespace {
 
-// Words of the file, one after another; messages name their line.
+// Words of the file, one after another. Messages name their line.
 class Words {
  public:
   Words(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {}
@@ -41,11 +41,11 @@ class Words {
   Index count() {
     const auto n = number<std::int64_t>();
     if (n < 0) fail("has a negative count");
-    // Each of what is counted takes a character and a blank at least.
+    // Each counted item takes a character and a blank at least.
     if (static_cast<std::size_t>(n) > (text_.size() - at_) / 2 + 1) fail("counts more than the file can hold");
     return static_cast<Index>(n);
   }
-  // "a name" in quotes, on the rest of the line.
+  // Returns "a name" in quotes, from the rest of the line.
   std::string quoted() {
     const std::size_t from = text_.find('"', at_), to = from == text_.npos ? from : text_.find('"', from + 1);
     if (to == text_.npos || to > text_.find('\n', at_)) fail("has a name without quotes");
@@ -153,7 +153,7 @@ class GmshReader {
   void skip_numbers(int n) {
     for (int k = 0; k < n; ++k) words_.number<double>();
   }
-  // The sign of a physical number is the sense of its curve or surface.
+  // The sign of a physical number is the orientation of its curve or surface.
   std::vector<int> physical_tags() {
     std::vector<int> tags(words_.count());
     for (int& tag : tags) tag = std::abs(words_.number<int>());
@@ -191,7 +191,7 @@ class GmshReader {
     words_.expect("$EndPartitionedEntities");
   }
 
-  // A part of a curve or surface belongs to the groups of the whole, too; what is made between parts has none of them.
+  // Part of a curve or surface belongs to the groups of the whole too; entities created between parts have none.
   std::vector<int> groups_of(const Entity& entity) const {
     std::set<int> groups;
     const auto add = [&](const Entity& of) {
@@ -265,7 +265,7 @@ class GmshReader {
       const auto tag = words_.number<std::int64_t>();
       const std::size_t line = words_.line();
       const int type = words_.number<int>();
-      // Physical group, geometrical entity, and, of a mesh in partitions, which of them.
+      // Tags: physical group, geometrical entity, and, in a partitioned mesh, the partitions.
       std::vector<int> tags(words_.count());
       for (int& t : tags) t = words_.number<int>();
       const bool grouped = !tags.empty() && tags[0] != 0;
@@ -288,7 +288,7 @@ class GmshReader {
     words_.expect("$EndElements");
   }
 
-  static constexpr double farthest = 1e9;  // m, of a node
+  static constexpr double farthest = 1e9;  // coordinate of a node, m
 
   Words words_;
   double version_ = 0;

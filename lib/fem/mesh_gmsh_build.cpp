@@ -1,4 +1,4 @@
-// The plane mesh of a file of Gmsh: each element once and counter-clockwise, boundaries along their sides.
+// The plane mesh of a Gmsh file: each element once and counter-clockwise, boundaries along its sides.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -15,7 +15,8 @@ namespace {
 bool is_plane(int type) { return type == gmsh::triangle3 || type == gmsh::quadrilateral8; }
 bool is_edge(int type) { return type == gmsh::line2 || type == gmsh::line3; }
 
-// Corners from the smallest number on, on to the smaller of its two neighbours: the same for an element turned round.
+// Returns the corners from the smallest number on, towards the smaller of its neighbours, so that a reversed element
+// gives equal numbers.
 std::vector<std::int64_t> round_of(const GmshFile::Item& item) {
   const std::ptrdiff_t corners = item.type == gmsh::triangle3 ? 3 : 4;
   std::vector<std::int64_t> nodes(item.nodes.begin(), item.nodes.begin() + corners);
@@ -24,7 +25,7 @@ std::vector<std::int64_t> round_of(const GmshFile::Item& item) {
   return nodes;
 }
 
-// Twice the area on the left of the way from one to the other, seen from a third point.
+// Returns twice the area of the triangle (a, b, c), positive if it is counter-clockwise.
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
   return u.x() * v.y() - u.y() * v.x();
@@ -72,7 +73,7 @@ class Builder {
     if (!from_.empty() && from_[0]->type != item.type)
       fail(item.line, fmt::format("element {} is a {}, element {} before it a {}; mesh all with one of them", item.tag,
                                   gmsh_type(item.type).name, from_[0]->tag, gmsh_type(from_[0]->type).name));
-    // One for each of its groups is how format 2.2 writes an element of several.
+    // Format 2.2 writes an element of several groups once per group.
     const auto [known, fresh] = known_.try_emplace(round_of(item), item.groups);
     if (!fresh) {
       again_ += known->second == item.groups;
@@ -106,7 +107,7 @@ class Builder {
     return known->second;
   }
 
-  // Counter-clockwise, whichever way the surface was meshed; what has no area is named.
+  // Makes an element counter-clockwise. Throws for one without area.
   void set_upright(Index e) {
     auto& nodes = mesh_.elements[e];
     const Index n = corners_of(mesh_.shape);
@@ -122,7 +123,7 @@ class Builder {
       fail_element(
           e, fmt::format("has no area: its corners {} lie on a line or on one another; mend the mesh", corners(e)));
     if (area < 0) {
-      // From the first corner on the other way round: sides, and so the nodes in their middles, in reverse.
+      // Reverses the order after the first corner, and with it the sides and their middle nodes.
       std::reverse(nodes.begin() + 1, nodes.begin() + static_cast<std::ptrdiff_t>(n));
       if (mesh_.shape == Shape::quadrilateral8) std::reverse(nodes.begin() + 4, nodes.end());
       if (turned_++ == 0) first_turned_ = from_[e]->tag;
@@ -147,7 +148,7 @@ class Builder {
         "{}", fmt::join(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(corners_of(mesh_.shape)), " "));
   }
 
-  // The sense of an edge is that of the element it belongs to; two elements on the same side of one overlap.
+  // An edge has the orientation of its element; two elements on one side of it overlap.
   void sides_of(Index e) {
     const auto& nodes = mesh_.elements[e];
     const Index n = corners_of(mesh_.shape);
@@ -250,8 +251,8 @@ class Builder {
   Mesh mesh_;
   std::vector<const GmshFile::Item*> from_;  // by element
   std::map<std::vector<std::int64_t>, std::vector<int>> known_;
-  std::map<std::int64_t, Index> number_;        // of nodes, by Gmsh's
-  std::map<std::array<Index, 2>, Side> sides_;  // by the nodes at their ends, counter-clockwise
+  std::map<std::int64_t, Index> number_;        // from Gmsh's numbers of nodes
+  std::map<std::array<Index, 2>, Side> sides_;  // by their end nodes, counter-clockwise
   std::map<std::string, std::set<std::array<Index, 2>>> edges_;
   Index turned_ = 0, again_ = 0;
   std::int64_t first_turned_ = 0;

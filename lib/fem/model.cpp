@@ -14,7 +14,7 @@
 namespace soilweave::fem {
 namespace {
 
-// The soil's step may come this far over the limit that it was chosen a fraction of, before a run is broken.
+// Greatest step over its stability limit before the run counts as broken.
 constexpr double tolerated = 1.0;
 
 }  // namespace
@@ -101,7 +101,8 @@ void Model::make_bars() {
   bars_->seat(loads);
 }
 
-// What the contacts with the geosynthetic add to the soil's, 1/s2 (Weyl: eigenvalues of a sum are at most the sum).
+// Returns the contribution of the contacts with the geosynthetic to the eigenvalue, 1/s2 (Weyl: eigenvalues of a sum
+// are at most the sum).
 double Model::interface_eigenvalue() const {
   double largest = 0;
   if (!bars_) return 0;
@@ -122,7 +123,7 @@ void Model::step() {
   std::vector<Vec2> moved;
   for (const Index n : line_) moved.push_back(soil_->positions()[n]);
 
-  // The geosynthetic first: it takes longest.
+  // The geosynthetic comes first because it takes longest.
   const Index first = bars_ ? 1 : 0, tasks = first + points_.size();
   std::vector<std::exception_ptr> failures(tasks);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(setup_.threads) if (setup_.threads > 1)
@@ -146,7 +147,7 @@ void Model::step() {
   share_stresses();
 }
 
-// Rethrows what is no physics.
+// Returns the text of a physics failure; rethrows any other.
 std::string Model::failure_of(Index task, const std::exception_ptr& failure) const {
   const Index first = bars_ ? 1 : 0;
   try {
@@ -212,7 +213,7 @@ Balance Model::balance() const {
   Balance b{soil.traction_work + soil.support_work, soil.kinetic, 0, soil.viscous};
   if (bars_) {
     const BarEnergies bars = bars_->energies();
-    // What the interface gives the soil, it takes from the bars.
+    // Work that the interface does on the soil is lost by the bars.
     b.external += bars.end_work + soil.interface_work + bars.interface_work;
     b.kinetic += bars.kinetic;
     b.stored += bars.elastic + bars.contact - bars.initial;

@@ -1,6 +1,18 @@
-// The two scales together: finite elements whose points are material, beside them the geosynthetic, and the order of
-// one step of both.
+// The two scales together: finite elements whose points are packings of grains, and the geosynthetic beside them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nobody writes down a constitutive law for the soil. Each integration point holds a packing of disks instead:
+//
+//   nodes move -> displacement gradient at a point -> its packing deforms as much -> Love-Weber stress of its grains
+//              -> internal forces at the nodes -> accelerations -> nodes move
+//
+// One step of both scales is explicit (central differences, thesis Eqs. 6.1 to 6.3):
+//
+//   1  points     each takes the last gradient in many small steps of its grains; points are independent   rve.h
+//   2  bars       the chain moves in small steps between the positions of the soil's boundary              bars.h
+//   3  soil       stresses, tractions and interface forces accelerate the lumped masses                    soil.h
+//
+// A continuum law (continuum_laws.h) can stand for the grains, to verify the elements or to set a problem up.
 #pragma once
 
 #include <exception>
@@ -19,17 +31,17 @@
 namespace soilweave::fem {
 
 struct ModelSetup {
-  SoilSetup soil;                   // density 0: that of the grains times their solid fraction
-  std::optional<ContinuumLaw> law;  // nothing: grains
+  SoilSetup soil;                   // density 0: density of the grains times their solid fraction
+  std::optional<ContinuumLaw> law;  // none: grains
   Grains grains;
-  std::vector<io::Snapshot> packings;  // one for all points, or one a point
-  std::optional<BarsSetup> bars;       // interface filled in from the line
-  std::vector<std::string> along;      // boundaries that the chain lies beside
-  double spacing = 0, overhang = 0;    // m, of the chain's nodes; before its start
-  double seat_pressure = 0;            // Pa, along y, carried by chain and guides before the start
-  std::optional<double> time_step;     // s; nothing: from the eigenvalues
-  double safety = 0.5;                 // of the stable step
-  double interval = 0;                 // s, that a whole number of steps is to fill; 0: none
+  std::vector<io::Snapshot> packings;  // one for all points, or one per point
+  std::optional<BarsSetup> bars;       // the interface is filled in from the line
+  std::vector<std::string> along;      // boundaries beside which the chain lies
+  double spacing = 0, overhang = 0;    // distance of the chain's nodes, and its length before the start, m
+  double seat_pressure = 0;            // pressure along y that chain and guides carry before the start, Pa
+  std::optional<double> time_step;     // s; none: from the eigenvalues
+  double safety = 0.5;                 // fraction of the stable step
+  double interval = 0;                 // s, to be filled by a whole number of steps; 0: none
   int threads = 1;
 };
 
@@ -39,7 +51,7 @@ struct Relaxation {
   double grains = 0, bars = 0;  // local, non-viscous
 };
 
-/// Energy of everything: external work = kinetic + stored + dissipated + error. J per metre of thickness.
+/// Energy balance of everything: external work = kinetic + stored + dissipated + error. J per metre of thickness.
 struct Balance {
   double external = 0, kinetic = 0, stored = 0, dissipated = 0;
   double error() const { return external - kinetic - stored - dissipated; }
@@ -47,13 +59,13 @@ struct Balance {
 
 class Model {
  public:
-  /// ranks: the processes that share the points; outlives the model. Throws DataError: unknown boundaries, packings
-  /// that do not fit, a time step over the stable one.
+  /// ranks: processes that share the points; must outlive the model. Throws DataError for unknown boundaries, packings
+  /// that do not fit, or a time step above the stable one.
   explicit Model(ModelSetup setup, const Ranks* ranks = nullptr);
 
-  /// One step of the soil; the grains of every point, and the geosynthetic, take their own smaller ones. Points are
-  /// shared out among the threads as they come free; the result is the same with any number. Throws PhysicsError naming
-  /// element and point.
+  /// Takes one step of the soil. The grains of each point and the geosynthetic take smaller steps of their own. Free
+  /// threads take the next point; the result does not depend on their number. Throws PhysicsError naming element and
+  /// point.
   void step();
 
   double time_step() const { return dt_; }
@@ -66,12 +78,12 @@ class Model {
   const Points& points() const { return points_; }
   const Bars* bars() const { return bars_.get(); }
   const std::vector<Index>& interface_nodes() const { return line_; }
-  /// Brings the points of all processes to the first one; called by all together. On others points() lag behind.
+  /// Brings the points of all processes to the first one; all must call it. On other processes points() lag behind.
   void collect();
-  /// Throws PhysicsError where the step of the soil or of a point's grains has come over its limit.
+  /// Throws PhysicsError if the step of the soil or of a point's grains exceeds its limit.
   void check_steps() const;
   Balance balance() const;
-  /// Supports and ends of the chain stand and the clock with them, while everything is damped; nothing: go on.
+  /// Stops supports, chain ends and clock, and damps everything; none: go on.
   void relax(const std::optional<Relaxation>& how);
   void archive(Archive& archive);
 
@@ -92,7 +104,7 @@ class Model {
   std::unique_ptr<Bars> bars_;
   Points points_;
   std::vector<Mat2> stresses_;
-  std::vector<double> areas_;  // m2, of the points at the start
+  std::vector<double> areas_;  // of the points at the start, m2
   double dt_ = 0, eigenvalue_ = 0, time_ = 0;
   std::int64_t substeps_ = 0, steps_ = 0, loading_steps_ = 0;
   bool relaxing_ = false;

@@ -9,8 +9,8 @@
 
 namespace soilweave::fem {
 
-/// Every process computes the same soil and geosynthetic; points are dealt out in turn. The first process alone reads
-/// and writes checkpoints, and writes the output.
+/// A process of a run. Every process computes the same soil and geosynthetic; points are dealt out in turn. Only the
+/// first process reads and writes checkpoints and writes the output.
 class Ranks {
  public:
   Ranks();
@@ -23,16 +23,16 @@ class Ranks {
   bool owns(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)) == rank_; }
   int owner(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)); }
 
-  // All processes call these together.
+  // All processes must call these functions together.
 
-  /// Numbers of all points, `width` each: those of the own points go to every process, bit for bit.
+  /// Shares numbers of all points, `width` each: numbers of a process's own points go to every process, bit for bit.
   void share(std::vector<double>& values, std::size_t width) const;
-  /// The failure of the least task over all processes; nothing without. At most 1000 bytes of it.
+  /// Returns the failure of the lowest task over all processes, at most 1000 bytes; empty without a failure.
   std::string agree(const std::string& failure, std::int64_t task) const;
-  /// What the first process says.
+  /// Returns the number that the first process passes.
   std::int64_t told(std::int64_t number) const;
   std::string told(const std::string& bytes) const;
-  /// From a process to the first one: returned there, elsewhere empty.
+  /// Sends bytes from a process to the first one, which returns them; others return an empty text.
   std::string to_first(const std::string& bytes, int from) const;
 
  private:

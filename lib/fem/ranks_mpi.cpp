@@ -1,4 +1,4 @@
-// Several processes over MPI. The only file that includes it.
+// Several processes over MPI. Only this file includes it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <mpi.h>
@@ -17,7 +17,7 @@ Ranks::Ranks() {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   if (rank_ == 0) return;
-  // The first process speaks for all.
+  // Only the first process may write to the terminal.
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
@@ -27,7 +27,7 @@ Ranks::Ranks() {
 Ranks::~Ranks() { MPI_Finalize(); }
 
 void Ranks::share(std::vector<double>& values, std::size_t width) const {
-  // What others own is zero, and bits are or-ed: sums would lose the sign of a zero.
+  // Values of other processes are zero and bits are combined by or, because sums would lose the sign of a zero.
   std::vector<std::uint64_t> bits(values.size());
   for (std::size_t k = 0; k < values.size(); ++k)
     bits[k] = owns(k / width) ? std::bit_cast<std::uint64_t>(values[k]) : 0;

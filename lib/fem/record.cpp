@@ -1,4 +1,4 @@
-// What a run of two scales writes down.
+// Records an output of a two-scale run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/record.h"
 
@@ -11,7 +11,7 @@
 namespace soilweave::fem {
 namespace {
 
-// A row as it is filled, column after column; the first row makes the columns.
+// A row, filled column by column. The first row makes the columns.
 class Row {
  public:
   explicit Row(io::Series& table) : table_(table), first_(table.columns.empty() || table.rows() == 0) {}
@@ -23,7 +23,7 @@ class Row {
     add("step", "1", "number of time steps taken", static_cast<double>(model.steps()));
     add("time", "s", "time", model.time());
   }
-  // A symmetric tensor, tension positive, written compression positive.
+  // Writes a symmetric tensor, tension positive, as compression positive.
   void compression(const std::string& name, const std::string& unit, const std::string& meaning, const Mat2& t) {
     add(name + "_xx", unit, meaning + ", xx", -t(0, 0));
     add(name + "_yy", unit, meaning + ", yy", -t(1, 1));
@@ -133,7 +133,7 @@ void bars(const Model& model, io::MultiscaleFile& file) {
   }
 }
 
-// Resultant of the nodal stresses over a boundary, N/m, on the soil, and its length, m.
+// Writes the resultant of the nodal stresses on the soil over each boundary, N/m, and its length, m.
 void boundaries(const Model& model, Row& row) {
   const Soil& soil = model.soil();
   const std::vector<Mat2> stress = soil.at_nodes(stresses(model));

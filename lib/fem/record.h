@@ -1,4 +1,4 @@
-// What a run of two scales writes down at an output: tables of nodes, points and bars, a row of the series.
+// Records an output of a two-scale run: tables of nodes, points and bars, a row of the series.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,11 +10,12 @@
 
 namespace soilweave::fem {
 
-/// The tables "elements" (once), "nodes", "points", "bars" and "recorded". Stress and strain compression positive.
+/// Appends to the tables "elements" (once), "nodes", "points", "bars" and "recorded". Stress and strain are compression
+/// positive.
 void record(const Model& model, const std::vector<Index>& recorded, io::MultiscaleFile& file);
 
-/// The recorded states of one point as a run: its rows of the table "points" are the series. Throws DataError where the
-/// point was not recorded.
+/// Returns the recorded states of one point as a run, whose series are its rows of the table "points". Throws DataError
+/// if the point was not recorded.
 io::RunFile run_of_point(const io::MultiscaleFile& file, Index point);
 
 }  // namespace soilweave::fem

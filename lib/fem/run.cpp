@@ -1,4 +1,4 @@
-// A scenario of two scales carried out.
+// Carries out a two-scale scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/run.h"
 
@@ -80,12 +80,12 @@ class Runner {
     return {std::move(file_), price()};
   }
 
-  /// The moment as a file that can be looked at.
+  /// Leaves the present state as a file for inspection.
   void leave(const std::filesystem::path& path) {
     try {
       record(model_, scenario_.recorded, file_);
     } catch (const Error&) {
-      // What can no longer be measured is left out: the outputs so far are the state to look at.
+      // A state that can no longer be measured is left out; the outputs so far are inspected instead.
     }
     std::erase_if(file_.frames, [](const io::Snapshot& s) {
       return std::any_of(s.grains.position.begin(), s.grains.position.end(),
@@ -134,7 +134,7 @@ class Runner {
     if (ranks_.first()) record(model_, scenario_.recorded, file_);
   }
 
-  // The first process says what is to be done; others collect with it until it says to go on.
+  // The first process decides what is done; others collect with it until it tells them to go on.
   void keep() {
     if (!ranks_.first()) {
       while (const std::int64_t word = ranks_.told(go)) {
@@ -234,7 +234,7 @@ class Runner {
   bool resting_ = false, going_on_ = false;
   io::MultiscaleFile file_;
   Clock::time_point began_ = Clock::now();
-  double seconds_ = 0;  // of the sittings before
+  double seconds_ = 0;  // of earlier sessions
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A scenario of two scales carried out: step after step, output after output.
+// Carries out a two-scale scenario step by step and output by output.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace soilweave::fem {
 
-/// Called now and then: fraction done (0 to 1) and a line about the moment.
+/// Progress callback: fraction done (0 to 1), and a line on the present state.
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
 struct Outcome {
   io::MultiscaleFile file;
-  std::string price;  // a line: steps, grain steps a second, seconds
+  std::string price;  // a line: steps, grain steps per second, seconds
 };
 
-/// Runs the whole duration; every output is a row of the series and of the tables. With a folder to keep it in, the run
-/// goes on from what is there, and ends in the same file, bit by bit, on any number of threads and processes. All
-/// processes call it; the first one alone has a folder, and the outcome. Throws PhysicsError
-/// when physics breaks, TargetNotReached when a quasi-static state is not, Stopped after a signal.
+/// Runs the whole duration. Every output is a row of the series and of the tables. With a folder to keep it in, the run
+/// goes on from what is there and ends in the same bytes, on any number of threads and processes. All processes call
+/// it; only the first one has a folder and the outcome. Throws PhysicsError when physics breaks, TargetNotReached if a
+/// quasi-static state is not reached, Stopped after a signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks);
 
-/// What a run will take: time steps of both scales, memory, file, time, from a few steps tried.
+/// Returns a forecast: time steps of both scales, memory, file size and time, from a few tried steps.
 std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings);
 
 }  // namespace soilweave::fem

@@ -14,8 +14,8 @@
 namespace soilweave::fem {
 namespace {
 
-// Of a network of central forces without direction: lambda = mu = a third of the stiffness in compression (Cauchy's
-// relations). The stiffer axis counts, so that the step is safe.
+// Returns the tangent of a network of central forces without direction: lambda = mu = a third of the stiffness in
+// compression (Cauchy's relations). The stiffer axis counts, so that the step is safe.
 Mat3 tangent_of(const dem::Simulation& simulation) {
   const double stiffness = simulation.measures().axial_stiffness.head<2>().maxCoeff();
   Mat3 t = Mat3::Zero();
@@ -75,7 +75,7 @@ void contacts_of(Archive& a, const std::string& prefix, io::ContactsRecord& c) {
   for (const Vec3& image : images) c.image.push_back(image.cast<int>());
 }
 
-// Everything of a state that steps change.
+// Keeps everything in a state that steps change.
 void state_of(Archive& a, const std::string& prefix, io::Snapshot& s) {
   a.item(prefix + "step", s.step), a.item(prefix + "time", s.time);
   a.item(prefix + "cell", s.cell.matrix), a.item(prefix + "gradient", s.cell.velocity_gradient);
@@ -104,7 +104,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
   state.time = 0;
   state.cell.velocity_gradient.setZero();
   state.cell.deformation_gradient.setIdentity();
-  // The rotations of the disks while the packing was made are no rotation of the soil.
+  // Rotations of disks during packing are no rotation of the soil.
   std::fill(state.grains.orientation.begin(), state.grains.orientation.end(), Vec4(1, 0, 0, 0));
   return state;
 }

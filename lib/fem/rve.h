@@ -11,21 +11,21 @@
 
 namespace soilweave::fem {
 
-/// What the grains of all points have in common.
+/// Properties that the grains of all points share.
 struct Grains {
   dem::Model model;
   dem::Numerics numerics;
-  double density = 0;  // kg/m3, replaces the packing's masses where positive
+  double density = 0;  // kg/m3; positive: replaces the packing's masses
 };
 
-/// A packing made ready: masses; clock, strains and rotations of the disks from zero. Throws DataError where it is not
-/// of disks in a periodic cell, or names unknown materials.
+/// Prepares a packing: masses; clock, strains and rotations of the disks from zero. Throws DataError unless it consists
+/// of disks in a periodic cell, of known materials.
 io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains);
 
-/// What the time steps of both scales are chosen from.
+/// Data from which the time steps of both scales are chosen.
 struct Probe {
-  double limit = 0;             // s, stability limit of the grains
-  Mat3 tangent = Mat3::Zero();  // as MaterialPoint
+  double limit = 0;             // stability limit of the grains, s
+  Mat3 tangent = Mat3::Zero();  // as MaterialPoint::tangent
   Mat2 stress = Mat2::Zero();   // Pa, tension positive
   double solid_fraction = 0;
 };
@@ -33,7 +33,7 @@ Probe probe(const io::Snapshot& packing, const Grains& grains);
 
 class Rve : public MaterialPoint {
  public:
-  /// substeps of step/substeps s to each step; the gradient is spread over them evenly.
+  /// Each step takes `substeps` substeps of step/substeps s, with equal parts of the gradient.
   Rve(const io::Snapshot& packing, const Grains& grains, double step, std::int64_t substeps);
 
   void advance(const Mat2& gradient) override;
@@ -54,12 +54,12 @@ class Rve : public MaterialPoint {
   Grains grains_;
   double step_;
   std::int64_t substeps_;
-  double area_;  // m2, at the start
+  double area_;  // at the start, m2
   dem::Simulation simulation_;
 };
 
-/// F_a = sqrt(F:F/2) with F = 4 (phi - tr(phi)/2 I) and phi the mean of n n^T (Guo & Zhao 2013, in the plane); -1
-/// without contacts.
+/// Returns F_a = sqrt(F:F/2) with F = 4 (phi - tr(phi)/2 I) and phi the mean of n n^T (Guo & Zhao 2013, in the plane);
+/// -1 without contacts.
 double anisotropy(const io::ContactsRecord& contacts);
 
 }  // namespace soilweave::fem

@@ -1,4 +1,4 @@
-// Scenarios of two scales from TOML.
+// Two-scale scenarios from TOML.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/scenario.h"
 
@@ -39,14 +39,14 @@ Mesh read_mesh(Settings& table) {
   const double w = table.number(width), h = table.number(height);
   const auto nx = static_cast<Index>(table.integer(columns)), ny = static_cast<Index>(table.integer(rows));
   const bool quadrilaterals = table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
-  constexpr Index most = 100'000;  // each of which is to be computed, and most to hold grains
+  constexpr Index most = 100'000;  // each one is computed, and most hold grains
   const bool too_many = nx > most || ny > most / std::max<Index>(nx, 1);
   if (too_many) table.mistake("rows", fmt::format("makes, times columns, more than {} squares", most));
   if (!(w > 0 && h > 0) || nx < 1 || ny < 1 || too_many) return rectangle(1, 1, 1, 1, Shape::triangle3);
   return rectangle(w, h, nx, ny, quadrilaterals ? Shape::quadrilateral8 : Shape::triangle3);
 }
 
-// Whether nodes on one another, and pieces that hold by nothing, are meant.
+// Refuses coincident nodes and pieces that share no node, unless they are intended.
 void check_joints(Settings& table, const Mesh& mesh) {
   static constexpr Parameter meant{"pieces", "1", 1, 1e6, false, "pieces of the mesh that share no node"};
   const bool kept = table.choice("coincident_nodes", {"refuse", "keep"}, "refuse") == "keep";
@@ -80,7 +80,7 @@ void check_joints(Settings& table, const Mesh& mesh) {
   }
 }
 
-// A mesh from a file, and what the scenario says of it.
+// Completes a mesh from a file by what the scenario says of it.
 Mesh take_mesh(Settings& table, Mesh mesh) {
   for (const char* key : {"width", "height", "columns", "rows"})
     if (table.has(key)) table.mistake(key, "is of a rectangle, but --mesh names a file: leave one of the two out");
@@ -113,7 +113,7 @@ ContinuumLaw read_law(Settings& soil, bool limited) {
   return law;
 }
 
-// Numerics of grains within a material point, or of grains that may take the place of a continuum later.
+// Reads the numerics of grains within a material point, which may also replace a continuum later.
 dem::Numerics read_grain_numerics(Settings& document) {
   const dem::Numerics numerics = dem::read_numerics(document);
   if (numerics.gravity != Vec3::Zero())
@@ -135,7 +135,7 @@ void read_soil(Settings& document, ModelSetup& m) {
   }
   m.soil.density = soil.number(density);
   m.law = read_law(soil, material == "mohr-coulomb");
-  // A user sets a problem up with a continuum, then pays for the grains: their tables may stand there already.
+  // Users set up a problem with a continuum and switch to grains later, so tables of grains may exist already.
   if (document.has("contact")) dem::read_model(document);
   if (document.has("grains")) dem::read_density(document);
   if (document.has("numerics") || document.has("guards")) read_grain_numerics(document);

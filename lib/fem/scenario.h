@@ -12,22 +12,23 @@
 
 namespace soilweave::fem {
 
-/// At every output the loading stands still until the kinetic energy is this small.
+/// Quasi-static loading: at every output the loading stops until the kinetic energy is this small.
 struct QuasiStatic {
   Relaxation damping;
-  double kinetic_energy = 0;      // J per metre, of the soil
+  double kinetic_energy = 0;      // of the soil, J per metre
   std::int64_t largest_rest = 0;  // steps after which it counts as unreachable
 };
 
 struct Scenario {
   ModelSetup model;  // without packings
   double duration = 0;
-  std::vector<Index> recorded;  // points whose grains are recorded whole
+  std::vector<Index> recorded;  // points whose grains are recorded
   std::optional<QuasiStatic> quasi_static;
   std::string resolved;
 };
 
-/// mesh: read from a file; nothing: the scenario's [mesh] makes a rectangle. Throws DataError with all mistakes.
+/// Reads a scenario. mesh: from a file; none: [mesh] of the scenario describes a rectangle. Throws DataError with all
+/// mistakes.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                        std::optional<Mesh> mesh);
 

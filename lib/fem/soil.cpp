@@ -153,7 +153,8 @@ void Soil::support(Index node, Vec2& velocity, bool* fixed) const {
 void Soil::step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt) {
   internal_ = internal_forces(stresses);
   const std::vector<Vec2> traction = traction_forces();
-  // Every term times the mean velocity of the step: energies balance to rounding (Belytschko et al. 2014, 6.2.3).
+  // Every term is multiplied by the mean velocity of the step, so energies balance to rounding (Belytschko et al. 2014,
+  // 6.2.3).
   const double c = damping_.value_or(setup_.damping), half = 0.5 * c * dt;
   for (Index n = 0; n < positions_.size(); ++n) {
     const Vec2 before = velocities_[n], force = traction[n] + interface_forces[n] - internal_[n];

@@ -1,4 +1,4 @@
-// The finite elements: lumped mass, internal forces on the geometry of the moment, central differences.
+// The finite elements: lumped mass, internal forces on the present geometry, central differences.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace soilweave::fem {
 
-/// What holds or drives the nodes of a boundary ("all": every node) along the axes that are given, m/s.
+/// Prescribed motion of the nodes of a boundary ("all": every node) along the given axes, m/s.
 struct Support {
   std::string boundary;
   std::optional<double> x, y;
   std::optional<Mat2> gradient;  // 1/s: velocity = gradient times position, on both axes
 };
 
-/// Force per area of the boundary as it is at the moment, Pa.
+/// Force per present area of the boundary, Pa.
 struct Traction {
   std::string boundary;
   Vec2 value = Vec2::Zero();
@@ -36,11 +36,11 @@ struct SoilSetup {
   std::vector<Traction> tractions;
 };
 
-/// Where a point of integration lies.
+/// Place of an integration point.
 struct Place {
   Index element;
   Vec2 position;  // m
-  double area;    // m2, of the element, that it stands for
+  double area;    // part of the element's area, m2
 };
 
 /// Work and energy since the start, J per metre of thickness.
@@ -55,20 +55,19 @@ using Points = std::vector<std::unique_ptr<MaterialPoint>>;
 
 class Soil {
  public:
-  /// Checks the mesh; masses by HRZ lumping (Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
-  /// matrix scaled to the element's mass. Throws DataError where a boundary is unknown.
+  /// Checks the mesh and lumps masses (HRZ: Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
+  /// matrix is scaled to the element's mass. Throws DataError for an unknown boundary.
   explicit Soil(SoilSetup setup);
   Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
   Index points_of_element() const { return rule_.size(); }
 
-  /// Largest eigenvalue of M^-1 K is at most that of one element alone (Irons & Treharne 1971), 1/s2; tangent: of a
-  /// point, as MaterialPoint. With it the stable step is 2/sqrt of it.
+  /// Returns an upper bound of the largest eigenvalue of M^-1 K, 1/s2: that of the stiffest single element (Irons &
+  /// Treharne 1971). The stable step is 2/sqrt of it. tangent: of a point, as MaterialPoint::tangent.
   double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
 
-  /// One step of central differences (thesis Eqs. 6.1 to 6.3): forces of the stresses (of every point, Pa, tension
-  /// positive) and tractions, and those of the
-  /// interface (N/m, a node), to new positions. Sets gradients(): of the displacement increment, on the geometry
-  /// before. Throws PhysicsError naming a degenerate element.
+  /// Takes one step of central differences (thesis Eqs. 6.1 to 6.3). Stresses of all points (Pa, tension positive),
+  /// tractions, and forces of the interface (N/m per node) move the nodes. Sets gradients() of the displacement
+  /// increment on the geometry before the step. Throws PhysicsError naming a degenerate element.
   void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
 
   const std::vector<Mat2>& gradients() const { return gradients_; }
@@ -81,14 +80,15 @@ class Soil {
   SoilEnergies energies() const;
   double kinetic_energy() const;
   Place place(Index point) const;
-  /// Point values averaged at the nodes, by area.
+  /// Returns point values averaged at the nodes, weighted by area.
   std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
-  /// The resultant of the internal forces at a boundary's nodes, N/m: what supports and interface exert on it, at rest.
+  /// Returns the resultant of the internal forces at a boundary's nodes, N/m; at rest supports and interface exert it.
   Vec2 reaction(const std::string& boundary) const;
-  /// Internal forces of the present stresses, N/m a node. Throws PhysicsError naming a degenerate element.
+  /// Returns the internal forces of the present stresses, N/m per node. Throws PhysicsError naming a degenerate
+  /// element.
   std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
 
-  /// Supports stand still while held; the viscous coefficient replaces the scenario's.
+  /// Holds supports still, or releases them. damping: replaces the scenario's viscous coefficient.
   void hold(bool held, std::optional<double> damping = std::nullopt);
   void set_velocities(std::vector<Vec2> velocities) { velocities_ = std::move(velocities); }
   void archive(Archive& archive);
@@ -116,8 +116,8 @@ class Soil {
   SoilEnergies energies_;
 };
 
-/// Equal strains of unequal elements differ by rounding, and grains would make chaos of that: gradients are kept to
-/// multiples of 2^-60.
+/// Returns the gradient rounded to multiples of 2^-60. Equal strains of unequal elements differ by rounding, and grains
+/// would amplify that chaotically.
 Mat2 rounded_gradient(const Mat2& gradient);
 
 }  // namespace soilweave::fem

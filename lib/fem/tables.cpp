@@ -1,4 +1,4 @@
-// Tables that are asked of a run of two scales.
+// Tables of a two-scale run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/tables.h"
 
@@ -27,7 +27,7 @@ io::Series rows_of(const io::Series& table, const std::vector<std::size_t>& rows
   return some;
 }
 
-/// The first row of every state, and the number of rows: states lie one after the other.
+/// Returns the first row of every state, and the number of rows; states are contiguous.
 std::vector<std::size_t> starts_of_states(const io::Series& table) {
   const std::vector<double>& step = table.at("step").values;
   std::vector<std::size_t> starts;
@@ -37,7 +37,7 @@ std::vector<std::size_t> starts_of_states(const io::Series& table) {
   return starts;
 }
 
-/// NaN where the denominator is 0. The sum with 0 makes no difference but to a negative zero.
+/// Returns a quotient, NaN where the denominator is 0. Adding 0 only turns a negative zero positive.
 io::Column quotient(const io::Column& over, const io::Column& under, double sign, io::Column head) {
   for (std::size_t r = 0; r < over.values.size(); ++r)
     head.values.push_back(under.values[r] == 0 ? std::numeric_limits<double>::quiet_NaN()

@@ -1,4 +1,4 @@
-// What is foreseen of a compaction before its first step.
+// Forecast of a compaction before its first step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/ahead.h"
 
@@ -14,17 +14,17 @@
 namespace soilweave::packing {
 namespace {
 
-// Contacts a grain times the share of the volume that is solid.
+// Contacts per grain times the solid share of the volume.
 constexpr double contacts_in_solid = 3;
-// The deepest of a few hundred contacts is about twice the mean: 0.52 of the radius was met at an expected 0.34.
+// Deepest of a few hundred contacts over the mean: 0.52 of the radius was found at an expected 0.34.
 constexpr double deepest_over_mean = 2;
-// Void ratios at which grains that are compressed begin to touch one another all around.
+// Void ratios at which compressed grains begin to touch one another all around.
 constexpr double touching_spheres = 0.8, touching_disks = 0.25;
-// Steps that a cloud should take to close, where one is asked to be faster.
+// Steps in which a cloud should close, for remedies.
 constexpr double good_steps = 50'000;
-constexpr double largest_rate = 1e3;  // 1/s, of --max-rate
+constexpr double largest_rate = 1e3;  // of --max-rate, 1/s
 
-// N, of two equal grains of the first material.
+// Returns the normal force of two equal grains of the first material, N.
 double normal_force(const dem::Model& model, double radius, double overlap) {
   return std::visit(
       [&]<class Material>(const std::vector<Material>& materials) {

@@ -1,4 +1,4 @@
-// Grains that a straining cell moves through contacts and yarns alone.
+// Grains that a straining cell moves only through contacts and yarns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/apart.h"
 

@@ -1,4 +1,4 @@
-// Grains that a straining cell moves through contacts and yarns alone.
+// Grains that a straining cell moves only through contacts and yarns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace soilweave::packing {
 
-/// Leaves these grains their speed in space after the cell's velocity gradient changed by `change`, 1/s: their
-/// velocities about the cell's affine motion change the other way.
+/// Keeps the absolute velocity of these grains when the cell's velocity gradient changes by `change`, 1/s: their
+/// velocity relative to the cell's affine motion changes the other way.
 void keep_apart(const std::vector<std::int32_t>& grains, const Mat3& change, dem::Simulation& simulation);
 
 }  // namespace soilweave::packing

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t sections = 360;
-constexpr std::size_t points_of_section = 720;  // that many pieces: where a bag is flat each sees much of it
+constexpr std::size_t points_of_section = 720;  // so many because each sees much of a bag where it is flat
 
 }  // namespace
 
@@ -54,14 +54,14 @@ Chart::Chart(const Vec3& middle, const Vec3& half, const std::function<double(co
   equator_.add(equator_.points.front());
 }
 
-// In turns, so that it goes on growing past a whole one.
+// Returns the position in turns, so that it keeps growing beyond a whole turn.
 double Chart::along_equator(double azimuth) const {
   const auto [k, part] = section(azimuth);
   const std::vector<double>& up_to = equator_.lengths;
   return std::floor(azimuth / (2 * pi)) + (up_to[k] + part * (up_to[k + 1] - up_to[k])) / up_to.back();
 }
 
-// Sides in turn: x+, y+, x-, y-; t from -1 to 1 along each.
+// Sides in order: x+, y+, x-, y-; t runs from -1 to 1 along each.
 double Chart::azimuth(double u, double v) const {
   const bool across_x = std::abs(u) >= std::abs(v);
   const double ring = across_x ? std::abs(u) : std::abs(v);

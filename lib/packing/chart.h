@@ -10,42 +10,43 @@
 
 namespace soilweave::packing {
 
-/// How many cells of a box's face a line crosses from side to side through its middle and this point of its surface:
-/// towards a corner, half of each side's.
+/// Returns the number of cells of a box's face that a line crosses from side to side through its middle and this point
+/// of the surface. Towards a corner it is half of each side's.
 double cells_across(const Vec3& box, const std::array<int, 3>& cells);
 
-/// A surface that is seen whole from its middle. Its top and bottom are poles; sections from pole to pole, all around,
-/// are divided by their length, and so is the equator between the four corners of the box around it.
+/// A surface that is star-shaped about its middle. Top and bottom are poles. Sections from pole to pole, all around,
+/// are divided by their length; so is the equator between the four corners of the box around it.
 class Chart {
  public:
-  /// reach: the distance, m, from the middle to the surface along a unit vector. half: half the extents of the box, m.
+  /// reach: distance from the middle to the surface along a unit vector, m. half: half the extents of the box, m.
   Chart(const Vec3& middle, const Vec3& half, const std::function<double(const Vec3&)>& reach);
 
-  /// The point for u, v, w in [-1, 1], of which one at least is -1 or 1, on the surface of a box of so many cells.
+  /// Returns the point for u, v, w in [-1, 1], at least one of which is -1 or 1, on the surface of a box of so many
+  /// cells.
   Vec3 at(const Vec3& box, const std::array<int, 3>& cells) const;
 
  private:
-  /// Between one of a row and the next: the first of the two, and the part of the way from it.
+  /// Position between an entry of a row and the next: index of the first, and fraction of the way.
   struct Place {
     std::size_t first;
     double part;
   };
-  /// A line of points and the length up to each.
+  /// A line of points, with the length up to each.
   struct Line {
     std::vector<Vec3> points;
     std::vector<double> lengths;
     void add(const Vec3& point);
-    Place at_share(double share) const;  // of its length
+    Place at_share(double share) const;  // share of its length
     Vec3 point(const Place& place) const;
   };
-  static Place section(double azimuth);  // the ones that an azimuth lies between
+  static Place section(double azimuth);  // the two sections around an azimuth
   double azimuth(double u, double v) const;
   double along_equator(double azimuth) const;
   Vec3 at(double azimuth, double share) const;
 
-  std::vector<Line> sections_;  // from the upper pole to the lower, evenly around
-  Line equator_;                // closed, from the azimuth 0
-  double corner_;               // rad, azimuth of the box's corner
+  std::vector<Line> sections_;  // from the upper pole to the lower, at equal azimuths
+  Line equator_;                // closed, starting at azimuth 0
+  double corner_;               // azimuth of the box's corner, rad
 };
 
 }  // namespace soilweave::packing

@@ -30,7 +30,7 @@ double Cushion::beyond(const Seen& at, double height) const {
 bool Cushion::inside(const Seen& at) const { return at.height <= half_height && beyond(at, at.height) <= 0; }
 
 bool Cushion::at_corner(const Seen& at) const {
-  // Mirrored at x = y, the body stays itself: of its two sides the nearer one is that towards which a point is farther.
+  // The body is symmetric about x = y; the nearer side is the one towards which a point is farther out.
   const double out = at.far - core();
   const double height = out > 0 ? Profile::nearest(out, at.height, 0).y() : half_height;
   return from_corner(at, height).minCoeff() > 0;
@@ -38,8 +38,7 @@ bool Cushion::at_corner(const Seen& at) const {
 
 double Cushion::height_on_corner(const Seen& at) const {
   double low = 0, high = half_height;
-  // The squared distance of the corner at a height falls with the height, then rises: bisection to rounding, and to 0
-  // itself.
+  // The squared distance of the corner first falls with height, then rises: bisection to rounding, and to 0 itself.
   for (int k = 0; k < 60; ++k) {
     const double z = 0.5 * (low + high), widening = z / (half_width(z) - core());
     const Eigen::Vector2d m = from_corner(at, z).cwiseMax(0);
@@ -60,7 +59,7 @@ double Cushion::depth(const Vec3& point) const {
 
 double Cushion::volume(double depth) const {
   const double h = half_height - depth, s = side_radius - depth, c = core(), r = std::max(corner_radius - depth, 0.0);
-  // The integrals over half the height of the half width beyond the core, and of its square.
+  // Integrals over half the height of the half width beyond the core, and of its square.
   const double beyond = 0.5 * (h * std::sqrt(std::max(s * s - h * h, 0.0)) + s * s * std::asin(std::min(h / s, 1.0)));
   const double squared = h * (s * s - h * h / 3);
   return 8 * (c * c * h + 2 * c * beyond + squared) - 2 * h * (4 - std::numbers::pi) * r * r;
@@ -79,7 +78,7 @@ Vec3 Cushion::nearest(const Vec3& point, double outside) const {
   const Seen at = see(point);
   if (at_corner(at)) {
     const double height = height_on_corner(at), middle = half_width(height) - corner_radius;
-    // Above the face within its corner, the face is nearest; elsewhere the corner's rounding.
+    // Above the face within its corner the face is nearest; elsewhere the corner's rounding is.
     const Eigen::Vector2d m = from_corner(at, height).cwiseMax(0);
     const bool on_face = at.height > half_height && m.norm() < corner_radius;
     const double way = on_face ? 1 : (m.norm() > 0 ? corner_radius / m.norm() : 0);

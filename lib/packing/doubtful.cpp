@@ -1,4 +1,4 @@
-// What is doubtful about a packing that was made all the same.
+// Doubts about a packing that was made all the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/doubtful.h"
 
@@ -15,20 +15,20 @@
 namespace soilweave::packing {
 namespace {
 
-// A stiffness that many times larger or smaller than the thesis's is another soil.
+// Factor beyond which a stiffness, larger or smaller than the thesis's, means another soil.
 constexpr double far_off = 10;
-constexpr double thesis_modulus = 4e9;  // Pa, thesis Table 3.1
-// Thresholds. The packings of the studies, 1000 grains of Toyoura sand at rest, have 14 % rattlers, 4.2 contacts a
-// grain, a cell of 4.8 largest grains and a q/p of 0.08, all of it in shear stresses, which no servo holds.
+constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
+// Thresholds. The packings of the studies, 1000 grains of Toyoura sand at rest, have 14 % rattlers, 4.2 contacts per
+// grain, a cell of 4.8 largest grains and a q/p of 0.08, all in shear stresses, which no servo controls.
 constexpr double most_rattlers = 0.3, least_coordination = 3, least_cell = 3, most_obliquity = 0.25,
                  most_overlap = 0.05;
-constexpr double median_error = 0.1;             // of the diameter that half the mass is finer than
-constexpr std::size_t most_counted = 1'000'000;  // grains a remedy may name
+constexpr double median_error = 0.1;             // of the median diameter by mass
+constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
 double modulus(const dem::HertzMindlin::Material& m) { return m.young_modulus; }
 double modulus(const dem::Linear::Material& m) { return m.young_modulus; }
 
-// Diameter that half the mass of n grains is finer than, over that of the curve.
+// Returns the median diameter by mass of n grains over that of the curve.
 double median_ratio(const Room& room, std::size_t grains) {
   const std::vector<double> radii = room.curve.radii(grains, room.dimension);
   double total = 0, coarser = 0;

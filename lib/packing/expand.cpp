@@ -23,22 +23,21 @@
 namespace soilweave::packing {
 namespace {
 
-// Steps of a round before a measurement, over those of others: what presses then is held by the container.
+// Steps of a round before a measurement, over those of other rounds, so that pressing grains are held by the container.
 constexpr std::int64_t patience = 10;
 
-// Radii that give way do so by this share of the mean overlap at a time: half of it would part grains that stay in
-// place.
+// Share of the mean overlap by which radii shrink at a time. Half of it would part grains that stay in place.
 constexpr double relief = 0.05;
 
-// What is being done: rounds of growth, with friction lowered where need be; then coming to rest with all of it.
+// Present work: rounds of growth, with friction lowered if needed; then coming to rest at full friction.
 enum class Stage { growing, resting, done };
 
 struct Standing {
   Stage stage = Stage::growing;
-  std::int64_t round = 0, first = 0;               // step at which the stage, or the round, began
+  std::int64_t round = 0, first = 0;               // step at which the stage or round began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
-  double friction = 1;                             // over what it is to be
-  bool standing = false;                           // the volume, when grains last grew
+  double friction = 1;                             // over its final value
+  bool standing = false;                           // whether the volume stood still when grains last grew
 
   void archive(Archive& a) {
     a.whole("stage", stage), a.item("round", round), a.item("stage_first_step", first);
@@ -101,25 +100,25 @@ class Grower {
     adjust();
   }
 
-  // Friction as the stage has it.
+  // Sets the friction of the stage.
   void adjust() {
     const bool lowered = at_.friction < 1 && at_.stage == Stage::growing;
     simulation_.set_model(lowered ? dem::with_friction_times(at_.friction, model_) : model_);
   }
 
-  // One stage, or one round of growth, to its end.
+  // Completes one stage, or one round of growth.
   void go_on() {
     if (at_.stage == Stage::growing) {
       if (!presses()) return grow();
       if (!loose()) return enter(Stage::resting);
-      // Grains that slide more easily press less; until then they do not grow.
+      // Sliding grains press less, and do not grow while friction is lowered.
       lower_friction();
       return enter(Stage::growing);
     }
     const bool rests = settle(growth_.largest_round, 0);
     measure();
     if (report_) report_(progress(), fmt::format("at rest after round {}: {}", at_.round, text()));
-    // What presses while it moves may fall apart as it comes to rest.
+    // Grains that press while they move may fall apart as they come to rest.
     fell_apart_ = !held();
     if (fell_apart_) return grow();
     if (loose()) {
@@ -142,18 +141,20 @@ class Grower {
     scale(growth_.factor, Stage::growing);
   }
 
-  // Grains of another size, and the stage that goes on with them.
+  // Changes the size of grains, and goes on with this stage.
   void scale(double factor, Stage stage) {
-    // The part of the way to the full container that this round goes.
+    // Share of the way to the full container in this round.
     const double share = factor > 1 && at_.growth < growth_.filling ? std::log(factor) / std::log(growth_.filling) : 0;
     at_.growth *= factor;
     simulation_.scale_radii(factor, growth_.stretch.array().pow(share).matrix());
     enter(stage);
   }
 
-  // Runs until equilibrium, measured by a force of `least` N at least, or for so many steps; true for equilibrium.
+  // Runs until equilibrium, measured by a force of at least `least` N, or for `most` steps. Returns true for
+  // equilibrium.
   bool settle(std::int64_t most, double least) {
-    // At rest grains that carry nothing fly apart; stopped, they would go on touching what they no longer lean on.
+    // Grains that carry nothing must fly apart at rest: if stopped, they would keep touching grains they no longer lean
+    // on.
     const std::int64_t stop = at_.stage == Stage::growing ? growth_.stop_every : 0;
     for (;;) {
       simulation_.step();
@@ -172,14 +173,14 @@ class Grower {
     }
   }
 
-  // Of the growth that fills the container; where that is not told, grains show by pressing alone that it is full.
+  // Returns the share of the growth that fills the container. Without that, only pressing grains show that it is full.
   double progress() const {
     const double filling = std::log(growth_.filling);
     return std::min(1.0, filling > 0 ? std::log(at_.growth) / filling : fill_.overlap / growth_.overlap);
   }
   std::string text() const { return fmt::format("radii x {:.5f}, {}", at_.growth, fill_.text()); }
 
-  // Over the contacts, over the soil's mean radius.
+  // Returns the mean overlap over the contacts, over the soil's mean radius.
   double mean_overlap(const io::Snapshot& state) const {
     double radii = 0, overlaps = 0, soil = 0;
     for (std::size_t i = 0; i < node_.size(); ++i)
@@ -215,7 +216,8 @@ class Grower {
     return fill_.overlap >= growth_.overlap && fill_.coordination_number >= growth_.coordination_number;
   }
 
-  // A round of equilibrium; whether, where it is measured, the volume stands still and the grains press on each other.
+  // Does one round of equilibrium. Returns whether, if measured, the volume stands still and the grains press on each
+  // other.
   bool presses() {
     const bool measuring = at_.round % growth_.measure_every == 0;
     settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
@@ -223,7 +225,7 @@ class Grower {
     const double before = at_.volume;
     measure();
     at_.volume = fill_.volume;
-    // Grains that grow freely carry their volume along; grains that are held press on each other instead.
+    // Grains that grow freely carry their volume along; held grains press on each other instead.
     const double free = 3 * std::log(at_.growth / at_.measured_at);
     if (free > 0) at_.standing = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
     at_.measured_at = at_.growth;
@@ -231,7 +233,7 @@ class Grower {
     return at_.standing && held();
   }
 
-  // By the measure that the target is told in.
+  // Returns the void ratio in the target's measure.
   double void_ratio() const { return growth_.by_delaunay ? fill_.delaunay_void_ratio : fill_.void_ratio; }
   bool loose() const { return growth_.void_ratio && void_ratio() > *growth_.void_ratio; }
 
@@ -266,7 +268,7 @@ class Grower {
   Standing at_;
   Fill fill_;
   double least_force_ = 0;   // N
-  bool fell_apart_ = false;  // on coming to rest
+  bool fell_apart_ = false;  // as it came to rest
   io::Series history_;
   dem::PriceClock clock_;
 };
@@ -344,8 +346,8 @@ Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numeri
            const Report& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
   held.clamps = {numbers_of(analysis::nodes(start))};
-  // Nothing pulls at yarns whose nodes stand still.
-  // Radii grow by work that no boundary does, and rattlers fly: what the balance leaves over is damped away.
+  // Yarns whose nodes stand still have no tension. Radii grow by work that no boundary does, and rattlers fly. Damping
+  // removes the energy that the balance then lacks.
   held.limits.energy_error = std::numeric_limits<double>::infinity();
   io::Part* part = safekeeping.part;
   Grower grower(start, model, held, growth, report, safekeeping, part ? part->take_last() : std::nullopt);

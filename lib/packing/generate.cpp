@@ -22,40 +22,40 @@ namespace soilweave::packing {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-// Of the cell: a little less than the half at which a guard stops.
+// Share of the cell: slightly less than the half at which a guard stops.
 constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
-// While friction is being lowered the equilibria need not be as good as the last one.
+// Factor on the tolerance while friction is lowered: these equilibria need not be as good as the last one.
 constexpr double coarse_equilibrium = 10;
 
-// Void ratio by which friction is restored before the target after a slippery compression, and at most.
+// Lead in void ratio by which friction is restored before the target, after a slippery compression, and its limit.
 constexpr double first_lead = 0.01, largest_lead = 0.05;
-// A share of full friction from which on a slippery compression is one at full friction.
+// Share of full friction above which a slippery compression becomes one at full friction.
 constexpr double nearly_full = 0.8;
 
-// A void ratio is held at rest within this many tolerances.
+// Number of tolerances within which a void ratio counts as held at rest.
 constexpr double tolerances_held = 4;
-// A new attempt begins at a multiple of all the intervals at which a simulation looks at itself.
+// A new attempt begins at a common multiple of all intervals at which a simulation checks itself.
 constexpr std::int64_t first_step_multiple = 512;
 
-// What is being done, each until an equilibrium. `bare`: friction was lowered to nothing, and is restored once more.
+// Present work, each until an equilibrium. `bare`: friction was lowered to nothing and is restored once more.
 enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
 
-// How far the work is.
+// Progress of the work.
 struct Position {
   Phase phase = Phase::compressing;
   std::int64_t first = 0;            // step at which the way to the equilibrium began
-  double friction = 0;               // rad, of all materials now; 0 before it was first changed
+  double friction = 0;               // present angle of all materials, rad; 0 before it was first changed
   double lowered = 0, lowest = 0;    // rad
   double aim = 0, at_restoring = 0;  // void ratios
-  double lead = 0;  // void ratio that falls a little after friction is restored: that much is left for it
-  // Results of the attempts so far: by how much they fell below the target; rad, friction angles at which clouds came
-  // to rest looser and denser than it; the angle that this cloud is compressed at, 0 for full friction.
+  double lead = 0;                   // fall of the void ratio expected after friction is restored
+  // Results of earlier attempts: their fall below the target; friction angles (rad) at which clouds came to rest looser
+  // and denser than it; the angle at which this cloud is compressed, 0 for full friction.
   double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
-  double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without any
+  double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without friction
   std::int64_t attempt = 0;
   std::int64_t skipped = 0;        // numbers of steps that no attempt took
-  std::int64_t contact_steps = 0;  // of the attempts before
+  std::int64_t contact_steps = 0;  // of earlier attempts
 
   void archive(Archive& a) {
     a.whole("phase", phase), a.item("phase_first_step", first);
@@ -126,7 +126,7 @@ class Compaction {
     at_.first = simulation_.steps();
   }
 
-  // One phase, to its end.
+  // Completes one phase.
   void go_on() {
     switch (at_.phase) {
       case Phase::compressing:
@@ -154,7 +154,7 @@ class Compaction {
     }
   }
 
-  // Whether to lower friction once more, and what void ratio to restore it at.
+  // Chooses whether to lower friction once more, and the void ratio at which to restore it.
   void choose() {
     if (!recipe_.void_ratio) {
       if (at_.lowered == angle_) return enter(Phase::done);
@@ -162,7 +162,7 @@ class Compaction {
       return enter(Phase::ending);
     }
     const double target = *recipe_.void_ratio, now = simulation_.void_ratio();
-    // An attempt after the first takes what will do, rather than set off another fall.
+    // A later attempt accepts what suffices, rather than cause another fall.
     const double close = at_.attempt == 0 ? 1 : 0.75 * tolerances_held;
     if (now <= target + close * recipe_.void_ratio_tolerance) {
       if (at_.lowered == angle_ && !slippery()) return enter(Phase::done);
@@ -181,7 +181,7 @@ class Compaction {
     enter(Phase::lowering);
   }
 
-  // The nearest image of a touching pair is unique only while grains are smaller than half the cell.
+  // The nearest image of a touching pair is unique only if grains are smaller than half the cell.
   void demand_room(double void_ratio) const {
     const Vec3 widths = simulation_.cell_matrix().inverse().rowwise().norm().cwiseInverse();
     const double shrunk = std::pow((1 + void_ratio) / (1 + simulation_.void_ratio()), 1.0 / dimension_);
@@ -200,14 +200,14 @@ class Compaction {
     return std::abs(simulation_.void_ratio() - *recipe_.void_ratio) <= tolerances_held * recipe_.void_ratio_tolerance;
   }
 
-  // On the way to the target friction is restored a little before it.
+  // Restores friction a little before the target is reached.
   void restore() {
     at_.at_restoring = simulation_.void_ratio();
     set_friction(angle_);
     enter(Phase::restoring);
   }
 
-  // Whether the cloud is compressed at little friction, and at more only where that makes it too dense.
+  // Returns whether the cloud is compressed at little friction, and at more only if that makes it too dense.
   bool slippery() const { return recipe_.first_friction > 0; }
 
   void slip() {
@@ -216,8 +216,8 @@ class Compaction {
     compressed();
   }
 
-  // Void ratio at which a compression ends before the pressure is reached, since its friction is too low; 0: never, as
-  // in the first and the last attempt. A slippery one ends a little before its target, where friction is restored.
+  // Returns the void ratio that ends a compression of too low friction before the pressure is reached; 0: never, as in
+  // the first and last attempt. A slippery compression ends a little before its target, where friction is restored.
   double end_of_compression() const {
     if (!recipe_.void_ratio) return 0;
     if (slippery()) return at_.cloud_angle == angle_ ? 0 : *recipe_.void_ratio + std::max(first_lead, at_.least_lead);
@@ -225,7 +225,7 @@ class Compaction {
     return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
   }
 
-  // The cloud has been compressed, at full friction in the first attempt.
+  // Goes on after compression of the cloud, which in the first attempt was at full friction.
   void compressed() {
     const double now = simulation_.void_ratio();
     if (slippery() ? at_.cloud_angle == angle_ : at_.attempt == 0) {
@@ -241,7 +241,7 @@ class Compaction {
     enter(Phase::choosing);
   }
 
-  // At rest with all friction: done, or looser than the target still, or once more from the cloud.
+  // Decides at rest with full friction: done, still looser than the target, or once more from the cloud.
   void conclude() {
     if (!recipe_.void_ratio) return enter(Phase::done);
     const double fallen = *recipe_.void_ratio - simulation_.void_ratio();
@@ -253,9 +253,9 @@ class Compaction {
     begin_again();
   }
 
-  // Compresses the cloud anew at a friction between those that left it looser and denser than the target, and then
-  // restores friction earlier by as much as the grains fell. Grains that support each other barely do not stop where
-  // they are told to: they come to rest at few void ratios, but at others from another friction.
+  // Compresses the cloud anew, at a friction between those that left it looser and denser than the target, and restores
+  // friction earlier by as much as the grains fell. Grains that barely support each other come to rest only at few void
+  // ratios, which depend on the friction.
   void begin_again() {
     Position next;
     next.attempt = at_.attempt + 1;
@@ -284,8 +284,8 @@ class Compaction {
                     target, recipe_.pressure, angle_ / degree, at_.loosest, downwards(at_.loosest)));
   }
 
-  // Friction is restored earlier first. Where that was so early that grains hardly pressed, they need more friction on
-  // the way, by its ratio to the full one, near which it is full friction that tells whether the target is in reach.
+  // Friction is first restored earlier. If that was so early that grains hardly pressed, they need more friction on the
+  // way, by its ratio to the full one. Near full friction, full friction tells whether the target is in reach.
   double next_slippery_angle(double& lead) const {
     if (lead <= largest_lead) return at_.dense_angle;
     lead = 0;
@@ -315,7 +315,7 @@ class Compaction {
         tolerances_held * recipe_.void_ratio_tolerance);
   }
 
-  // To the four digits of a message, towards what is in reach.
+  // Rounds to the four digits of a message, towards what is in reach.
   static double upwards(double void_ratio) { return std::ceil(1e4 * void_ratio) / 1e4; }
   static double downwards(double void_ratio) { return std::floor(1e4 * void_ratio) / 1e4; }
 
@@ -324,7 +324,7 @@ class Compaction {
     simulation_.set_model(dem::with_friction(model_, angle, recipe_.materials));
   }
 
-  // Runs to equilibrium at the pressure; true as soon as the void ratio falls to `aim` on the way (0: never).
+  // Runs to equilibrium at the pressure. Returns true as soon as the void ratio falls to `aim` on the way (0: never).
   bool settle(const char* stage, double aim, double coarseness = 1) {
     dem::Tolerances tolerances = recipe_.tolerances;
     tolerances.unbalanced_force *= coarseness;
@@ -374,13 +374,13 @@ class Compaction {
   const Recipe& recipe_;
   const Report& report_;
   int dimension_;
-  double largest_;  // m, diameter
+  double largest_;  // largest diameter, m
   dem::Keeper keeper_;
   Archive kept_;
   dem::Simulation simulation_;
   dem::Servo servo_;
   dem::AxisGoals goals_;
-  double angle_;  // rad, full friction
+  double angle_;  // full friction, rad
   Position at_;
   dem::PriceClock clock_;
 };

@@ -26,14 +26,14 @@ NodeRecipe NodeRecipe::read(Settings& table) {
 
 namespace {
 
-// Nodes of a mesh on the surface of a box: those before and after along each axis, -1 for none.
+// Nodes of a mesh on a box, with the nodes before and after along each axis; -1 for none.
 using Neighbours = std::vector<std::array<std::array<std::int32_t, 2>, 3>>;
 
 constexpr int evening_sweeps = 500;
-constexpr double evening_share = 0.25;  // of the differences in length, a sweep
+constexpr double evening_share = 0.25;  // share of the differences in length that a sweep removes
 
-// Woven yarns are equally long wherever they lie: nodes slide on the bag until theirs are. Sums go in pairs, so that
-// mirrored nodes stay mirrored to the last bit.
+// Slides nodes on the bag until their yarns are equally long, as woven yarns are. Sums go in pairs, so that mirrored
+// nodes stay mirrored to the last bit.
 void even_out(const Container& bag, double outside, const Neighbours& neighbours, int threads, Fabric& fabric,
               const std::function<void(double)>& done) {
   double length = 0;
@@ -74,7 +74,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
         const bool face = k == 0 || k == nz, side = i == 0 || i == nx || j == 0 || j == ny;
         if (!face && !side) continue;
         number[{i, j, k}] = static_cast<std::int32_t>(box.size());
-        // Whole numbers until the last division: mirrored nodes are mirrored to the last bit.
+        // Integers until the last division keep mirrored nodes mirrored to the last bit.
         box.emplace_back(static_cast<double>(2 * i - nx) / nx, static_cast<double>(2 * j - ny) / ny,
                          static_cast<double>(2 * k - nz) / nz);
       }
@@ -87,7 +87,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
       const auto other = number.find(next);
       if (other == number.end()) continue;
       const bool face = at[2] == next[2] && (at[2] == 0 || at[2] == nz);
-      // Two nodes of opposite sides may follow each other in a bag one cell wide; they share no quadrilateral then.
+      // In a bag one cell wide, nodes of opposite sides may follow each other; they share no quadrilateral.
       fabric.yarns.push_back({one, other->second, face ? 0 : (axis == 2 ? 2 : 1)});
       neighbours[static_cast<std::size_t>(one)][axis][1] = other->second;
       neighbours[static_cast<std::size_t>(other->second)][axis][0] = one;
@@ -98,7 +98,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
 
 std::array<int, 3> cells_of(const Container& bag, double spacing, double outside) {
   constexpr int pieces = 100;
-  // Around over the middles of four sides of the box.
+  // Returns the hoop over the middles of four sides of the box.
   const auto hoop = [&](Eigen::Index across) {
     std::vector<Vec3> box;
     Vec3 at = Vec3::UnitZ();
@@ -113,7 +113,7 @@ std::array<int, 3> cells_of(const Container& bag, double spacing, double outside
     for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
     return length;
   };
-  constexpr double most = 1e8;  // no memory holds so many nodes; more would not be counted
+  constexpr double most = 1e8;  // no memory holds so many nodes, and more would not be counted
   const auto cells = [&](double length) {
     return static_cast<int>(std::lround(std::clamp(length / spacing, 1.0, most)));
   };

@@ -1,4 +1,4 @@
-// Woven geotextiles as a quadrilateral mesh of nodes and yarns: on a bag, or flat.
+// Woven geotextiles as a quadrilateral mesh of nodes and yarns, on a bag or flat.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace soilweave::packing {
 
-/// The nodes of a woven geotextile and the yarns between them, by node.
+/// Nodes of a woven geotextile, and the yarns between them by indices of nodes.
 struct Fabric {
   struct Yarn {
     std::int32_t first, second, family;  // family as in files
@@ -20,7 +20,7 @@ struct Fabric {
   std::vector<Yarn> yarns;
 };
 
-/// How nodes are made; yarns are free of tension where they are laid.
+/// Properties of nodes. Yarns have no tension where they are laid.
 struct NodeRecipe {
   double radius = 0.0025;     // m
   double density = 444e3;     // kg/m3, scaled
@@ -30,19 +30,18 @@ struct NodeRecipe {
   static NodeRecipe read(Settings& table);
 };
 
-/// The mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals, laid on the container with node centres
-/// `outside` m beyond it: even, its yarns as equally long as the shape allows, or each face of the container divided by
-/// itself. done: told the share of the work, 0 to 1.
+/// Returns the mesh of a box of cells[0] x cells[1] x cells[2] quadrilaterals on the container, with node centres
+/// `outside` m beyond its surface. even: yarns are as equally long as the shape allows; otherwise each face of the
+/// container is divided by itself. done: callback with the share of the work, 0 to 1.
 Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, bool even = true, int threads = 1,
             const std::function<void(double)>& done = {});
-/// The cells of such a mesh whose yarns are about `spacing` m apart.
+/// Returns the cells of such a mesh with yarns about `spacing` m apart.
 std::array<int, 3> cells_of(const Container& bag, double spacing, double outside);
-/// A sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, its middle on the axis; yarns spacing m
-/// apart.
+/// Returns a sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, centred on the z axis, with yarns
+/// `spacing` m apart.
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);
 
-/// Adds the fabric's nodes behind the grains, and its yarns. The fabric's number is the next one free; nodes have the
-/// copy_id -1.
+/// Adds the fabric's nodes, with copy_id -1, after the grains, and its yarns. The fabric gets the next free number.
 void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state);
 
 }  // namespace soilweave::packing

@@ -14,7 +14,7 @@
 namespace soilweave::packing {
 namespace {
 
-// Slices of equal mass the curve is cut into to turn mass into number; the error falls with its square.
+// Number of slices of equal mass that turn mass into number; the error falls with its square.
 constexpr std::size_t slices = 100'000;
 
 }  // namespace

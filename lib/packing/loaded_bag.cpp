@@ -20,7 +20,7 @@ namespace {
 
 using analysis::LoadedBag;
 
-/// The corners of the box around the nodes of the fabric, m.
+/// Returns the corners of the box around the nodes of the fabric, m.
 std::array<Vec3, 2> box_around(const io::Snapshot& state, std::int32_t fabric) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (std::size_t k = 0; k < state.yarns.size(); ++k)
@@ -32,7 +32,7 @@ std::array<Vec3, 2> box_around(const io::Snapshot& state, std::int32_t fabric) {
   return {low, high};
 }
 
-/// The plan by which filter-expand made the bag. Throws DataError where the history has none.
+/// Returns the plan by which filter-expand made the bag. Throws DataError if the history has none.
 Settings plan_of(const io::RunFile& run, const std::string& where) {
   for (auto record = run.source.history.rbegin(); record != run.source.history.rend(); ++record)
     if (record->tool == "filter-expand" && !record->scenario.empty())
@@ -42,7 +42,7 @@ Settings plan_of(const io::RunFile& run, const std::string& where) {
                   "filter-expand, and load it by run-dem");
 }
 
-/// Area, height and the layer of the nodes, from the plan.
+/// Takes area, height and the layer of the nodes from the plan.
 void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, const std::string& where, LoadedBag& bag) {
   Settings container = plan.table("container"), mesh = plan.table("geotextile_mesh");
   const std::string shape = container.text("shape", "none");
@@ -62,12 +62,13 @@ void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, con
   const Vec3 size = high - low - Vec3::Constant(2 * laid.outside);
   bag.area = size.x() * size.y();
   bag.height = size.z();
-  // The layer between the surfaces parallel to a convex one at -r and r (Steiner): its area times 2 r, and a sphere's
-  // part for the corners.
+  // Volume of the layer between the surfaces parallel to a convex one at -r and r (Steiner): area times 2 r, and a
+  // sphere's part for the corners.
   bag.fabric_volume = 2 * r * analysis::fabric_area(start, fabric) + 8 * std::numbers::pi / 3 * r * r * r;
 }
 
-/// Names of the plates, whether the first stage precedes the loading, and how fast each stage closes the plates.
+/// Reads the names of the plates, whether the first stage precedes the loading, and how fast each stage closes the
+/// plates.
 void read_stages(Settings& scenario, LoadedBag& bag) {
   std::vector<Settings> stages = scenario.tables("stage");
   for (Settings& stage : stages) {
@@ -83,7 +84,7 @@ void read_stages(Settings& scenario, LoadedBag& bag) {
       for (const dem::DriveGoal& goal : path->drives(0)) {
         const bool of_plates = goal.part == bag.upper || goal.part == bag.lower;
         if (!of_plates || std::abs(goal.direction.z()) == 0) continue;
-        // A plate under a load goes as slowly as the grains let it.
+        // A plate under a load has no prescribed speed.
         if (goal.kind == dem::DriveGoal::Kind::load) closing.reset();
         if (closing) *closing += goal.speed * std::abs(goal.direction.z());
       }
@@ -91,7 +92,7 @@ void read_stages(Settings& scenario, LoadedBag& bag) {
   }
 }
 
-/// The plane of this name in the first state. Throws DataError where there is none that faces along z.
+/// Returns the plane of this name in the first state. Throws DataError if none faces along z.
 Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& name, double facing,
               const std::string& where) {
   std::vector<Settings> planes = scenario.tables("plane");
@@ -110,7 +111,7 @@ Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& 
                   where, name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// Distance by which the plates have moved apart in the series at the moment of the first state, m.
+/// Returns the distance by which the plates have moved apart in the series at the time of the first state, m.
 double moved_apart(const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
   const io::Snapshot& start = run.snapshots.front();
   const std::vector<double>& step = run.series.at("step").values;
@@ -123,7 +124,7 @@ double moved_apart(const io::RunFile& run, const LoadedBag& bag, const std::stri
   return moved(bag.upper) - moved(bag.lower);
 }
 
-/// By family: the mean over its yarns of the `multiple` of their geotextile in the scenario.
+/// Returns by family the mean over its yarns of their geotextile's `multiple` in the scenario.
 std::array<double, 3> multiples(Settings& scenario, const io::YarnsRecord& yarns) {
   static constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
   std::vector<double> of_geotextile;
@@ -138,7 +139,7 @@ std::array<double, 3> multiples(Settings& scenario, const io::YarnsRecord& yarns
   return sum;
 }
 
-/// Makes the table of the loading once, to name the file beside a column that its series lacks.
+/// Makes the table of the loading once, so that an error about a missing column names the file.
 void demand_columns(const io::RunFile& run, const LoadedBag& bag, const std::string& where) {
   try {
     analysis::loading(run.series, bag);
@@ -163,7 +164,7 @@ LoadedBag loaded_bag(const io::RunFile& run, const std::string& where) {
   if (start.yarns.size() == 0) throw DataError(where + ": has no geotextile; loading is told of bags");
   LoadedBag bag;
   Settings plan = plan_of(run, where), scenario = Settings::parse(run.scenario, where + ": scenario");
-  // filter-expand lays what is around the container first.
+  // filter-expand adds the geotextile around the container first.
   const std::int32_t fabric = *std::ranges::min_element(start.yarns.fabric);
   measure(plan, start, fabric, where, bag);
   read_stages(scenario, bag);

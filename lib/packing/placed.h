@@ -11,21 +11,21 @@
 
 namespace soilweave::packing {
 
-/// Grains already placed in a periodic cell, in bins one largest diameter wide: a look for overlaps visits 27 bins (9
+/// Grains placed in a periodic cell, in bins one largest diameter wide, so that a test for overlaps visits 27 bins (9
 /// in 2D).
 class Placed {
  public:
-  /// size: lengths of the upright cell, m. No grain may be larger than `largest_diameter`, m.
+  /// size: edge lengths of the upright cell, m. No grain may be larger than `largest_diameter`, m.
   Placed(const Vec3& size, double largest_diameter, int dimension) : size_(size), dimension_(dimension) {
     for (int a = 0; a < 3; ++a)
       bins_[a] = a < dimension ? std::clamp(static_cast<int>(std::floor(size[a] / largest_diameter)), 1, 128) : 1;
     members_.resize(static_cast<std::size_t>(bins_.prod()));
   }
 
-  /// Whether a grain at `at`, 0 <= at < size, overlaps no grain placed before.
+  /// Returns whether a grain at `at`, 0 <= at < size, overlaps no earlier grain.
   bool fits(const Vec3& at, double radius) const {
     const Vec3i home = bin(at);
-    // Fewer than three bins along an axis: every neighbour offset would visit a bin twice.
+    // With fewer than three bins along an axis, neighbour offsets would visit a bin twice.
     const Vec3i reach = (bins_.array() >= 3).select(Vec3i::Ones().array(), bins_.array() - 1).min(1);
     for (int dz = -reach[2]; dz <= reach[2]; ++dz)
       for (int dy = -reach[1]; dy <= reach[1]; ++dy)

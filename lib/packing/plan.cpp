@@ -1,4 +1,4 @@
-// What filter-expand is told, and the assembly before it grows.
+// A plan of filter-expand, and the assembly before growth.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/plan.h"
 
@@ -49,10 +49,11 @@ void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
   if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
 }
 
-// Nodes as large as what they enclose are a slip in the unit: the soil would lie in their midst without being held.
+// Throws for nodes as large as their container: a mistake in the unit, with which soil would lie among the nodes
+// unheld.
 void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Container& container) {
   const double extent = (container.high() - container.low()).minCoeff();
-  // Lengths that make no container have been refused already.
+  // Invalid lengths have been refused already.
   if (!(extent > 0 && nodes.radius >= 0.25 * extent)) return;
   table.mistake("node_radius", fmt::format("is {:.4g} m where the container is {:.4g} m across: lengths are in m: give "
                                            "the one in mm its unit, as in \"2.5 mm\" (container.scale of a surface)",
@@ -99,7 +100,7 @@ void read_surround(Settings& document, const NamedFiles& files, Plan& plan) {
   plan.surround = Surround::read(table, files, plan.sources);
 }
 
-// The fill has a material of its own, whose friction can be lowered.
+// Checks that the fill has its own material, whose friction can be lowered.
 void demand_fill(Settings& document, Plan& plan) {
   Settings table = document.table("surround");
   Recipe& recipe = plan.surround->recipe;
@@ -122,13 +123,13 @@ void demand_fill(Settings& document, Plan& plan) {
   recipe.first_friction = std::min(recipe.first_friction, friction);
 }
 
-// How far soil reaches from the origin along an axis, m.
+// Returns how far soil reaches from the origin along an axis, m.
 double reach_of_soil(const Plan& plan, int axis) {
   return std::max(plan.container->high()[axis], -plan.container->low()[axis]) - plan.soil_depth();
 }
 
-// As many copies as cover the soil's part of the container, centred on the origin; real numbers, since a container in
-// another unit of length asks for more than whole ones count.
+// Returns how many copies, centred on the origin, cover the soil's part of the container. They are real numbers, since
+// a container in a wrong unit of length exceeds every integer.
 Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
   Vec3 n;
   for (int a = 0; a < 3; ++a) {
@@ -138,7 +139,7 @@ Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
   return n;
 }
 
-// Memory of the copies while they are laid: their grains once, their contacts twice, in lists that grow by halves.
+// Returns the memory of the copies while they are laid: grains once, contacts twice, in lists that grow by halves.
 double bytes_of_copies(const io::Snapshot& volume, double copies) {
   constexpr double grain = 3 * sizeof(Vec3) + sizeof(Vec4) + 3 * sizeof(double) + 2 * sizeof(std::int32_t);
   constexpr double contact = 4 * sizeof(Vec3) + sizeof(Vec3i) + 4 * sizeof(double);
@@ -147,7 +148,7 @@ double bytes_of_copies(const io::Snapshot& volume, double copies) {
           2 * contact * static_cast<double>(volume.contacts.size()));
 }
 
-// Refuses, before anything is made, a container for more grains than memory holds.
+// Returns the copies. Refuses a container for more grains than memory holds before anything is made.
 std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
   Vec3 n = covering(volume, plan);
   if (plan.copies) n = Vec3((*plan.copies)[0], (*plan.copies)[1], (*plan.copies)[2]);
@@ -177,7 +178,7 @@ void demand_room_for_nodes(const Plan& plan) {
     nodes = 2 * (n.x() * n.y() + n.y() * n.z() + n.z() * n.x());
   }
   for (const Plan::Sheet& s : plan.sheets) nodes += (s.cells[0] + 1.0) * (s.cells[1] + 1.0);
-  constexpr double of_node = 450;  // B, with two yarns and its place in the mesh
+  constexpr double of_node = 450;  // bytes, with two yarns and its place in the mesh
   demand_memory(of_node * nodes, fmt::format("the {:.3g} nodes of the geotextile", nodes),
                 "give it fewer cells, or a wider spacing");
 }
@@ -186,7 +187,7 @@ void demand_cover(const io::Snapshot& block, const Plan& plan) {
   for (int a = 0; a < 3; ++a) {
     const double half = 0.5 * block.cell.matrix(a, a);
     const double reach = reach_of_soil(plan, a);
-    // The surface may stand out of the block by less than a grain: the grains grow.
+    // The surface may stand out of the block by less than a grain, since grains grow.
     const double slack = *std::max_element(block.grains.radius.begin(), block.grains.radius.end());
     if (half + slack < reach)
       throw DataError(
@@ -204,7 +205,7 @@ void scale(io::Snapshot& volume, double factor) {
   for (Vec3& v : volume.grains.velocity) v *= factor;
   io::ContactsRecord& c = volume.contacts;
   for (std::size_t k = 0; k < c.size(); ++k) {
-    // The same strains and stresses: forces with the square of lengths, moments with the cube.
+    // Strains and stresses stay: forces scale with the square of lengths, moments with the cube.
     c.branch_vector[k] *= factor, c.overlap[k] *= factor;
     c.normal_force[k] *= factor * factor, c.shear_force[k] *= factor * factor;
     c.rolling_moment[k] *= factor * factor * factor, c.twisting_moment[k] *= factor * factor * factor;
@@ -265,7 +266,7 @@ Plan read_plan(std::string_view text, const std::string& name, const std::vector
   if (plan.surround) demand_fill(document, plan);
   document.finish();
   plan.resolved = document.resolved();
-  // Yarns lie without tension while grains grow: any curve will do.
+  // Yarns have no tension while grains grow, so any curve will do.
   if (!plan.surround) geotextiles.assign(1, {"resting", {1}, {1}, 1});
   plan.model.geotextiles = std::move(geotextiles);
   return plan;
@@ -294,7 +295,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     add(wrap(*plan.container, *plan.wrapping, plan.outside, plan.even, plan.numerics.threads, laid), plan.nodes, state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
-  // Open along all axes, the cell only carries lengths.
+  // An aperiodic cell only carries lengths.
   for (int a = 0; a < 3; ++a) {
     double low = 0, high = 0;
     for (std::size_t i = 0; i < state.grains.size(); ++i) {

@@ -1,4 +1,4 @@
-// What filter-expand is told, in TOML: the container, its geotextile, the materials, how the grains grow.
+// A plan of filter-expand, in TOML: the container, its geotextile, the materials, the growth of the grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,11 +17,11 @@
 namespace soilweave::packing {
 
 struct Plan {
-  std::unique_ptr<Container> container;  // none: no soil
+  std::unique_ptr<Container> container;  // nullptr: no soil
   std::optional<std::array<int, 3>> copies;
   std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the container
-  bool even = true;                            // yarns of one length, not each face divided by itself
-  double outside = 0;                          // m, of the container's surface: where the nodes around it lie
+  bool even = true;                            // yarns of one length; false: each face divided by itself
+  double outside = 0;                          // distance of the nodes from the container's surface, m
   struct Sheet {
     std::array<int, 2> cells;
     double spacing, height;  // m
@@ -29,39 +29,39 @@ struct Plan {
   };
   std::vector<Sheet> sheets;
   NodeRecipe nodes;
-  double density = 0;  // kg/m3 of the soil; 0: the packing's
+  double density = 0;  // density of the soil, kg/m3; 0: the packing's
   double scale = 1;    // of the representative volume
   dem::Model model;
   dem::Numerics numerics;
   std::optional<Growth> growth;
-  std::optional<Surround> surround;  // then there is no container, geotextile or growth
-  std::vector<io::Source> sources;   // files that the plan named
+  std::optional<Surround> surround;  // if set, there is no container, geotextile or growth
+  std::vector<io::Source> sources;   // files that the plan names
   std::string resolved;
 
-  /// How far inside the container's surface soil begins, m: where the nodes around it end.
+  /// Returns how far inside the container's surface soil begins, m: at the inner side of the nodes.
   double soil_depth() const { return wrapping ? nodes.radius - outside : 0; }
 };
 
-/// Returns the pillow, cushion or box that a [container] table describes by numbers; none of another shape.
+/// Returns the pillow, cushion or box that a [container] table describes by numbers; nullptr for another shape.
 std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table);
-/// The nodes of a [geotextile_mesh] and how far beyond the container's surface they lie, m.
+/// Nodes of a [geotextile_mesh], with their distance from the container's surface, m.
 struct Laid {
   NodeRecipe nodes;
   double outside = 0;
 };
 Laid read_laid(Settings& table);
 
-/// All mistakes at once. Throws DataError.
+/// Reads a plan. Throws DataError with all mistakes at once.
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 
-/// Copies cut to the container, its geotextile around them, not yet grown. Throws DataError where the representative
-/// volume, copied as often as the plan says, is too small for the container. laid: told the share of the geotextile.
+/// Returns copies cut to the container, with its geotextile around them, before growth. Throws DataError if the copies
+/// of the representative volume are too small for the container. laid: callback with the share of the geotextile.
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
                       const std::function<void(double)>& laid = {});
 
-/// How far the soil cut to the container is from filling it, up to a depth of `outermost` m, as densely as the
-/// representative volume, whose void ratio this is: the cut leaves a gap of a grain's size along the surface. For
-/// growth.filling and, where it is asked for, growth.stretch.
+/// Sets growth.filling and, if requested, growth.stretch: how far the cut soil is from filling the container, up to a
+/// depth of `outermost` m, as densely as the representative volume of this void ratio. The cut leaves a gap of one
+/// grain along the surface.
 void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container,
          double outermost = 0);
 

@@ -56,7 +56,7 @@ Profile::Place Profile::place(const Vec3& box, double side, double outside) cons
   const double way = top ? ring * (hoop - from_side) : hoop - std::abs(box.z()) * from_side;
   const double up = box.z() < 0 ? -1 : 1;
   if (way <= face) return {way, 0, up * (half_height + outside)};
-  // Around the edge of the face, then around the side.
+  // The way leads around the edge of the face, then around the side.
   const double edge = first_angle() * outside, past = way - face;
   const bool on_edge = past < edge;
   const double angle = on_edge ? past / outside : first_angle() + (past - edge) / (side_radius + outside);
@@ -67,7 +67,7 @@ Profile::Place Profile::place(const Vec3& box, double side, double outside) cons
 }
 
 Eigen::Vector2d on_outline(double u, double v, double half, double r) {
-  const bool along_y = std::abs(u) >= std::abs(v);  // on the side x = +-half
+  const bool along_y = std::abs(u) >= std::abs(v);  // the point is on the side x = +-half
   const double side = along_y ? u : v, along = along_y ? v : u;
   const double ring = std::abs(side);
   if (ring == 0) return {0, 0};

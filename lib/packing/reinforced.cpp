@@ -16,10 +16,10 @@
 namespace soilweave::packing {
 namespace {
 
-// Radii of one growth differ by rounding alone.
+// Radii of one growth differ only by rounding.
 constexpr double same_growth = 1e-9;
 
-// The normal of a node's surroundings on its geotextile, away from the middle.
+// Returns the normal of a node's surroundings on its geotextile, away from the middle.
 Vec3 outwards(std::size_t i, const std::vector<std::size_t>& around, const std::vector<Vec3>& x, const Vec3& middle) {
   Vec3 mean = x[i];
   for (const std::size_t j : around) mean += x[j];
@@ -120,7 +120,7 @@ Inside::Inside(const io::Snapshot& reinforced) {
     low_ = any_soil_ ? Vec3(low_.cwiseMin(x[i])) : x[i], high_ = any_soil_ ? Vec3(high_.cwiseMax(x[i])) : x[i];
     any_soil_ = true;
   }
-  // Sides (families other than 0) tell a closed geotextile from a sheet.
+  // Sides (families other than 0) distinguish a closed geotextile from a sheet.
   std::map<std::int32_t, std::pair<Vec3, double>> middles;
   for (std::size_t y = 0; y < yarns.size(); ++y)
     if (yarns.family[y] != 0) middles[yarns.fabric[y]] = {Vec3::Zero(), 0};

@@ -1,4 +1,4 @@
-// The reinforced part of an assembly: soil and geotextiles that are to be surrounded, and what of a block belongs to
+// The reinforced part of an assembly: soil and geotextiles to be surrounded, and the grains of a block that belong to
 // it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -9,28 +9,29 @@
 
 namespace soilweave::packing {
 
-/// Where the grains of a block lie: which of them the reinforced part has already, and which lie inside it.
+/// For the grains of a block: which ones the reinforced part has already, or which ones lie inside it.
 struct Origin {
-  bool cut = false;         // the reinforced soil was cut from this very block
+  bool cut = false;         // whether the reinforced soil was cut from this very block
   std::vector<bool> taken;  // by grain of the block
 };
 
-/// Whether the soil was cut from the block: by numbers, copies and radii, which growth multiplies by one factor.
+/// Returns whether the soil was cut from the block, by body_id, copies and radii, which growth multiplies by one
+/// factor.
 bool is_cut_from(const io::Snapshot& reinforced, const io::Snapshot& block);
 
-/// Takes the grains of the block that the reinforced part was cut from; where it was cut from another one, those that
-/// lie inside its geotextile.
+/// Returns the grains of the block that the reinforced part was cut from. If it was cut from another block, returns
+/// those inside its geotextile.
 Origin origin(const io::Snapshot& reinforced, const io::Snapshot& block);
 
-/// The soil between flat geotextiles: the faces of the geotextiles (yarns of family 0), one fabric for each that hangs
-/// together, without the sides; soil for which keep(grain) holds.
+/// Returns the soil between flat geotextiles, for which keep(grain) holds. The geotextiles are faces (yarns of family
+/// 0) without sides, one fabric for each connected face.
 io::Snapshot between_faces(const io::Snapshot& bag, const std::vector<bool>& keep);
 
-/// Lengths of the box around the bodies, m.
+/// Returns the edge lengths of the box around the bodies, m.
 Vec3 extent(const io::Snapshot& state);
 
-/// Whether points lie inside a closed geotextile, all of which is seen from its middle; where none is closed, in the
-/// box around the centres of the soil.
+/// Tests whether points lie inside a closed geotextile that is star-shaped about its middle. Without one it tests
+/// against the box around the centres of the soil.
 class Inside {
  public:
   explicit Inside(const io::Snapshot& reinforced);

@@ -1,4 +1,4 @@
-// The tables that a run gives as a whole.
+// Tables of a whole run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/run_tables.h"
 

@@ -1,4 +1,4 @@
-// Neighbours in space as neighbours in memory.
+// Sorts grains so that neighbours in space are neighbours in memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/spatial_order.h"
 
@@ -16,7 +16,7 @@
 namespace soilweave::packing {
 namespace {
 
-// In the cell that they are wrapped into.
+// Returns the positions in the cell that they are wrapped into.
 std::vector<Vec3> wrapped(const io::Snapshot& state) {
   const Mat3 inverse = state.cell.matrix.inverse();
   std::vector<Vec3> positions;
@@ -29,9 +29,9 @@ std::vector<Vec3> wrapped(const io::Snapshot& state) {
   return positions;
 }
 
-// Puts the grains of a box in order: those of one half of it, then those of the other, each half as large a number of
-// whole chunks as can be. Cut across its longest side, time and again, a box becomes chunks that are about as long as
-// wide, which fewest pairs leave.
+// Sorts the grains of a box: first one half, then the other, each with a whole number of chunks as near to half as can
+// be. A box cut across its longest side again and again becomes chunks about as long as wide, which the fewest pairs
+// leave.
 void bisect(const std::vector<Vec3>& positions, std::span<std::size_t> box) {
   if (box.size() < 2) return;
   Vec3 low = positions[box[0]], high = low;

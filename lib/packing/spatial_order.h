@@ -1,4 +1,4 @@
-// Neighbours in space as neighbours in memory.
+// Sorts grains so that neighbours in space are neighbours in memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace soilweave::packing {
 
-/// The same grains box by box of their cell, a chunk (dem/contacts.h) a box, each with its identity: what touches then
-/// lies close together in memory, too. Packings that a cache holds anyway, of one chunk, and such that contacts or
-/// yarns already name the rows of, come back as they are.
+/// Returns the grains sorted box by box, one chunk (dem/contacts.h) per box, each with its identity. Grains that touch
+/// then lie close in memory. A packing of a single chunk, or with contacts or yarns that name rows, is returned
+/// unchanged.
 io::Snapshot in_spatial_order(io::Snapshot state);
 
 }  // namespace soilweave::packing

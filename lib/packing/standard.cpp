@@ -16,26 +16,26 @@
 namespace soilweave::packing {
 namespace {
 
-// m, mean radius of the thesis's representative volume of 1000 grains of Toyoura sand (Grading::toyoura at a solid
-// volume of 1.169e-7 m3 a grain).
+// Mean radius of the thesis's representative volume of 1000 grains of Toyoura sand, m (Grading::toyoura at a solid
+// volume of 1.169e-7 m3 per grain).
 constexpr double thesis_radius = 2.95335e-3;
-// N m/rad, thesis Table 3.1, with half of its last digit.
+// Thesis Table 3.1, N m/rad, and half of its last digit.
 constexpr double thesis_stiffness = 0.13, last_digit = 0.005;
-// 1/s, of the thesis's grains of scaled density: the packings of its studies were made at it.
+// Rate of the thesis's grains of scaled density, 1/s, at which the packings of its studies were made.
 constexpr double thesis_rate = 1;
-// Solid volume per grain of the thesis's representative volume of 1000 grains, 46.2202 x 46.1205 x 92.1203 mm at a void
-// ratio of 0.6798, m3.
+// Solid volume per grain, m3, of the thesis's representative volume of 1000 grains: 46.2202 x 46.1205 x 92.1203 mm at a
+// void ratio of 0.6798.
 constexpr double thesis_solids = 1.169e-7;
-// Void ratios that compacted grains may come to, where none is asked for.
+// Void ratios that compacted grains may reach, if none is asked for.
 constexpr double densest_spheres = 0.5, densest_disks = 0.1, loose_spheres = 0.7, loose_disks = 0.2;
-// Grains that are taken without being asked for: a packing of them takes minutes.
+// Largest number of grains chosen by default: a packing of them takes minutes.
 constexpr std::size_t most_chosen = 20'000;
-// Grains that a remedy may name: what a machine of today holds.
+// Largest number of grains in a remedy: what a machine of today holds.
 constexpr std::size_t most_named = 3'000'000;
-// Cell over largest grain at which a compaction stops.
+// Width of a cell over its largest grain at which a compaction stops.
 constexpr double narrowest = 1 / 0.495;
 
-// (R/R0)^3, and exactly 1 where 0.13 N m/rad stays what it is to its two digits.
+// Returns (R/R0)^3, and exactly 1 if 0.13 N m/rad keeps its two digits.
 double cube_ratio(double mean_radius) {
   const double ratio = std::pow(mean_radius / thesis_radius, 3);
   return std::abs(ratio - 1) < last_digit / thesis_stiffness ? 1 : ratio;
@@ -77,7 +77,7 @@ void scale_to_thesis(std::vector<double>& radii) {
 
 std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, std::size_t least) {
   const Room dense = room.at(room.dimension == 2 ? densest_disks : densest_spheres);
-  // A void ratio beyond what grains come to rest at leaves the cell no wider than they make it.
+  // A larger void ratio than grains come to rest at does not widen the compacted cell.
   const double loose = room.dimension == 2 ? loose_disks : loose_spheres;
   if (room.at(std::min(void_ratio.value_or(dense.void_ratio), loose)).diameters(least) >= narrowest) return least;
   return dense.fewest(chosen_diameters, most_chosen).value_or(least);
@@ -133,7 +133,7 @@ void Room::demand(std::size_t grains) const {
 }
 
 void Room::refuse(std::size_t grains, double now) const {
-  // A cell that is still closing has to be wide enough where it ends.
+  // A cell that is still closing must be wide enough at its end.
   const double loose = dimension == 2 ? loose_disks : loose_spheres;
   const Room end = at(void_ratio > loose ? (dimension == 2 ? densest_disks : densest_spheres) : void_ratio);
   std::string remedy;

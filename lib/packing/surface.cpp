@@ -33,7 +33,7 @@
 
 #if __has_include(<CGAL/AABB_traits_3.h>)
 #include <CGAL/AABB_traits_3.h>
-#else  // before CGAL 6, under another name
+#else  // before CGAL 6 it has another name
 #include <CGAL/AABB_traits.h>
 namespace CGAL {
 template <class Kernel, class Primitive>
@@ -49,9 +49,9 @@ using Triangles = CGAL::Surface_mesh<Kernel::Point_3>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Triangles>>>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-// Points of the grid that depths are counted on, along the longest side.
+// Number of grid points along the longest side, for the count of depths.
 constexpr int fineness = 60;
-constexpr double farthest = 1e3;  // m, corner of a surface
+constexpr double farthest = 1e3;  // largest coordinate of a corner, m
 
 void say_nothing(const char*, const char*, const char*, int, const char*) {}
 
@@ -63,8 +63,7 @@ void demand_near(double coordinate, const std::string& path) {
                     path, farthest));
 }
 
-/// Returns the T that a result of CGAL holds, or a null pointer. CGAL 6 returns standard variants, CGAL 5 those of
-/// Boost.
+/// Returns the T in a result of CGAL, or a null pointer. CGAL 6 returns standard variants, CGAL 5 those of Boost.
 template <class T, class... Held>
 const T* held(const std::variant<Held...>& result) {
   return std::get_if<T>(&result);
@@ -74,7 +73,7 @@ const T* held(const Variant& result) {
   return boost::get<T>(&result);
 }
 
-// A surface whose triangles meet edge to edge.
+// Joins triangles edge to edge. Returns whether they form a surface.
 bool join(const io::TriangleSoup& soup, Triangles& triangles) {
   std::vector<Kernel::Point_3> points;
   for (const Vec3& x : soup.points) points.emplace_back(x.x(), x.y(), x.z());
@@ -101,7 +100,7 @@ Triangles read(const std::string& path, double scale) {
     x *= scale;
     for (const double coordinate : x) demand_near(coordinate, path);
   }
-  CGAL::set_error_handler(say_nothing);  // or it would print what it also throws, in terms of its own sources
+  CGAL::set_error_handler(say_nothing);  // else CGAL prints what it also throws, about its own sources
   Triangles triangles;
   bool known = false;
   try {
@@ -173,7 +172,7 @@ Chart Surface::chart() const {
     std::vector<Tree::Intersection_and_primitive_id<Ray>::Type> met;
     mesh_->tree.all_intersections(Ray(middle, Kernel::Vector_3(along.x(), along.y(), along.z())),
                                   std::back_inserter(met));
-    // Through an edge or a corner, two triangles or more are met at the same distance.
+    // Through an edge or a corner the ray meets two or more triangles at one distance.
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const auto& [intersection, face] : met) {
       const auto* point = held<Kernel::Point_3>(intersection);
@@ -202,7 +201,7 @@ Vec3 Surface::nearest(const Vec3& point, double outside) const {
   const Kernel::Point_3 at(point.x(), point.y(), point.z());
   const auto [foot, face] = mesh_->tree.closest_point_and_primitive(at);
   Kernel::Vector_3 out = at - foot;
-  // On the surface itself there is no direction to it.
+  // A point on the surface itself has no direction to it.
   if (const double distance = std::sqrt(out.squared_length()); distance > 1e-9 * (high_ - low_).norm())
     out = out / (mesh_->side(at) == CGAL::ON_BOUNDED_SIDE ? -distance : distance);
   else

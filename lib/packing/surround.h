@@ -1,5 +1,5 @@
-// Reinforced soil in a periodic cell, with soil put around it: what a plan's [surround] says, and the assembly before
-// the fill grows.
+// Reinforced soil in a periodic cell with soil around it: the table [surround] of a plan, and the assembly before
+// compaction.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace soilweave::packing {
 
 struct Surround {
-  /// wrapped: the file as it is. layered: its soil between the faces of its geotextiles, whose sides are left out.
+  /// wrapped: the file as it is. layered: its soil between the faces of its geotextiles, without the sides.
   enum class Form { wrapped, layered };
 
   Form form = Form::wrapped;

@@ -26,7 +26,7 @@ void take_grain(io::GrainsRecord& to, const io::GrainsRecord& from, std::size_t 
   take(to.copy_id, from.copy_id, i);
 }
 
-// The contact c of `from` between grains of other numbers; turned round where the second comes before the first.
+// Takes contact c of `from` between renumbered grains, and turns it round if the second comes before the first.
 void take_contact(io::ContactsRecord& to, const io::ContactsRecord& from, std::size_t c, std::int32_t first,
                   std::int32_t second, const Vec3i& image) {
   const bool turned = second < first;
@@ -89,7 +89,7 @@ class Tiling {
     }
   }
 
-  // Of the contacts of a copy's grains, those whose second grain, in this or another copy, is there.
+  // Adds the contacts of a copy's grains whose second grain exists, in this or another copy.
   void add_contacts(const Vec3i& copy, io::ContactsRecord& to) const {
     for (std::size_t c = 0; c < of_.contacts.size(); ++c) {
       const auto [first, second] = of_.contacts.bodies[c];
@@ -114,7 +114,7 @@ class Tiling {
   Vec3i copies_;
   std::array<bool, 3> closed_;
   std::size_t grains_;
-  std::vector<Vec3i> wraps_;  // of every grain's recorded position
+  std::vector<Vec3i> wraps_;  // offset of every grain's recorded position
 };
 
 }  // namespace
