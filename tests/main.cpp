@@ -1,5 +1,4 @@
-// Runs the tests of a program: a test that hangs is stopped and named, and tests that were skipped are noted with their
-// reasons.
+// Runs the tests of a program. A test that hangs is stopped and named; skipped tests are noted with their reasons.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +12,7 @@
 
 namespace {
 
-// The end of the message about a test that hangs; a signal handler may neither allocate nor format.
+// End of the message about a hanging test, made beforehand because a signal handler may neither allocate nor format.
 std::string too_long;
 
 extern "C" void stop(int) {

@@ -8,9 +8,9 @@
 //
 // One step of both scales is explicit (central differences, thesis Eqs. 6.1 to 6.3):
 //
-//   1  points     each takes the last gradient in many small steps of its grains; points are independent   rve.h
-//   2  bars       the chain moves in small steps between the positions of the soil's boundary              bars.h
-//   3  soil       stresses, tractions and interface forces accelerate the lumped masses                    soil.h
+//   1  soil       stresses, tractions and interface forces move the lumped masses; gradients at the points   soil.h
+//   2  bars       the chain moves in small steps between old and new positions of the soil's boundary        bars.h
+//   3  points     each follows its gradient in many small steps of its grains; points are independent        rve.h
 //
 // A continuum law (continuum_laws.h) can stand for the grains, to verify the elements or to set a problem up.
 #pragma once

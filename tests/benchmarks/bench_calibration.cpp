@@ -1,4 +1,4 @@
-// How long identification takes: the filter itself, and the triaxial test that each row of an ensemble is. One thread.
+// Time of identification: the filter itself, and the triaxial test behind each row of an ensemble. One thread.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@
 namespace soilweave::calibration {
 namespace {
 
-/// 2000 sets, 100 steps, 3 observables, all tables.
+/// Weighs 2000 sets over 100 steps of 3 observables, with all tables.
 void particle_filter(benchmark::State& state) {
   const auto members = static_cast<std::size_t>(state.range(0));
   Observations observed;
@@ -32,8 +32,8 @@ void particle_filter(benchmark::State& state) {
   }
 }
 
-/// Isotropic to 0.2 MPa, then drained triaxial compression of 1000 grains to 1 % axial strain; counted in whole tests
-/// to 10 %, which take ten times as long.
+/// Runs isotropic compression to 0.2 MPa, then drained triaxial compression of 1000 grains to 1 % axial strain. The
+/// rate counts whole tests to 10 %, which take ten times as long.
 void triaxial_test(benchmark::State& state, const std::string& contact) {
   const dem::Scenario scenario = dem::read_scenario(
       contact +

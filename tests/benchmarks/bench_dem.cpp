@@ -1,4 +1,4 @@
-// How long the engine's hot loops take: contact sweep by law, neighbour lists, motion, whole steps. One thread.
+// Time of the engine's hot loops: contact sweep by law, neighbour lists, motion, whole steps. One thread.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 
@@ -16,11 +16,11 @@ namespace {
 using testing::linear_sand;
 using testing::sand;
 
-constexpr double time_step = 1e-7;  // s; far below the stable one: the grains stay where they are, whatever the count
+constexpr double time_step = 1e-7;  // s; far below the stable one, so that the grains stay in place
 constexpr std::size_t base = 1000;
 constexpr int settling = 200;  // steps in which the grains come to rest under this friction
 
-/// Dense grains at rest under 0.1 MPa; more than 1000 are copies of 1000 on top of each other. Made once.
+/// Returns dense grains at rest under 0.1 MPa, made once; more than 1000 are copies of 1000 on top of each other.
 const io::Snapshot& assembly(std::size_t grains, const Model& model) {
   static std::map<std::pair<std::size_t, std::size_t>, io::Snapshot> made;
   const std::pair key(model.materials.index(), grains);
@@ -33,7 +33,7 @@ const io::Snapshot& assembly(std::size_t grains, const Model& model) {
   return made.emplace(key, std::move(state)).first->second;
 }
 
-/// What the loops work on, after one sweep.
+/// Data of the loops, after one sweep.
 struct Loops : testing::EngineParts {
   Loops(std::size_t grains, const Model& model) : EngineParts(assembly(grains, model), make_contact_sweep(model)) {
     motion.set_out(cell, Vec3::Zero(), 0.2, time_step, bodies);
@@ -41,7 +41,7 @@ struct Loops : testing::EngineParts {
   }
 };
 
-/// Seconds for one of `count` things, and things per second.
+/// Reports seconds for one of `count` things, and things per second.
 void tell(benchmark::State& state, const char* thing, double count) {
   const double all = count * static_cast<double>(state.iterations());
   state.counters[std::string("per_") + thing] =
@@ -88,7 +88,7 @@ void integration(benchmark::State& state) {
   tell(state, "grain", static_cast<double>(loops.bodies.size()));
 }
 
-// A step as run-dem takes it: servo, motion, sweep, sums, now and then the stable step and the neighbour list.
+// Times a step as run-dem takes it: servo, motion, sweep, sums, at times the stable step and the neighbour list.
 void whole_step(benchmark::State& state, const Model& model) {
   Simulation simulation(assembly(grains_of(state), model), model, {});
   Servo servo;

@@ -1,4 +1,4 @@
-// How long a state takes into a file and out of it, checks, digest and sync to the disk included.
+// Time to write a state to a file and read it, with checks, digest and sync to the disk.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
-// What a step costs and what memory it takes, from a thousand grains to a million, and how many small systems a machine
-// steps at once. bench-size draws it (tests/benchmarks/size.sh).
+// Time and memory of a step from a thousand grains to a million, and throughput of many small systems at once.
+// bench-size draws it (tests/benchmarks/size.sh).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t base = 1000;
 constexpr int settling = 40;  // steps in which the grains come to rest under this friction
 
-// Dense grains at rest under 0.1 MPa, made once.
+// Returns dense grains at rest under 0.1 MPa, made once.
 const io::Snapshot& dense(const Model& model, std::size_t grains) {
   constexpr double slippery = 5 * testing::degree;
   static const io::Snapshot spheres = testing::packed(with_friction(testing::sand(), slippery), 1e5, base);
@@ -29,7 +29,7 @@ const io::Snapshot& dense(const Model& model, std::size_t grains) {
   return model.materials.index() == 0 && grains == base ? spheres : few;
 }
 
-// So many copies in a nearly cubic array.
+// Returns copies in a nearly cubic array.
 io::Snapshot copies(const io::Snapshot& one, std::size_t count) {
   std::array<int, 3> n{1, 1, 1};
   for (auto left = static_cast<int>(count); left > 1;)
@@ -40,7 +40,7 @@ io::Snapshot copies(const io::Snapshot& one, std::size_t count) {
   return packing::tile(one, n, {true, true, true});
 }
 
-// Bytes this process holds.
+// Returns the resident memory of this process, bytes.
 double resident() {
   malloc_trim(0);
   std::ifstream file("/proc/self/statm");
@@ -49,7 +49,7 @@ double resident() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-// A step as run-dem takes it: servo, motion, sweep, sums, now and then the stable step and the neighbour list.
+// Takes a step as run-dem does: servo, motion, sweep, sums, at times the stable step and the neighbour list.
 void advance(Simulation& simulation, Servo& servo) {
   const AxisGoal lateral{AxisGoal::Kind::stress, 1e5, 1.0}, axial{AxisGoal::Kind::strain, 0.1, 1e-2};
   servo.drive({lateral, lateral, axial}, 3, simulation);
@@ -73,7 +73,7 @@ void size_of_system(benchmark::State& state) {
   state.counters["bytes_per_grain"] = held / static_cast<double>(grains);
 }
 
-// 128 systems of 400 grains in one process, shared out among threads, each stepped by one.
+// Steps 128 systems of 400 grains in one process. Threads share the systems, and one thread steps each.
 void small_systems(benchmark::State& state) {
   constexpr int systems = 128, steps = 20;
   const auto threads = static_cast<int>(state.range(0));

@@ -1,6 +1,6 @@
-// The eight contact benchmarks of Chung & Ooi (2011), through the whole engine.
-// Closed forms where they exist (elastic, restitution, gross sliding); below gross sliding an integration of the same
-// differential law, written here and sharing nothing with the library.
+// The eight contact benchmarks of Chung & Ooi (2011), through the whole engine. Expected values are closed forms where
+// they exist (elastic, restitution, gross sliding). Below gross sliding they come from an integration of the
+// differential law, written here without the library.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct Solid {
   HertzMindlin::Material material(double mu, std::optional<double> e, bool attraction = false) const {
     return {E, nu, std::atan(mu), e, {}, {}, attraction};
   }
-  /// Against a rigid body, or a twin.
+  /// Returns E* against a rigid body, or a twin.
   double E_star(bool twin) const { return E / ((twin ? 2 : 1) * (1 - nu * nu)); }
   double G_star(bool twin) const { return E / ((twin ? 2 : 1) * 2 * (1 + nu) * (2 - nu)); }
 };
@@ -38,7 +38,7 @@ void expect_relative(double ours, double closed_form, double tolerance, const st
   EXPECT_NEAR(ours, closed_form, tolerance * std::abs(closed_form)) << what;
 }
 
-// ---- 1, 2: elastic normal impact. 20 000 steps a contact: the end of the contact is known to 5e-5 of its duration.
+// ---- 1, 2: elastic normal impact. With 20 000 steps per contact its end is known to 5e-5 of its duration.
 
 void expect_hertz(const Impact& impact, const HertzImpact& h, const std::string& what) {
   expect_relative(impact.largest_overlap, h.overlap, 1e-6, what + " overlap");
@@ -56,11 +56,11 @@ TEST(ChungOoi, Test1ElasticNormalImpactOfTwoSpheres) {
     expect_hertz(impact, h, s.name);
     EXPECT_NEAR(impact.after.velocity[1].z(), 10, 1e-6);
   }
-  // The figures as published in contact-benchmarks.md, so that the formulas above are themselves held to something.
+  // Published figures check the formulas above.
   const HertzImpact glass(25e9, 0.005, 2800 * 4.0 / 3.0 * std::numbers::pi * 1e-6 / 2, 20);
   expect_relative(glass.overlap, 274.113e-6, 1e-5, "glass overlap");
   expect_relative(glass.force, 10.6969e3, 1e-5, "glass force");
-  expect_relative(glass.duration, 40.3395e-6, 5e-5, "glass duration");  // 2.9432 is rounded
+  expect_relative(glass.duration, 40.3395e-6, 5e-5, "glass duration");  // the published 2.9432 is rounded
 }
 
 TEST(ChungOoi, Test2ElasticNormalImpactOnAPlane) {
@@ -84,7 +84,7 @@ TEST(ChungOoi, Test3RestitutionOnAPlane) {
         worst = std::max(worst, std::abs(out - e));
       }
   RecordProperty("largest_error_of_restitution", std::to_string(worst));
-  EXPECT_LT(worst, 1e-3);  // what the exact damping ratio should give at this step
+  EXPECT_LT(worst, 1e-3);  // error of the exact damping ratio at this step
 }
 
 // ---- 4 to 8: oblique and spinning impacts.
@@ -93,7 +93,7 @@ TEST(ChungOoi, Test3RestitutionOnAPlane) {
 // mu Fn, lever R, contact radius of curvature R_star. Heun's method with 200 000 steps.
 struct Oblique {
   double R, R_star, m, E_star, G_star, mu, beta;
-  double vx, vn, w;  // on input before, on return after the impact: vn is the rebound speed
+  double vx, vn, w;  // before the impact on input, after it on return: vn is the rebound speed
 
   void run() {
     double d = 0, u = vn, F = 0;
@@ -129,7 +129,7 @@ Outcome through_engine(const Solid& s, double R, double mu, std::optional<double
   return {impact.after.velocity[0].x(), impact.after.velocity[0].z(), impact.after.angular_velocity[0].y()};
 }
 
-// Damping ratio with the force cut at zero: from e = exp(-2 b acos(b)/sqrt(1 - b^2)), by bisection.
+// Returns the damping ratio with the force cut at zero, from e = exp(-2 b acos(b)/sqrt(1 - b^2)) by bisection.
 double cut_damping_ratio(double e) {
   if (e >= 1) return 0;
   double low = 0, high = 1 - 1e-12;
@@ -182,7 +182,7 @@ TEST(ChungOoi, Test5ObliqueImpactAtConstantNormalSpeed) {
         expect_same(out, by_integration(s, R, mu, 1, vx, vn, 0), std::max(vx, mu * vn), R, what);
         continue;
       }
-      EXPECT_NEAR((out.vx - out.w * R) / (mu * vn), psi - 7, 7e-3) << what;  // 1e-3 of the change of 7
+      EXPECT_NEAR((out.vx - out.w * R) / (mu * vn), psi - 7, 7e-3) << what;  // 1e-3 of the change, 7
       EXPECT_NEAR(out.w * R / (mu * vn), 5, 5e-3) << what;
     }
 }
@@ -210,7 +210,7 @@ TEST(ChungOoi, Test6SpinningImpactOnAPlane) {
       if (w < 4.2) continue;
       expect_gross_sliding(w, slip_left(out), 0.03, what);
       worst = std::max(worst, std::abs(slip_left(out) - w * spin_R + 0.42) / 0.42);
-      // The allowance is the shear spring's: ten thousand times stiffer, the same integration has the closed form.
+      // The allowance belongs to the shear spring: ten thousand times stiffer, the integration reaches the closed form.
       Oblique stiff{spin_R,
                     spin_R,
                     on_plane(s, spin_R, 0, 0).mass(),

@@ -1,4 +1,4 @@
-// The finite elements beside closed forms: waves and bars with their order of convergence, a cantilever, the energy.
+// The finite elements against closed forms: waves and bars with their order of convergence, a cantilever, the energy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ ModelSetup block(double length, double height, Index columns, Index rows, Shape 
   return setup;
 }
 
-// RMS error of the displacement of a standing wave sin(k x) cos(w t) after most of a period, over its amplitude.
+// Returns the RMS error of a standing wave's displacement sin(k x) cos(w t) after most of a period, over its amplitude.
 double wave_error(Index elements, Shape shape, bool fixed_both) {
   const double length = 1, amplitude = 1e-7, poisson = 0.25;
   ModelSetup setup = block(length, length / static_cast<double>(elements), elements, 1, shape, poisson);
@@ -57,10 +57,10 @@ TEST(FiniteElements, waves_and_vibrating_bars_converge_with_the_second_order) {
     }
 }
 
-// Steel-like slenderness 1:8 and no Poisson effect: bending and shear of Timoshenko's beam.
+// A slenderness of 1:8 without Poisson effect gives bending and shear of Timoshenko's beam.
 TEST(FiniteElements, a_cantilever_bends_as_a_beam_does) {
   for (const Integration integration : {Integration::reduced, Integration::full}) {
-    const double length = 2, height = 0.25, load = 2;  // Pa, along the end
+    const double length = 2, height = 0.25, load = 2;  // along the end, Pa
     ModelSetup setup = block(length, height, 8, 1, Shape::quadrilateral8, 0);
     setup.soil.integration = integration;
     setup.soil.supports = {{"left", 0.0, 0.0, {}}};
@@ -91,7 +91,7 @@ TEST(FiniteElements, energy_is_kept_and_accounted_for) {
   while (model.time() < 0.5) model.step();
   const Balance b = model.balance();
   EXPECT_GT(b.stored, 0.01 * b.external);
-  // The stored energy is that of the points, the rest that of the nodes: no identity.
+  // The stored energy comes from the points, the rest from the nodes, so the balance is no identity.
   EXPECT_LT(std::abs(b.error()), 2e-3 * b.external);
 }
 

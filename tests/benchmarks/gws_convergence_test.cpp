@@ -1,4 +1,4 @@
-// The path against the thesis's own increments, orders of convergence, and ten thousand random bags in time.
+// The path against the thesis's own increments, orders of convergence, and the time of ten thousand random bags.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A bag of anything between clay-like softness and rockfill, a net and a steel mat.
+/// Returns a bag of anything from soft as clay to rockfill, in a net or a steel mat.
 Case random_bag(std::mt19937_64& random) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -95,7 +95,7 @@ Case random_bag(std::mt19937_64& random) {
   return bag;
 }
 
-/// The reason the bag's response ends with, or why it is refused. Every number of it is finite.
+/// Returns how the bag's response ends, or why it is refused. Checks that every number is finite.
 std::string outcome(const Case& bag) {
   try {
     const Response response(bag);
@@ -124,7 +124,8 @@ TEST(GwsConvergence, ten_thousand_random_bags_end_with_a_reason_and_in_time) {
       return std::pair{processor_seconds() - before, why};
     };
     auto [seconds, why] = timed();
-    if (seconds > longest) seconds = std::min(seconds, timed().first);  // what the machine itself took does not repeat
+    if (seconds > longest)
+      seconds = std::min(seconds, timed().first);  // time that the machine took for other work does not repeat
     longest = std::max(longest, seconds);
     EXPECT_FALSE(why.empty());
     ++ends[why];

@@ -1,5 +1,5 @@
-// The test programs' own habits (tests/main.cpp), tried by tests/tools/harness.bats: they hang or skip where they are
-// asked to.
+// Tests that hang or skip on request, with which tests/tools/harness.bats tries the runner of the test programs
+// (tests/main.cpp).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <unistd.h>

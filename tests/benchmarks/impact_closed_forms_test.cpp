@@ -16,7 +16,7 @@ Linear::Material linear(double mu, std::optional<double> e = {}, Resistance roll
 }
 Model three(const Linear::Material& m) { return {std::vector<Linear::Material>{m, m, m}}; }
 
-// A sphere whose contact with the plane carries its weight from the start: kn = E R for equal materials.
+// Returns a sphere whose contact with the plane carries its weight from the start: kn = E R for equal materials.
 Sphere resting(double vx = 0, const Vec3& spin = Vec3::Zero()) {
   Sphere s{R, density, Vec3(0.1, 0.1, R), Vec3(vx, 0, 0), spin};
   s.position.z() -= s.mass() * g / (1e8 * R);
@@ -31,7 +31,7 @@ TEST(ClosedForms, FreeFallGainsWhatGravityGives) {
   EXPECT_NEAR(s.snapshot().grains.position[0].z(), 0.15 - 0.5 * g * dt * dt * 1000 * 1001, 1e-12);
 }
 
-// Heights of the first bounces over e^{2k} (h0 - r), less 1.
+// Returns the heights of the first bounces over e^{2k} (h0 - r), minus 1.
 std::vector<double> bounce_errors(double e, double young_modulus, double dt) {
   const double h0 = 0.06;
   const HertzMindlin::Material m{young_modulus, 0.2, 0, e, {}, {}};
@@ -54,7 +54,7 @@ std::vector<double> bounce_errors(double e, double young_modulus, double dt) {
 
 TEST(ClosedForms, BounceHeightsFallWithTheSquareOfRestitution) {
   for (const double e : {0.5, 0.8}) {
-    // The closed form is that of an instant contact. Here gravity acts during it too, g t_c of speed, so the heights
+    // The closed form assumes an instant contact. Here gravity acts during it too and adds g t_c of speed. So heights
     // are off in proportion to the contact time: six times less at a hundred times the stiffness (t_c ~ E^-0.4).
     const auto soft = bounce_errors(e, 5e7, 2e-6), stiff = bounce_errors(e, 5e9, 3e-7);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -104,7 +104,7 @@ TEST(ClosedForms, SpinRunsDownUnderRollingAndTwistingLimits) {
     const double duration = 0.8 * w0 * 2 * R / (5 * limit * g);
     while (s.time() < duration) s.step();
     const Vec3 now = s.snapshot().grains.angular_velocity[0];
-    // M = limit R m g against I = 2/5 m R2.
+    // M = limit R m g acts against I = 2/5 m R2.
     EXPECT_NEAR(twist ? now.z() : now.y(), w0 - 5 * limit * g * s.time() / (2 * R), 1e-3 * w0);
     const Energies e = s.energies();
     EXPECT_NEAR(e.rolling_plastic + e.kinetic + e.elastic_rolling + e.elastic_twisting,

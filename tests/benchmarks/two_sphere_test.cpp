@@ -1,4 +1,4 @@
-// One contact on prescribed paths against closed forms, and against the paths a peer code recorded.
+// One contact on prescribed paths, against closed forms and against paths recorded with another code (YADE).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double dt = 1e-5;
 
-// The peer's parameters (peer/two_sphere/meta.json): the same in all its tests but for the limit.
+// Parameters of the recorded tests (peer/two_sphere/meta.json), equal in all of them except for the limit.
 HertzMindlin::Couple hertz(std::optional<double> rolling_limit) {
   const Resistance rolling{0.13, Resistance::Scale::absolute, rolling_limit, Resistance::Arm::mean_radius};
   const Resistance twisting{
@@ -34,7 +34,7 @@ Linear::Couple linear(std::optional<double> limit) {
   return Linear::mix(m, m);
 }
 
-// What the formulas of the literature give for those parameters, in the test's own words.
+// Formulas of the literature for these parameters, written independently.
 struct Expected {
   double fn, kn, ks, mu, kr, rolling_cap, twisting_cap;
 };
@@ -84,7 +84,7 @@ Pair<typename Case::Law> pair_of(const std::array<double, 2>& r, double overlap,
   return touching_pair<typename Case::Law>(Case::couple(limit), r[0], r[1], overlap);
 }
 
-// Elastic force with a cap, driven in one direction: the exact "play" of a closed form with reversals.
+// Returns a capped elastic force driven in one direction: the exact "play" of a closed form with reversals.
 double capped(double force, double trial_increment, double cap) {
   return std::clamp(force + trial_increment, -cap, cap);
 }
@@ -96,7 +96,8 @@ TYPED_TEST(TwoSpheres, LoadingAndUnloadingFollowTheClosedForm) {
       p.two.v = {0, 0, i < 300 ? -1e-2 : 1e-2};
       p.advance(dt);
       if (!p.touching) break;
-      const double overlap = r[0] + r[1] - p.two.x.z;  // of the positions as rounded: cancellation is not the law's
+      const double overlap =
+          r[0] + r[1] - p.two.x.z;  // from the rounded positions, whose cancellation is not the law's
       const Expected e = TypeParam::expected(r[0], r[1], overlap, 1);
       EXPECT_NEAR(p.response.normal_force, e.fn, 1e-10 * e.fn);
       EXPECT_NEAR(p.response.normal_stiffness, e.kn, 1e-10 * e.kn);
@@ -124,7 +125,7 @@ TYPED_TEST(TwoSpheres, ShearAtConstantOverlapSlidesAndReturns) {
   }
 }
 
-// The law as an ordinary loop in long double, sharing nothing with the library: force at the end of `steps` steps.
+// Integrates the law in an ordinary loop in long double, without the library. Returns the force after `steps` steps.
 template <class Case>
 double sheared_at_changing_overlap(const std::array<double, 2>& r, int steps, double slip, long double& slid) {
   long double force = 0;
@@ -155,10 +156,10 @@ TYPED_TEST(TwoSpheres, ShearAtChangingOverlapIntegratesTheSameLaw) {
       }
       long double slid;
       const double force = sheared_at_changing_overlap<TypeParam>(r, steps, slip, slid);
-      // The overlap is what is left of two radii: 1e-5 of 1e-2 m keeps 13 digits.
+      // The overlap is the difference of two radii: 1e-5 of 1e-2 m keeps 13 digits.
       EXPECT_NEAR(p.memory.shear.x, force, 1e-10 * e.mu * e.fn);
       EXPECT_EQ(from_x > 0, slip > e.mu * e.fn / e.ks);
-      // Against the differential law dFs = ks(t) ds the step is of first order: its own order, measured.
+      // The step is of first order against the differential law dFs = ks(t) ds; this measures the order.
       long double unused;
       const double fine = sheared_at_changing_overlap<TypeParam>(r, 64000, slip, unused);
       const double finer = sheared_at_changing_overlap<TypeParam>(r, 128000, slip, unused);
@@ -176,7 +177,7 @@ TYPED_TEST(TwoSpheres, ShearAtChangingOverlapIntegratesTheSameLaw) {
 TYPED_TEST(TwoSpheres, RollingAndTwistingAreElasticUpToTheirLimits) {
   for (const auto& r : radii)
     for (const bool limited : {false, true}) {
-      // Two pairs, one rolls and one twists: in a pair that did both, the rolling moment would turn with the spin.
+      // One pair rolls and one twists, because in a single pair the rolling moment would turn with the spin.
       auto p = pair_of<TypeParam>(r, 2e-5, limited ? std::optional(TypeParam::limit) : std::nullopt);
       auto q = p;
       Expected e = TypeParam::expected(r[0], r[1], r[0] + r[1] - p.two.x.z, TypeParam::limit);
@@ -198,7 +199,7 @@ TYPED_TEST(TwoSpheres, RollingAndTwistingAreElasticUpToTheirLimits) {
     }
 }
 
-// ---- Rigid rotations of the pair with its memory.
+// ---- Rigid rotations of the pair with its history.
 
 V3<double> rotate(const V3<double>& v, double angle, const V3<double>& axis) {
   return from_eigen(Eigen::AngleAxisd(angle, to_eigen(axis).normalized()) * to_eigen(v));
@@ -222,7 +223,7 @@ TEST(Transport, SpinsAboutTheNormalWithoutChangingLength) {
   }
 }
 
-// What the sweep uses: the turn of the normal from the velocity of the pair, the rotation by a series.
+// The sweep takes the turn of the normal from the velocity of the pair, and the rotation from a series.
 TEST(Transport, FromTheVelocityOfThePairIsOfThirdOrderInWhatItMoved) {
   const V3<double> normal{0.48, 0.64, 0.6}, velocity{0.3, -0.7, 0.5};
   const double distance = 6e-3, spin = 0.4;
@@ -234,7 +235,7 @@ TEST(Transport, FromTheVelocityOfThePairIsOfThirdOrderInWhatItMoved) {
     EXPECT_LT(norm(ours - exact), moved * moved * moved + 1e-15) << dt;
     EXPECT_GT(norm(ours), 0.2 * moved);
 
-    // Gibbs vectors of up to a tenth: the eighth power of half the angle is left over.
+    // Gibbs vectors up to a tenth leave an error of the eighth power of half the angle.
     const V3<double> f{0.8, -0.6, 0}, gibbs = then_spin(ours, normal, dt * spin / 1e-3);
     const double left = std::pow(norm2(gibbs), 4);
     EXPECT_LT(norm(Rotation<double>::by_small(gibbs)(f) - Rotation<double>(gibbs)(f)), 4 * left + 1e-15) << dt;
@@ -264,7 +265,8 @@ TEST(Transport, KeepsLengthOverAHundredThousandSteps) {
     n = next;
     cosine = std::max(cosine, std::abs(dot(f, n)));
   }
-  EXPECT_NEAR(norm(f), 1, 1e5 * 4e-16);  // round-off a step; a first-order rotation would double it within 1e5 steps
+  EXPECT_NEAR(norm(f), 1,
+              1e5 * 4e-16);  // rounding per step; a first-order rotation would double the length within 1e5 steps
   EXPECT_LT(cosine, 1e-11);
 }
 
@@ -302,7 +304,7 @@ TEST(Transport, ThePeersGrowthOverARigidRotationIsItsFirstOrderRotation) {
     const V3<double> z{0, 0, 1};
     spun_theirs = first_order(spun_theirs, z, z, 1.25e-3), spun_ours = transport(spun_ours, z, z, 1.25e-3);
   }
-  // Peer README: 3.1e-4 over 0.5 rad in 400 steps (about the normal), the same part in its turning plane.
+  // The recording notes 3.1e-4 over 0.5 rad in 400 steps (about the normal), and as much in its turning plane.
   EXPECT_NEAR(norm(spun_theirs) - 1, 3.1e-4, 0.05e-4);
   EXPECT_NEAR(norm(spun_ours), 1, 1e-13);
   EXPECT_NEAR(norm(ours), 1, 1e-13);
@@ -310,7 +312,7 @@ TEST(Transport, ThePeersGrowthOverARigidRotationIsItsFirstOrderRotation) {
   EXPECT_LT(norm(ours - rotate({1, 0, 0}, 0.5, axis)), 1e-12);
 }
 
-// ---- The peer's recorded paths.
+// ---- Recorded paths.
 
 struct Recorded {
   std::vector<std::string> names;
@@ -381,7 +383,7 @@ TYPED_TEST(TwoSpheres, FollowsThePeersRecordedPaths) {
   for (const std::string size : {"r3_r3", "r3_r45"})
     for (const std::string path : {"a_normal", "b_shear_cyclic", "b2_shear_cyclic_elastic", "d_roll_noplast",
                                    "d_roll_eta", "d_roll_etazero", "e_twist_noplast", "e_twist_eta"}) {
-      if (path == "d_roll_etazero" && std::is_same_v<TypeParam, HertzCase>) continue;  // the peer recorded none
+      if (path == "d_roll_etazero" && std::is_same_v<TypeParam, HertzCase>) continue;  // no such path was recorded
       const Recorded data = read_recorded(fmt::format("{}{}_{}.csv", folder, path, size));
       ASSERT_GT(data.rows.size(), 100u) << folder << path;
       std::optional<double> limit = TypeParam::limit;

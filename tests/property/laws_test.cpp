@@ -1,4 +1,5 @@
-// What every contact law must obey, run over the list of laws: objectivity, reciprocity, potentials, limits, energy.
+// Laws that every contact law must obey, run over the list of laws: objectivity, reciprocity, potentials, limits,
+// energy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ class EveryLaw : public ::testing::Test {
     return Law::mix(example<Law>(0, limit, restitution), example<Law>(0, limit, restitution));
   }
 
-  // A contact somewhere in space, in motion, with a memory within its limits.
+  // Returns a contact somewhere in space, in motion, with a history within its limits.
   Pair<Law> any_pair(const typename Law::Couple& c) {
     Pair<Law> p = touching_pair<Law>(c, uniform(2e-3, 5e-3), uniform(2e-3, 5e-3), uniform(5e-6, 4e-5), vector(1));
     const V3<double> centre = vector(1e-2);
@@ -64,7 +65,7 @@ TYPED_TEST(EveryLaw, AnswersInARotatedFrameWithTheRotatedAnswer) {
     q.memory.shear = rotated(R, q.memory.shear), q.memory.rolling = rotated(R, q.memory.rolling);
     q.normal = rotated(R, q.normal);
     p.advance(1e-5), q.advance(1e-5);
-    // Positions of 1e-2 m leave an overlap of 1e-5 m with twelve digits: 1e-12 of the stiffness times a length.
+    // At positions of 1e-2 m an overlap of 1e-5 m has twelve digits: 1e-12 of the stiffness times a length.
     const double tolerance = 1e-11 * (p.response.normal_force + norm(p.memory.shear)) + 1e-12;
     expect_near(q.force_on_two(), rotated(R, p.force_on_two()), tolerance);
     expect_near(q.torque_on_one(), rotated(R, p.torque_on_one()), 1e-2 * tolerance);
@@ -114,7 +115,7 @@ TYPED_TEST(EveryLaw, FeelsNothingOfARigidMotionOfThePair) {
   EXPECT_LT(roll, 1e-12);
   expect_near(p.normal, rotated(whole, normal), 1e-10);
   EXPECT_NEAR(norm(p.memory.shear), norm(before.shear), 1e-9 * norm(before.shear));
-  // Turning and spinning do not commute: 1e-3 rad a step leaves a direction error of second order in the step.
+  // Turning and spinning do not commute: at 1e-3 rad per step the direction is off by the second order of the step.
   expect_near(p.memory.shear, rotated(whole, before.shear), 3e-6 * norm(before.shear));
   expect_near(p.memory.rolling, rotated(whole, before.rolling), 3e-6 * norm(before.rolling));
   EXPECT_DOUBLE_EQ(p.memory.twisting, before.twisting);
@@ -166,14 +167,14 @@ TYPED_TEST(EveryLaw, HoldsShearAndMomentsWithinTheirLimits) {
     EXPECT_GE(p.books.viscous, 0);
     sliding += p.response.sliding;
   }
-  EXPECT_GT(sliding, 100);  // or the limit was never put to the test
+  EXPECT_GT(sliding, 100);  // else the limit was never tested
 }
 
 TYPED_TEST(EveryLaw, ResistsRollingAndTwisting) {
   Pair<TypeParam> p = touching_pair<TypeParam>(this->couple(0.02), 3e-3, 4.5e-3, 2e-5);
   double work = 0, lost = 0;
   for (int i = 1; i <= 400; ++i) {
-    // Counter-rolling and twisting back and forth, ending where it began: what was put in was lost at the limit.
+    // Counter-rolling and twisting go back and forth to their start, so all work is lost at the limit.
     const double sense = (i <= 100 || i > 300) ? 1 : -1;
     p.two.w = {40 * sense, 25 * sense, 30 * sense};
     p.one.w = (-p.two.radius / p.one.radius) * V3<double>{p.two.w.x, p.two.w.y, 0};
@@ -189,7 +190,7 @@ TYPED_TEST(EveryLaw, ResistsRollingAndTwisting) {
     lost += p.books.rolling_plastic;
   }
   EXPECT_GT(lost, 0.5 * work) << "the limits were hardly put to the test";
-  // The rolling moment turns with the spin, 1.5e-4 rad a step, before it is changed: the sum above misses the square.
+  // The rolling moment turns with the spin, 1.5e-4 rad per step, before it changes: the sum above misses the square.
   EXPECT_NEAR(work, lost + p.books.elastic_rolling + p.books.elastic_twisting, 3e-7 * work);
 }
 
@@ -211,7 +212,7 @@ TYPED_TEST(EveryLaw, LimitNoneIsElasticAndLimitZeroIsNothing) {
   }
 }
 
-// The slip at which a contact at rest begins to slide, mu Fn/ks.
+// Returns the slip at which a contact at rest begins to slide, mu Fn/ks.
 template <class Law>
 double first_slide(const typename Law::Couple& c, const Kinematics<double>& k) {
   Memory<double> memory{};
@@ -221,7 +222,7 @@ double first_slide(const typename Law::Couple& c, const Kinematics<double>& k) {
 }
 
 TYPED_TEST(EveryLaw, ASlipCycleAtConstantOverlapCreatesNoEnergy) {
-  for (const double share : {0.5, 10.0}) {  // of the slip at which it slides: it never does; it nearly always does
+  for (const double share : {0.5, 10.0}) {  // shares of the slip at which it slides: never slides; slides almost always
     Kinematics<double> k = touching_pair<TypeParam>(this->couple(), 3e-3, 4.5e-3, 2e-5).motion(0);
     const double amplitude = share * first_slide<TypeParam>(this->couple(), k);
     Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
@@ -254,7 +255,7 @@ TYPED_TEST(EveryLaw, ASlipCycleAtConstantOverlapCreatesNoEnergy) {
   }
 }
 
-// Slid straight on, a contact dissipates its limit times the slip, once its spring is taut.
+// A contact that slides straight dissipates its limit times the slip, once its spring is taut.
 TYPED_TEST(EveryLaw, StraightSlidingDissipatesTheLimitTimesTheSlip) {
   const auto c = this->couple();
   Kinematics<double> k = touching_pair<TypeParam>(c, 3e-3, 4.5e-3, 2e-5).motion(0);
@@ -264,14 +265,14 @@ TYPED_TEST(EveryLaw, StraightSlidingDissipatesTheLimitTimesTheSlip) {
   Books<double> books;
   for (int i = 0; i < 10; ++i) {
     const auto r = TypeParam::respond(c, k, 1e-6, memory, books);
-    if (i < 4) continue;  // at the limit to rounding after four, beyond it after five
+    if (i < 4) continue;  // at the limit to rounding after four steps, beyond it after five
     EXPECT_TRUE(r.sliding);
     EXPECT_NEAR(books.frictional, c.tangential.mu * r.normal_force * step, 1e-12 * r.normal_force * step);
   }
 }
 
 TYPED_TEST(EveryLaw, GivesNothingWithoutOverlapMotionAndMemory) {
-  // The sweep relies on it for pairs in its lanes that do not touch.
+  // The sweep relies on zero forces for pairs in its lanes that do not touch.
   Kinematics<double> k = touching_pair<TypeParam>(this->couple(), 3e-3, 4.5e-3, 0).motion(0);
   k.overlap = 0;
   Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
@@ -304,7 +305,7 @@ TYPED_TEST(EveryLaw, TheEnergyOfASlipCycleAtChangingOverlapIsMeasuredNotHidden) 
   this->RecordProperty("created_over_put_in", std::to_string(created / put_in));
 }
 
-// Four contacts in lanes, from four single ones, and back.
+// Compares four contacts in lanes with four single ones, bit by bit.
 void expect_same_bits(double one, double four, const char* what) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(one), std::bit_cast<std::uint64_t>(four))
       << what << ": " << one << " and " << four;

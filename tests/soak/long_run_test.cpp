@@ -1,4 +1,5 @@
-// A million steps of a thousand grains at rest: minutes, so apart from the tests of every build.
+// A million steps of a thousand grains at rest. It takes minutes and therefore stands apart from the tests of every
+// build.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/long_run.h"
 

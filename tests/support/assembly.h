@@ -25,7 +25,7 @@ inline void add_grain(io::Snapshot& s, const Vec3& position, double radius) {
   g.copy_id.push_back(0);
 }
 
-/// Contact of two grains, the second shifted by `image` cells; the force on the second is normal * n + shear.
+/// Adds a contact of two grains, the second shifted by `image` cells. The force on the second is normal * n + shear.
 inline void add_contact(io::Snapshot& s, std::int32_t first, std::int32_t second, const Vec3i& image, double normal,
                         const Vec3& shear = Vec3::Zero()) {
   io::ContactsRecord& c = s.contacts;
@@ -44,7 +44,7 @@ inline void add_contact(io::Snapshot& s, std::int32_t first, std::int32_t second
   c.sliding.push_back(0);
 }
 
-/// A contact of a grain with itself one cell further: gives any normal direction, branch of length 2 r.
+/// Adds a contact of a grain with its own image in the next cell, for any normal direction, with a branch of 2 r.
 inline void add_direction(io::Snapshot& s, const Vec3& n, double normal, const Vec3& shear) {
   io::ContactsRecord& c = s.contacts;
   c.bodies.push_back({0, 1});
@@ -59,7 +59,7 @@ inline void add_direction(io::Snapshot& s, const Vec3& n, double normal, const V
   c.sliding.push_back(0);
 }
 
-/// n x n x n touching spheres of diameter 1 (2D: n x n disks) with a normal force per axis in their contacts.
+/// Returns n x n x n touching spheres of diameter 1 (2D: n x n disks) with one normal force per axis in their contacts.
 inline io::Snapshot simple_cubic(int n, const Vec3& force, int dimension = 3) {
   io::Snapshot s;
   s.grains.dimension = dimension;
@@ -85,7 +85,7 @@ inline io::Snapshot simple_cubic(int n, const Vec3& force, int dimension = 3) {
   return s;
 }
 
-/// Grains dropped at random into a sheared periodic cell of volume n, not overlapping, some through the faces.
+/// Returns grains at random in a sheared periodic cell of volume n, without overlap, some of them across its faces.
 inline io::Snapshot random_cell(int n, int dimension = 3, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(0, 1);

@@ -6,14 +6,14 @@
 
 namespace soilweave::testing {
 
-/// Flat faces 400 mm wide, and sides whose arcs are 100 mm long between them: the hoop of the empty bag, 400 by 100 mm.
+/// Returns flat faces 400 mm wide with sides of 100 mm arcs in between: the hoop of the empty bag of 400 by 100 mm.
 inline packing::Pillow inextensible() {
   packing::Pillow bag;
   bag.width = 0.4, bag.side_radius = 0.044205, bag.corner_radius = 0.042;
   return bag;
 }
 
-/// A bag with that section and sides straight from corner to corner. corner_radius: m, in plan.
+/// Returns a bag with that section and sides straight from corner to corner. corner_radius: m, in plan.
 inline packing::Cushion straight(double corner_radius) {
   packing::Cushion bag;
   static_cast<packing::Profile&>(bag) = inextensible();

@@ -11,7 +11,7 @@
 
 namespace soilweave::calibration::test {
 
-/// E on a log scale, nu, kr, eta, mu between the values given.
+/// Returns the prior of E on a log scale, nu, kr, eta and mu between the given values.
 inline Prior contact_prior(const std::vector<double>& low, const std::vector<double>& high) {
   return {{{"E", "Pa", "", low[0], high[0], Scale::log},
            {"nu", "1", "", low[1], high[1], Scale::linear},
@@ -20,8 +20,8 @@ inline Prior contact_prior(const std::vector<double>& low, const std::vector<dou
            {"mu", "deg", "", low[4], high[4], Scale::linear}}};
 }
 
-/// y_t = A_t theta + noise, two parameters, two observables, T steps. With a flat prior wide enough the posterior is
-/// normal: covariance v (sum of A_t^T A_t)^-1, mean covariance sum of A_t^T y_t / v.
+/// Model y_t = A_t theta + noise with two parameters, two observables and T steps. With a wide flat prior the posterior
+/// is normal: covariance v (sum of A_t^T A_t)^-1, mean covariance sum of A_t^T y_t / v.
 struct LinearModel {
   explicit LinearModel(std::uint64_t seed, double variance_ = 0.04, Eigen::Index steps = 12)
       : variance(variance_), random(seed) {

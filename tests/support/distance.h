@@ -1,5 +1,5 @@
-// Distances for searches through all pairs, which would take ten times as long with vectors where tests are compiled
-// without optimisation.
+// Distances for searches through all pairs. Vectors would take ten times as long here, since tests are compiled without
+// optimisation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave::testing {
 
-/// Square of the distance of two points, m2.
+/// Returns the squared distance of two points, m2.
 inline double squared_distance(const Vec3& a, const Vec3& b) {
   const double *p = a.data(), *q = b.data();
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];

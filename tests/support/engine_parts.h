@@ -1,4 +1,4 @@
-// The parts of the engine that Simulation puts together, for tests and benchmarks that drive them one by one.
+// Parts of the engine that Simulation assembles, for tests and benchmarks that drive them one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,7 +23,7 @@ struct EngineParts {
   }
 
   dem::Scene scene() { return {bodies, cell, planes}; }
-  /// Forces after a step dt, whose grains move within the sweep where they have not moved before.
+  /// Computes forces after a step dt. Grains move within the sweep if they have not moved before.
   void act(double dt, bool moving = false, Vec3* affine_stiffness = nullptr) {
     dem::StepPasses passes(moving, contacts, motion, bodies);
     sums = sweep->run(scene(), dt, contacts, passes, affine_stiffness);
@@ -43,7 +43,8 @@ struct EngineParts {
 template <class Rows>
 bool same_bits(const Rows& a, const Rows& b) {
   if (a.size() != b.size()) return false;
-  return a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;  // nothing has no address
+  return a.size() == 0 ||
+         std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;  // an empty vector has no address
 }
 
 }  // namespace soilweave::testing

@@ -1,5 +1,5 @@
-// Series of the reference for wrapped soil, and the thesis's own scheme of equal surcharge increments to hold the path
-// against.
+// Reference series for wrapped soil, and the thesis's own scheme of equal surcharge increments to compare the path
+// with.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,15 +19,15 @@ inline gws::Case bag_of(double stiffness, double strength, double failure_strain
   bag.geotextile = {"test", stiffness, strength, failure_strain};
   return bag;
 }
-/// The six geotextiles of thesis Fig. 5.15 and 5PP, by the reference's table of inputs.
+/// Returns the bag with one of the six geotextiles of thesis Fig. 5.15 or 5PP, by the reference's table of inputs.
 inline gws::Case bag_of(const std::string& name) {
   if (name == "PE") return bag_of(53e3, 9.531e3, 0.17035);
   const double layers = name == "PP" ? 1 : std::strtod(name.c_str(), nullptr);
   return bag_of(layers * 232e3, layers * 31.754e3, 0.1425);
 }
 
-/// Settlement in percent at a surcharge by n equal increments of it, each with everything but dp frozen at its
-/// beginning: the thesis's procedure (section 5.3.4), written down independently of the path.
+/// Returns the settlement in percent at a surcharge by n equal increments, each with everything but dp frozen at its
+/// beginning: the thesis's procedure (section 5.3.4), written independently of the path.
 inline double settlement_by_increments(const gws::Case& bag, double to, int n) {
   const gws::Soil& s = bag.soil;
   const double E = s.young_modulus(bag.geotextile.stiffness), nu = s.poisson_ratio, h = bag.bag.height / bag.bag.width;

@@ -1,4 +1,4 @@
-// Every reader, given bytes that nobody checked.
+// Every reader under unchecked bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/hostile.h"
 
@@ -37,7 +37,7 @@ void expect_error_of_ours(F f) {
   }
 }
 
-// A file of the process's own, where readers want a path.
+// A file of this process, for readers that need a path.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes, const std::string& ending = "") {

@@ -1,4 +1,4 @@
-// Every reader, given bytes that nobody checked: what fuzzing and the test of its corpus call.
+// Every reader under unchecked bytes, for fuzzing and for the test of its corpus.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,17 +6,17 @@
 
 namespace soilweave::hostile {
 
-/// Each reads the bytes in every way tools do, and uses what it got a little. Errors of ours are the right answer;
-/// anything else leaves as it came.
+/// Each function reads the bytes in every way that tools do, and uses the result a little. Errors of the library are
+/// the right answer; anything else passes through.
 void scenario(std::string_view bytes);  // TOML: scenarios, plans, materials, priors, soils, geotextiles
 void table(std::string_view bytes);     // tab-separated text: series, gradings, observations
 void spheres(std::string_view bytes);   // x y z r
-void mesh(std::string_view bytes);      // of finite elements, by gmsh
+void mesh(std::string_view bytes);      // of finite elements, by Gmsh
 void surface(std::string_view bytes);   // of triangles, in STL
 void file(std::string_view bytes);      // HDF5 of every kind
 
 using Reader = void (*)(std::string_view);
-/// The reader of a name, as above; null for another.
+/// Returns the reader of this name, nullptr for another name.
 Reader reader(std::string_view name);
 
 }  // namespace soilweave::hostile

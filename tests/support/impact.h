@@ -19,7 +19,7 @@ struct Sphere {
   double mass() const { return density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3); }
 };
 
-/// Material 0 is the first sphere's, 1 the second's, 2 the plane's.
+/// Returns the scene. Material 0 is the first sphere's, 1 the second's, 2 the plane's.
 inline io::Snapshot scene(const std::vector<Sphere>& spheres, bool plane) {
   io::Snapshot s;
   s.cell.periodic = {false, false, false};
@@ -52,13 +52,13 @@ inline Numerics undamped(double time_step, double gravity = 0) {
   return n;
 }
 
-/// What an impact was like: peaks over the contact, its duration, and the state after it.
+/// Result of an impact: peaks over the contact, its duration, and the state after it.
 struct Impact {
   double largest_overlap = 0, largest_force = 0, duration = 0;  // m, N, s
   io::GrainsRecord after;
 };
 
-/// Runs from touching until the contact is gone. Throws std::runtime_error when it never is.
+/// Runs from touching until the contact ends. Throws std::runtime_error if it never does.
 inline Impact collide(const std::vector<Sphere>& spheres, bool plane, const Model& model, double time_step,
                       int most_steps = 1000000) {
   Simulation simulation(scene(spheres, plane), model, undamped(time_step));
@@ -77,7 +77,7 @@ inline Impact collide(const std::vector<Sphere>& spheres, bool plane, const Mode
   throw std::runtime_error("the spheres never parted");
 }
 
-/// Hertz's impact of reduced mass m and radius R at relative speed v: overlap and force at the peak, contact time.
+/// Hertz's impact of reduced mass m and radius R at relative speed v: peak overlap and force, and contact time.
 struct HertzImpact {
   double overlap, force, duration;
 

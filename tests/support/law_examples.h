@@ -1,4 +1,4 @@
-// A material of each law for the tests that run over all laws. A new law adds one function here.
+// A material of each law, for tests over all laws. A new law adds one function here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,7 +28,7 @@ inline Linear::Material example<Linear>(int variant, std::optional<double> limit
   return {5.449e8, 0.08, 30.2 * degree, restitution, r, r};
 }
 
-/// Shear stiffness at one overlap over that at another: what an incremental law's own energy depends on.
+/// Returns the ratio of shear stiffnesses at two overlaps, on which the energy of an incremental law depends.
 template <class Law>
 double shear_stiffness_ratio(double overlap, double other);
 

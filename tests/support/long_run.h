@@ -1,4 +1,4 @@
-// A packing at rest, stepped for a long time without damping: what drifts.
+// A packing at rest, stepped for a long time without damping, to measure drift.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,28 +19,28 @@ inline Vec3 momentum(const io::GrainsRecord& grains) {
   return sum;
 }
 
-/// Momentum if every grain moved with the root mean square of their speeds in the same direction.
+/// Returns the momentum if every grain moved with the root mean square speed in one direction.
 inline double momentum_scale(const io::GrainsRecord& grains, double kinetic) {
   double mass = 0;
   for (const double m : grains.mass) mass += m;
   return std::sqrt(2 * kinetic * mass);
 }
 
-/// Elastic contacts that never slide, no damping, a cell that stands still. Energy may drift by 1e-6 of what is stored,
-/// what the law itself creates included; momentum and the length of quaternions by rounding alone, which adds up like a
-/// random walk, and the cell not at all.
+/// Runs elastic contacts that never slide, without damping, in a cell at rest. Energy may drift by 1e-6 of the stored
+/// energy, the law's own creation included. Momentum and the length of quaternions may drift only by rounding, which
+/// adds up like a random walk. The cell may not drift at all.
 ///
 /// The grains were packed with the friction of sand. A shear force that turns with its pair has no potential: its
-/// tangent stiffness is unsymmetric by |Fs| over the branch, in all codes that turn it by the mean spin, and modes of
-/// nearly one frequency then draw on the shear forces, at a rate that is the same in time for any step (flutter). Of
-/// packings made without sliding, whose shear forces are as large as their normal forces, a million steps set some
-/// 1e-5 of the stored energy in motion; of these about 1e-11.
+/// tangent stiffness is unsymmetric by |Fs| over the branch, in all codes that turn it by the mean spin. Modes of
+/// nearly one frequency then draw on the shear forces, at a rate that does not depend on the step (flutter). In
+/// packings made without sliding, whose shear forces are as large as their normal forces, a million steps set some 1e-5
+/// of the stored energy in motion; here it is about 1e-11.
 inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
   const dem::Model elastic = sand(89 * degree);
   dem::Numerics damped;
   damped.damping = 0.7;
   dem::Simulation resting(packed(sand(), 1e5, grains), elastic, damped);
-  // What carries comes to rest; grains that carry nothing would fly on.
+  // Only grains that carry come to rest; grains that carry nothing would fly on.
   for (int round = 0; round < 5; ++round) {
     for (int k = 0; k < 2000; ++k) resting.step();
     resting.slow_motion(0);

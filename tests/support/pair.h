@@ -1,4 +1,4 @@
-// Two spheres on prescribed or free paths, with one contact between them: the least that a law needs to be tested.
+// Two spheres on prescribed or free paths with one contact: the minimum for the test of a law.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ struct Body {
   V3<double> x{0, 0, 0}, v{0, 0, 0}, w{0, 0, 0};  // positions; velocities that led there
 };
 
-/// The contact of two bodies; remembers what a simulation would.
+/// The contact of two bodies, with the history that a simulation would keep.
 template <class Law>
 struct Pair {
   typename Law::Couple couple;
@@ -48,7 +48,7 @@ struct Pair {
     return k;
   }
 
-  /// Evaluates the law at the present positions; without contact everything is zero and forgotten.
+  /// Evaluates the law at the present positions. Without contact everything is zero and the history is lost.
   void update(double dt) {
     kinematics = motion(dt);
     if (kinematics.overlap < 0) {

@@ -1,4 +1,4 @@
-// Comma-separated tables of the reference data, which tests read through SOILWEAVE_REFERENCE.
+// Comma-separated tables of the reference data, in the folder SOILWEAVE_REFERENCE.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@ namespace soilweave::test {
 
 using Columns = std::map<std::string, std::vector<double>>;
 
-/// A file of the reference folder; empty where SOILWEAVE_REFERENCE names none, or there is no such file.
+/// Returns a file of the reference folder; empty without SOILWEAVE_REFERENCE, or if the file does not exist.
 inline std::filesystem::path reference_file(const std::string& name) {
   const char* folder = std::getenv("SOILWEAVE_REFERENCE");
   if (folder == nullptr || *folder == 0) return {};
@@ -22,7 +22,7 @@ inline std::filesystem::path reference_file(const std::string& name) {
   return std::filesystem::exists(file) ? file : std::filesystem::path();
 }
 
-/// A comma-separated table of the reference folder; empty where there is none.
+/// Returns a comma-separated table of the reference folder; empty if there is none.
 inline Columns reference_table(const std::string& name) {
   Columns table;
   std::ifstream file(reference_file(name));

@@ -1,4 +1,4 @@
-// Equality of records bit for bit: negative zeros and the bits of NaN count.
+// Bitwise equality of records: negative zeros and the bits of NaN count.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -64,7 +64,7 @@ inline void expect_same(const History& a, const History& b) {
   EXPECT_EQ(describe(a), describe(b));
 }
 
-/// That `act` throws an Error of this kind, of one line that holds the words.
+/// Expects that `act` throws an Error of this kind, in one line that contains the words.
 template <class Kind, class Act>
 void expect_error(const Act& act, const std::string& words) {
   try {

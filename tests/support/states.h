@@ -16,7 +16,7 @@
 
 namespace soilweave::io::test {
 
-/// A folder of this process's own, removed at the end.
+/// A folder of this process, removed at the end.
 class Folder {
  public:
   Folder() {
@@ -45,7 +45,7 @@ inline void put_bytes(const std::filesystem::path& path, std::string_view bytes)
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Numbers with every bit of the fraction in use, the same on each call.
+/// Numbers that use every bit of the fraction, equal in each call.
 class Numbers {
  public:
   double operator()() {
@@ -58,8 +58,8 @@ class Numbers {
   std::uint64_t state_ = 42;
 };
 
-/// A chain of touching grains in a sheared cell, with contacts and their history, one through a periodic face, planes
-/// if wanted. Some numbers are denormal, negative zero or extreme.
+/// Returns a chain of touching grains in a sheared cell, with contacts and their history, one of them through a
+/// periodic face, and optional planes. Some numbers are denormal, negative zero or extreme.
 inline Snapshot example_state(std::size_t grains = 12, int dimension = 3, bool planes = false) {
   Numbers any;
   Snapshot state;
@@ -118,7 +118,7 @@ inline History example_history() {
   return history;
 }
 
-/// Three states of the same grains; radii change, contacts come and go.
+/// Returns three states of the same grains in which radii change and contacts come and go.
 inline RunFile example_run(std::size_t grains = 12, bool planes = false) {
   RunFile run;
   for (int f = 0; f < 3; ++f) {

@@ -1,4 +1,4 @@
-// The worst of many errors, for tests that compare it with a limit.
+// The worst of many errors, to compare with a limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,7 @@
 
 namespace soilweave::test {
 
-/// Returns the larger of the two. A NaN among them stays, as std::max would not let it: no comparison with a limit
-/// passes.
+/// Returns the larger number. A NaN stays, unlike in std::max, and fails every comparison with a limit.
 inline double worse(double worst, double error) { return std::isnan(worst) || error <= worst ? worst : error; }
 
 }  // namespace soilweave::test

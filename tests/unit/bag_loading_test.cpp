@@ -1,4 +1,4 @@
-// The loading of a bag between plates: a box of nodes whose area, layer and cuts are known, and a series made by hand.
+// The loading of a bag between plates: a box of nodes with known area, layer and cuts, and a series made by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ io::Series series() {
     s.columns.push_back({name, unit, "made by hand", std::move(values)});
   };
   put("step", {0, 10, 20, 30, 40, 50}), put("time", {0, 1, 2, 3, 4, 5}, "s"), put("stage", {0, 0, 1, 1, 1, 1});
-  // The plates near by 0.2 mm in the preload, then by 1 % of 40 mm a station; the upper one travels by 3 and -4.
+  // The plates approach by 0.2 mm in the preload, then by 1 % of 40 mm per station; the upper one travels by 3 and -4.
   put("displacement_top_z", {0, -1e-4, -3e-4, -5e-4, -7e-4, -9e-4}),
       put("displacement_bottom_z", {0, 1e-4, 3e-4, 5e-4, 7e-4, 9e-4});
   put("displacement_top_x", {0, 0, 0, 0, 0, 3e-4}), put("displacement_top_y", {0, 0, 0, 0, 0, -4e-4});
@@ -65,7 +65,7 @@ io::Series series() {
   return s;
 }
 
-/// A box of 100 x 60 x 40 mm in a mesh of 4 x 3 x 2 cells between plates that lie on its nodes; two yarns break.
+/// Returns a box of 100 x 60 x 40 mm in a mesh of 4 x 3 x 2 cells, between plates on its nodes; two yarns break.
 io::RunFile run(const std::string& plan = box,
                 const std::string& scenario = geotextile + planes + preload + compression) {
   io::RunFile file;
@@ -134,7 +134,7 @@ TEST(BagLoading, CountsYarnsThatStandForSeveralAndThoseThatAPlaneCuts) {
 }
 
 TEST(BagLoading, BreaksWhileItsPlatesMoveAndNotWhileTheyWait) {
-  // From 3 % at 4 s on plates go at 10 %/s: 3.2 % at 4.02 s. Under a load: in proportion to the time.
+  // From 3 % at 4 s on, plates close at 10 %/s: 3.2 % at 4.02 s. Under a load the strain is interpolated in time.
   expect(table(run()), "first_break_strain", std::vector<double>(6, 0.032));
   const std::string slow =
       "[[stage]]\npath = \"drive\"\n[[stage.load]]\npart = \"top\"\nalong = [0, 0, -1]\nforce = 1\nspeed = 1\n";

@@ -1,4 +1,4 @@
-// Copies of a packing, and what a container keeps of them.
+// Copies of a packing, and their part inside a container.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
   const std::size_t n = one.grains.size(), all = 6;
   ASSERT_EQ(block.grains.size(), all * n);
   ASSERT_EQ(block.contacts.size(), all * one.contacts.size());
-  // The same forces, so the same stress, and rest stays rest: the simulation finds every contact with its memory.
+  // Equal forces give equal stress and rest, because the simulation finds every contact with its history.
   dem::Simulation small(one, model, {}), large(block, model, {});
   EXPECT_LT((small.measures().stress - large.measures().stress).norm(), 1e-9 * small.measures().stress.norm());
   EXPECT_EQ(large.measures().contacts, static_cast<std::int64_t>(all) * small.measures().contacts);
@@ -47,8 +47,8 @@ TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
 }
 
 TEST(Tile, CopiesAreNumberedAlongXThenYThenZAndTheirContactsReachFromGrainToGrain) {
-  // In a sheared cell, some grains two cells away from where they belong. Vectors of a contact are set to multiples of
-  // its branch, so that they show whether they turn with it.
+  // The cell is sheared, and some grains lie two cells away. Vectors of a contact are multiples of its branch, which
+  // shows whether they turn with it.
   io::Snapshot one = analysis::test::random_cell(20);
   for (int k = 0; k < 19; ++k) {
     analysis::test::add_contact(one, k, k + 1, Vec3i(k % 3 - 1, k % 2, -(k % 2)), 1 + k);
@@ -203,7 +203,7 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
 }
 
 TEST(Plan, ScalesARepresentativeVolumeAtEqualStrainsAndStresses) {
-  // Twice the lengths: masses and moments eightfold, forces fourfold. Factors of two are exact.
+  // At twice the lengths, masses and moments are eightfold and forces fourfold. Factors of two are exact.
   io::Snapshot one = testing::packed(testing::sand(), 1e5);
   for (Vec3& v : one.grains.velocity) v = Vec3(1, 2, 3);
   const auto in_box = [&](const std::string& half, const std::string& scale) {
@@ -238,7 +238,7 @@ TEST(Plan, ScalesARepresentativeVolumeAtEqualStrainsAndStresses) {
 
 TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   const Pillow bag;
-  // Soil that fills nine tenths of the bag, cut equally far from all of its surface.
+  // The soil fills nine tenths of the bag, cut equally far from all of its surface.
   io::Snapshot soil;
   soil.grains.copy_id = {0, -1};
   soil.grains.radius = {std::cbrt(0.9 * bag.volume() / 1.7 / (4.0 / 3.0 * pi)), 1};
@@ -256,7 +256,7 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   EXPECT_NEAR(half_way.stretch.x() * half_way.stretch.x(), stretched.stretch.x(), 1e-12);
   EXPECT_EQ(alone.stretch, Vec3::Ones());
   EXPECT_EQ(alone.filling, stretched.filling);
-  // Nodes reach inside: the same soil fills the rest of the bag.
+  // With nodes that reach inside, the same soil fills the rest of the bag.
   Growth within;
   const double depth = 1e-3;
   aim(within, soil, 0.7, bag, depth);
@@ -265,8 +265,8 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
   EXPECT_NEAR(gap.x(), gap.z(), 1e-12);
 }
 
-// A representative volume made larger is of the same density and, with the same strains, under the same stresses: the
-// force of a contact is still Hertz's of its overlap, 4/3 E* sqrt(R*) overlap^1.5.
+// An enlarged representative volume keeps its density and, at equal strains, its stresses: the force of a contact is
+// still Hertz's for its overlap, 4/3 E* sqrt(R*) overlap^1.5.
 TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
   const io::Snapshot small = testing::packed(testing::sand(), 1e5, 60);
   const double density = small.grains.mass[0] / dem::grain_volume(3, small.grains.radius[0]);
@@ -310,7 +310,7 @@ TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
   EXPECT_THROW(read_plan(small_bag, "plan", {"geotextile_mesh.offset=0.003"}), DataError);
 }
 
-// The mirror image across x = 0; contacts are found anew.
+// Returns the mirror image across x = 0; contacts are found anew.
 io::Snapshot mirrored(io::Snapshot state) {
   for (auto* rows : {&state.grains.position, &state.grains.velocity, &state.planes.point, &state.planes.normal,
                      &state.planes.velocity})
@@ -325,7 +325,7 @@ TEST(Bag, MirroredBagsMoveAsMirrorImages) {
   state.contacts = {};
   for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
     for (Vec3& v : *rows) v.setZero();
-  // Obliquely into the bag, so that all axes have their part.
+  // The direction is oblique, so that all axes take part.
   const double from_middle = 0.0185;
   state.planes.point = {Vec3(0, 0, -from_middle), Vec3(0, 0, from_middle)};
   state.planes.normal = {Vec3(0, 0, 1), Vec3(0, 0, -1)};

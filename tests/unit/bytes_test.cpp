@@ -1,4 +1,4 @@
-// Files that are written: links, permissions, what is left of earlier attempts, limits.
+// Written files: links, permissions, leftovers of earlier attempts, limits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bytes.h"
 
@@ -56,7 +56,7 @@ TEST_F(Bytes, ALinkKeepsPointingToTheFileThatIsMadeOrReplaced) {
   expect_error<CannotCreate>([&] { write_bytes(folder / "round", "x"); }, "leads back to itself");
   fs::create_symlink("none/file", folder / "nowhere");
   expect_error<CannotCreate>([&] { demand_place(folder / "nowhere"); }, "a link to");
-  // In a folder of the program's own a link is replaced, and what it names is left alone.
+  // In a folder of the program's own a link is replaced, and its target stays.
   write_own_bytes(folder / "link", "own");
   EXPECT_EQ(bytes_of(folder / "far/file"), "two");
   EXPECT_FALSE(fs::is_symlink(folder / "link"));

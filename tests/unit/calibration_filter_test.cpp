@@ -20,7 +20,7 @@ using test::LinearModel;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The 100 sets, their runs and the observations at 0.5 MPa; no members without reference data.
+/// Returns the 100 sets, their runs and the observations at 0.5 MPa; no members without reference data.
 Assimilation stored_ensemble() {
   const auto sets = soilweave::test::reference_table("ch2/mc100_parameters.csv");
   const auto lines = soilweave::test::reference_table("ch2/mc100_simulations.csv");
@@ -123,8 +123,8 @@ TEST(ParticleFilter, a_bound_on_the_effective_size_is_met_by_the_smallest_error)
 }
 
 TEST(ParticleFilter, evidence_of_a_scaled_error_is_that_of_the_scaled_variance) {
-  // Two members with misfits 0 and 6: weights as 1 to w = exp(-3/f), and an effective size of (1 + w)^2 / (1 + w^2) =
-  // 1.6 where w = 1/3, so that f = 3 / log 3. The evidence is the mean likelihood under the variance f v.
+  // Two members with misfits 0 and 6 weigh 1 to w = exp(-3/f). The effective size (1 + w)^2 / (1 + w^2) is 1.6 for w =
+  // 1/3, so f = 3 / log 3. The evidence is the mean likelihood under the variance f v.
   const Vector even = Vector::Constant(2, std::log(0.5));
   const Matrix misfit = (Matrix(2, 1) << 0, 6).finished();
   const double v = 0.04, f = 3 / std::log(3.0);
@@ -145,7 +145,7 @@ TEST(ParticleFilter, error_models_give_the_variances_they_name) {
   Matrix expected(2, 2);
   expected << 0.1, 0.2, 0.1, 0.2;
   EXPECT_EQ(variances({component, {0.1, 0.2}}, observed), expected);
-  expected << 0.002, 1, 0.2, 2;  // a tenth of each; of 1 % of the greatest where the observation is 0
+  expected << 0.002, 1, 0.2, 2;  // a tenth of each; for an observation of 0, a tenth of 1 % of the greatest
   EXPECT_LT((variances({relative, {0.1}}, observed).cwiseSqrt() - expected).norm(), 1e-12);
   expected << 0.2, 2, 0.2, 2;
   EXPECT_LT((variances({largest, {0.1}}, observed).cwiseSqrt() - expected).norm(), 1e-12);
@@ -155,8 +155,7 @@ TEST(ParticleFilter, error_models_give_the_variances_they_name) {
 
 TEST(ParticleFilter, a_linear_model_has_its_exact_posterior_and_its_truth_in_the_intervals) {
   // 20 repetitions: means within four Monte Carlo errors, deviation / sqrt(effective size); variances within four of
-  // theirs, sqrt(2 / size) relative; the true values inside the 90 % intervals as often as that says (18 of 20; 16
-  // asked).
+  // theirs, sqrt(2 / size) relative. The true values lie inside the 90 % intervals in 18 of 20; 16 are asked.
   int inside[2] = {0, 0};
   for (std::uint64_t repetition = 0; repetition < 20; ++repetition) {
     const LinearModel model(100 + repetition, 0.25);
@@ -287,7 +286,7 @@ TEST(Proposal, tempering_keeps_as_many_sets_as_asked) {
 }
 
 TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_with_sixty_runs_a_round) {
-  // A posterior with deviations of about 1 % of the prior's range, which 60 sets of the first round do not meet.
+  // The posterior's deviations are about 1 % of the prior's range, which 60 sets of the first round miss.
   const auto resampled = [](bool kernel, bool keep) {
     const LinearModel model(42, 0.05);
     Ensemble ensemble = members_at(LinearModel::prior(4), sobol(60, 2, 1));
@@ -310,7 +309,7 @@ TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_wit
       EXPECT_NEAR(mean[k], model.mean[k], 4 * std::sqrt(model.covariance(k, k) / size));
     return size;
   };
-  // Four times the sets, of which the last round's count most.
+  // Four times the sets help, because the last round's sets count most.
   EXPECT_GT(resampled(false, true), 1.2 * resampled(false, false));
   EXPECT_GT(resampled(true, true), 1.2 * resampled(true, false));
 }
@@ -319,7 +318,7 @@ TEST(Rounds, together_stand_for_the_prior_whatever_each_was_drawn_from) {
   const Prior unit{{{"a", "1", "", 0, 1, Scale::linear}, {"b", "1", "", 0, 1, Scale::linear}}};
   const Vector even = Vector::Constant(50, 0.02);
   const Ensemble first = members_at(unit, sobol(500, 2, 1));
-  // Without a share of the prior: corners that only the first round covers.
+  // Without a share of the prior, only the first round covers the corners.
   const Proposal low = Proposal::kernels(halton(50, {2, 3}, 1) * 0.3, even, 0);
   const Proposal high = Proposal::mixture((halton(50, {2, 3}, 1) * 0.3).array() + 0.6, even, 3, 0);
   Ensemble all = together(first, members_from(low, unit, 3000, 1, 500));
@@ -336,7 +335,7 @@ TEST(Rounds, together_stand_for_the_prior_whatever_each_was_drawn_from) {
   }
   // The first round alone bounds every importance.
   EXPECT_LE(all.log_importance.maxCoeff(), std::log(6000.0 / 500) + 1e-12);
-  // Rounds from the prior alone leave none.
+  // Rounds from the prior alone have no importance.
   const Ensemble twice = together(first, members_at(unit, sobol(300, 2, 501), 500));
   EXPECT_LT(twice.log_importance.cwiseAbs().maxCoeff(), 1e-12);
 }

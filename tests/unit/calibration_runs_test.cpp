@@ -1,4 +1,4 @@
-// Observations and runs: stations, columns, units, interpolation, and what becomes of runs that are missing or unfit.
+// Observations and runs: stations, columns, units, interpolation, and the fate of missing and unfit runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(Observations, what_cannot_be_used_is_said) {
   EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "lab.tsv: no column z among x, y");
 }
 
-/// A folder with runs 0.tsv, 1.tsv, ... and what became of them against the laboratory.
+/// A folder with runs 0.tsv, 1.tsv, ..., and their fates against the laboratory.
 struct Runs {
   io::test::Folder folder;
   std::vector<std::int64_t> ids;
@@ -226,7 +226,7 @@ TEST(Ensembles, go_through_files_and_tables_unchanged) {
   EXPECT_EQ(read_ensemble(folder / "e.tsv", {}, sources).prior.ranges[1].low, e.values.col(1).minCoeff());
   EXPECT_EQ(read_ensemble(folder / "e.h5", {}, sources).rounds.at(0).sets, 5u);
   EXPECT_TRUE(read_ensemble(folder / "e.tsv", folder / "prior.toml", sources).rounds.empty());
-  // Another prior, other coordinates.
+  // Another prior has other coordinates.
   EXPECT_TRUE(read_ensemble(folder / "e.h5", folder / "prior.toml", sources).rounds.empty());
   e.rounds.front().sets = 4;
   io::write_ensemble(folder / "less.h5", ensemble_file(e), {});

@@ -1,4 +1,4 @@
-// Parameter sets: the radical inverse digit by digit, the tables of thesis chapter 2, what each sequence promises.
+// Parameter sets: the radical inverse digit by digit, the tables of thesis chapter 2, the promises of each sequence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(Sampling, radical_inverse_mirrors_the_digits) {
   EXPECT_DOUBLE_EQ(radical_inverse(1999, 9), 1271.0 / 6561);  // 2661 in base 9 -> 0.1662
 }
 
-/// The same by whole numbers: digits collected, mirrored, divided once.
+/// Returns the radical inverse by integers: digits collected, mirrored, divided once.
 double mirrored(std::uint64_t index, std::uint64_t base) {
   std::uint64_t numerator = 0, denominator = 1;
   for (; index > 0; index /= base, denominator *= base) numerator = numerator * base + index % base;

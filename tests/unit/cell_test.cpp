@@ -1,5 +1,4 @@
-// What does not commute, and what is not one: gradients and spins one after the other, and the thickness of a cell of
-// disks.
+// Order and dimension: gradients and spins do not commute, and the thickness of a cell of disks has no effect.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/cell.h"
 
@@ -42,7 +41,7 @@ TEST(Cell, WidthsAreTheDistancesOfItsFaces) {
   EXPECT_NEAR(cell.widths().z(), 4, 1e-15);
 }
 
-// A grain turned by a about x and then by b about y, axes that stay where they are: q = q_y q_x.
+// A grain turned by a about x and then by b about y, with fixed axes, has q = q_y q_x.
 TEST(Simulation, TurnsAGrainAboutXAndThenAboutY) {
   const double a = 1, b = 0.7, dt = 1e-4;
   const int steps = 2000;

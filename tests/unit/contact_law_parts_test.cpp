@@ -1,4 +1,4 @@
-// The parts that contact laws share: mixing of two materials, dashpots from restitution, lanes.
+// Parts that contact laws share: mixing of two materials, dashpots from restitution, lanes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(MaterialsOfACouple, MixAsTheFormulasSay) {
   EXPECT_DOUBLE_EQ(c.E_star, 1 / (0.91 / 4e9 + 0.96 / 1e9));
   EXPECT_DOUBLE_EQ(c.G_star, 1 / (1.7 * 2.6 / 4e9 + 1.8 * 2.4 / 1e9));
   EXPECT_DOUBLE_EQ(c.tangential.mu, std::tan(0.4));
-  EXPECT_NEAR(restitution(c.damping.ratio, c.damping.attraction), 0.9, 1e-14);  // of two the smaller, unset is 1
+  EXPECT_NEAR(restitution(c.damping.ratio, c.damping.attraction), 0.9, 1e-14);  // the smaller one of two; unset is 1
 
   const Linear::Material l{4e8, 0.3, 0.5, {}, {}, {}}, m{1e8, 0.8, 0.4, {}, {}, {}};
   Kinematics<double> k = unequal();

@@ -1,4 +1,4 @@
-// What to-vtk shows: wrapping, contacts through periodic faces, grain stress, cell and planes; tables as points.
+// Pictures of to-vtk: wrapping, contacts through periodic faces, grain stress, cell and planes, tables as points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/display.h"
 
@@ -41,7 +41,7 @@ void add_grain(Snapshot& state, const Vec3& position, double radius) {
   grains.copy_id.push_back(0);
 }
 
-/// A contact with the given image of the second grain; a negative second is a plane whose branch is given.
+/// Adds a contact with the given image of the second grain. A negative second body is a plane with the given branch.
 void add_contact(Snapshot& state, int first, int second, const Vec3i& image, double normal_force, const Vec3& shear,
                  const Vec3& plane_branch = Vec3::Zero()) {
   const auto& grains = state.grains;
@@ -64,7 +64,7 @@ void add_contact(Snapshot& state, int first, int second, const Vec3i& image, dou
   contacts.sliding.push_back(0);
 }
 
-/// 200 overlapping grains scattered over several images of a sheared cell, with every contact between nearest images.
+/// Returns 200 overlapping grains over several images of a sheared cell, with all contacts between nearest images.
 Snapshot sheared_crowd() {
   Snapshot state;
   state.cell.matrix << 1.0, 0.45, -0.2, 0.0, 1.1, 0.3, 0.05, 0.0, 0.9;
@@ -149,7 +149,7 @@ TEST(Display, TubeRadiusIsTheForceScaleTimesTheCompressiveForce) {
   EXPECT_DOUBLE_EQ(values_of<double>(lines.cell_data, "shear_force_magnitude")[0], 1.3);
   EXPECT_EQ(values_of<std::int64_t>(lines.cell_data, "body_id_2")[0], 101);
   EXPECT_DOUBLE_EQ(fitting_force_scale({&state}), 0.5 * 0.06 / 3.0);
-  state.contacts.normal_force[0] = -1.0;  // a viscous contact coming apart
+  state.contacts.normal_force[0] = -1.0;  // a viscous contact that comes apart
   EXPECT_EQ(values_of<double>(show_contacts(state, false, 0.01).point_data, "tube_radius")[0], 0.0);
   EXPECT_EQ(fitting_force_scale({&state}), 1.0);
 }

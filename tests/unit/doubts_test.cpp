@@ -1,4 +1,4 @@
-// Doubts: each said once, kept in the file that a run writes, absent from files without any.
+// Doubts: said once, kept in the file that a run writes, absent from files without any.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/doubts.h"
 
@@ -97,7 +97,7 @@ TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
 
 TEST(DoubtsOfPackings, RattlersCoordinationAndIsotropy) {
   EXPECT_TRUE(analysis::compaction_doubts(simple_cubic(3, Vec3(1, 1, 1))).empty());
-  // q/p of the stresses 1, 1 and 2: 1 / (4/3).
+  // q/p of the stresses 1, 1 and 2 is 1 / (4/3).
   const auto uneven = analysis::compaction_doubts(simple_cubic(3, Vec3(1, 1, 2)));
   ASSERT_EQ(uneven.size(), 1U);
   EXPECT_NE(sentence_of(uneven, "isotropy").find("q/p is 0.75"), std::string::npos);
@@ -152,14 +152,14 @@ TEST(DoubtsOfRuns, InertialNumberWithTheRateThatWouldDo) {
   const std::string said = of("0.1");
   EXPECT_NE(said.find("stage \"shear\" at 0.1 1/s: inertial number 4.4e-04"), std::string::npos) << said;
   EXPECT_NE(said.find("a rate of 0.02 1/s would do"), std::string::npos) << said;
-  EXPECT_EQ(of("0.02"), "");  // following it helps
+  EXPECT_EQ(of("0.02"), "");  // the remedy works
 }
 
 TEST(Price, SharesOfPhasesAddUpToTheTimeOfStepping) {
   dem::Price price;
   price.steps = 700, price.stepping = 10, price.output = 10;
   price.times.looked_at = 100;
-  price.times.seconds = {2, 1, 1};  // 28 s of all steps, if those looked at were like the others: they were slow ones
+  price.times.seconds = {2, 1, 1};  // 28 s for all steps, if the sampled ones were typical; they were slow ones
   EXPECT_DOUBLE_EQ(price.share(dem::Phase::contacts), 0.25);
   EXPECT_DOUBLE_EQ(price.share(dem::Phase::integration), 0.125);
   price.times.seconds = {0.4, 0.2, 0.2};

@@ -1,5 +1,5 @@
-// Work and energy of moving planes, clamps, cells and sliding grains against closed forms: their values, and at which
-// half step they are taken.
+// Work and energy of moving planes, clamps, cells and sliding grains against closed forms: their values, and the half
+// step to which they belong.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -27,18 +27,18 @@ Model three(const Linear::Material& m) { return {std::vector<Linear::Material>{m
 Sphere touching_the_plane() { return {R, density, Vec3(0.1, 0.1, R), Vec3::Zero()}; }
 
 const double mass = touching_the_plane().mass();
-// Two equal radii, or a radius and a plane, of one modulus: kn = 2 E r E r/(2 E r).
+// Two equal radii of one modulus, or a radius and a plane, have kn = 2 E r E r/(2 E r).
 const double stiffness = E * R, frequency = std::sqrt(stiffness / mass);
 
-// The ratio of the errors of two steps, one half the other: 4 of a quantity at the right time, 2 of one half a step
-// off.
+// Expects the ratio of the errors of two steps, one half the other: 4 for a quantity at the right time, 2 for one that
+// is off by half a step.
 void expect_second_order(const std::function<double(double dt)>& error, double coarse, double scale) {
   const double at_coarse = error(coarse), at_fine = error(coarse / 2);
   EXPECT_NEAR(at_coarse / at_fine, 4, 0.1) << at_coarse << " and " << at_fine;
   EXPECT_LT(std::abs(at_fine), 1e-3 * scale);
 }
 
-// A sphere let go at an overlap A on its spring: A cos(wt) as long as it presses, so its kinetic energy is
+// A sphere released at an overlap A on its spring follows A cos(wt) as long as it presses, so its kinetic energy is
 // (m/2) (A w sin wt)^2. Velocities are given half a step before the positions.
 TEST(Energies, KineticEnergyIsThatOfThePositionsTime) {
   const double overlap = 1e-5, most = 0.5 * mass * std::pow(overlap * frequency, 2);
@@ -53,7 +53,7 @@ TEST(Energies, KineticEnergyIsThatOfThePositionsTime) {
   expect_second_order(error, 1 / frequency / 50, most);
 }
 
-// A sphere that carries its weight and twists on an elastic spring k: its spin is w0 cos(Wt), W^2 = k/I.
+// A sphere that carries its weight and twists on an elastic spring k has the spin w0 cos(Wt), W^2 = k/I.
 TEST(Energies, EnergyOfRotationIsThatOfThePositionsTime) {
   const double spin = 1, k = 50, inertia = 0.4 * mass * R * R, rate = std::sqrt(k / inertia);
   const Resistance twisting{k, Resistance::Scale::absolute, {}, Resistance::Arm::mean_radius};
@@ -69,10 +69,10 @@ TEST(Energies, EnergyOfRotationIsThatOfThePositionsTime) {
   expect_second_order(error, 1 / rate / 50, 0.5 * inertia * spin * spin);
 }
 
-// Seen from a body that moves at V the sphere comes at V onto its spring: it is pressed by (V/w) sin wt, moves at
-// V (1 - cos wt) and has taken the work of that force over the way of the body, m V^2 (1 - cos wt).
+// A sphere and a body that moves at V: seen from the body, the sphere meets its spring at V. It is pressed by (V/w) sin
+// wt, moves at V (1 - cos wt), and has taken the body's work m V^2 (1 - cos wt).
 struct Pushed {
-  double speed = 1e-2, angle = 2;  // m/s; wt at the end: before they part, at pi
+  double speed = 1e-2, angle = 2;  // m/s; wt at the end, before they part at pi
   double work() const { return mass * speed * speed * (1 - std::cos(angle)); }
   double kinetic() const { return 0.5 * mass * std::pow(speed * (1 - std::cos(angle)), 2); }
   double coarse() const { return angle / frequency / 100; }
@@ -94,7 +94,7 @@ TEST(Energies, WorkOfAMovingPlaneIsOfSecondOrder) {
                       pushed.kinetic());
 }
 
-// A plane that comes from afar hits a grain at rest, which leaves at twice its speed.
+// A plane from afar hits a grain at rest, which leaves at twice its speed.
 TEST(Energies, APlaneMovingIntoAGrainAtRestGivesItTwiceItsSpeed) {
   const double speed = 0.1;
   io::Snapshot start = scene({touching_the_plane()}, true);
@@ -122,7 +122,7 @@ TEST(Energies, WorkOfAClampIsOfSecondOrder) {
   expect_second_order(error, pushed.coarse(), pushed.work());
 }
 
-// A clamp is made faster by whatever its kinetic energy grows by, and slower the same way.
+// The work on a clamp equals the growth of its kinetic energy, faster or slower.
 TEST(Energies, AClampTakesUpTheKineticEnergyOfItsGrains) {
   Numerics numerics = undamped(1e-6);
   numerics.clamps = {{0}};
@@ -136,9 +136,9 @@ TEST(Energies, AClampTakesUpTheKineticEnergyOfItsGrains) {
   }
 }
 
-// Four spheres that fill a periodic cell along x. Strained, they stay in balance, and the cell's work is what their
-// four contacts store: (k/2) (2 R - L/4)^2 each. A step takes the branch at both its ends, which the strain of that
-// step sets apart: the work is off by no more than that strain.
+// Four spheres fill a periodic cell along x. Strained, they stay in balance, and the cell's work equals the energy of
+// their four contacts, (k/2) (2 R - L/4)^2 each. A step takes the branch at both its ends, which its strain sets apart,
+// so the work is off by no more than that strain.
 TEST(Energies, WorkOfTheCellIsWhatItsContactsStore) {
   const int steps = 100;
   const double rate = 10, dt = 1e-6, length = 8 * R, strain = rate * dt;
@@ -159,8 +159,8 @@ TEST(Energies, WorkOfTheCellIsWhatItsContactsStore) {
   EXPECT_NEAR(simulation.energies().boundary_work, stored, strain * stored);
 }
 
-// By momentum, and by the work of friction, a sphere drawn along by a plane ends at 2/7 of its speed V: the plane does
-// (2/7) m V^2, of which one half becomes motion and the other heat. What the plane feels is what the sphere does not.
+// By momentum and by the work of friction, a sphere drawn along by a plane ends at 2/7 of its speed V. The plane does
+// the work (2/7) m V^2, one half of which becomes motion, the other heat.
 TEST(Energies, APlaneThatDrawsASphereAlongFeelsItAndHeatsIt) {
   const double speed = 0.5, mu = 0.4, dt = 5e-6;
   Sphere s = touching_the_plane();
@@ -185,8 +185,8 @@ TEST(Energies, APlaneThatDrawsASphereAlongFeelsItAndHeatsIt) {
   EXPECT_NEAR(e.law, 0, 1e-6 * heat) << "at constant overlap the law keeps energy";
 }
 
-// Two spheres that meet off their line of centres at slip speed u and part still sliding: the impulse is J = mu 2 m* v,
-// the slip falls by (7/2) J/m*, and friction takes the impulse times the mean slip. No term of the balance is used.
+// Two spheres meet off their line of centres at slip speed u and part still sliding. The impulse is J = mu 2 m* v, the
+// slip falls by (7/2) J/m*, and friction takes the impulse times the mean slip. No term of the balance is used.
 template <class Material>
 void expect_heat_of_oblique_impact(const Material& m, double dt) {
   const double mu = 0.2, normal = 1, slip = 6;
@@ -201,7 +201,7 @@ void expect_heat_of_oblique_impact(const Material& m, double dt) {
   while (simulation.measures().contacts > 0);
   const Energies e = simulation.energies();
   const double heat = 0.5 * impulse * (slip + left);
-  // The line of centres turns while they touch, by u times the contact's time over their distance: 1e-3.
+  // The line of centres turns during contact, by u times the contact time over their distance: 1e-3.
   EXPECT_NEAR(e.frictional, heat, 3e-3 * heat);
   EXPECT_NEAR(start - e.kinetic, heat, 3e-3 * heat);
   EXPECT_NEAR(e.frictional, start - e.kinetic, 1e-3 * heat);
@@ -229,7 +229,7 @@ TEST(Energies, TheDashpotTakesWhatRestitutionLeaves) {
   }
 }
 
-// A grain grows at constant density: spheres as the cube, disks as the square, of their radius.
+// The mass of a grain that grows at constant density follows its radius: cubed for spheres, squared for disks.
 TEST(Energies, MassOfScaledGrainsFollowsTheirVolume) {
   for (const int dimension : {3, 2}) {
     Simulation s(testing::packed(testing::sand(), 1e5, 60, dimension), testing::sand(), {});

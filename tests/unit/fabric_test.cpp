@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Anisotropy tensors of an ensemble: contact density 1 + a_c : nn, normal force 1 + a_n : nn, shear force a_t . n less
+// Anisotropy tensors of an ensemble: contact density 1 + a_c : nn, normal force 1 + a_n : nn, shear force a_t . n minus
 // its normal part (Rothenburg & Bathurst 1989).
 struct Anisotropy {
   Mat3 normals = Mat3::Zero(), normal_force = Mat3::Zero(), tangential_force = Mat3::Zero();
@@ -25,8 +25,8 @@ Mat3 axial(double a, int dimension = 3) {
   return dimension == 3 ? Mat3(a * Vec3(-1. / 3, -1. / 3, 2. / 3).asDiagonal()) : Mat3(a * Vec3(-1, 1, 0).asDiagonal());
 }
 
-// Directions spread evenly (golden spiral, or even angles); a direction enters as often as the density asks, with what
-// is left over carried on to the next, so that sampling errors fall as 1/count and not as its root.
+// Returns an ensemble of evenly spread directions (golden spiral, or even angles). A direction enters as often as the
+// density asks; the remainder carries over to the next, so that sampling errors fall as 1/count and not as its root.
 io::Snapshot ensemble(const Anisotropy& a, int dimension, int count) {
   io::Snapshot s;
   s.grains.dimension = dimension;
@@ -70,7 +70,7 @@ TEST(Fabric, RecoversTheAnisotropyOfAnEnsemble) {
 }
 
 TEST(Fabric, AnisotropyAcrossTheMainStressIsNegative) {
-  // Contacts lie flat while the forces stand upright.
+  // Contacts are mostly horizontal while forces are vertical.
   const Fabric f = fabric(ensemble({axial(-0.3), axial(0.9), axial(0.2)}, 3, 4000));
   EXPECT_NEAR(f.a_c, -0.3, 2e-3);
   EXPECT_NEAR(f.a_n, 0.9, 2e-3);
@@ -110,7 +110,7 @@ TEST(Fabric, OfNoContactsIsZero) {
   for (const double density : polar_rose(s, 9).density) EXPECT_EQ(density, 0);
 }
 
-// Four spheres per cubic cell of side sqrt 2, each touching twelve.
+// Returns four spheres per cubic cell of side sqrt 2, each touching twelve.
 io::Snapshot face_centred(int n) {
   io::Snapshot s;
   const double side = std::sqrt(2.0);
@@ -139,7 +139,7 @@ TEST(Coordination, OfLattices) {
 }
 
 TEST(Coordination, LeavesOutRattlersAgainAndAgain) {
-  // To a face-centred block: a chain of three hanging on one grain (1, 2, 2 contacts), and a grain alone.
+  // A face-centred block gets a chain of three hanging on one grain (1, 2, 2 contacts), and a grain alone.
   io::Snapshot s = face_centred(3);
   for (int k = 0; k < 4; ++k) test::add_grain(s, Vec3(10 + k, 0, 0), 0.5);
   for (int k = 0; k < 3; ++k) test::add_contact(s, k == 0 ? 0 : 107 + k, 108 + k, Vec3i::Zero(), 1);
@@ -183,13 +183,13 @@ TEST(Rose, FollowsTheDensityOfAnEnsemble) {
   const io::Snapshot s = ensemble({axial(0.6), axial(0.5), Mat3::Zero()}, 3, 20000);
   const Rose polar = polar_rose(s, 9);
   for (std::size_t k = 0; k < 9; ++k) {
-    // Mean over the class of 1 + a (cos^2 - 1/3), whose integral over the sphere is closed.
+    // The mean over a class of 1 + a (cos^2 - 1/3) has a closed integral over the sphere.
     const double low = std::cos(polar.angle[k] + pi / 36), high = std::cos(polar.angle[k] - pi / 36);
     EXPECT_NEAR(polar.density[k], 1 + 0.6 * ((high * high + high * low + low * low) / 3 - 1. / 3), 0.01);
   }
   EXPECT_GT(polar.normal_force[0], polar.normal_force[8]);
-  // Within 45 deg of the plane: cos^2 of the distance from it is 5/6 in the mean, sin^2 of the angle in the plane by
-  // its integral over the class.
+  // Within 45 deg of the plane, the mean of cos^2 of the distance from it is 5/6; sin^2 of the angle in the plane is
+  // integrated over the class.
   const Rose plane = plane_rose(s, 0, 2, 8);
   ASSERT_EQ(plane.angle.size(), 8U);
   for (std::size_t k = 0; k < 8; ++k) {
@@ -201,7 +201,7 @@ TEST(Rose, FollowsTheDensityOfAnEnsemble) {
 }
 
 TEST(ForceChains, FollowStrongContactsInLine) {
-  // Two loaded columns of four grains, side by side with weak contacts between; each column is a chain.
+  // Each of two loaded columns of four grains, with weak contacts in between, is a chain.
   io::Snapshot s;
   s.cell.matrix = 20 * Mat3::Identity();
   for (int column = 0; column < 2; ++column)
@@ -217,7 +217,7 @@ TEST(ForceChains, FollowStrongContactsInLine) {
 }
 
 TEST(ForceChains, EndWhereTheForceTurns) {
-  // A column of three whose top grain pushes on sideways, harder: its own axis is horizontal.
+  // The top grain of a column of three pushes harder sideways, so its own axis is horizontal.
   io::Snapshot s;
   s.cell.matrix = 20 * Mat3::Identity();
   for (int k = 0; k < 3; ++k) test::add_grain(s, Vec3(0, 0, k), 0.5);

@@ -63,7 +63,7 @@ TEST(Bars, compression_is_borne_by_choice) {
   }
 }
 
-// A nearly inextensible chain 1.2 m long between supports 1 m apart: y = a cosh(x/a), 2 a sinh(1/(2a)) = 1.2.
+// A nearly inextensible chain 1.2 m long between supports 1 m apart follows y = a cosh(x/a), 2 a sinh(1/(2a)) = 1.2.
 TEST(Bars, hangs_in_a_catenary) {
   const std::size_t n = 40;
   BarsSetup setup = sheet();
@@ -71,7 +71,7 @@ TEST(Bars, hangs_in_a_catenary) {
   setup.damping = 0.3;
   setup.gravity = Vec2(0, -9.81);
   setup.start = setup.end = {0, 0};
-  // From a symmetric V of the right length.
+  // It starts from a symmetric V of the right length.
   const double depth = std::sqrt(0.36 - 0.25);
   for (std::size_t k = 0; k <= n; ++k) {
     const double s = static_cast<double>(k) / static_cast<double>(n);
@@ -87,7 +87,7 @@ TEST(Bars, hangs_in_a_catenary) {
   }
   const double sag = a * std::cosh(0.5 / a) - a;
   EXPECT_NEAR(-bars.nodes()[n / 2][1] / sag, 1, 1e-3);
-  // The horizontal part of the tension is the same everywhere: w a, w the weight per length.
+  // The horizontal part of the tension is w a everywhere, with the weight w per length.
   const double weight = 0.35 * 9.81;
   for (const std::size_t b : {std::size_t{0}, n / 4, n / 2}) {
     const Vec2 bar = (bars.nodes()[b + 1] - bars.nodes()[b]).normalized();
@@ -95,8 +95,8 @@ TEST(Bars, hangs_in_a_catenary) {
   }
 }
 
-// Pressed on a smooth guide by 20 kPa through a flat side of three edges: pulled out, it costs mu N, also while its
-// disks pass from one edge to the next.
+// A chain pressed on a smooth guide by 20 kPa through a flat side of three edges costs mu N when pulled out, also while
+// its disks pass from one edge to the next.
 TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
   BarsSetup setup = sheet();
   const double r = setup.radius, pressure = 20e3, length = 0.6;
@@ -108,7 +108,7 @@ TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
   setup.end = {0.1, {}};
   Bars bars(setup);
   bars.seat({0.1 * -pressure, 0.2 * -pressure, 0.2 * -pressure, 0.1 * -pressure});
-  // It is let come to rest to 1e-7 of the load.
+  // It comes to rest to 1e-7 of the load.
   EXPECT_NEAR(bars.contact_sum()[0], pressure * length, 1e-7 * pressure * length);
   const std::vector<Vec2> before = bars.interface_forces();
   EXPECT_EQ(before, bars.interface_forces()) << "reading moves nothing";

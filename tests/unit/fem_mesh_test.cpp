@@ -57,7 +57,7 @@ TEST(Mesh, is_that_of_the_thesis) {
     const Mesh mesh = rectangle(1.2, 1.2, squares, squares, Shape::triangle3);
     const std::vector<double>&x = nodes.at("x_m"), &y = nodes.at("y_m");
     ASSERT_EQ(x.size(), mesh.nodes.size());
-    // Triangles as sets of places: numbers are each code's own.
+    // Triangles are compared as sets of places, because numbering differs between codes.
     const auto key = [](const std::array<Vec2, 3>& corners) {
       std::array<std::pair<long, long>, 3> k;
       for (std::size_t i = 0; i < 3; ++i) k[i] = {std::lround(corners[i][0] * 1e6), std::lround(corners[i][1] * 1e6)};

@@ -1,4 +1,4 @@
-// Both scales together: the same bits as grains alone, in every element, on any number of threads, and after a stop.
+// Both scales together: the bits of grains alone, in every element, on any number of threads, and after a stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -70,8 +70,8 @@ TEST(Model, one_element_is_its_packing_loaded_alone_bit_for_bit) {
 }
 
 TEST(Rve, follows_gradients_that_do_not_commute_in_their_order) {
-  // Shear along x, then along y: F = (I + g e_y e_x)(I + g e_x e_y), whose lower right corner alone is 1 + g^2. Both
-  // shears are nilpotent, so that their parts of a sixteenth make them exactly.
+  // Shear along x, then along y, gives F = (I + g e_y e_x)(I + g e_x e_y), in which only the lower right corner is 1 +
+  // g^2. Both shears are nilpotent, so sixteenths of them add up exactly.
   const Grains g = grains();
   const io::Snapshot start = prepare(disks(), g);
   Rve rve(start, g, step, 16);
@@ -95,13 +95,13 @@ io::ContactsRecord normals_at(const std::vector<double>& degrees) {
 }
 
 TEST(Rve, anisotropy_is_twice_the_second_harmonic_of_the_contact_normals) {
-  // F_a = 2 |mean of exp(2 i theta)|, whichever way the normals point.
+  // F_a = 2 |mean of exp(2 i theta)| does not depend on the sense of the normals.
   EXPECT_EQ(anisotropy({}), -1);
   EXPECT_NEAR(anisotropy(normals_at({20, 110})), 0, 1e-15);
   EXPECT_NEAR(anisotropy(normals_at({30, 30, 210})), 2, 1e-14);
   EXPECT_NEAR(anisotropy(normals_at({0, 60})), 1, 1e-14);
   EXPECT_NEAR(anisotropy(normals_at({15, 15, 105})), 2.0 / 3, 1e-14);
-  // Even angles, chosen as often as the density 1 + F_a cos 2(theta - 25 deg) says: the harmonic by its integral.
+  // Even angles are chosen as often as the density 1 + F_a cos 2(theta - 25 deg) says; its integral gives the harmonic.
   std::vector<double> drawn;
   double owed = 0;
   for (int k = 0; k < 3600; ++k) {
@@ -122,8 +122,8 @@ TEST(Model, equal_strain_gives_every_point_the_same_bits) {
 }
 
 TEST(Model, a_turned_packing_turns_its_stress) {
-  // Disks that spin with the cell turn with it as one. The cell's straight steps, a hundred a milliradian, widen it by
-  // 2e-6, which takes 1.7e-4 of the pressure away; contacts turn by chords.
+  // Disks that spin with the cell rotate with it as a whole. The straight steps of the cell, a hundred per milliradian,
+  // widen it by 2e-6, which takes 1.7e-4 of the pressure; contacts turn by chords.
   const Grains g = grains(false);
   const double angle = 1e-3, dt = 1e-3;
   io::Snapshot start = prepare(disks(), g);
@@ -134,7 +134,7 @@ TEST(Model, a_turned_packing_turns_its_stress) {
   const double c = std::cos(0.2), s = std::sin(0.2);
   const Mat2 whole = (Mat2() << c, -s, s, c).finished(), turned = whole * before * whole.transpose();
   EXPECT_LT((rve.stress() - turned).norm(), 3e-4 * before.norm());
-  // Not quite at rest at the start, grains fluctuate about it.
+  // Grains that were not quite at rest fluctuate about it.
   EXPECT_NEAR(rve.local().rotation, 0.2, 3e-4);
 }
 
@@ -158,8 +158,8 @@ TEST(Rve, is_bounded_by_the_stiffness_of_a_network_of_central_forces) {
 }
 
 TEST(Record, points_have_stress_and_strain_compression_positive_and_rotation_counter_clockwise) {
-  // Every node follows one velocity gradient: the strains are its sum over the steps, the stress Hooke's but for the
-  // square of the strain, 1e-5.
+  // Every node follows one velocity gradient. The strains are its sum over the steps, the stress is Hooke's except for
+  // the squared strain, 1e-5.
   const Mat2 gradient = (Mat2() << -0.02, 0.005, 0.013, 0.01).finished();
   const double dt = 0x1p-12, lame = 1e7 * 0.25 / (1.25 * 0.5), shear = 1e7 / 2.5;
   ModelSetup setup = strained(1, gradient);
@@ -252,7 +252,7 @@ TEST(Model, accounts_for_all_work) {
   for (int k = 0; k < 150; ++k) model.step();
   const Balance b = model.balance();
   EXPECT_GT(b.external, 0);
-  // Leap-frog leaves 2.5e-4 of it; the least part, kinetic energy, is 7e-3.
+  // Leap-frog leaves an error of 2.5e-4; the smallest part, kinetic energy, is 7e-3.
   EXPECT_LT(std::abs(b.error()), 5e-4 * b.external);
   EXPECT_GT(b.kinetic, 5e-3 * b.external);
   EXPECT_NO_THROW(model.check_steps());

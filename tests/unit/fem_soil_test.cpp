@@ -1,4 +1,4 @@
-// The finite elements alone: patch tests, masses, rotation, supports and tractions; the laws of the continuum.
+// The finite elements alone: patch tests, masses, rotation, supports and tractions; the continuum laws.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -84,8 +84,8 @@ TEST(Soil, lumps_positive_masses_that_sum_to_the_whole) {
 }
 
 TEST(Soil, lumps_an_element_by_the_diagonal_of_its_consistent_mass) {
-  // Hinton, Rock & Zienkiewicz: integral of N^2 over the square, scaled to the whole. Corners and middles of the
-  // serendipity element stand as 3 to 16, and 4 (3 + 16) = 76; the three nodes of a triangle are alike.
+  // Hinton, Rock & Zienkiewicz: the integral of N^2 over the square, scaled to the whole. Corners and middles of the
+  // serendipity element are as 3 to 16, and 4 (3 + 16) = 76; the three nodes of a triangle are equal.
   const double density = 2000, area = 0.6 * 0.4;
   const Soil square({rectangle(0.6, 0.4, 1, 1, Shape::quadrilateral8), Integration::reduced, density, 0, {}, {}});
   const auto& nodes = square.mesh().elements[0];
@@ -106,7 +106,7 @@ TEST(Soil, points_of_integration_stand_for_their_part_of_the_area) {
     for (Index p = 0; p < soil.points(); ++p)
       area += soil.place(p).area, moment += soil.place(p).area * soil.place(p).position;
     EXPECT_NEAR(area, 1.2 * 0.9, 1e-14);
-    // One or two points a side are exact for straight sides only.
+    // One or two points per side are exact only for straight sides.
     if (c.integration == Integration::full || c.shape == Shape::triangle3) {
       EXPECT_LT((moment / area - Vec2(0.6, 0.45)).norm(), 1e-3);
     }
@@ -114,8 +114,8 @@ TEST(Soil, points_of_integration_stand_for_their_part_of_the_area) {
 }
 
 TEST(Soil, bounds_the_eigenvalue_of_the_whole_mesh) {
-  // One element is the whole mesh: the bound is its own largest eigenvalue. A right triangle of unit legs, unit modulus
-  // and density, no shear stiffness: masses 1/6, K = 1/2 g g^T with g = (-1,1,0) along x: eigenvalue 2 * (1/2)/(1/6).
+  // With one element the bound is its own largest eigenvalue. A right triangle of unit legs, modulus and density
+  // without shear stiffness has masses 1/6 and K = 1/2 g g^T with g = (-1,1,0) along x: eigenvalue 2 * (1/2)/(1/6).
   Mesh mesh;
   mesh.nodes = {{0, 0}, {1, 0}, {0, 1}};
   mesh.elements = {{0, 1, 2}};
@@ -129,7 +129,7 @@ TEST(Soil, a_rigid_rotation_leaves_no_stress) {
   for (const Case& c : cases) {
     Soil soil({distorted(c.shape), c.integration, 2000, 0, {}, {}});
     const Points points = elastic(soil);
-    // Large steps of a whole degree, exactly rotated.
+    // Large steps of a whole degree are rotated exactly.
     Mesh turned = soil.mesh();
     const double step = pi / 180;
     const Mat2 turn = (Mat2() << std::cos(step), -std::sin(step), std::sin(step), std::cos(step)).finished();
@@ -162,7 +162,7 @@ TEST(Soil, one_step_of_thirty_degrees_turns_the_stress_exactly) {
 }
 
 TEST(Soil, a_stretch_strains_by_the_gradient_of_the_configuration_midway) {
-  // Stretched by 1.2 in one step: du/dx halfway is 0.2/1.1. Shear strain 2 eps_xy = 0.02/1.1 where u_x = 0.02 y, too.
+  // Stretch by 1.2 in one step: du/dx halfway is 0.2/1.1. The shear strain 2 eps_xy of u_x = 0.02 y is 0.02/1.1 too.
   ContinuumPoint point(ContinuumLaw{1e7, 0.25, {}, 0, 0, Vec3::Zero()});
   point.advance((Mat2() << 0.2, 0, 0, 0).finished());
   const double lame = 1e7 * 0.25 / (1.25 * 0.5), shear = 1e7 / 2.5, strain = 0.2 / 1.1;
@@ -175,8 +175,8 @@ TEST(Soil, a_stretch_strains_by_the_gradient_of_the_configuration_midway) {
 
 TEST(Soil, a_pressure_on_a_block_goes_to_its_nodes_by_the_shape_functions_of_the_edge) {
   // Without stress and damping the first step gives every node the velocity of its load: m v = f dt. An edge of length
-  // 1 gives its ends half of its load each where it is straight between two nodes, and 1/6, 2/3, 1/6 with a node
-  // between (the integrals of the quadratic shape functions).
+  // 1 gives its two nodes half of its load each; with a node in between the shares are 1/6, 2/3, 1/6 (integrals of the
+  // quadratic shape functions).
   const double dt = 1e-3, pressure = 70;
   for (const Case& c : cases) {
     Soil soil({rectangle(2, 1, 2, 1, c.shape), c.integration, 1000, 0, {}, {{"top", Vec2(0.3, -1) * pressure}}});
@@ -198,7 +198,7 @@ TEST(Soil, a_pressure_on_a_block_goes_to_its_nodes_by_the_shape_functions_of_the
 }
 
 TEST(Soil, a_block_under_the_tractions_of_its_uniform_stress_stays_at_rest) {
-  // The internal forces of a uniform stress are the consistent loads of its tractions: at every node nothing is left.
+  // Internal forces of a uniform stress balance the consistent loads of its tractions at every node.
   const Mat2 stress = (Mat2() << -300, 120, 120, -500).finished();
   const auto side = [&](const std::string& name, const Vec2& outward) { return Traction{name, stress * outward}; };
   for (const Case& c : cases) {
@@ -236,7 +236,7 @@ TEST(Soil, tractions_and_viscosity_move_a_free_block_as_one) {
     }
     EXPECT_NEAR(momentum[1] / mass, v, 1e-12 * std::abs(v));
     EXPECT_NEAR(momentum[0], 0, 1e-12);
-    // Every term times the mean velocity of a step: nothing is left over.
+    // Every term is multiplied by the mean velocity of a step, so nothing is left over.
     const SoilEnergies e = soil.energies();
     EXPECT_GT(e.viscous, 1e-4 * e.traction_work);
     EXPECT_LT(std::abs(e.error()), 1e-12 * e.traction_work);
@@ -280,11 +280,11 @@ TEST(MohrCoulomb, sheared_at_constant_volume_carries_p_sin_phi) {
   ContinuumPoint point(law);
   for (int k = 0; k < 2000; ++k) point.advance((Mat2() << 1e-5, 0, 0, -1e-5).finished());
   const Mat2 s = point.stress();
-  // Without dilation the mean stress in the plane stays; at failure the half difference is p sin(phi).
-  // 2000 steps of 1e-5 shrink the area by 2000 (1e-5)^2: 1.6 Pa.
+  // Without dilation the mean stress in the plane is constant; at failure half the difference is p sin(phi). 2000 steps
+  // of 1e-5 shrink the area by 2000 (1e-5)^2: 1.6 Pa.
   EXPECT_NEAR(0.5 * s.trace(), -1e4, 2);
   EXPECT_NEAR(0.5 * (s(0, 0) - s(1, 1)), 1e4 * 0.5, 2);
-  // It yields at half a difference of 5 kPa, a strain of 5e3/(2 G) = 6.25e-4; from there on all work, 2 x 5 kPa times
+  // It yields at half a difference of 5 kPa, a strain of 5e3/(2 G) = 6.25e-4. From there on all work, 2 x 5 kPa times
   // the strain, is dissipated.
   const double plastic = 0.02 - 5e3 / (2 * 1e7 / 2.5);
   EXPECT_NEAR(point.energy().dissipated / (2 * 5e3 * plastic), 1, 1e-3);

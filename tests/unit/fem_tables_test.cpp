@@ -1,4 +1,4 @@
-// Tables asked of a run of two scales, on a run of four points and two outputs written by hand.
+// Tables of a two-scale run, from four points and two outputs written by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::string message_of(const Call& call) {
 
 io::Column column(const std::string& name, Values values) { return {name, "1", "", std::move(values)}; }
 
-/// A square of 1 m whose four points lie a quarter from its sides; in the second state all have moved by 10 m.
+/// Returns a square of 1 m with four points a quarter from its sides; in the second state all have moved by 10 m.
 io::MultiscaleFile file() {
   io::MultiscaleFile f;
   f.series.columns = {column("step", {0, 5, 9}),
@@ -95,7 +95,7 @@ TEST(Tables, a_state_is_all_rows_of_one_step) {
 
 TEST(Tables, a_place_is_the_point_nearest_to_it_at_the_start) {
   EXPECT_EQ(near(file(), "points", {0.9, 1}).at("q").values, (Values{4, 14}));
-  EXPECT_EQ(near(file(), "points", {0.5, 0.5}).at("q").values, (Values{1, 11}));  // all equally near: the first
+  EXPECT_EQ(near(file(), "points", {0.5, 0.5}).at("q").values, (Values{1, 11}));  // all are equally near: the first
   EXPECT_EQ(near(file(), "nodes", {0.9, 0.8}).at("node").values, Values{2});
   EXPECT_EQ(near(file(), "nodes", {0, 1 + 1e-9}).at("node").values, Values{3});  // rounding is not outside
   EXPECT_EQ(message_of([] {

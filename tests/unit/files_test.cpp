@@ -1,4 +1,4 @@
-// Packings, runs and fields come back bit for bit, and whatever is wrong with a file is told in one line.
+// Packings, runs and fields come back bit by bit, and every fault of a file is reported in one line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/files.h"
 
@@ -14,7 +14,7 @@
 #include "support/states.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// HDF5 1.10 forgets some of its own memory when it gives up on damaged structure.
+// HDF5 1.10 leaks memory when it gives up on damaged structure.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
 extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
@@ -142,7 +142,7 @@ TEST_F(Files, what_is_no_file_of_ours_is_told_apart) {
   expect_error<DataError>([&] { read_packing(path); }, "none of soilweave's");
 }
 
-/// A packing with one thing changed: `change` writes instead of what is left out.
+/// Returns a packing with one change; `change` writes in place of the part that is left out.
 std::string head(const std::vector<std::int64_t>& version, const std::string& kind) {
   Writer file;
   file.attribute("/", "format", std::string("soilweave"));
@@ -170,7 +170,7 @@ TEST_F(Files, every_truncation_is_told) {
   }
 }
 
-/// What is left of a file after flips: it reads as it was, or the damage is told. Never a crash, never other numbers.
+/// After bit flips a file reads as it was, or the damage is reported. It never crashes and never gives other numbers.
 TEST_F(Files, damaged_bytes_never_give_other_states) {
   const RunFile run = test::example_run(200);
   write_run(path, run, test::example_history());
@@ -193,7 +193,7 @@ TEST_F(Files, damaged_bytes_never_give_other_states) {
       ++told;
     }
   }
-  // Bytes between the objects, and the long scenario text, carry no checksum; most of the file does.
+  // Bytes between objects and the long scenario text carry no checksum; most of the file does.
   EXPECT_GT(told, trials / 3);
 }
 

@@ -31,7 +31,7 @@ TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
                b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
     const double length = (b - a).norm();
     shortest = std::min(shortest, length), longest = std::max(longest, length);
-    // The yarns around the bag in the plane next to y = 0.
+    // These yarns go around the bag in the plane next to y = 0.
     if (std::abs(a.y()) < 0.003 && a.y() > 0 && std::abs(a.y() - b.y()) < 1e-4) hoop += length;
   }
   EXPECT_EQ(family[0], 33488);
@@ -41,7 +41,7 @@ TEST(Geotextile, WrapsTheBagOfTheThesisInItsNumberOfYarns) {
   for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -0.0025, 1e-12);
   EXPECT_GT(shortest, 0.0043);
   EXPECT_LT(longest, 0.0049) << "yarns are equally long, around corners too";
-  // Straight faces and half circles of 42.5 mm; chords of the arcs are shorter by less than a thousandth.
+  // The hoop has straight faces and half circles of 42.5 mm; chords of the arcs are shorter by less than a thousandth.
   EXPECT_NEAR(hoop, 2 * bag.width + 2 * pi * 0.0425, 1e-3 * hoop);
 }
 
@@ -55,7 +55,7 @@ TEST(Geotextile, CanBeMeshedFaceByFace) {
     if (yarn.family == 0) {
       EXPECT_NEAR(std::abs(a.z()), radius, 1e-12) << "faces end where they cease to be flat";
     } else if (yarn.family == 2 && std::abs(a.y()) < 0.003) {
-      // A twentieth of half a circle, by its chord.
+      // The yarn is a twentieth of half a circle, as a chord.
       EXPECT_NEAR((b - a).norm(), 2 * radius * std::sin(pi / 40), 1e-5);
     }
     if (a.norm() < radius + 0.001) {
@@ -94,7 +94,7 @@ TEST(Geotextile, WrapsACushionFaceByFace) {
                    b = fabric.nodes[static_cast<std::size_t>(yarn.second)];
         if (yarn.family == 1 && a.z() == 0 && b.z() == 0) ring += (b - a).norm();
       }
-      // Around the middle; chords cut its corners.
+      // Chords cut the corners of the outline around the middle.
       const double outline = 8 * bag.reach() - (8 - 2 * pi) * corner_radius + 2 * pi * outside;
       EXPECT_NEAR(ring, outline, 2e-3 * outline);
     }
@@ -132,7 +132,7 @@ TEST(Geotextile, SheetsAddNodesOfTheirDensityAndYarnsWithoutTension) {
   }
   EXPECT_LT((s.grains.position[0] - Vec3(-0.01, -0.005, 0.5)).norm(), 1e-16);
   EXPECT_LT((s.grains.position[5] - Vec3(0.01, 0.005, 0.5)).norm(), 1e-16);
-  // Two rows of two yarns and three across, in either fabric.
+  // Each fabric has two rows of two yarns and three across.
   ASSERT_EQ(s.yarns.size(), 14U);
   for (std::size_t k = 0; k < 14; ++k) {
     const std::int32_t base = k < 7 ? 0 : 6;
@@ -144,7 +144,7 @@ TEST(Geotextile, SheetsAddNodesOfTheirDensityAndYarnsWithoutTension) {
   }
 }
 
-// The shortest, mean and longest yarn of a fabric, m.
+// Returns the shortest, mean and longest yarn of a fabric, m.
 std::array<double, 3> lengths(const Fabric& fabric) {
   std::array<double, 3> l = {1e9, 0, 0};
   for (const Fabric::Yarn& y : fabric.yarns) {
@@ -187,7 +187,7 @@ TEST(Chart, DividesASphereEvenlyAndAlikeOnAllSides) {
   EXPECT_LT((at(1, 0, 0) - Vec3(0.5, 0, 0)).norm(), 1e-4);
   EXPECT_LT((at(0, -1, 0) - Vec3(0, -0.5, 0)).norm(), 1e-4);
   EXPECT_LT((at(1, 1, 0) - Vec3(0.5, 0.5, 0).normalized() * 0.5).norm(), 1e-4);
-  // The rim of the upper face is a quarter of the way from pole to pole; a quarter of the equator is one side's.
+  // The rim of the upper face is a quarter of the way from pole to pole; a quarter of the equator belongs to one side.
   EXPECT_LT((at(1, 0, 1) - Vec3(0.5, 0, 0.5).normalized() * 0.5).norm(), 1e-4);
   EXPECT_LT((at(1, 0.5, 0) - 0.5 * Vec3(std::cos(pi / 8), std::sin(pi / 8), 0)).norm(), 1e-4);
   for (const double w : {-1.0, -0.5, 0.0, 0.5, 1.0})

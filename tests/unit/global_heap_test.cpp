@@ -1,4 +1,4 @@
-// Global heaps of HDF5 files: objects that run over their place are found before HDF5 copies them.
+// Global heaps of HDF5 files: objects that overrun their place are found before HDF5 copies them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/global_heap.h"
 
@@ -13,14 +13,14 @@ namespace {
 
 void put(std::string& bytes, std::size_t at, std::uint64_t value) { std::memcpy(&bytes[at], &value, sizeof value); }
 
-/// A heap of 4096 bytes with one text of five bytes and free space, 8 bytes into a file.
+/// Returns a heap of 4096 bytes with one text of five bytes and free space, 8 bytes into a file.
 std::string heap() {
   std::string bytes(8 + 4096, '\0');
   std::memcpy(&bytes[8], "GCOL\x01", 5);
   put(bytes, 16, 4096);
   bytes[24] = 1;  // object 1
   put(bytes, 32, 5);
-  put(bytes, 24 + 24 + 8, 4096 - 16 - 24);  // free space up to the end, its head included
+  put(bytes, 24 + 24 + 8, 4096 - 16 - 24);  // free space up to the end, with its head
   return bytes;
 }
 

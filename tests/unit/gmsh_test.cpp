@@ -1,4 +1,4 @@
-// Meshes of Gmsh as people have them: several groups, the other sense, partitions, slits, and what is refused by name.
+// Gmsh meshes as people have them: several groups, reversed orientation, partitions, slits, and refusals by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ const std::string head_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string head_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string names = "$PhysicalNames\n3\n1 1 \"bottom\"\n1 4 \"ends\"\n2 3 \"soil\"\n$EndPhysicalNames\n";
 
-// A file of format 2.2: nodes x y in a row, from number 1 on, and elements.
+// Returns a file of format 2.2: nodes x y in a row, numbered from 1, and elements.
 std::string file_2(const std::vector<Vec2>& nodes, const std::vector<std::string>& elements) {
   std::string text = head_2 + names + fmt::format("$Nodes\n{}\n", nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k) text += fmt::format("{} {} {} 0\n", k + 1, nodes[k].x(), nodes[k].y());
@@ -76,7 +76,7 @@ TEST(Gmsh, clockwise_elements_are_turned_with_their_sides) {
   EXPECT_EQ(turned.nodes[turned.boundary("bottom").middle.at(0)], Vec2(0.5, 0));
 }
 
-// A square of two triangles in 4.1, its bottom curve with this physical number, and whatever else.
+// Returns a square of two triangles in 4.1, with this physical number of its bottom curve, and further text.
 std::string file_4(const std::string& bottom, const std::string& sections, const std::string& curve = "1",
                    const std::string& surface = "1") {
   return head_4 + names + "$Entities\n0 1 1 0\n1 0 0 0 1 0 0 1 " + bottom + " 0\n1 0 0 0 1 1 0 1 3 0\n$EndEntities\n" +
@@ -92,7 +92,7 @@ TEST(Gmsh, a_sign_is_a_sense_and_partitions_keep_their_groups) {
     EXPECT_EQ(mesh.boundary("bottom").ends.size(), 1U) << bottom;
     EXPECT_EQ(mesh.boundaries.size(), 1U) << bottom;
   }
-  // Two parts; the curve between them has a surface as its parent, and is no part of the bottom.
+  // The curve between two parts has a surface as its parent, and is no part of the bottom.
   const std::string parts =
       "$PartitionedEntities\n2\n0\n0 2 1 0\n"
       "7 1 1 1 1 0 0 0 1 0 0 0 0\n8 2 1 2 1 2 0 0 0 1 1 0 0 0\n9 2 1 1 1 0 0 0 1 1 0 1 3 0\n$EndPartitionedEntities\n";
@@ -157,7 +157,7 @@ TEST(Gmsh, nodes_and_boundaries_are_refused_by_their_numbers) {
   refused("Point(1) = {0,0,0};\n", "seems to be a geometry of Gmsh");
 }
 
-// Two squares one on the other that share no node.
+// Two adjacent squares share no node.
 const std::string unmerged =
     file_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}, {1, 1}, {1, 2}, {0, 2}},
            {"1 2 1 1 1 2", "2 2 3 1 1 2 3", "2 2 3 1 1 3 4", "2 2 3 2 5 6 7", "2 2 3 2 5 7 8"});
@@ -180,7 +180,7 @@ TEST(Gmsh, pieces_and_slits_are_taken_where_they_are_meant) {
   wrong("", mesh, "2 of its nodes lie on another one, as node 6 on 3 at (1, 1), and the mesh falls into 2 pieces");
   wrong("coincident_nodes = \"keep\"\n", mesh,
         "falls into 2 pieces that share no node: 2 elements around (0.5, 0.5), 2 elements around (0.5, 1.5)");
-  // The remedy of the first message.
+  // This is the remedy of the first message.
   EXPECT_EQ(read("coincident_nodes = \"keep\"\npieces = 2\n", mesh).model.soil.mesh.elements.size(), 4U);
   const Mesh whole = read_gmsh(file_2(square, {"2 2 3 1 1 2 3", "2 2 3 1 1 3 4"}), "x.msh");
   wrong("pieces = 2\n", whole, "is one piece");

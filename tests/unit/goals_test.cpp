@@ -1,4 +1,4 @@
-// Goals of cells, plates and paths, when they are reached, and the forecasts made of them.
+// Goals of cells, plates and paths, when they are reached, and the forecasts based on them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -59,12 +59,12 @@ TEST(Run, LowersAStressToItsGoal) {
     EXPECT_NEAR(file.series.at(stress).values.back(), 5e4, 1e-3 * 5e4);
 }
 
-// A sphere on a plate presses it with its weight: that load has arrived, and neither a smaller nor a larger one.
+// A sphere presses its plate with its weight. That load has arrived, and neither a smaller nor a larger one.
 TEST(Rig, ALoadHasArrivedWhereTheGrainsBearIt) {
   constexpr double radius = 0.01, g = 9.81;
   const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
   test::Sphere s{radius, 2650, Vec3(0.1, 0.1, radius), Vec3::Zero()};
-  // Fn = 4/3 E* sqrt(R) d^1.5, E* of two equal solids.
+  // Fn = 4/3 E* sqrt(R) d^1.5, with E* of two equal solids.
   s.position.z() -= std::pow(s.mass() * g / (4.0 / 3.0 * 1e9 / (2 * 0.96) * std::sqrt(radius)), 2.0 / 3.0);
   Simulation simulation(test::scene({s}, true), {std::vector<HertzMindlin::Material>{m, m, m}},
                         test::undamped(1e-6, g));
@@ -75,7 +75,7 @@ TEST(Rig, ALoadHasArrivedWhereTheGrainsBearIt) {
     rig.drive(goals, 0, simulation);
     return rig.arrived(goals, 1e-3, simulation);
   };
-  const double overlap = radius - s.position.z();  // Hertz's tangent, 2 E* sqrt(R d), is what a plate's control goes by
+  const double overlap = radius - s.position.z();  // a plate's control uses Hertz's tangent, 2 E* sqrt(R d)
   const double tangent = 2 * 1e9 / (2 * 0.96) * std::sqrt(radius * overlap);
   EXPECT_NEAR(simulation.plate_loads()[0].stiffness, tangent, 1e-9 * tangent);
   EXPECT_TRUE(arrived(1));
@@ -83,7 +83,7 @@ TEST(Rig, ALoadHasArrivedWhereTheGrainsBearIt) {
   EXPECT_FALSE(arrived(1.01)) << "pressed by less than the load";
 }
 
-// A plate of a mass that meets no grain falls freely under its load, less the damping from its second step on.
+// A plate with a mass that meets no grain falls freely under its load, less the damping from its second step on.
 TEST(Rig, APlateOfAMassIsAcceleratedByWhatTheGrainsDoNotBear) {
   const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
   const test::Sphere far{0.01, 2650, Vec3(0.1, 0.1, 0.15), Vec3::Zero()};
@@ -101,12 +101,12 @@ TEST(Rig, APlateOfAMassIsAcceleratedByWhatTheGrainsDoNotBear) {
   const double gain = dt * load / weight;
   EXPECT_NEAR(velocity(pressed).z(), gain, 1e-12 * gain);
   EXPECT_NEAR(velocity(pressed).z(), gain * (1 + (1 - damping)), 1e-12 * gain);
-  // Moved along its load, to either side, it carries the load no more.
+  // A part that moves along its load, to either side, no longer carries it.
   const DriveGoal moved{"plate", DriveGoal::Kind::displacement, -Vec3::UnitZ(), 1, 0.3};
   EXPECT_EQ(velocity(moved), Vec3(0, 0, -0.3));
 }
 
-// Displacements count from the start of each stage, and the last step of a way is as long as what is left.
+// Displacements count from the start of each stage, and the last step covers exactly the remaining distance.
 TEST(Rig, DisplacementsCountFromTheStartOfTheStage) {
   const HertzMindlin::Material m{1e9, 0.2, 0, {}, {}, {}};
   const test::Sphere far{0.01, 2650, Vec3(0.1, 0.1, 0.15), Vec3::Zero()};
@@ -172,7 +172,7 @@ TEST(Path, MovesAndLoadsAreApproachedInEqualParts) {
   }
 }
 
-// The natural strains of all axes add up to none, in space and in the plane.
+// Natural strains of all axes sum to zero, in space and in the plane.
 TEST(Path, ConstantVolumeHasNoVolumetricStrainInEitherDimension) {
   for (const int dimension : {2, 3}) {
     const AxisGoals goals = path("constant-volume", "axial_strain = 0.02\nincrement = 0.02\nrate = 0.3\n")
@@ -199,11 +199,11 @@ TEST(Path, ConstantVolumeKeepsTheVoidRatioOfDisks) {
   const AxisGoals goals = undrained->goals(0, under(2, Vec3::Zero()));
   while (!Servo::strained(goals, 2, s)) servo.drive(goals, 2, s), s.step();
   EXPECT_NEAR(s.strain().y(), 0.01, 1e-9);
-  // The product of what the axes are stretched by in a step differs from one by the square of the strain of the step.
+  // The product of the stretches of a step differs from one by the squared strain of the step.
   EXPECT_NEAR(s.void_ratio(), before, 1e-6);
 }
 
-// p = (sum of the stresses)/dimension, of which the axial one is what it is.
+// p = (sum of the stresses)/dimension, and the axial stress is given.
 TEST(Path, ConstantPLeavesTheLateralAxesWhatTheAxialOneDoesNotTake) {
   const auto p = path("constant-p", "mean_stress = 1e5\naxial_strain = 0.1\n");
   EXPECT_DOUBLE_EQ(p->goals(0, under(3, Vec3(9e4, 9e4, 1.6e5)))[0].value, (3e5 - 1.6e5) / 2);
@@ -211,7 +211,7 @@ TEST(Path, ConstantPLeavesTheLateralAxesWhatTheAxialOneDoesNotTake) {
   EXPECT_DOUBLE_EQ(p->goals(0, under(3, Vec3(1, 1, 5e5)))[0].value, 1e2) << "never a tension";
 }
 
-// ---- The forecast. Steps of a stage: each station's strain over its rate and the time step, and a rest.
+// ---- The forecast. Steps of a stage: for each station its strain over rate and time step, and a rest.
 
 double steps_of(const io::Snapshot& start, const std::string& stage, const std::string& before = "") {
   const Scenario plan = scenario("[[stage]]\n" + stage, before);
@@ -232,7 +232,7 @@ TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
   const double rest = one - 0.02 / (0.1 * dt);
   EXPECT_GT(rest, 0);
   EXPECT_NEAR(steps_of(start, shear(0.02, 0.005, 0.1)) - one, 3 * rest, 1e-9 * one) << "a rest at every station";
-  // To come to rest takes as long for each e-fold of the unbalanced force: 1e-6 takes twice as long as 1e-3.
+  // Every e-fold of the unbalanced force takes equally long: 1e-6 takes twice as long as 1e-3.
   const double calmer = steps_of(start, shear(0.02, 0.02, 0.1), "[equilibrium]\nunbalanced_force = 1e-6\n");
   EXPECT_NEAR(calmer - one, rest, 1e-9 * one);
   const double damped = steps_of(start, shear(0.02, 0.02, 0.1), "[numerics]\ndamping = 0.4\n");
@@ -252,7 +252,7 @@ TEST(Forecast, CountsTheStepsOfAStressByTheStiffness) {
   EXPECT_NEAR(loaded(1e-3) - loaded(2e-3), strain / dt * (1e3 - 5e2), 1e-9 * loaded(1e-3));
 }
 
-// Two hundred steps are timed and stand for all.
+// Two hundred timed steps stand for all.
 TEST(Forecast, ItsTimeIsThatOfTheStepsTriedForAllOfThem) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
   const Scenario plan = scenario(

@@ -1,4 +1,4 @@
-// Broken physics is noticed, named, and nothing sound is taken for broken.
+// Broken physics is noticed and named, and sound physics is not taken for broken.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Two grains of 1 mm in a wide cell, apart along x.
+// Returns two grains of 1 mm in a wide cell, apart along x.
 io::Snapshot two_grains() {
   io::Snapshot s;
   s.cell.matrix = 0.02 * Mat3::Identity();
@@ -86,7 +86,7 @@ TEST(Guard, StopsAGrainThatEscapesBetweenPlanes) {
   state.grains.velocity[1].x() = 1;
   Simulation s(state, testing::sand(), fixed(1e-5));
   io::test::expect_error<PhysicsError>([&] { run(s, 10'000); }, "grain 1 has gone to x = ");
-  // Twice the extent, 8.5 mm from the plane and a grain, beyond where it was, and at most a look later.
+  // It is twice the extent away, 8.5 mm from the plane and a grain, and at most one check later.
   EXPECT_NEAR(s.time(), 2 * 10.5e-3, 256 * 1e-5);
   state.planes = {};
   Simulation free(state, testing::sand(), fixed(1e-5));
@@ -108,7 +108,7 @@ Model bouncing_sand() {
   return model;
 }
 
-// A triaxial test under the servo; where the steps end, or a guard ends them.
+// Runs a triaxial test under the servo until the steps end, or a guard ends them.
 void compress(Simulation& simulation, int dimension, double pressure, int steps) {
   Servo servo;
   AxisGoals goals;
@@ -120,13 +120,13 @@ void compress(Simulation& simulation, int dimension, double pressure, int steps)
   }
 }
 
-// At 0.9 of the limit a test keeps its energy: to 5e-4 of what is turned over where motion is damped, to 3e-3 where it
-// is not. A grain that rattles between its neighbours, undamped, has impacts as short as two or three steps and may
-// gain a little at each. At three times the limit a guard stops the run within a few dozen steps.
+// At 0.9 of the limit a test keeps its energy: to 5e-4 of the turned-over energy with damping, to 3e-3 without. An
+// undamped grain that rattles between its neighbours has impacts of two or three steps and may gain a little at each.
+// At three times the limit a guard stops the run within a few dozen steps.
 TEST(Guard, TheStabilityLimitKeepsAMargin) {
   for (const Model& model : {testing::sand(), bouncing_sand(), testing::linear_sand(), smooth_linear()})
     for (const int dimension : {3, 2}) {
-      // Of disks, N/m: overlaps as small as those of the spheres.
+      // Disks have N/m, and overlaps as small as those of the spheres.
       const double pressure = dimension == 3 ? 1e5 : 5e3;
       const io::Snapshot start = testing::packed(model, pressure, 100, dimension);
       const double limit = Simulation(start, model, {}).stability_limit();
@@ -139,7 +139,8 @@ TEST(Guard, TheStabilityLimitKeepsAMargin) {
         const Energies e = good.energies();
         const double turned_over = e.initial + std::abs(e.boundary_work) + e.frictional;
         EXPECT_LT(std::abs(e.error()), (damping > 0 ? 1e-3 : 1e-2) * turned_over);
-        // The servo's goal: 1 % where moments help to hold a hundred grains that rearrange, 2.5 % where none do.
+        // The servo meets its goal to 1 % if moments help to hold a hundred rearranging grains, to 2.5 % without
+        // moments.
         EXPECT_NEAR(good.measures().stress(0, 0), pressure, 0.03 * pressure);
         EXPECT_THROW(compress(bad, dimension, pressure, 600), PhysicsError);
         EXPECT_LT(bad.steps(), 50);

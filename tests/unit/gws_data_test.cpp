@@ -1,4 +1,4 @@
-// Geotextiles and soils by name, by multiples, by path; and the data that come with the tools.
+// Geotextiles and soils by name, multiple and path; the data that come with the tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(GwsData, the_soil_that_comes_with_the_tools_is_table_5_2) {
   const SoilFile file = find_soil("toyoura-gws", {}, sources, resolved);
   for (const Constant& c : constants()) EXPECT_DOUBLE_EQ(file.soil.*c.field, Soil{}.*c.field) << c.key();
   ASSERT_EQ(file.scatter.size(), 1u);
-  // The author's 95 % intervals: 1.349 to 1.422, 1.238 to 1.302, 0.0299 to 0.0393.
+  // The author's 95 % intervals are 1.349 to 1.422, 1.238 to 1.302, 0.0299 to 0.0393.
   const double t = file.scatter[0].quantile();
   EXPECT_NEAR(t * file.scatter[0].standard_errors[0], 0.0365, 1e-4);
   EXPECT_NEAR(t * file.scatter[0].standard_errors[1], 0.032, 1e-4);

@@ -1,4 +1,4 @@
-// Design closes its loop with the response; sensitivities and bands agree with what they are made from.
+// Design agrees with the response it is inverted from; sensitivities and bands agree with their sources.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
   EXPECT_EQ(rows.size(), constants().size() + 5);
   for (const Sensitivity& row : rows) {
     if (row.key != "geotextile.strength") continue;
-    // A wider difference quotient, second order: two settlements per strength.
+    // A wider second-order difference quotient, with two settlements per strength, serves as reference.
     Case low = bag, high = bag;
     low.geotextile.strength *= 0.99;
     high.geotextile.strength *= 1.01;
@@ -108,7 +108,7 @@ TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
 }
 
 TEST(GwsSensitivity, bands_of_a_known_scatter_have_its_width) {
-  // Only xi scatters, and so little that the capacity is linear in it: quantiles are those of the t distribution.
+  // Only xi scatters, so little that the capacity is linear in it: quantiles follow the t distribution.
   const Case bag = test::bag_of("PP");
   const double error = 1e-4;
   const SoilFile soil{"test", bag.soil, {{{"near_failure_line.xi"}, {error}, {1}, 1e6}}};

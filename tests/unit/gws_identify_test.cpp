@@ -1,4 +1,4 @@
-// Identification: least squares with honest intervals, the discrete-element points, and data made by the model itself.
+// Identification: least squares with correct intervals, the discrete-element points, and data made by the model itself.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace soilweave::gws {
 namespace {
 
 TEST(GwsFit, a_straight_line_has_the_textbook_errors) {
-  // y = 1 + 2x with residuals +-0.1: slope variance s2 / sum (x - mean)2, intercept s2 (1/n + mean2 / sum).
+  // y = 1 + 2x has residuals +-0.1: slope variance s2 / sum (x - mean)2, intercept s2 (1/n + mean2 / sum).
   const std::vector<double> x{0, 1, 2, 3}, y{1.1, 2.9, 4.9, 7.1};
   const Fit found = fit("line", y, {0, 1}, [&](const double* p, double* fitted) {
     for (std::size_t i = 0; i < x.size(); ++i) fitted[i] = p[0] + p[1] * x[i];
@@ -44,7 +44,7 @@ TEST(GwsFit, too_few_points_and_undetermined_constants_are_refused) {
 
 constexpr const char* geotextiles[] = {"PE", "0.5PP", "PP", "2PP", "3PP", "4PP"};
 
-/// A series made by the model, with errors of measurement: normal, of stress relative, of strain absolute.
+/// Returns a series made by the model with normal errors of measurement: relative for stress, absolute for strain.
 BagSeries made(const std::string& name, std::size_t rows, double stress_error, double strain_error,
                std::mt19937_64& random) {
   const Case bag = test::bag_of(name);
@@ -74,7 +74,7 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
   std::mt19937_64 random(1);
   std::vector<BagSeries> series;
   for (const char* name : geotextiles) series.push_back(made(name, 200, 0, 0, random));
-  // From others to start with: what is left out keeps the constants that it began with.
+  // The start differs from the truth; constants that are not identified keep their starting values.
   const Soil soil;
   Soil off = soil, flow = soil;
   off.kappa = 1, off.lambda = 2, off.xi = 0, off.alpha *= 2, off.beta = 0.5;
@@ -84,7 +84,7 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
   EXPECT_NEAR(found.soil.soil.kappa, soil.kappa, 1e-9);
   EXPECT_NEAR(found.soil.soil.lambda, soil.lambda, 1e-9);
   EXPECT_NEAR(found.soil.soil.xi, soil.xi, 1e-9);
-  // Increments are finite: second order in their size, largest in the first of 200.
+  // Increments are finite, with errors of second order in their size, largest in the first of 200.
   const Soil dilating = identify(series, {"test", flow, {}}, {}, {}, Difference::central).soil.soil;
   EXPECT_NEAR(dilating.p_1, soil.p_1, 2e-3 * soil.p_1);
   EXPECT_NEAR(dilating.p_2, soil.p_2, 2e-3 * soil.p_2);
@@ -93,7 +93,7 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
 }
 
 TEST(GwsIdentify, intervals_hold_the_constants_in_90_of_100_noisy_repetitions) {
-  // 0.5 % of the stresses and 0.02 % strain: about the scatter of the discrete-element series around their lines.
+  // Scatter of 0.5 % in stress and 0.02 % in strain is about that of the discrete-element series around their lines.
   const Soil soil;
   std::map<std::string, int> inside;
   std::mt19937_64 random(2016);
@@ -148,7 +148,7 @@ TEST(GwsIdentify, discrete_element_points_reproduce_table_5_2_as_far_as_they_can
     // to 24.5 MPa and 0.75 to 0.78, the reference says, with intercepts.
     EXPECT_NEAR(found.soil.soil.alpha, 26.1e6, 0.04 * 26.1e6);
     EXPECT_NEAR(found.soil.soil.beta, 0.74, 0.01 * 0.74);
-    // p_1 and p_2 are not: the reference's refit has 1.51 and 0.32.
+    // p_1 and p_2 are off: the reference's refit has 1.51 and 0.32.
     EXPECT_NEAR(found.soil.soil.p_1, 1.51, 0.25);
     EXPECT_LT(found.soil.soil.p_1, 1.68);
     EXPECT_NEAR(found.soil.soil.p_2, 0.32, 0.02);
@@ -183,7 +183,7 @@ TEST(GwsIdentify, series_are_read_in_any_unit_up_to_failure) {
   EXPECT_DOUBLE_EQ(series.stiffness, 53e3);
   EXPECT_DOUBLE_EQ(series.mean_stress[2], 30e3);
   EXPECT_DOUBLE_EQ(series.strain_axial[2], 0.02);
-  // Natural strains, contraction positive: what is left of a length (volume) is exp(-strain).
+  // Natural strains, contraction positive: the remaining share of a length (volume) is exp(-strain).
   EXPECT_NEAR(bag_series(table, "table", 0, true).strain_axial[2], 1 - std::exp(-0.02), 1e-15);
   EXPECT_NEAR(bag_series(table, "table", 0, true).strain_volumetric[2], 1 - std::exp(-0.004), 1e-15);
 }

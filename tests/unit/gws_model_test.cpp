@@ -48,7 +48,7 @@ TEST(GwsModel, stress_ratio_solves_its_implicit_equation) {
 }
 
 TEST(GwsModel, slope_of_the_path_is_its_own_derivative) {
-  // s = dq/dp and d eps_a^p/dp are solved together; along the path they must be what difference quotients say.
+  // s = dq/dp and d eps_a^p/dp are solved together; along the path they must equal difference quotients.
   const Soil soil;
   Path path(soil, soil.young_modulus(232e3), 1e-9);
   while (path.last() < std::log(1e6)) ASSERT_TRUE(path.advance());

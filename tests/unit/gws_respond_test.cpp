@@ -1,4 +1,4 @@
-// Responses against the reference curves and the discrete-element series, error control, and what is refused.
+// Responses against the reference curves and the discrete-element series, error control, and refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ using test::bag_of;
 
 struct Expected {
   const char* name;
-  double ultimate, settlement;       // kPa, %, to the digits given by the reference
+  double ultimate, settlement;       // kPa and %, to the digits of the reference
   double lateral, axial, surcharge;  // RMS from the discrete elements, % of their maximum, as tabulated
-  double excess_low, excess_high;    // ultimate surcharge above the discrete elements'
+  double excess_low, excess_high;    // excess of the ultimate surcharge over the discrete elements
 };
 constexpr Expected expected[] = {{"PE", 585, 11.67, 4.0, 3.8, 8.9, 0.20, 0.25},
                                  {"PP", 1731, 12.50, 1.4, 2.1, 6.3, 0.20, 0.25},
@@ -49,7 +49,7 @@ TEST(GwsRespond, meets_the_reference_curves) {
   }
 }
 
-/// Root mean square of model less series at equal axial strain, in percent of the series' greatest.
+/// Returns the root mean square of model minus series at equal axial strain, in percent of the series' greatest value.
 template <class Model>
 double misfit(const std::vector<double>& series, std::size_t rows, const Model& model) {
   double squares = 0, greatest = 0;
@@ -175,7 +175,7 @@ TEST(GwsRespond, points_are_equal_steps_of_settlement) {
     EXPECT_NEAR(points[i].settlement() - points[i - 1].settlement(), response.last().settlement() / 10, 1e-9);
 }
 
-/// The message of the DataError that the bag gives.
+/// Returns the message of the DataError for the bag.
 std::string refusal(const Case& bag) {
   try {
     const Response response(bag);

@@ -1,4 +1,4 @@
-// The homogeneous field of velocity: found again as it was laid, without momentum, in the ledger, and in a run.
+// The homogeneous field of velocity: recovered as added, without momentum, in the ledger, and in a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/homogeneous.h"
 
@@ -68,7 +68,7 @@ TEST(Homogeneous, FieldDoesNotVaryAlongPeriodicAxesNorMoveWhatIsHeld) {
   EXPECT_NE(vector_of(bodies.velocity(6)).z(), 0);
 }
 
-// Three by three columns of eight equal spheres each between plates: an even bar, along which waves run.
+// Three by three columns of eight equal spheres between plates form an even bar, along which waves run.
 constexpr double radius = 0.01;
 io::Snapshot columns() {
   io::Snapshot s;
@@ -104,7 +104,7 @@ io::RunFile compressed(const std::string& keys) {
 
 double last(const io::RunFile& file, const char* name) { return file.series.at(name).values.back(); }
 
-// Since the preload, which is met with a bump.
+// Returns the change since the preload, which ends with a bump.
 double since_preload(const io::RunFile& file, const char* name) {
   const std::vector<double>& values = file.series.at(name).values;
   return values.back() - values[1];
@@ -143,7 +143,7 @@ TEST(Homogeneous, GradientOfAWayIsThatOfThePlates) {
   EXPECT_LT((pressed_and_sheared - expected).norm(), 1e-14);
 }
 
-// Plates, grains and what is done to them, which may go on from what it keeps.
+// Plates, grains and their driver, which can go on from a checkpoint.
 struct Rigged {
   Scenario scenario = pressing("rest_drag = \"critical\"\nhomogeneous_start = true\n");
   io::Snapshot start = prepare(columns(), scenario);
@@ -204,7 +204,7 @@ TEST(MassScaling, GrainsOfAnySizeBearTheSameStepAndWeighWhatTheyDid) {
   const double before = total();
   equalise_steps(testing::sand(), grains);
   EXPECT_NEAR(total(), before, 1e-12 * before);
-  // Hertz: k = 2 E* sqrt(R* d) is as the radius at an overlap in proportion to it.
+  // Hertz: k = 2 E* sqrt(R* d) is proportional to the radius if the overlap is.
   for (std::size_t i = 0; i < grains.size(); ++i)
     EXPECT_NEAR(grains.mass[i] / grains.radius[i], grains.mass[0] / grains.radius[0], 1e-9 * before);
   const std::vector<double> once = grains.mass;

@@ -1,4 +1,4 @@
-// Readers under bytes that nobody checked: the corpus of fuzzing, and what a few thousand random changes make of it.
+// Readers under unchecked bytes: the fuzzing corpus, and a few thousand random changes of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ std::vector<std::string> seeds(const fs::path& folder, const std::string& ending
   return bytes;
 }
 
-// One of: a byte changed, a piece cut out, a piece written twice, a number made extreme.
+// Returns the bytes with one change: a byte changed, a piece cut out or repeated, a number made extreme.
 std::string changed(std::string bytes, std::mt19937& chance) {
   static const std::vector<std::string> extremes{"nan", "-1", "1e999", "1e308", "-0", "99999999999999999999", "1e-320"};
   if (bytes.empty()) return bytes;

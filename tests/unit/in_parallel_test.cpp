@@ -1,4 +1,4 @@
-// Work shared by threads comes to the same bits on any number of them.
+// Loops shared by threads give the same bits on any number of threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/in_parallel.h"
 

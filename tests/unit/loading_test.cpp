@@ -1,4 +1,4 @@
-// Loading paths and whole runs: what each path holds, what is recorded, and what is refused.
+// Loading paths and whole runs: constraints of each path, recorded quantities, refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Path, CountsStrainsFromTheStartOfItsStage) {
   const std::vector<double>& axial = run.series.at("strain_axial").values;
   ASSERT_EQ(run.series.rows(), expected.size() + 1);
   for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(axial[k], expected[k], 1e-8) << "station " << k;
-  // Constant volume, then no lateral strain in what follows.
+  // Constant volume comes first, then loading without lateral strain.
   const std::vector<double>&x = run.series.at("strain_xx").values, &v = run.series.at("strain_volumetric").values;
   EXPECT_NEAR(v[5], v[4], 1e-8);
   for (std::size_t k = 6; k < x.size(); ++k) EXPECT_NEAR(x[k], x[5], 1e-8);
@@ -117,16 +117,16 @@ TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
   EXPECT_EQ(said.series.at("step").values, same.series.at("step").values);
   const io::RunFile calmed = loaded(stage(0.002, more));
   EXPECT_LT(last(calmed, "step"), last(same, "step")) << "rest comes sooner";
-  // On the way to the second station the little damping holds again, as it does where another stage begins.
+  // On the way to the second station the small damping holds again, as in another stage.
   const io::RunFile anew = loaded(stage(0.001, more) + stage(0.001, more));
   const io::RunFile held = loaded(stage(0.001, more) + stage(0.001, "damping = 0.7\n"));
-  // A stage that begins measures its way anew: a step sooner or later.
+  // A new stage measures its loading anew: a step sooner or later.
   EXPECT_NEAR(last(anew, "step"), last(calmed, "step"), 2);
   EXPECT_GT(std::abs(last(held, "step") - last(calmed, "step")), 20);
 }
 
 TEST(Run, AStageMayDragWhatWaitsForRest) {
-  // Hardly damped, a packing swings on until it falls apart.
+  // A packing with hardly any damping swings until it falls apart.
   const std::string swinging =
       "[equilibrium]\nkinetic_energy = 1e-8\nsteps = 20000\n[[stage]]\npath = \"constant-volume\"\n"
       "axial_strain = 0.001\nincrement = 0.001\ndamping = 0.02\n";
@@ -149,7 +149,7 @@ TEST(Run, AStageMayGoAsFastAsItsGrainsFollow) {
                     capped = compressed(0.5, 0.02);
   const double right = last(slow, "stress_zz");
   EXPECT_LT(last(fast, "stress_zz"), 0.7 * right) << "slow enough as given: the test tells nothing";
-  // What is left between these 150 grains is chance: it has either sign at a quarter of the unbalanced force.
+  // The remaining difference of these 150 grains is chance: it has either sign at a quarter of the unbalanced force.
   EXPECT_NEAR(last(kept, "stress_zz"), right, 0.06 * right);
   EXPECT_NEAR(last(capped, "stress_zz"), last(kept, "stress_zz"), 0.03 * right);
   EXPECT_NEAR(last(kept, "strain_zz"), 0.01, 1e-8);

@@ -1,4 +1,4 @@
-// One step of a few grains against closed forms: where it takes them, what it takes of them, and how long it may be.
+// One step of a few grains against closed forms: their new positions, the lost energy, and the length of the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/motion.h"
 
@@ -28,7 +28,7 @@ Model linear(double stiffness_ratio, double mu = 0, std::optional<double> e = {}
 Sphere free_sphere(const Vec3& velocity = Vec3::Zero()) { return {R, density, Vec3(0.03, 0.05, 0.07), velocity}; }
 const double mass = free_sphere().mass();
 
-// x + dt (L x + v), whatever L is: each of its nine numbers moves one coordinate along another.
+// Positions become x + dt (L x + v): each of the nine numbers of L moves one coordinate along another.
 TEST(Motion, AGrainGoesWithItsCellAndByItsOwnVelocity) {
   const double dt = 1e-3;
   const Vec3 v(1, -2, 3), x = free_sphere().position;
@@ -40,7 +40,7 @@ TEST(Motion, AGrainGoesWithItsCellAndByItsOwnVelocity) {
   EXPECT_LT((simulation.snapshot().grains.position[0] - (x + dt * (gradient * x + v))).norm(), 1e-16);
 }
 
-// Branches d become (1 + dt L) d in a step: seen from the new branch they came by L d, to the second order of dt L.
+// Branches d become (1 + dt L) d in a step: seen from the new branch they moved by L d, to second order in dt L.
 TEST(Motion, ThePairsOfACellMoveAsTheirBranchesDid) {
   Mat3 gradient;
   gradient << 0.1, 0.2, -0.3, 0.4, -0.5, 0.6, -0.7, 0.8, 0.9;
@@ -56,17 +56,17 @@ TEST(Motion, ThePairsOfACellMoveAsTheirBranchesDid) {
   EXPECT_LT((to_eigen(AffineMotion(diagonal, true, 1e-4)(from_eigen(after))) - diagonal * before).norm(), 1e-9);
 }
 
-// Local damping takes of a force that speeds a grain up and adds to one that slows it. Which of the two it does, the
-// work of the undamped force over the step says, also where the grain turns back within it.
+// Local damping takes from a force that speeds a grain up and adds to one that slows it. The work of the undamped force
+// over the step decides which, even if the grain turns back within it.
 TEST(Motion, DampingGoesByTheWorkOfTheForceOverTheStep) {
   const double dt = 1e-3, g = 10, part = 0.4;
   for (const double share : {-2.0, -1.0, -0.8, -0.6, -0.4, -0.2, 0.0, 0.3, 1.0}) {
     Numerics numerics = undamped(dt, g);
     numerics.damping = part;
-    const double before = -share * g * dt;  // share: of what gravity gives in a step, downwards
+    const double before = -share * g * dt;  // share of the speed that gravity adds in a step, downwards
     Simulation simulation(scene({free_sphere(Vec3(0, 0, before))}, false), linear(0), numerics);
     simulation.step();
-    // Half of what the force would give, undamped, decides.
+    // Half of the speed that the undamped force would add decides.
     const double kept = share + 0.5 < 0 ? 1 + part : 1 - part;
     const double after = before - kept * g * dt;
     EXPECT_NEAR(simulation.snapshot().grains.velocity[0].z(), after, 1e-15) << share;
@@ -76,7 +76,8 @@ TEST(Motion, DampingGoesByTheWorkOfTheForceOverTheStep) {
   }
 }
 
-// The lighter of two grains that press each other, moving against its force and gravity, gains what the bound says.
+// Of two grains that press each other, the lighter one, moving against its force and gravity, gains what the bound
+// says.
 TEST(Motion, NoGrainGainsMoreThanTheBoundAndOneGainsAllOfIt) {
   const double dt = 1e-6, g = 10, damping = 0.3;
   const Sphere low = free_sphere(Vec3(0, 0, 5));
@@ -94,8 +95,8 @@ TEST(Motion, NoGrainGainsMoreThanTheBoundAndOneGainsAllOfIt) {
   EXPECT_LT(std::abs(5 - vector_of(parts.bodies.velocity(1)).z()), bound);
 }
 
-// sqrt(2 m/k) of translation, sqrt(2 I/(ks R^2)) of rotation; and that of a grain between contacts to come, sqrt(2 m/(4
-// kn)). With I = 2/5 m R^2 rotation rules where ks > 1.6 kn.
+// Limits are sqrt(2 m/k) of translation, sqrt(2 I/(ks R^2)) of rotation, and sqrt(2 m/(4 kn)) of a grain between
+// contacts to come. With I = 2/5 m R^2 rotation rules if ks > 1.6 kn.
 TEST(Motion, RotationBoundsTheStepWhereShearIsStiff) {
   const double kn = E * R;
   const Sphere low = free_sphere();
@@ -113,7 +114,7 @@ TEST(Motion, RotationBoundsTheStepWhereShearIsStiff) {
 
 // ---- The shear force of a contact turns with its grains: about the normal by their mean spin.
 
-// Direction of the shear force, along x before, after a step in which the grains spin about z.
+// Returns the direction of the shear force, along x before, after a step in which the grains spin about z.
 Vec3 turned_shear(const std::vector<Sphere>& spheres, bool plane, double dt) {
   io::Snapshot start = Simulation(scene(spheres, plane), linear(0.5, 0.5), undamped(dt)).snapshot();
   EXPECT_EQ(start.contacts.size(), 1U);
@@ -124,7 +125,7 @@ Vec3 turned_shear(const std::vector<Sphere>& spheres, bool plane, double dt) {
 }
 
 TEST(Motion, ShearForcesTurnAboutTheNormalByTheMeanSpin) {
-  const double dt = 1e-7, spin = 2e5;  // 0.02 rad a step
+  const double dt = 1e-7, spin = 2e5;  // 0.02 rad per step
   Sphere low = free_sphere(), high = low;
   high.position.z() += 1.999 * R;
   for (const auto& [one, two] :
@@ -141,9 +142,9 @@ TEST(Motion, ShearForcesTurnAboutTheNormalByTheMeanSpin) {
   EXPECT_LT((turned_shear({on_plane}, true, dt) - Vec3(std::cos(angle), std::sin(angle), 0)).norm(), 1e-4);
 }
 
-// ---- Steps of several keys.
+// ---- Steps with several settings.
 
-// On the way only what is strained slows down: stresses are held as fast as ever.
+// Only strained axes slow down; stresses are held as fast as ever.
 TEST(Servo, APaceIsThatOfTheStrainedAxesAlone) {
   const auto rates = [](double pace) {
     Simulation s(testing::packed(testing::sand(), 1e5, 60), testing::sand(), {});

@@ -1,4 +1,4 @@
-// No pair touches that is not listed, however grains, cell and planes move, and lists last.
+// No touching pair is missing in the lists, however grains, cell and planes move, and lists last.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/neighbours.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 using Key = std::tuple<std::int32_t, std::int32_t, CellOffset>;
 
-// All pairs with a gap below the skin, by looking at each and every image.
+// Returns all pairs with a gap below the skin, by testing every image.
 std::set<Key> near_by(const Bodies& bodies, const Cell& cell, double skin) {
   const auto reach = [&](int axis) { return cell.periodic(axis) ? 3 : 0; };
   std::vector<std::pair<Vec3, CellOffset>> images;
@@ -53,7 +53,7 @@ std::set<Key> listed(const Contacts& contacts) {
   return found;
 }
 
-// Grains that fly through one another in a deforming cell; of ten, one is fast.
+// Grains that fly through one another in a deforming cell; one of ten is fast.
 struct Flight {
   explicit Flight(int dimension)
       : state(testing::packed(testing::sand(), 1e5, 60, dimension)),
@@ -106,7 +106,7 @@ TEST_P(NeighboursIn, ListAllThatTouchesAndLast) {
     const auto known = listed(flight.contacts), touching = near_by(flight.bodies, flight.cell, 0);
     ASSERT_TRUE(std::includes(known.begin(), known.end(), touching.begin(), touching.end())) << "step " << k;
     ASSERT_GT(touching.size(), 20u);
-    // One skin for all that lasts as long is twice what the fastest needs.
+    // A single skin for all that lasts as long is twice the largest one needed.
     ASSERT_LT(known.size(), near_by(flight.bodies, flight.cell, 2 * flight.longest_leeway()).size());
   }
   EXPECT_GT(flight.lists, 10);
@@ -116,7 +116,7 @@ TEST_P(NeighboursIn, ListAllThatTouchesAndLast) {
 TEST_P(NeighboursIn, AreAllThatTheSearchFinds) {
   Flight flight(GetParam());
   for (int k = 0; k < 3; ++k) {
-    for (int step = 0; step < 300; ++step) flight.step(1e-3);  // cells away from where they were
+    for (int step = 0; step < 300; ++step) flight.step(1e-3);  // cells away from their start
     const double skin = 0.3 * flight.bodies.largest_radius();
     std::vector<Pair> pairs;
     find_pairs(flight.bodies, flight.cell, skin, 2 * flight.bodies.largest_radius() + skin, 1 + k, pairs);

@@ -1,4 +1,4 @@
-// The pace of what goes a given way: found from what the grains do, and never above the speed it is given.
+// The loading speed: found from the response of the grains, and never above the prescribed speed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/pace.h"
 
@@ -14,7 +14,7 @@ constexpr double wanted = 0.02;
 constexpr std::int64_t look = 16;
 constexpr std::size_t grains = 8000;  // a wave crosses them in 200 steps
 
-// Grains whose unbalanced force follows the speed with a delay of one crossing: `per_speed` of it at rest with it.
+// Grains whose unbalanced force follows the speed with a delay of one crossing; `per_speed` of it in steady motion.
 struct Delayed {
   double top_speed, per_speed, unbalanced = 1e-3, speed = 0, largest = 0;
 

@@ -1,5 +1,5 @@
-// Defaults of pack-generate belong to grains of any size; what cannot be is told before the first step; a
-// void ratio is held at rest, or the one that is in reach is named.
+// Defaults of pack-generate for grains of any size. Impossible packings are refused before the first step. A void ratio
+// is held at rest, or the message names one that is in reach.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ io::Snapshot sparse(std::size_t grains, double void_ratio = 2.0) {
   return cloud(radii, void_ratio, {1, 1, 1}, 3, 2650e3, 3);
 }
 
-// All lengths times `factor`, at the same density.
+// Returns the state with all lengths times `factor`, at the same density.
 io::Snapshot scaled(io::Snapshot state, double factor) {
   state.cell.matrix *= factor;
   for (Vec3& x : state.grains.position) x *= factor;
@@ -39,7 +39,7 @@ dem::Model sand_with_moments(double stiffness) {
   return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, 29 * testing::degree, {}, moment, moment}}};
 }
 
-// The message of the error of this type that `work` throws; "" without one.
+// Returns the message of the error of this type that `work` throws; "" without one.
 template <class Error, class Work>
 std::string message_of(const Work& work) {
   try {
@@ -50,7 +50,7 @@ std::string message_of(const Work& work) {
   return "";
 }
 
-// The number behind these words of a message.
+// Returns the number after these words of a message.
 double number_after(const std::string& words, const std::string& message) {
   const std::size_t at = message.find(words);
   EXPECT_NE(at, std::string::npos) << message;
@@ -70,7 +70,7 @@ TEST(Standard, ThesisGrainsHaveTheThesisStiffnessAndOthersByTheCubeOfTheirSize) 
             default_rotational_stiffness(1e-4));
 }
 
-// Powers of two scale without rounding: the smaller soil makes the same packing, bit by bit.
+// Powers of two scale without rounding, so the smaller soil makes the same packing, bit by bit.
 TEST(Standard, ASoilScaledInSizeMakesTheSamePacking) {
   const double factor = 0x1p-5;
   Recipe recipe;
@@ -85,7 +85,7 @@ TEST(Standard, ASoilScaledInSizeMakesTheSamePacking) {
     EXPECT_EQ(Vec3(factor * one.state.grains.position[i]), other.state.grains.position[i]);
 }
 
-// A stiffness against rolling that no overlap has to build up bounds the step of a cloud, and its grains come to rest.
+// A rolling stiffness that needs no overlap bounds the step of a cloud, so that its grains come to rest.
 TEST(StepBound, CountsMomentsOfContactsStillToCome) {
   const io::Snapshot state = sparse(60);
   const dem::Model model = sand_with_moments(130);
@@ -177,7 +177,7 @@ TEST(Compact, NamesTheVoidRatiosInReachAndTheyAre) {
   }
 }
 
-// So narrow a tolerance is missed at the first attempt; further ones come from the same cloud.
+// The first attempt misses so narrow a tolerance; further ones start from the same cloud.
 TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
   Recipe recipe;
   recipe.pressure = 1e5;

@@ -77,7 +77,7 @@ TEST(Grading, OneSizeIsACurve) {
   for (const double r : curve.radii(5, 3)) EXPECT_DOUBLE_EQ(r, 1.5e-3);
 }
 
-// Diameters over the median one, of the author's packing of 5000 grains at fractions of its mass.
+// Diameters over the median one in the author's packing of 5000 grains, at fractions of its mass.
 TEST(Grading, IsThatOfTheAuthorsPackings) {
   std::ifstream file(soilweave::test::reference_file("ch2/toyoura_rv_5000.csv"));
   if (!file) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
@@ -158,7 +158,7 @@ io::Snapshot loose(int dimension) {
   return cloud(radii, 2.0, {1, 1, 1}, dimension, 2650e3, 3);
 }
 
-// How many of the grains have the one nearest to them within fifty rows.
+// Returns the share of grains whose nearest grain is within fifty rows.
 double share_side_by_side(const io::GrainsRecord& g) {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -175,7 +175,7 @@ double share_side_by_side(const io::GrainsRecord& g) {
 
 TEST(SpatialOrder, LaysNeighboursSideBySideAndLosesNoGrain) {
   for (const int d : {2, 3}) {
-    // In the order of a cloud's making, which is random; some have left the cell.
+    // The cloud is in the random order of its making; some grains have left the cell.
     const io::Snapshot made = cloud(Grading::toyoura().radii(2000, d), 3, {1, 1, d == 2 ? 1.0 : 2.0}, d, 2650, 7);
     io::Snapshot random = made;
     for (std::size_t i = 0; i < made.grains.size(); ++i) {
@@ -206,7 +206,7 @@ TEST(SpatialOrder, CutsAFlatCellIntoChunksAboutAsLongAsWide) {
     const auto from = flat.grains.position.begin() + static_cast<std::ptrdiff_t>(chunk * dem::grains_per_chunk);
     Vec3 low = *from, high = *from;
     for (auto x = from; x != from + dem::grains_per_chunk; ++x) low = low.cwiseMin(*x), high = high.cwiseMax(*x);
-    // Halving the longest side leaves none above twice another; grains end within half of their distance of the cuts.
+    // Halving the longest side leaves no side above twice another; grains end within half their distance of the cuts.
     EXPECT_LT((high - low).maxCoeff(), 2.2 * (high - low).minCoeff());
   }
 }

@@ -1,4 +1,4 @@
-// Bytes of files as lines of text, and the bytes that are none.
+// Files as lines of text, and bytes that are no text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plain_text.h"
 

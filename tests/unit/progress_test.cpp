@@ -1,4 +1,4 @@
-// Progress lines: sparse where nobody watches, none when quiet.
+// Progress lines: sparse without a terminal, none when quiet.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/progress.h"
 
@@ -15,7 +15,7 @@
 namespace soilweave {
 namespace {
 
-/// Standard error as a terminal for the life of the object; text() is what appeared there.
+/// Standard error as a terminal for the life of the object; text() returns its content.
 class Terminal {
  public:
   Terminal() : kept_(dup(STDERR_FILENO)) {
@@ -30,7 +30,7 @@ class Terminal {
   }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-  /// What appeared, up to and with `last`.
+  /// Returns the content up to and with `last`.
   std::string text(const std::string& last) const {
     std::string all;
     char c = 0;
@@ -62,7 +62,7 @@ TEST(Progress, WritesNotesAtOnceButNoLineInTheFirstSecondsWithoutATerminal) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "isotropic: done\n");
 }
 
-// Begun half done: what is left is not guessed from work that others did.
+// For work that begins half done, the time left must not count work that others did.
 TEST(Progress, RewritesOneLineOnATerminalAtMostTenTimesASecond) {
   std::string shown;
   {
@@ -80,8 +80,8 @@ TEST(Progress, RewritesOneLineOnATerminalAtMostTenTimesASecond) {
             "\r\033[Kheld\r\n");
 }
 
-// Done at an even pace, what is left takes as long as what was done, by their sizes: begun at `first`, with `done` of
-// all, (1 - done)/(done - first) times the time gone by.
+// Expects the time left at an even pace: begun at `first`, with `done` of all, it is (1 - done)/(done - first) times
+// the elapsed time.
 void expect_time_left(double first, double done, int milliseconds) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };

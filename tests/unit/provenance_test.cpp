@@ -1,4 +1,4 @@
-// Digests against published vectors; histories that are merged, with every record once.
+// Digests against published vectors; merged histories with every record once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/provenance.h"
 

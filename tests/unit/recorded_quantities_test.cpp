@@ -1,4 +1,4 @@
-// Quantities that a run records and guards watch, of a few grains whose numbers can be counted by hand.
+// Quantities that a run records and guards watch, for a few grains whose numbers can be counted by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ double recorded(const Simulation& simulation, int dimension, const char* name) {
   return series.at(name).values.at(0);
 }
 
-// Three grains in a row and one apart: 1, 2, 1 and 0 contacts.
+// Three grains in a row and one apart have 1, 2, 1 and 0 contacts.
 TEST(Recorded, RattlersCountInTheCoordinationNumberAloneThatSaysSo) {
   io::Snapshot state = scene({at(0), at(1.99 * R), at(3.98 * R), at(9 * R)}, false);
   state.grains.material_id.assign(4, 0);
@@ -45,8 +45,8 @@ TEST(Recorded, RattlersCountInTheCoordinationNumberAloneThatSaysSo) {
   EXPECT_NEAR(unequal.largest_overlap(), 0.01, 1e-12);
 }
 
-// In the plane the deviatoric strain is the difference of the two principal ones; in space of a triaxial test 2/3 of
-// the difference.
+// The deviatoric strain in the plane is the difference of the two principal strains; in a triaxial test in space it is
+// 2/3 of the difference.
 TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   for (const int dimension : {2, 3}) {
     const Model model = testing::linear_sand();
@@ -64,8 +64,8 @@ TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   }
 }
 
-// Stretched along its normal by a strain, a contact of branch l resists with l^2 kn, over the volume; against a plane l
-// is the distance to it, between grains that of their centres.
+// A contact of branch l that is strained along its normal resists with l^2 kn, over the volume. Against a plane l is
+// the distance to it, between grains the distance of their centres.
 TEST(Recorded, StiffnessOfTheCellIsThatOfItsBranches) {
   const double kn = E * R, overlap = 0.01 * R;
   Sphere low = at(0.1);
@@ -82,7 +82,7 @@ TEST(Recorded, StiffnessOfTheCellIsThatOfItsBranches) {
   EXPECT_EQ(between.x(), 0);
 }
 
-// Slowed to a share of its speed and spin, a grain has its square of the energy left; damping has the rest.
+// A grain slowed to a share of its speed and spin keeps the square of that share of its energy; damping has the rest.
 TEST(Recorded, DragTakesOfMotionAndOfRotationAlike) {
   Sphere s = at(0.1);
   s.velocity = Vec3(3, 0, 4), s.spin = Vec3(0, 600, 0);
@@ -108,7 +108,7 @@ TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
   EXPECT_NEAR(after.boundary_work - before.boundary_work, after.elastic() - before.elastic(), 1e-9 * after.elastic());
 }
 
-// The fastest grain goes a hundredth of the smallest radius in a step, and no slower than it may.
+// The fastest grain moves a hundredth of the smallest radius in a step, and no slower than it may.
 TEST(Recorded, AFastGrainShortensTheStep) {
   Sphere slow = at(0.02), fast = at(0.1, 2 * R);
   fast.velocity = Vec3(0, 3000, 4000);
@@ -119,7 +119,7 @@ TEST(Recorded, AFastGrainShortensTheStep) {
   EXPECT_NEAR(simulation.time_step(), 1e-2 * R / 5000, 1e-15 * R);
 }
 
-// The cost of a run is told of all of it, also of the part before it was stopped.
+// The cost of a run includes its part before a stop.
 TEST(Recorded, APriceGoesOnFromWhatIsKept) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
   Simulation before(start, testing::sand(), {});
@@ -137,7 +137,7 @@ TEST(Recorded, APriceGoesOnFromWhatIsKept) {
     EXPECT_EQ(price.times.seconds[k], before.step_times().seconds[k]);
 }
 
-// The limit is a share of all energy that there was and is: turned over, at the start, in motion and stored.
+// The limit is a share of all energy: turned over, at the start, in motion and stored.
 TEST(Guard, WeighsTheErrorByAllEnergyTurnedOver) {
   Numerics numerics;
   numerics.limits.energy_error = 0.1;

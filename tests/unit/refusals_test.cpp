@@ -1,4 +1,4 @@
-// Numbers that do not fit together: refused before anything moves, each with its reason.
+// Numbers that do not fit together are refused before anything moves, each with its reason.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Refused, MaterialsThatNothingDescribes) {
   for (const std::int32_t id : {1, -1, 2000000000}) {
     io::Snapshot state = grains();
     state.grains.material_id[5] = id;
-    // Whatever steps grains makes a Simulation of them.
+    // Every tool that steps grains makes a Simulation of them.
     expect_error<DataError>([&] { Simulation(state, model, {}); }, "add [[material]] tables");
     expect_error<DataError>([&] { prepare(state, scenario(pressed)); }, "add [[material]] tables");
     io::Snapshot planes = grains();
@@ -56,7 +56,7 @@ TEST(Refused, MaterialsThatNothingDescribes) {
 TEST(Refused, YarnsThroughAPeriodicFace) {
   const Scenario plan = scenario("[[geotextile]]\nyarn_strain = [0.1]\nyarn_tension = [10]\n" + pressed);
   EXPECT_NO_THROW(prepare(with_yarn(grains()), plan));
-  // The third grain of a row is nearer to the image of the first than to the first.
+  // The third grain of a row is nearer to the image of the first than to the first itself.
   io::Snapshot through = with_yarn(grains());
   through.yarns.nodes = {{0, 2}};
   expect_error<DataError>([&] { prepare(through, plan); }, "yarn 0 of 1 m passes through the periodic face along x");
@@ -103,7 +103,7 @@ TEST(Refused, StrainsThatMeetNoStation) {
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.001, 0.004]", from_zero)));
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.004, 0.006]", triaxial + triaxial.substr(0, triaxial.find("incre")) +
                                                                    "increment = 0.002\n")));
-  // Strains of a pressing stage are known when it has been pressed: the run alone can tell.
+  // Strains of a pressing stage are known only once it has been pressed, in the run.
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.0123]", pressed + triaxial)));
   expect_error<DataError>([&] { prepare(grains(), recorded("[0.01]", pressed)); }, "leave the list out");
   expect_error<DataError>([&] { recorded("[]", from_zero); }, "strains: is an empty list");
@@ -161,7 +161,7 @@ TEST(Plane, InsideTheGrainsNamesTheDeepestAndHowDeep) {
                     held = "\n[[stage]]\npath = \"free\"\n";
   expect_error<DataError>([&] { prepare(state, scenario(start + "[0, 0, -0.45]" + held)); },
                           "9 of them reach beyond it, the deepest, grain 4, by 0.175 m");
-  // Following it helps.
+  // The remedy works.
   EXPECT_NO_THROW(prepare(state, scenario(start + "[0, 0, -0.625]" + held)));
 }
 
@@ -196,7 +196,7 @@ TEST(Refused, WeightsThatAreNone) {
   };
   EXPECT_NO_THROW(read("0\t1\t0.25\n1\t2\t0.75\n"));
   io::test::expect_error<DataError>([&] { read("0\t1\t1.5\n1\t2\t-0.5\n"); }, "row 2: -0.5 is negative");
-  // All zero is what assimilation may come to: its file is read again, with another error.
+  // Assimilation may return all zeros; its file must be readable for another error model.
   EXPECT_NO_THROW(read("0\t1\t0\n1\t2\t0\n"));
   io::test::expect_error<DataError>([&] { read("0\t1\tnan\n1\t2\t1\n"); }, "weight: holds nan");
 }

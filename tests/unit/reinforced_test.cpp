@@ -31,9 +31,9 @@ std::int32_t at(int x, int y, int z) {
 }
 int ring(int x, int y, int z) { return std::max({std::abs(x), std::abs(y), std::abs(z)}); }
 
-// Unit spheres at whole places of a cell of 9, whose middle is at (20, 20, 20): soil where no coordinate is over 2 from
-// there, a copy for each column along z; nodes at 3, with yarns along x at a tension of 4 and slack ones along y;
-// fill at 4. Contacts hold the forces 3, 5, 7 along the axes, twice as much where fill takes part.
+// Unit spheres at integer places of a cell of 9, whose middle is at (20, 20, 20). Soil lies where no coordinate is over
+// 2 from there, one copy per column along z. Nodes lie at 3, with yarns along x at a tension of 4 and slack ones along
+// y; fill lies at 4. Contacts have the forces 3, 5, 7 along the axes, twice as much with fill.
 io::Snapshot filled_lattice() {
   io::Snapshot s;
   s.cell.matrix = side * Mat3::Identity();
@@ -79,7 +79,7 @@ TEST(Reinforced, SoilIsToldFromFillAndNodes) {
   EXPECT_EQ(std::ranges::count(part, Part::node), 218);
   EXPECT_EQ(std::ranges::count(part, Part::fill), 386);
   EXPECT_EQ(copies(s).size(), 25U);
-  // A node that belongs to a copy stays one, and a bag of soil that belongs to none is soil.
+  // A node with a copy_id stays a node, and a bag of soil without copies is soil.
   s.grains.copy_id[static_cast<std::size_t>(at(3, 0, 0))] = 7;
   EXPECT_EQ(parts(s)[static_cast<std::size_t>(at(3, 0, 0))], Part::node);
   EXPECT_EQ(copies(s)[7].grains.size(), 5U);
@@ -111,7 +111,7 @@ TEST(Reinforced, EachPartHasItsOwnStressAndVoidRatio) {
   }
   const auto yarns = static_cast<double>(std::ranges::count(s.yarns.family, 0));
   EXPECT_NEAR(value(table, "yarn_stress_xx"), -4 * yarns / 729, 1e-12);
-  // The cell's stress has all of it: contacts of soil, nodes and fill, and yarns.
+  // The cell's stress includes contacts of soil, nodes and fill, and yarns.
   io::Series cell;
   put_cell(cell, s, false);
   double contacts = 0;
@@ -120,7 +120,7 @@ TEST(Reinforced, EachPartHasItsOwnStressAndVoidRatio) {
   EXPECT_NEAR(value(cell, "void_ratio"), 6 / pi - 1, 1e-12) << "nodes are solids";
 }
 
-// The quarter whose stress tells the friction at the faces is that of the bag, wherever the bag lies in the cell.
+// The quarter whose stress gives the friction at the faces belongs to the bag, wherever the bag lies in the cell.
 TEST(Reinforced, TheQuarterIsThatOfTheBag) {
   io::Snapshot s = filled_lattice();
   for (std::size_t c = 0; c < s.contacts.size(); ++c)
@@ -149,7 +149,7 @@ TEST(Reinforced, FabricAndTablesOfGrainsTellSoilFromFill) {
   EXPECT_EQ(sum, 386 + 2 * 218);
 }
 
-// A run of three rows: the isotropic stage, the row at which strains begin anew, and a station of compression.
+// Returns a run of three rows: the isotropic stage, the row where strains restart, and a station of compression.
 io::RunFile compressed() {
   io::RunFile run;
   io::Snapshot s = filled_lattice();

@@ -1,4 +1,4 @@
-// What a checkpoint keeps: a simulation goes on from any step to the same bits, counts and clocks.
+// Checkpoints: a simulation goes on from any step to the same bits, counts and clocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Model bouncing_sand() {
   return model;
 }
 
-// In motion of every kind: straining, shearing, under gravity between planes that move, grains rolling and parting.
+// A simulation with motion of every kind: straining, shearing, gravity, moving planes, grains that roll and part.
 struct Moving {
   explicit Moving(const Model& m, int dimension) : model(m), start(testing::packed(m, 1e5, 130, dimension)) {
     start.cell.periodic[0] = false;
@@ -77,7 +77,7 @@ TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
       for (int k = 1; k <= 120; ++k) {
         whole.step();
         resumed.step();
-        // Multiples of eight, when the stiffness is looked at, and every other remainder.
+        // Steps are multiples of eight, when the stiffness is evaluated, and have every other remainder.
         if (k % 5 != 0) continue;
         expect_same(whole, resumed);
         resumed = copy(resumed, moving);
@@ -89,7 +89,7 @@ TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
 TEST(Resume, OfAGrainInACornerKeepsAllItsPlanes) {
   Moving moving(testing::sand(), 3);
   io::Snapshot& start = moving.start;
-  // Two grains far from each other, one of them in the corner.
+  // Two grains are far from each other, one of them in the corner.
   const auto by_sum = [](const Vec3& a, const Vec3& b) { return a.sum() < b.sum(); };
   const auto& all = moving.start.grains.position;
   const auto [low, high] = std::minmax_element(all.begin(), all.end(), by_sum);
@@ -250,7 +250,7 @@ TEST_F(PartTest, FollowsNoLinkOutOfItsFolder) {
   io::test::expect_error<CannotCreate>([&] { part(); }, "is a link");
 }
 
-// It would be made again by whoever goes on: no remedy of a file's.
+// Going on would make the state again, so no remedy concerns the file.
 TEST_F(PartTest, AStateThatNoFileMayHoldIsTheRunsOwnFault) {
   auto kept = part();
   io::Moment wrong = moment(7);
@@ -283,7 +283,7 @@ TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   EXPECT_EQ(io::read_packing(left).state.grains.size(), broken.grains.size() - 1);
 }
 
-// A station's steps count from where its way began, also where the run was stopped on that way.
+// Steps of a station count from the start of its loading, even if the run was stopped on the way.
 TEST_F(PartTest, CountsTheStepsOfAStationFromItsOwnBeginning) {
   const auto plan = [](std::int64_t most) {
     return read_scenario(

@@ -1,4 +1,4 @@
-// The schema is one table: FORMAT.md prints it, and every dataset a writer makes is in it with its shape and unit.
+// The schema is the only table: FORMAT.md prints it, and every written dataset is in it with its shape and unit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/schema.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 const std::string begin_mark = "<!-- tables: printed from schema.cpp -->\n", end_mark = "<!-- end of tables -->\n";
 
-/// SOILWEAVE_GOLDEN=write (make golden) prints the tables into FORMAT.md instead of comparing.
+/// Compares FORMAT.md with the schema. SOILWEAVE_GOLDEN=write (make golden) writes the tables into the page instead.
 TEST(Schema, is_what_the_page_says) {
   const std::filesystem::path page = "lib/io/FORMAT.md";
   if (!std::filesystem::exists(page)) GTEST_SKIP() << "not run in the root of the source tree";
@@ -60,7 +60,7 @@ TEST(Schema, names_each_path_once_with_unit_and_meaning) {
     }
 }
 
-/// The path with names that vary replaced as the schema writes them.
+/// Returns the path with varying names replaced as in the schema.
 std::string in_schema(const std::string& path) {
   const std::vector<std::pair<std::regex, std::string>> rules = {
       {std::regex("/contacts/[0-9]{6}/"), "/contacts/<frame>/"},
@@ -80,7 +80,7 @@ std::string in_schema(const std::string& path) {
 void check_datasets(const Reader& file, const std::string& group, std::set<std::string>& seen) {
   for (const std::string& child : file.children(group)) {
     const std::string path = (group == "/" ? "" : group) + "/" + child;
-    if (path == "/observables") continue;  // further names of /series
+    if (path == "/observables") continue;  // another name for /series
     if (file.is_group(path)) {
       check_datasets(file, path, seen);
       continue;

@@ -1,4 +1,4 @@
-// Scenario documents: conversion of units, and every mistake named with its line and remedy.
+// Scenario documents: conversion of units, and every mistake with its line and remedy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/settings.h"
 

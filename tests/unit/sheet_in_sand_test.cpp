@@ -1,5 +1,5 @@
 // A sheet in sand that fills a periodic cell: planes through the cell bear its stress, a slack sheet hardly matters,
-// and runs have the same bits on any number of threads and when they go on from a checkpoint.
+// and runs have the same bits on any number of threads and from a checkpoint.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -34,8 +34,9 @@ const io::Snapshot& sand() {
   return packing;
 }
 
-// Sand, of whose grains some near the middle plane across x are the nodes of a fabric: the nearest ones to a grid of
-// n x n places. Yarns join neighbours in the grid, of so many times their distance.
+// Returns sand in which some grains near the middle plane across x are the nodes of a fabric: the nearest ones to a
+// grid of n x n places. Yarns join neighbours in the grid; their rest length is `rest_over_distance` times their
+// distance.
 io::Snapshot with_sheet(int n, double rest_over_distance) {
   io::Snapshot s = sand();
   const Vec3 size = s.cell.matrix.diagonal();
@@ -74,11 +75,11 @@ io::Snapshot with_sheet(int n, double rest_over_distance) {
   return s;
 }
 
-/// Force of contacts and of yarns, N, through a plane across an axis at a height over the cell's origin, its images
-/// included; compression positive.
+/// Returns the force of contacts and of yarns, N, through a plane normal to an axis at a height over the cell's origin,
+/// with its images; compression positive.
 std::array<double, 2> force_through(const io::Snapshot& s, int axis, double height) {
   const double size = s.cell.matrix(axis, axis);
-  // How many images of the plane a way from `from` crosses, upwards.
+  // Returns how many images of the plane a way from `from` crosses, upwards positive.
   const auto crossed = [&](double from, double way) {
     return std::floor((from + way - height) / size) - std::floor((from - height) / size);
   };
@@ -113,8 +114,8 @@ TEST(SheetInSand, AnyPlaneBearsTheStressOfTheCell) {
   }
 }
 
-// Four of 300 grains are nodes. Twins, whose grains lie a hundredth of a radius elsewhere, differ as much from each
-// other as those with a slack sheet from those without one.
+// Four of 300 grains are nodes. Twins, whose grains are moved by a hundredth of a radius, differ from each other as
+// much as packings with and without a slack sheet.
 TEST(SheetInSand, ASlackSheetAnswersAsSoil) {
   const Scenario plan = scenario(1e-3, 0.02);
   const auto ratio = [&](const io::Snapshot& start) {

@@ -1,4 +1,4 @@
-// The engine's promises: the same bits however it is run, energy accounted for, stress that does the work it says.
+// Promises of the engine: equal bits however it is run, energy accounted for, stress that does the work it claims.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/simulation.h"
 
@@ -36,7 +36,7 @@ Mat3 shearing() {
   return gradient;
 }
 
-// 2100 grains, three chunks: copies of 700 along x, moved a little so that no two move alike.
+// Returns 2100 grains, three chunks: copies of 700 along x, perturbed so that no two move alike.
 io::Snapshot several_chunks() {
   io::Snapshot all = packing::tile(testing::packed(testing::sand(), 1e5, 700), {3, 1, 1}, {true, true, true});
   io::GrainsRecord& g = all.grains;
@@ -61,8 +61,7 @@ TEST(Simulation, GivesTheSameBitsOnAnyNumberOfThreads) {
   expect_same_state(one.snapshot(), sixteen.snapshot());
 }
 
-// One that is begun anew looks at the stiffness; so has the other when it has made a multiple of as many steps as lie
-// between two looks.
+// A new simulation evaluates the stiffness at once; the other one does so at multiples of this number of steps.
 constexpr int between_looks = 32;
 
 TEST(Simulation, GoesOnFromASnapshotBitByBit) {
@@ -78,9 +77,9 @@ TEST(Simulation, GoesOnFromASnapshotBitByBit) {
   }
 }
 
-// 1e-3 of the work is what the issue of an energy balance asks; the time stepping's own error is of second order.
-// The list of a simulation that goes on differs from that of one begun anew: with several chunks of grains, and
-// contacts at other places in their blocks, sums must still come out the same.
+// The energy balance allows 1e-3 of the work; the error of time stepping is of second order. A resumed simulation has
+// another list than a new one: with several chunks of grains, and contacts at other places in their blocks, sums must
+// still be equal.
 TEST(Simulation, GoesOnFromASnapshotBitByBitWithSeveralChunks) {
   Simulation whole(several_chunks(), testing::sand(), {});
   whole.set_velocity_gradient(shearing());
@@ -108,7 +107,7 @@ TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
     for (int k = 0; k < 200; ++k) s->step();
   }
   for (int k = 0; k < 20; ++k) other.step();
-  // Pairs of one couple of materials are swept one after the other: sums over them are made in another order.
+  // Pairs are swept by pair of materials, so sums over them are made in another order.
   const io::Snapshot of_one = one.snapshot(), of_three = three.snapshot();
   ASSERT_EQ(of_one.contacts.bodies, of_three.contacts.bodies);
   const double mean = std::accumulate(of_one.contacts.normal_force.begin(), of_one.contacts.normal_force.end(), 0.0) /
@@ -151,7 +150,7 @@ TEST(Simulation, TurnsAGrainByItsSpin) {
   EXPECT_LT((q - expected).norm(), 1e-6);
 }
 
-// More than a turn, from where it stood.
+// The disk turns by more than a full turn, from its initial angle.
 TEST(Simulation, TurnsADiskByItsSpin) {
   io::Snapshot state = testing::packed(testing::sand(), 1e5, 20, 2);
   state.contacts = {};
@@ -188,17 +187,16 @@ TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
     EXPECT_GT(e.frictional, 0.1 * e.boundary_work);
     EXPECT_GT(e.damping, 0);
     EXPECT_GE(e.rolling_plastic, 0);
-    EXPECT_LT(std::abs(e.error()), 3e-4 * e.boundary_work);  // of second order in the step: 1e-4 is found
-    // The balance takes whatever friction is said to dissipate, since the law's own energy is what is left of the work
-    // on its springs. That has to be small by itself. Linear: the law slips by full radii, the surfaces by the overlap
-    // less, 1e-3 of them. Hertz: a spring that is sheared while its overlap falls keeps its force, not its energy (2.6
-    // %).
+    EXPECT_LT(std::abs(e.error()), 3e-4 * e.boundary_work);  // of second order in the step; the error is 1e-4
+    // The balance accepts any friction, since the law's own energy is the remainder of the work on its springs. That
+    // energy must therefore be small by itself. Linear: the law slips by full radii, the surfaces by the overlap less,
+    // 1e-3 of them. Hertz: a spring sheared while its overlap falls keeps its force, not its energy (2.6 %).
     const bool is_linear = std::holds_alternative<std::vector<Linear::Material>>(model.materials);
     EXPECT_LT(std::abs(e.law), (is_linear ? 3e-3 : 0.04) * e.boundary_work);
   }
 }
 
-// Frictionless: the elastic energy is a potential of the positions, so the work of a small affine stretch is its
+// Without friction the elastic energy is a potential of the positions, so the work of a small affine stretch is its
 // change.
 TEST(Simulation, StressIsTheDerivativeOfTheElasticEnergy) {
   const io::Snapshot start = testing::packed(testing::sand(0), 1e5);
@@ -325,9 +323,8 @@ TEST(Servo, HoldsStressesAndVolume) {
   EXPECT_LE(s.unbalanced_force(), 1e-3);
 }
 
-// The servo's own period is 126 steps (control.cpp), whatever the number of grains: four of them reach a doubled
-// pressure.
-// The strain rate of an axis grows by error/mass and is cut by the damping where it already points to the goal.
+// The servo's own period is 126 steps (control.cpp) for any number of grains, and four of them reach a doubled
+// pressure. The strain rate of an axis grows by error/mass; damping cuts it where it already points to the goal.
 TEST(Servo, OfInertiaAcceleratesTheCellByErrorOverMass) {
   Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
   Servo servo({ServoRule::Kind::inertia, 0.25});

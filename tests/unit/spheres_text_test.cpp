@@ -31,7 +31,7 @@ class Spheres : public testing::Test {
     expect_error<DataError>([&] { import(text, dimension); }, path.string() + ": ");
     expect_error<DataError>([&] { import(text, dimension); }, words);
   }
-  /// The text holds (1, 2, 3) with a radius of 0.25 and (4, 5, 6) with one of 0.5, in m.
+  /// Expects that the text holds (1, 2, 3) with a radius of 0.25 and (4, 5, 6) with one of 0.5, in m.
   void reads(const std::string& text) {
     const GrainsRecord g = read(text).grains;
     ASSERT_EQ(g.size(), 2U) << text;

@@ -1,4 +1,4 @@
-// Grains that spin fast: whatever they turn by in a step, their orientation stays a rotation.
+// Grains that spin fast: their orientation stays a rotation, whatever the angle per step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ TEST(Spin, LeavesAUnitQuaternionHoweverFast) {
   Numerics numerics;
   numerics.damping = 0;
   const double dt = Simulation(start, testing::sand(), numerics).time_step();
-  // rad in a step; every grain of a pass at another pace, the slow ones beside the fast.
+  // Angles per step, rad; every grain of a pass spins at another one, slow ones beside fast ones.
   constexpr double paces[] = {0, 1e-3, 0.05, 0.077, 0.08, 0.18, 1, 3, 100, 1e6};
   start.contacts = {};
   for (std::size_t i = 0; i < start.grains.size(); ++i) {
     start.grains.orientation[i] = Vec4(1, 0, 0, 0);
     start.grains.velocity[i].setZero();
-    // Apart from each other, so that no contact slows them.
+    // Grains are apart, so that no contact slows them.
     start.grains.radius[i] *= 0.5;
     start.grains.angular_velocity[i] = paces[i % 10] / dt * Vec3(0.6, 0, 0.8);
   }
@@ -29,7 +29,7 @@ TEST(Spin, LeavesAUnitQuaternionHoweverFast) {
   for (int k = 0; k < 50; ++k) simulation.step();
   const io::Snapshot state = simulation.snapshot();
   EXPECT_NO_THROW(io::check(state, "spinning"));
-  // Turned by the angle, as far as the scheme goes: 2 atan(half the angle) a step.
+  // Expected angle of the scheme: 2 atan(half the angle) per step.
   const double share = simulation.time_step() / dt;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     const double half = 0.5 * paces[i % 10] * share;

@@ -1,4 +1,4 @@
-// Grains that move while their pairs are swept, chunk by chunk, come to the same bits as pass after pass.
+// Grains that move while their pairs are swept, chunk by chunk, give the bits of separate passes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/step_passes.h"
 
@@ -23,7 +23,7 @@ namespace {
 using testing::same_bits;
 using Reached = std::vector<std::vector<std::uint32_t>>;
 
-// Chunks of which each reaches some of the higher ones.
+// Returns chunks, each of which reaches some of the higher ones.
 Reached random_reach(std::size_t chunks, std::mt19937& engine) {
   Reached reached(chunks);
   for (std::size_t one = 0; one < chunks; ++one)
@@ -60,7 +60,7 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
     }
 }
 
-// Of a bag the last chunks are nodes, which have no pairs of their own.
+// The last chunks of a bag are nodes, which have no pairs of their own.
 TEST(ChunkPlan, shares_hold_equal_work_however_it_is_spread) {
   std::vector<std::size_t> work(20, 1);
   std::fill(work.begin(), work.begin() + 10, 100);
@@ -71,7 +71,7 @@ TEST(ChunkPlan, shares_hold_equal_work_however_it_is_spread) {
       .run(
           idle, [&](std::size_t chunk) { done[static_cast<std::size_t>(omp_get_thread_num())] += work[chunk]; }, idle);
   EXPECT_EQ(done[0] + done[1], total);
-  // But for what is left to whoever is done first, a seventh, and a chunk at either end of a share.
+  // Shares are equal except for the seventh that any thread may take, and a chunk at either end.
   for (const auto& share : done) EXPECT_GE(share + 200, total / 2 * 6 / 7);
 }
 
@@ -81,7 +81,7 @@ double fastest(const Bodies& bodies) {
   return v;
 }
 
-// Some chunks of grains in a cell that is compressed and sheared.
+// Several chunks of grains in a cell that is compressed and sheared.
 struct Stepper : testing::EngineParts {
   explicit Stepper(int threads) : EngineParts(state(), make_contact_sweep(testing::sand()), threads) {
     Mat3 gradient = Vec3(-0.5, 0.3, -0.8).asDiagonal();
@@ -106,7 +106,7 @@ struct Stepper : testing::EngineParts {
     if (!within && neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts), ++rebuilt;
     act(dt, within);
-    EXPECT_LE(motion.advanced().fastest, (1 + 1e-12) * (before + gain));  // but for rounding
+    EXPECT_LE(motion.advanced().fastest, (1 + 1e-12) * (before + gain));  // except for rounding
     if (within) {
       EXPECT_FALSE(neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt));
     }

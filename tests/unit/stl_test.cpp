@@ -1,4 +1,4 @@
-// Surfaces from STL files, binary and text, whole and cut short; the memory that is asked for before it is taken.
+// Surfaces from STL files, binary and text, whole and truncated; memory is checked before it is taken.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/stl.h"
 

@@ -1,4 +1,4 @@
-// HDF5 in memory: what is written is read, and what is not there or not fitting is told by path.
+// HDF5 in memory: written data are read back, and missing or unfit data are reported by path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/store.h"
 
@@ -110,13 +110,13 @@ TEST(Store, superblock_tells_where_the_file_ends) {
       "file.h5: truncated: " + std::to_string(image.size() - 1) + " bytes of " + std::to_string(image.size()));
   expect_error<DataError>([&] { Reader("\x89HDF", "file.h5"); }, "file.h5: truncated: 4 bytes of more");
   expect_error<DataError>([&] { Reader(std::string(5000, ' '), "file.h5"); }, "file.h5: not an HDF5 file");
-  // Bytes behind the end are not HDF5's business: a copy padded by a tape or a transfer still reads.
+  // HDF5 ignores bytes after its end, so a copy padded by a tape or a transfer still reads.
   EXPECT_EQ(Reader(image + std::string(100, '\0'), "file.h5").read_text("/nothing"), "");
 }
 
 TEST(Store, chunks_notice_a_flipped_bit) {
   std::string image = example_image();
-  // In the middle of the file lies nothing but packed numbers.
+  // The middle of the file holds nothing but packed numbers.
   image[image.size() / 2] = static_cast<char>(image[image.size() / 2] ^ 1);
   const Reader file(image, "file.h5");
   expect_error<DataError>([&] { file.read<double>("/a/b/numbers", {20000, 3}); }, "/a/b/numbers is damaged");

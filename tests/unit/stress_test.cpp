@@ -1,4 +1,4 @@
-// Stress of lattices whose contact forces give it in closed form; sums, rotations, parts.
+// Stress of lattices with closed forms from their contact forces; sums, rotations, parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stress.h"
 
@@ -16,7 +16,7 @@ namespace {
 using test::random_cell;
 using test::simple_cubic;
 
-// Random contacts between the first grains of a random cell: the identities need no equilibrium.
+// Random contacts join the first grains of a random cell; the identities need no equilibrium.
 io::Snapshot loaded() {
   io::Snapshot s = random_cell(60);
   for (int k = 0; k < 59; ++k)
@@ -54,7 +54,7 @@ TEST(Stress, ADyadIsSplitAtTheContactPoint) {
 }
 
 TEST(Stress, ADyadOfOverlappingGrainsIsSplitInTheMiddleOfTheirOverlap) {
-  // Radii 1 and 3, centres 3.8 apart: half of the overlap of 0.2 is taken off either radius.
+  // Radii 1 and 3 with centres 3.8 apart: half of the overlap of 0.2 counts off either radius.
   io::Snapshot s;
   test::add_grain(s, Vec3(0, 0, 0), 1);
   test::add_grain(s, Vec3(3.8, 0, 0), 3);
@@ -62,7 +62,7 @@ TEST(Stress, ADyadOfOverlappingGrainsIsSplitInTheMiddleOfTheirOverlap) {
   const std::vector<Mat3> dyads = grain_dyads(s);
   EXPECT_NEAR(dyads[0](0, 0), 2 * 0.9, 1e-14);
   EXPECT_NEAR(dyads[1](0, 0), 2 * 2.9, 1e-14);
-  // f (x) l: the row is the force's axis, the column the branch's.
+  // In f (x) l the row is the force's axis, the column the branch's.
   EXPECT_NEAR(dyads[0](1, 0), 5 * 0.9, 1e-14);
   EXPECT_EQ(dyads[0](0, 1), 0);
   EXPECT_NEAR(cell_stress(s)(1, 0) * cell_volume(s), 5 * 3.8, 1e-13);
@@ -95,7 +95,7 @@ TEST(Stress, PrincipalValuesAreOrderedAndRebuildIt) {
 
 TEST(VolumeOfInterest, BoxesTakeWrappedGrainsOnce) {
   io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
-  s.grains.position[0] += 4 * Vec3(1, -2, 0);  // the same place, two cells on
+  s.grains.position[0] += 4 * Vec3(1, -2, 0);  // the same place, two cells away
   const Volume left = box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4}), right = box(s, {1.5, -0.5, -0.5}, {4, 4, 4});
   EXPECT_EQ(left.grains.size(), 32U);
   EXPECT_EQ(right.grains.size(), 32U);
@@ -119,19 +119,19 @@ TEST(VolumeOfInterest, CopiesComeInOrder) {
 TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
   io::Snapshot s;
   for (std::int32_t k = -1; k < 25; ++k) test::add_grain(s, Vec3(k, 0, 0), 0.5);
-  // A node of a geotextile, and one grain a copy of five by five.
+  // One node of a geotextile, and one grain for each of five by five copies.
   for (std::int32_t k = -1; k < 25; ++k) s.grains.copy_id[static_cast<std::size_t>(k + 1)] = k;
   const std::vector<Volume> odd = groups(s);
   ASSERT_EQ(odd.size(), 5U);
   EXPECT_EQ(odd[0].grains, (std::vector<std::size_t>{11}));
   EXPECT_EQ(odd[4].grains, (std::vector<std::size_t>{15}));
-  // Of four by four.
+  // Now four by four copies.
   for (std::size_t k = 17; k < 26; ++k) s.grains.copy_id[k] = -1;
   const std::vector<Volume> even = groups(s);
   ASSERT_EQ(even.size(), 2U);
   EXPECT_EQ(even[1].name, "#2");
   EXPECT_EQ(even[1].grains, (std::vector<std::size_t>{7, 8, 11, 12}));
-  // Not tiled.
+  // Now without copies.
   for (std::int32_t& id : s.grains.copy_id) id = 0;
   EXPECT_TRUE(groups(s).empty());
 }

@@ -1,4 +1,4 @@
-// Eight contacts and grains at a time give the bits of four, and what is done in the plane the numbers of space.
+// Eight contacts and grains at a time give the bits of four; sweeps in the plane give the numbers of sweeps in space.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using testing::same_bits;
 
-// The sweep of eight as processors with AVX-512 run it, but lowered to the baseline (Makefile): the same source.
+// The sweep of eight from the same source as for AVX-512, lowered to the baseline (Makefile).
 struct Width {
   std::unique_ptr<ContactSweep> (*sweep)(const Model&);
   GrainMotion (*motion)();
@@ -55,7 +55,7 @@ struct Stepper : testing::EngineParts {
     bodies.dimension = dimension;
   }
 
-  // A plane from below that lifts the lowest ten grains and drags them along.
+  // Adds a plane from below that lifts the lowest ten grains and drags them along.
   void press() {
     const int up = bodies.dimension - 1;
     std::vector<double> lowest;
@@ -67,7 +67,7 @@ struct Stepper : testing::EngineParts {
     neighbours.rebuild(bodies, cell, planes, contacts);
   }
 
-  // Move disks as if they were grains.
+  // Moves disks as if they were spheres.
   void lift() {
     in_space = true;
     for (Grain& g : bodies.grains) g.spin[2] = std::exchange(g.velocity[2], 0);
@@ -102,7 +102,7 @@ void expect_same_bits(const Model& model, const io::Snapshot& state, bool with_p
 }
 
 TEST(SweepWidth, GivesTheSameBits) {
-  // Numbers of grains that are not multiples of eight, nor of four.
+  // The numbers of grains are no multiples of eight or four.
   expect_same_bits(testing::sand(), testing::packed(testing::sand(), 1e5, 303));
   expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 301));
   expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 302, 2));
@@ -135,10 +135,10 @@ TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
       EXPECT_TRUE(std::isfinite(limit));
       EXPECT_GT(with_step[0], 0);
       EXPECT_GT(with_step[1], 0);
-      // Used up: the next look begins with none.
+      // The stiffness is used up, so the next evaluation begins with none.
       EXPECT_EQ(stepper.motion.stable_time_step(stepper.contacts, stepper.bodies),
                 std::numeric_limits<double>::infinity());
-      // Disks have no stiffness across their plane that could bound the step.
+      // Disks have no stiffness normal to their plane that could bound the step.
       if (dimension == 3) continue;
       stepper.bodies.dimension = 3;
       stepper.sweep->stiffen(stepper.scene(), stepper.contacts);
@@ -147,8 +147,7 @@ TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
     }
 }
 
-// Shear forces are numbers in the one, and vectors in the other, turned to the third order of what a pair moves in a
-// step.
+// Shear forces are numbers in the plane and vectors in space, rotated to the third order of a pair's motion in a step.
 TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
   constexpr double rounding = 1e-9;
   auto lossy = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
@@ -161,7 +160,7 @@ TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
     double slid = 0;
     for (int k = 0; k < 100; ++k) plane.step(1e-5), space.step(1e-5), slid += plane.sums.frictional;
     EXPECT_GT(slid, 0);
-    // Of the grains: largest difference over the largest of all.
+    // Returns the largest difference over the largest value of all grains.
     const auto differ = [&](const auto& in_plane, const auto& in_space) {
       double difference = 0, largest = 0;
       for (std::size_t i = 0; i < plane.bodies.size(); ++i) {

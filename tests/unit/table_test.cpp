@@ -1,4 +1,4 @@
-// Tables come back as they were, and errors say line and column.
+// Tables come back unchanged, and errors name line and column.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/table.h"
 

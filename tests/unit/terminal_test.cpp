@@ -1,4 +1,4 @@
-// Words on a terminal cannot steer it, and its standard error may be gone.
+// Text cannot steer a terminal, and standard error may be gone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/terminal.h"
 
@@ -17,7 +17,7 @@
 namespace soilweave {
 namespace {
 
-/// The status of a process of its own that does the work; -1 where a signal ended it.
+/// Returns the exit status of a child process that does the work; -1 if a signal ended it.
 int alone(const std::function<int()>& work) {
   const pid_t child = fork();
   if (child == 0) _exit(work());
@@ -31,9 +31,9 @@ TEST(Terminal, WritesOutWhatATerminalWouldObey) {
   EXPECT_EQ(printable("a\x1b[2J\x07\r\n\t\x7f"), "a\\x1b[2J\\x07\\r\\n\\t\\x7f");
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
   EXPECT_EQ(printable("a\nb\tc\x1b", "\n\t"), "a\nb\tc\\x1b");
-  // A control of the second set, a turn of direction, a mark of order, characters without width.
+  // The text has a control of the second set, a change of direction, a mark of order, characters without width.
   EXPECT_EQ(printable("\u009b1m\u202eabc\u2066\u200b\ufeff"), "\\u{9b}1m\\u{202e}abc\\u{2066}\\u{200b}\\u{feff}");
-  // A lone byte, a character cut short, one written too long, half of a surrogate pair, one beyond the last.
+  // The bytes are a lone one, a character cut short, an overlong one, half of a surrogate pair, one beyond the last.
   EXPECT_EQ(printable("\xff|\xc3|\xc0\xaf|\xed\xa0\x80|\xf4\x90\x80\x80"),
             "\\xff|\\xc3|\\xc0\\xaf|\\xed\\xa0\\x80|\\xf4\\x90\\x80\\x80");
   EXPECT_EQ(printable(printable("\x1b")), printable("\x1b"));

@@ -19,7 +19,7 @@ namespace {
 using test::random_cell;
 using test::simple_cubic;
 
-// Moves an assembly, with its cell, by a homogeneous deformation and a translation.
+// Returns an assembly moved with its cell by a homogeneous deformation and a translation.
 io::Snapshot moved(const io::Snapshot& s, const Mat3& gradient, const Vec3& by) {
   io::Snapshot m = s;
   m.cell.matrix = gradient * s.cell.matrix;
@@ -72,7 +72,7 @@ TEST(PowerCells, AroundAMissingGrainShareItsPlace) {
     const double more = 1 + 0.5 / dimension;
     for (std::size_t i = 0; i < volumes.size(); ++i)
       EXPECT_NEAR(volumes[i], (s.grains.position[i] - hole).norm() < 1.1 ? 1 + (more - 1) : 1, 1e-12);
-    // Void ratio of the block around it: 3^d places, one grain less.
+    // The void ratio of the block around it follows from 3^d places and one missing grain.
     const Volume block = box(s, hole - Vec3::Constant(1.5), hole + Vec3::Constant(1.5));
     const double solid = dimension == 3 ? std::numbers::pi / 6 : std::numbers::pi / 4, places = std::pow(3, dimension);
     EXPECT_EQ(block.grains.size(), static_cast<std::size_t>(places) - 1);
@@ -82,8 +82,8 @@ TEST(PowerCells, AroundAMissingGrainShareItsPlace) {
 }
 
 TEST(PowerCells, OfAnOpenLatticeAreThoseInsideUnlessMuchLargerThanTheirGrains) {
-  // A cell over eight times its grain counts as reaching outside: of a unit cube, a sphere of 8 * 4/3 pi r^3 = 1 is the
-  // limit, r = 0.3102. Grains on the outside have no cell.
+  // A cell over eight times its grain counts as reaching outside. For a unit cube the limit is a sphere with 8 * 4/3 pi
+  // r^3 = 1, r = 0.3102. Grains on the outside have no cell.
   for (const double radius : {0.5, 0.312, 0.308}) {
     io::Snapshot s = simple_cubic(5, Vec3::Ones());
     s.cell.periodic = {false, false, false};
@@ -235,7 +235,7 @@ TEST(Strain, OfAMotionThatIsNotAffineIsThatOfEachTriangleAndItsMeanByArea) {
     EXPECT_NEAR(simplices[k].volume, near ? 0.5 : 2.5, 1e-15);
     EXPECT_LT((gradients[k] - (near ? Mat3(Mat3::Identity()) : far)).norm(), 1e-14);
   }
-  // Disks of both triangles have 1/6 of the near one and 5/6 of the far one.
+  // Disks of both triangles take 1/6 of the near one and 5/6 of the far one.
   const std::vector<Mat3> grains = grain_gradients(s, m, simplices, gradients);
   const Mat3 shared = (Mat3::Identity() + 5 * far) / 6;
   EXPECT_LT((grains[0] - Mat3::Identity()).norm(), 1e-14);
@@ -244,9 +244,9 @@ TEST(Strain, OfAMotionThatIsNotAffineIsThatOfEachTriangleAndItsMeanByArea) {
 }
 
 TEST(Strain, BestFitOfAMotionThatIsNotAffineIsTheLeastSquaresOne) {
-  // About their middle, sum x x^T = diag(2, 2). One of four disks moves by (0.2, 0.1): the mean moves by a quarter of
-  // it, which leaves the sums of x u^T as they are: 0.2 and 0.1 by the one disk's place (1, 0), half of each in F.
-  // Disks recorded whole cells away count where they lie in the cell.
+  // About their middle, sum x x^T = diag(2, 2). One of four disks moves by (0.2, 0.1), so the mean moves by a quarter
+  // of it and leaves the sums of x u^T: 0.2 and 0.1 at the place (1, 0), half of each in F. Disks recorded whole cells
+  // away count where they lie in the cell.
   io::Snapshot s;
   s.grains.dimension = 2;
   s.cell.matrix = 10 * Mat3::Identity();

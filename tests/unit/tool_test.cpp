@@ -1,4 +1,4 @@
-// A tool's terms with its user: arguments, help, manual page, errors and exit statuses.
+// The interface of a tool: arguments, help, manual page, errors and exit statuses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tool.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A tool with one option of each kind; it prints what it was given.
+/// A tool with one option of each kind, which prints its values.
 struct Sample {
   fs::path input, output, curve, side;
   std::vector<fs::path> more;
@@ -88,7 +88,7 @@ class Tool : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  /// Runs the tool in a process of its own, since it closes standard output.
+  /// Runs the tool in a child process, since it closes standard output.
   Outcome run(std::vector<std::string> arguments, const std::function<void()>& work = {},
               const char* standard_output = "out.txt") const {
     std::cout.flush();
@@ -105,7 +105,7 @@ class Tool : public testing::Test {
                                      {[&](tool::Table& t) { tool.options(t); }, [&] { tool.validate(); },
                                       [&](const tool::Invocation& i) { tool.run(i); }});
       std::fflush(nullptr);
-      // Not exit(): a leak checker would look for the threads of the parent, which a forked process has not got.
+      // exit() would let a leak checker look for threads that a forked process does not have.
       _exit(status);
     }
     int status = 0;

@@ -1,4 +1,4 @@
-// Yarns: the law of one, and what a strip of them does between clamps.
+// Yarns: the law of one yarn, and a strip of yarns between clamps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ const std::string node =
     "law = \"hertz-mindlin\"\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
 const std::string materials = "[contact]\n" + node + "[[material]]\n" + node.substr(node.find('\n') + 1);
 
-// A strip one cell wide and n long, 5 mm yarns; two cells of it hang between the clamps of its ends.
+// Returns a strip one cell wide and n long, with 5 mm yarns; two cells hang between the clamps of its ends.
 io::Snapshot strip(int n) {
   const packing::Plan plan = packing::read_plan(
       "[container]\nshape = \"none\"\n[[sheet]]\ncells = [1, " + std::to_string(n) + ", 1]\n" + materials, "plan", {});
@@ -74,7 +74,7 @@ std::string move(double distance, int parts, double speed = slow) {
 
 const std::string pe_points = "yarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n";
 
-// A strip of n yarns one after the other, in two rows, pulled, eased and pulled until it breaks, beside its curve.
+// Expects the curve of a strip of n yarns in a row, in two rows, that is pulled, eased and pulled until it breaks.
 void expect_curve(int n, double tolerance, double speed = slow) {
   const double length = 0.005 * n;
   const io::Snapshot start = strip(n);
@@ -93,7 +93,7 @@ void expect_curve(int n, double tolerance, double speed = slow) {
     if (yarns.broken[k]) {
       EXPECT_GT(yarns.break_time[k], 0);
       EXPECT_LT(std::abs(yarns.break_position[k].x()), 3e-3);
-      // Half way between a clamp that stands and one that has come by the breaking strain.
+      // The node is half way between a fixed clamp and one that has moved by the breaking strain.
       if (n == 1) {
         EXPECT_NEAR(yarns.break_position[k].y(), 0.5 * 0.17035 * length, 1e-3 * length);
       }
@@ -102,8 +102,8 @@ void expect_curve(int n, double tolerance, double speed = slow) {
 
 TEST(Strip, OfOneYarnCarriesItsCurveUnloadsAtTheSlopeAndBreaks) { expect_curve(1, 1e-6); }
 
-// Yarns that share a pull yield one before the other, by the wave that the pull sends along: its speed over that of the
-// wave, 1e-3 over 8.8 m/s, in strain. A pull five times slower comes five times nearer to the curve.
+// Yarns in a row yield one before the other, because the pull sends a wave along: its speed over that of the wave, 1e-3
+// over 8.8 m/s, is the difference in strain. A pull five times slower is five times nearer to the curve.
 TEST(Strip, OfSeveralYarnsDoesSoInTheLimitOfASlowPull) {
   for (const double speed : {slow, slow / 5}) expect_curve(4, 0.5 * speed, speed);
 }
@@ -114,7 +114,8 @@ TEST(Strip, EnergyOfYieldingIsAccountedFor) {
   const io::RunFile run = dem::run(prepare(start, plan), plan, {}).file;
   const auto last = [&](const char* name) { return run.series.at(name).values.back(); };
   EXPECT_LT(std::abs(last("energy_error")), 1e-6 * last("boundary_work"));
-  // 8 yarns of 5 mm strained to 0.12: the area under the curve; a slow pull leaves little to damping.
+  // The expected work of 8 yarns of 5 mm strained to 0.12 is the area under the curve; a slow pull leaves little to
+  // damping.
   const double at_end = 20.6 + 0.06 * (47.5 - 20.6) / 0.11035;
   const double work = 8 * 0.005 * (0.5 * 0.02 * 8.4 + 0.5 * 0.04 * (8.4 + 20.6) + 0.5 * 0.06 * (20.6 + at_end));
   EXPECT_NEAR(last("yarn_elastic_energy") + last("yarn_dissipation"), work, 2e-3 * work);
@@ -131,7 +132,7 @@ TEST(Strip, SlackYarnsWhoseEndsMeetPullAtNothing) {
   EXPECT_EQ(simulation.snapshot().grains.position, start.grains.position);
 }
 
-// Without damping the strip swings for ever; it swings on the way, and comes to rest where the clamp stands.
+// Without damping the strip swings for ever; here it swings on the way and comes to rest when the clamp stops.
 TEST(Strip, ComesToRestWhereOnlyTheWaitIsDamped) {
   std::string stage = move(2.4e-3, 4);
   stage.insert(stage.find("parts"), "damping = 0\nrest_damping = 0.8\n");
@@ -145,7 +146,7 @@ TEST(Geotextile, RefusesCurvesThatTurnBack) {
   const std::string stage = move(1e-3, 1);
   EXPECT_THROW(pulled("yarn_strain = [0.02, 0.01]\nyarn_tension = [1, 2]\n", stage, 0.01), DataError);
   EXPECT_THROW(pulled("yarn_strain = [0.02]\nyarn_tension = [1, 2]\n", stage, 0.01), DataError);
-  // Stiffening beyond the first slope: unloading along it would end in compression.
+  // The curve stiffens beyond its first slope, so unloading along that slope would end in compression.
   EXPECT_THROW(pulled("yarn_strain = [0.02, 0.04]\nyarn_tension = [1, 9]\n", stage, 0.01), DataError);
   EXPECT_THROW(pulled("curve = \"PX\"\n", stage, 0.01), DataError);
   try {
@@ -166,7 +167,7 @@ TEST(Geotextile, MultiplesOfKnownOnes) {
   EXPECT_EQ(sources.size(), 2U) << "what was read is named for the history";
 }
 
-// Layers lie side by side: at the same strain a multiple bears so many times the force, loading and unloading, and is
+// Layers lie side by side. At equal strain a multiple bears so many times the force, in loading and unloading, and is
 // slack below the same plastic strain.
 TEST(Geotextile, AMultipleUnloadsAsManyTimesAsSteeply) {
   std::vector<io::Source> sources;

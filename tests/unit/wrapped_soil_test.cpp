@@ -1,4 +1,4 @@
-// A bag as one: a cubic lattice of soil wrapped in nodes gives every number of its tables in closed form.
+// A bag as a whole: a cubic lattice of soil wrapped in nodes gives every number of its tables in closed form.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -25,8 +25,9 @@ void add_yarn(io::Snapshot& s, std::int32_t first, std::int32_t second, int fami
   y.broken.push_back(broken), y.break_time.push_back(0), y.break_position.emplace_back(Vec3::Zero());
 }
 
-// Spheres of diameter 1 at whole places from -3 to 3: soil where no coordinate is 3 in size, nodes around it. Contacts
-// hold the forces 3, 5, 7 along the axes; those along z shear by 4 along x in the quarter x, y > 0, elsewhere by 1.
+// Spheres of diameter 1 at integer places from -3 to 3: soil where no coordinate is 3 in size, nodes around it.
+// Contacts have the forces 3, 5, 7 along the axes; along z they shear by 4 along x in the quarter x, y > 0, by 1
+// elsewhere.
 io::Snapshot wrapped_lattice() {
   io::Snapshot s;
   s.cell.matrix = 7 * Mat3::Identity();
@@ -43,7 +44,7 @@ io::Snapshot wrapped_lattice() {
         const double shear = x > 0 && y > 0 ? 4 : 1;
         if (z < 3) test::add_contact(s, at(x, y, z), at(x, y, z + 1), Vec3i::Zero(), 7, Vec3(shear, 0, 0));
       }
-  // A yarn from every node to a neighbour among the nodes.
+  // Every node has a yarn to a neighbouring node.
   for (int z = -3; z <= 3; ++z)
     for (int y = -3; y <= 3; ++y)
       for (int x = -3; x < 3; ++x) {
@@ -82,7 +83,7 @@ TEST(WrappedSoil, HasTheStressVoidRatioAndFrictionOfItsLattice) {
 }
 
 TEST(WrappedSoil, TakesASixthOfThePlaceOfAMissingNode) {
-  // The node above (0, 0, 2) is far away: the pyramid of its unit cube over the shared face falls to that grain.
+  // The node above (0, 0, 2) is far away, so the pyramid of its unit cube over the shared face falls to that grain.
   io::Snapshot s = wrapped_lattice();
   s.grains.position[3 + 7 * (3 + 7 * 6)].z() = 40;
   io::Series table;
@@ -95,8 +96,8 @@ TEST(WrappedSoil, TakesASixthOfThePlaceOfAMissingNode) {
 }
 
 TEST(WrappedSoil, LeavesOutGrainsWhoseCellReachesOutside) {
-  // Without the nodes above them, the cells of the upper 25 grains are many times their grains. The other 100 are as
-  // before: their stress counts no force of grains that have no volume.
+  // Without the nodes above them, the cells of the upper 25 grains are many times their grains. The other 100 are
+  // unchanged: their stress counts no force of grains without volume.
   io::Snapshot s = wrapped_lattice();
   for (std::size_t i = 0; i < s.grains.size(); ++i)
     if (s.grains.position[i].z() == 3) s.grains.position[i].z() = 40;
@@ -135,7 +136,7 @@ TEST(Yarns, MeansAreOverTheWholeOnesOfAFamily) {
   EXPECT_NEAR(means[0].strain, 0.1, 1e-13);
   EXPECT_NEAR(means[0].tension, 20, 1e-12) << "the broken one is left out";
   EXPECT_EQ(means[0].broken, 1U);
-  // Three of the six yarns along y have 0.1, three 0.3.
+  // Three of the six yarns along y have 0.1, three have 0.3.
   EXPECT_NEAR(means[1].strain, 0.2, 1e-13);
   EXPECT_NEAR(means[1].tension, 40, 1e-12);
   EXPECT_EQ(means[2].whole + means[2].broken, 0U);

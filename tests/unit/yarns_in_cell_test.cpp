@@ -1,5 +1,5 @@
-// Yarns in a periodic cell: they belong to its stress, to the servo's stiffness and to the work at its faces, a fabric
-// touches its own image, and no yarn passes through a face.
+// Yarns in a periodic cell: they contribute to its stress, to the servo's stiffness and to the work at its faces. A
+// fabric touches its own image, and no yarn passes through a face.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ const std::string node =
 const std::string materials = "[contact]\n" + node + "[[material]]\n" + node.substr(node.find('\n') + 1);
 const std::string pe = "[[geotextile]]\nyarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n";
 
-// Flat sheets of n times m yarns, 5 mm long, in the middle of a periodic cell.
+// Returns flat sheets of n times m yarns, 5 mm long, in the middle of a periodic cell.
 io::Snapshot sheets(const std::vector<double>& heights, const Vec3& cell, int n = 10, int m = 10,
                     const std::string& density = "444e3") {
   std::string text = "[container]\nshape = \"none\"\n";
@@ -42,7 +42,7 @@ io::Snapshot sheets(const std::vector<double>& heights, const Vec3& cell, int n 
 
 Scenario scenario(const std::string& stages) { return read_scenario(materials + pe + stages, "test", {}); }
 
-// -sum T l n (x) n / V of the record.
+// Returns -sum T l n (x) n / V of the record.
 Mat3 expected_stress(const io::Snapshot& s) {
   Mat3 sum = Mat3::Zero();
   for (std::size_t k = 0; k < s.yarns.size(); ++k) {
@@ -56,7 +56,7 @@ Mat3 expected_stress(const io::Snapshot& s) {
 const Vec3 cell_of_sheet(0.06, 0.06, 0.02);
 const double stretch = std::exp(0.02), stretched_volume = cell_of_sheet.prod() * std::exp(0.018);
 
-// A sheet whose nodes are held, so that they move with the cell alone, stretched by 2 % along x and slack along y.
+// Returns a run of a sheet whose nodes are held and move with the cell, stretched by 2 % along x and slack along y.
 io::RunFile stretched(double rate) {
   const Scenario plan = scenario(
       "[equilibrium]\nunbalanced_force = 0.99\n[[clamp]]\nname = \"all\"\nlow = [-1, -1, -1]\nhigh = [1, 1, 1]\n"
@@ -68,7 +68,7 @@ double last(const io::RunFile& file, const char* name) { return file.series.at(n
 
 TEST(YarnsInACell, AreItsStress) {
   const io::RunFile file = stretched(1);
-  // 11 rows of 10 yarns, whose strain is that of the cell; on the second piece of their curve.
+  // 11 rows of 10 yarns have the strain of the cell, on the second piece of their curve.
   const double length = 0.005 * stretch;
   const double tension = 8.4 + (stretch - 1.02) * (20.6 - 8.4) / 0.04;
   const double stress = -110 * tension * length / stretched_volume;
@@ -83,7 +83,7 @@ TEST(YarnsInACell, AreItsStress) {
 }
 
 TEST(YarnsInACell, TakeTheWorkOfItsFaces) {
-  // The work of a step is first order in its strain, of yarns as of contacts.
+  // The work of a step has an error of first order in its strain, for yarns as for contacts.
   std::vector<double> errors;
   for (const double rate : {1.0, 0.1}) {
     const io::RunFile file = stretched(rate);
@@ -114,7 +114,7 @@ TEST(YarnsInACell, AreAsStiffForItsServoAsTheyArePulled) {
   const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n");
   const Simulation simulation(end, plan.model, plan.numerics);
   const Vec3 stiffness = simulation.measures().axial_stiffness;
-  // d stress/d strain of 110 yarns on their first slope, 420 N; the slack ones across give none.
+  // d stress/d strain comes from 110 yarns on their first slope, 420 N; the slack ones across add none.
   const double length = 0.005 * stretch;
   EXPECT_NEAR(stiffness.x(), 110 * 420 / 0.005 * length * length / stretched_volume, 1e-9 * stiffness.x());
   EXPECT_EQ(stiffness.y(), 0);
