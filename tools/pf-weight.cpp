@@ -77,12 +77,13 @@ struct Draw {
 struct Assimilate {
   std::filesystem::path ensemble, observations, prior;
   std::string runs, table = "steps";
+  bool goes_on = false;
   calibration::ComparisonOptions comparison;
   calibration::Output output;
 
   void options(tool::Table& t) {
     t.about("pf-weight assimilate", "weights of an ensemble's parameter sets from observations, step by step");
-    t.example("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 -o posterior.h5",
+    t.example("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 -o posterior.h5",
               "from a table of any code: id, station, observables");
     t.example("pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --least-size 0.2",
               "the error chosen so that a fifth of the sets stays effective");
@@ -91,6 +92,7 @@ struct Assimilate {
     t.option(runs, "runs", "PATTERN", "run files with {id} for the number, or one TSV with ids");
     t.unrecorded("runs");  // the runs' digests are recorded instead
     comparison.declare(t);
+    t.flag(goes_on, "continue", "begin with ENSEMBLE's weights, of another test of the same sets: both count");
     t.option(prior, "prior", "FILE", "TOML, for an ensemble that is a TSV; else what it spans");
     t.choice(table, "table", calibration::assimilation_table_names(), "what --tsv prints");
     t.unrecorded("table");
@@ -113,12 +115,14 @@ struct Assimilate {
     auto observed =
         calibration::observations(io::from_tsv(text.text, observations.string()), choice, observations.string());
     auto simulated = calibration::simulated(runs, members.id, observed, choice, sources);
-    const auto done = calibration::assimilate(std::move(members), std::move(observed), std::move(simulated),
-                                              comparison.model(), comparison.least_size, comparison.chosen_stations());
+    const auto done =
+        calibration::assimilate(std::move(members), std::move(observed), std::move(simulated), comparison.model(),
+                                comparison.least_size, comparison.chosen_stations(), goes_on);
     const auto groups = calibration::groups_of(done);
     output.put(calibration::ensemble_file(done.ensemble, groups), calibration::table_of(done, groups, table),
                calibration::describe(done), sources, invocation);
     Progress progress("pf-weight", invocation.quiet);
+    if (const auto remark = comparison.remark()) progress.note("pf-weight assimilate: " + *remark);
     for (const std::string& warning : calibration::warnings(done)) progress.note("pf-weight assimilate: " + warning);
     if (const auto zero = calibration::all_zero(done)) throw TargetNotReached(*zero);
   }

@@ -199,13 +199,13 @@ io::Series curves_table(const Assimilation& a) {
 }  // namespace
 
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
-                        std::optional<double> least_size, const std::vector<double>& stations) {
+                        std::optional<double> least_size, const std::vector<double>& stations, bool goes_on) {
   if (runs.used() == 0)
     throw DataError(fmt::format("none of {} runs can be used; the first: {}", runs.why.size(), runs.why.front()));
   Assimilation a{std::move(ensemble), std::move(observed), std::move(runs), {}, {}, {}, {}};
   a.variance = variances(model, a.observed);
   a.misfit = misfits(a.observed, a.runs, a.variance);
-  const Vector prior = a.ensemble.log_prior_weight();
+  const Vector prior = goes_on ? a.ensemble.log_weight() : a.ensemble.log_prior_weight();
   a.filtered = least_size
                    ? filter_to_size(a.misfit, a.variance, prior, *least_size * static_cast<double>(a.ensemble.size()))
                    : filter(a.misfit, a.variance, prior);

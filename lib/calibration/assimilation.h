@@ -34,8 +34,9 @@ struct Assimilation {
 /// Assimilates all steps. least_size: least effective size as a share of the members; the error model then gives the
 /// shape of the variance, and its size is searched. stations: where densities and covariances are wanted, each taken at
 /// the last station not beyond it; empty: the last station.
+/// goes_on: begins with the ensemble's weights, which other tests of the same sets gave it, so that all tests count.
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
-                        std::optional<double> least_size, const std::vector<double>& stations);
+                        std::optional<double> least_size, const std::vector<double>& stations, bool goes_on = false);
 
 /// Returns the names of the tables of groups_of() in order, then "curves".
 std::vector<std::string> assimilation_table_names();

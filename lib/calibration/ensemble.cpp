@@ -154,6 +154,12 @@ Vector Ensemble::log_prior_weight() const {
   return logs.array() - std::log(logs.array().exp().sum());
 }
 
+Vector Ensemble::log_weight() const {
+  if (!(weight.size() > 0 && weight.sum() > 0))
+    throw DataError("--continue: the ensemble has no weights to begin with; give the file that assimilate wrote");
+  return weight.array().log() - std::log(weight.sum());
+}
+
 Ensemble members_at(const Prior& prior, const Matrix& coordinates, std::int64_t first_id) {
   Ensemble e;
   e.prior = prior;

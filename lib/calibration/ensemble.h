@@ -26,6 +26,8 @@ struct Ensemble {
   Matrix coordinates() const;
   /// Returns the log weights by importance alone, before any observation. The weights sum to 1.
   Vector log_prior_weight() const;
+  /// Logs of the weights that assimilation gave, -inf for none. Throws DataError where no set has one.
+  Vector log_weight() const;
 };
 
 /// Returns members drawn from the prior at the given coordinates (one row each), numbered from first_id.

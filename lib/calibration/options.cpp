@@ -37,6 +37,9 @@ std::pair<std::string, double> condition(const std::string& text) {
   return value.size() == 1 ? std::pair{text.substr(0, equals), value.front()} : std::pair<std::string, double>{};
 }
 
+/// True where the error model is made of variances, false where it is made of relative standard deviations.
+bool squared(const std::string& covariance) { return covariance == "uniform" || covariance == "component"; }
+
 }  // namespace
 
 void ComparisonOptions::declare(tool::Table& t) {
@@ -47,19 +50,29 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.flag(greatest, "greatest", "compare the greatest values of each run, with a single row of observations");
   t.choice(covariance, "covariance", {"uniform", "component", "relative", "largest"},
            "of the error: one variance for all, one each; a share of each value, or of the greatest");
-  t.option(error, "error", "V[,V...]", "variances (uniform, component), or relative standard deviation");
+  t.option(error, "error", "S[,S...]", "standard deviations, or a relative one");
+  t.option(variance, "variance", "V[,V...]", "variances instead (uniform, component)");
   t.option(least_size, least_size_range);
   t.option(stations, "at", "STATION", "also give densities and covariances here");
 }
 
 void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
-  const std::vector<double> sizes = numbers(error);
-  if (error.empty() && !least_size)
+  const bool squares = squared(covariance);
+  if (!error.empty() && !variance.empty())
+    mistakes.emplace_back("--error and --variance both say how exact the observations are: give one of them");
+  else if (!variance.empty() && !squares)
+    mistakes.push_back(
+        fmt::format("--covariance {}: an error that is a share has no --variance; give --error, its standard deviation",
+                    covariance));
+  else if (error.empty() && variance.empty() && !least_size)
     mistakes.emplace_back("how exact are the observations? Give --error, as 0.1, or --least-size, as 0.2");
-  else if (error.empty() && covariance == "component")
-    mistakes.emplace_back("--covariance component: give --error with a variance for each observable");
-  else if (!error.empty() && (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) <= 0))
-    mistakes.push_back(fmt::format("--error {}: give numbers above 0, as 0.1 or 0.1,0.02", error));
+  else if (error.empty() && variance.empty() && covariance == "component")
+    mistakes.emplace_back("--covariance component: give --error with a standard deviation for each observable");
+  for (const auto& [name, text] : {std::pair{"--error", error}, std::pair{"--variance", variance}}) {
+    const std::vector<double> sizes = numbers(text);
+    if (!text.empty() && (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) <= 0))
+      mistakes.push_back(fmt::format("{} {}: give numbers above 0, as 0.1 or 0.1,0.02", name, text));
+  }
   for (const std::string& text : where)
     if (condition(text).first.empty())
       mistakes.push_back(fmt::format("--where {}: write COLUMN=NUMBER, as stage=1", text));
@@ -74,7 +87,17 @@ Choice ComparisonOptions::choice() const {
 }
 
 ErrorModel ComparisonOptions::model() const {
-  return {error_kind(covariance), error.empty() ? std::vector<double>{1} : numbers(error)};
+  if (!variance.empty()) return {error_kind(covariance), numbers(variance)};
+  std::vector<double> sizes = error.empty() ? std::vector<double>{1} : numbers(error);
+  if (squared(covariance))
+    for (double& size : sizes) size *= size;
+  return {error_kind(covariance), sizes};
+}
+
+std::optional<std::string> ComparisonOptions::remark() const {
+  if (error.empty() || !squared(covariance)) return std::nullopt;
+  return fmt::format("--error {} is a standard deviation; for what used to be --error, a variance, write --variance {}",
+                     error, error);
 }
 
 std::vector<double> ComparisonOptions::chosen_stations() const {

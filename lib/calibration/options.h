@@ -36,7 +36,7 @@ inline constexpr Parameter prior_share_range{
 
 /// Which observations are compared with which columns of the runs, and their accuracy.
 struct ComparisonOptions {
-  std::string station, error;
+  std::string station, error, variance;
   std::string covariance = "uniform";
   std::vector<std::string> observables, where, stations;
   std::optional<double> until, least_size;
@@ -45,7 +45,10 @@ struct ComparisonOptions {
   void declare(tool::Table& table);
   void check(std::vector<std::string>& mistakes) const;
   Choice choice() const;
+  /// Returns the error model: the variances of --variance, the squares of --error, or its relative standard deviation.
   ErrorModel model() const;
+  /// Returns a line that says --error is a standard deviation, where earlier scripts gave it variances; else nothing.
+  std::optional<std::string> remark() const;
   /// Returns the stations of --at.
   std::vector<double> chosen_stations() const;
 };

@@ -40,11 +40,11 @@ Matrix variances(const ErrorModel& model, const Observations& observed) {
   const Eigen::Index steps = observed.values.rows(), components = observed.values.cols();
   if (model.kind == component) {
     if (static_cast<Eigen::Index>(model.size.size()) != components)
-      throw DataError(fmt::format("--error: {} for {} observables; give one for each", model.size.size(), components));
+      throw DataError(fmt::format("errors: {} for {} observables; give one for each", model.size.size(), components));
     return Eigen::Map<const Vector>(model.size.data(), components).transpose().replicate(steps, 1);
   }
   if (model.size.size() != 1)
-    throw DataError(fmt::format("--error: {} given; one is needed, or --covariance component", model.size.size()));
+    throw DataError(fmt::format("errors: {} given; one is needed, or --covariance component", model.size.size()));
   if (model.kind == uniform) return Matrix::Constant(steps, components, model.size.front());
   Matrix deviation(steps, components);
   for (Eigen::Index c = 0; c < components; ++c) {

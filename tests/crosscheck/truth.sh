@@ -44,7 +44,7 @@ pf-weight draw "$study/prior_quick_$law.toml" --samples "$sets" --first 1 --tsv 
 for round in 0 1 2 3; do
   "$study/ensemble.sh" "round$round.tsv" case "$law" packing.h5 "$scenario" 0.2 $strain
   pf-weight assimilate "round$round.h5" observed.tsv --runs 'case/runs/{id:06}/series.h5' --where stage=1 --station strain_axial \
-    --observe strain_radial=strain_xx,strain_yy --observe stress_ratio --observe strain_volumetric --covariance component --error "$errors" \
+    --observe strain_radial=strain_xx,strain_yy --observe stress_ratio --observe strain_volumetric --covariance component --variance "$errors" \
     --tsv --quiet --force -o "posterior$round.h5" > "steps$round.tsv"
   tail -n 1 "steps$round.tsv" | cat <(head -n 1 "steps$round.tsv") - | awk -F '\t' -v E="${truth[0]}" -v mu="${truth[4]}" -v round="$round" '
     NR == 1 { for (i = 1; i <= NF; ++i) { key = $i; sub(/ \[.*/, "", key); at[key] = i } next }

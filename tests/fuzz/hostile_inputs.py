@@ -86,7 +86,7 @@ def prepare(tools, folder):
     run("run-dem --quiet packing.h5 triaxial.toml --set stage.1.axial_strain=0.002 --set stage.1.increment=0.001 -o run.h5")
     run("homogenize --quiet run.h5 --grains -o fields.h5")
     run("pf-weight draw prior.toml -n 20 -o ensemble.h5")
-    run("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 -o posterior.h5")
+    run("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.1 -o posterior.h5")
     run("fem-dem --quiet elastic.toml -o multiscale.h5")
     for line, name in (("pf-weight draw prior.toml -n 20 --tsv", "sets.tsv"), ("gws-solve respond --geotextile PP --tsv", "response.tsv")):
         text = subprocess.run([tools / line.split()[0], *line.split()[1:]], cwd=folder, check=True, capture_output=True).stdout

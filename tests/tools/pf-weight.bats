@@ -146,7 +146,7 @@ PY
   sed '1s/.*/id,step,eps_r,ratio,eps_v/; s/,/\t/g' "$folder/mc100_simulations.csv" > runs.tsv
   awk -F , 'BEGIN { print "step\teps_r\tratio\teps_v" } NR > 1 { print NR - 1 "\t" $2 "\t" $3 "\t" $4 }' \
     "$folder/toyoura_obs_0.5MPa_100steps.csv" > observed.tsv
-  exits 0 pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --error 0.1 --tsv
+  exits 0 pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --variance 0.1 --tsv
   [[ $stderr == *"degenerate: an effective sample size of 1.055 of 100 for 5 parameters"*"0.973 of the weight is on member 50"* ]] || show
   awk -F '[\t,]' 'NR == FNR { if (FNR > 1) for (i = 2; i <= 6; ++i) wanted[FNR - 1, i - 1] = $i; next }
     FNR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i } next }
@@ -158,10 +158,10 @@ PY
 
 @test "assimilate: text, table, file and pipe agree; files open elsewhere and tell their history" {
   pf-weight draw prior.toml -n 100 -o ensemble.h5
-  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01
   [[ $output == "100 parameter sets, 100 runs used."* ]] || show
-  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --at 2 --tsv -o posterior.h5 > steps.tsv
-  pf-weight draw prior.toml -n 100 -o - | pf-weight assimilate - observed.tsv --runs runs.tsv --error 0.01 --at 2 -o - > piped.h5
+  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01 --at 2 --tsv -o posterior.h5 > steps.tsv
+  pf-weight draw prior.toml -n 100 -o - | pf-weight assimilate - observed.tsv --runs runs.tsv --variance 0.01 --at 2 -o - > piped.h5
   same_bytes posterior.h5 piped.h5
   exits 0 "$PYTHON" - <<'PY'
 import h5py, math
@@ -192,25 +192,25 @@ PY
     $1 < 4 { file = "runs/" $1 ".tsv"; if (!(file in seen)) { print head > file; seen[file] = 1 } print $2 "\t" $3 "\t" $4 > file }' runs.tsv
   rm runs/0.tsv
   sed -i '$ s/[^\t]*$/nan/' runs/1.tsv
-  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01
   [[ $output == *"4 parameter sets, 2 runs used, 1 missing, 1 diverged; those have no weight:"* ]] || show
   [[ $output == *"  0 missing: runs/0.tsv: no such file"* ]] || show
   [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
   [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
-  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01 --tsv --table runs
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01 --tsv --table runs
   [[ ${lines[1]} == $'0\t1\tnan\t0\tnan'* && ${lines[2]} == $'1\t4\tnan\t0\tnan'* ]] || show
   [[ ${lines[0]} == *$'\tone_misfit\tone_misfit_relative [1]\ttwo_misfit\ttwo_misfit_relative [1]' ]] || show
-  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01 --tsv --table curves
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01 --tsv --table curves
   [[ ${lines[0]} == $'id [1]\tstep [1]\tt\tone\tone_observed\ttwo\ttwo_observed' ]] || show
   [[ ${#lines[@]} -eq 11 && ${lines[1]} == 2$'\t'1$'\t'1$'\t'* && ${lines[6]} == 3$'\t'* ]] || show "five stations of two runs: $output"
   rm -r runs
-  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --error 0.01
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01
   [[ $stderr == "pf-weight assimilate: none of 4 runs can be used; the first: runs/0.tsv: no such file" ]] || show
 }
 
 @test "assimilate: observations with NaN, repeated or unreached stations get a clear message" {
   pf-weight draw prior.toml -n 10 -o ensemble.h5
-  local try=(ensemble.h5 bad.tsv --runs runs.tsv --error 0.01)
+  local try=(ensemble.h5 bad.tsv --runs runs.tsv --variance 0.01)
   sed '4 s/[^\t]*$/nan/' observed.tsv > bad.tsv
   refuses 65 assimilate "bad.tsv: row 2: two is not finite; take the row out, or leave the column out by --observe" "${try[@]}"
   { cat observed.tsv; tail -n 1 observed.tsv; } > bad.tsv
@@ -218,20 +218,20 @@ PY
   { cat observed.tsv; printf '9\t1\t1\n'; } > bad.tsv
   refuses 65 assimilate "none of 10 runs can be used; the first: ends at t 5, the observations at 9" "${try[@]}"
   exits 0 pf-weight assimilate "${try[@]}" --until 5
-  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe three
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01 --observe three
   [[ $stderr == *"no column three among "* ]] || show
-  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.01 --observe one=three
+  exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01 --observe one=three
   [[ $stderr == *": runs.tsv: run of member 0: no column three"* ]] || show
   printf 'id\tt\tone\ttwo\n0.5\t1\t1\t1\n' > bad.tsv
-  refuses 65 assimilate "bad.tsv: row 1: id 0.5 is no whole number" ensemble.h5 observed.tsv --runs bad.tsv --error 0.01
-  refuses 64 assimilate "--runs {id:1000000000}: the member's number is too wide; write it as {id} or {id:06}" ensemble.h5 observed.tsv --runs '{id:1000000000}' --error 0.01
+  refuses 65 assimilate "bad.tsv: row 1: id 0.5 is no whole number" ensemble.h5 observed.tsv --runs bad.tsv --variance 0.01
+  refuses 64 assimilate "--runs {id:1000000000}: the member's number is too wide; write it as {id} or {id:06}" ensemble.h5 observed.tsv --runs '{id:1000000000}' --variance 0.01
 }
 
 @test "assimilate --greatest: a single observed value is compared with the greatest of each run" {
   pf-weight draw prior.toml -n 3 -o ensemble.h5
   printf 'pressure [kPa]\tpeak [1]\n200\t4.5\n400\t4.2\n' > peak.tsv
   printf 'id\tstage\tratio\n0\t0\t9\n0\t1\t4\n0\t1\t5\n1\t1\t4.4\n1\t1\t1\n2\t1\tnan\n2\t1\t1\n' > runs.tsv
-  local try=(ensemble.h5 peak.tsv --runs runs.tsv --where stage=1 --observe peak=ratio --error 0.01 --greatest --tsv --table curves)
+  local try=(ensemble.h5 peak.tsv --runs runs.tsv --where stage=1 --observe peak=ratio --variance 0.01 --greatest --tsv --table curves)
   exits 0 pf-weight assimilate "${try[@]}" --until 200
   [[ ${lines[1]} == $'0\t1\t200\t5\t4.5' && ${lines[2]} == $'1\t1\t200\t4.4\t4.5' && ${#lines[@]} -eq 3 ]] || show
   refuses 65 assimilate "peak.tsv: 2 rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until" "${try[@]}"
@@ -239,7 +239,7 @@ PY
 
 @test "assimilate: likelihoods that are all zero are told, with status 1 and numbers all the same" {
   pf-weight draw prior.toml -n 10 -o ensemble.h5
-  exits 1 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 1e-12 --tsv
+  exits 1 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 1e-12 --tsv
   [[ $output != *nan* && ${#lines[@]} -eq 6 ]] || show
   [[ $stderr == *"at t 1 every likelihood is zero: the nearest run has a squared deviation of "*" variances"* ]] || show
 }
@@ -248,14 +248,33 @@ PY
   pf-weight draw prior.toml -n 100 -o ensemble.h5
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --least-size 0.3 --tsv
   table '{ size = c("effective_size"); if (NR == 2 || size < least) least = size } END { exit !(least > 29.99 && least < 30.01) }' <<<"$output" || show
-  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --covariance component --error 0.01,0.02
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --covariance component --variance 0.01,0.02
   [[ $output == *"standard deviation of their error: one 0.1, two 0.1414."* ]] || show
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --covariance component --error 0.1,0.1414
+  [[ $output == *"standard deviation of their error: one 0.1, two 0.1414."* && $stderr == *"--error 0.1,0.1414 is a standard deviation; for what used to be --error, a variance, write --variance 0.1,0.1414"* ]] || show
+  refuses 64 assimilate "--error and --variance both say how exact the observations are: give one of them" \
+    ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 --variance 0.01
+  refuses 64 assimilate "--covariance largest: an error that is a share has no --variance; give --error, its standard deviation" \
+    ensemble.h5 observed.tsv --runs runs.tsv --covariance largest --variance 0.01
   refuses 64 assimilate "how exact are the observations? Give --error, as 0.1, or --least-size, as 0.2" \
     ensemble.h5 observed.tsv --runs runs.tsv
   refuses 64 assimilate "--error 0.1,x: give numbers above 0, as 0.1 or 0.1,0.02" ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,x
   refuses 64 assimilate "no runs: give --runs, as 'runs/{id}/run.h5'" ensemble.h5 observed.tsv --error 1
-  refuses 65 assimilate "--error: 2 given; one is needed, or --covariance component" \
-    ensemble.h5 observed.tsv --runs runs.tsv --error 0.1,0.2
+  refuses 65 assimilate "errors: 2 given; one is needed, or --covariance component" \
+    ensemble.h5 observed.tsv --runs runs.tsv --variance 0.1,0.2
+}
+
+@test "assimilate --continue: two tests one after the other weigh as their stations in one table" {
+  pf-weight draw prior.toml -n 50 -o ensemble.h5
+  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --tsv --table runs --quiet > whole.tsv
+  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --until 2 --quiet -o first.h5 > /dev/null
+  awk 'NR == 1 || $1 > 2' observed.tsv > rest.tsv
+  pf-weight assimilate first.h5 rest.tsv --runs runs.tsv --error 0.3 --continue --tsv --table runs --quiet -o both.h5 > parts.tsv
+  near "$(value parts.tsv weight 7)" "$(value whole.tsv weight 7)" 1e-9
+  near "$(value parts.tsv weight 20)" "$(value whole.tsv weight 20)" 1e-9
+  exits 0 pf-weight resample both.h5 --keep -n 5 --tsv -o next.h5
+  refuses 65 assimilate "--continue: the ensemble has no weights to begin with; give the file that assimilate wrote" \
+    ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --continue
 }
 
 # two A B: the linear model that the examples' runs come from, of one parameter set.
@@ -277,7 +296,7 @@ PY
   for round in 1 2 3; do
     awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" }
       NR > 1 { for (t = 1; t <= 5; ++t) printf "%d\t%d\t%.17g\t%.17g\n", $1, t, $2 + $3 * t / 5, $2 * t / 5 - $3 }' sets.tsv > runs.tsv
-    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --error 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
+    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --variance 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
     pf-weight resample "posterior$round.h5" -n 40 --seed "$round" --tsv --quiet -o "next$round.h5" > sets.tsv
     ensemble=next$round.h5
   done
@@ -297,19 +316,19 @@ PY
     # The runs of the new sets alone are added.
     awk -F '\t' 'NR > 1 { for (t = 1; t <= 5; ++t) printf "%d\t%d\t%.17g\t%.17g\n", $1, t, $2 + $3 * t / 5, $2 * t / 5 - $3 }' \
       sets.tsv >> runs.tsv
-    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --error 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
+    pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --variance 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"
     pf-weight resample "posterior$round.h5" -n 40 --seed "$round" --keep --tsv --quiet -o "next$round.h5" > sets.tsv
     [[ $(wc -l < sets.tsv) -eq 41 && $(sed -n 2p sets.tsv | cut -f 1) -eq $((40 * round)) ]] || show "new sets alone: $(head -n 2 sets.tsv)"
     ensemble=next$round.h5
   done
-  kept=$(pf-weight assimilate next2.h5 observed.tsv --runs runs.tsv --error 1e-2 --tsv --table weights --quiet | wc -l)
+  kept=$(pf-weight assimilate next2.h5 observed.tsv --runs runs.tsv --variance 1e-2 --tsv --table weights --quiet | wc -l)
   [[ $kept -eq 121 ]] || show "three rounds of 40: $kept"
   holds '(a - 0.3) ^ 2 < 0.05 ^ 2 && (b + 0.4) ^ 2 < 0.05 ^ 2 && size > 10' a="$(value steps3.tsv a last)" \
     b="$(value steps3.tsv b last)" size="$(value steps3.tsv effective_size last)"
   # A table does not tell what its sets were drawn from.
   pf-weight resample posterior1.h5 -n 20 --seed 9 --tsv --quiet > alone.tsv
   awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
-  pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --error 1e-2 --quiet -o alone.h5 > /dev/null
+  pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --variance 1e-2 --quiet -o alone.h5 > /dev/null
   refuses 65 resample "alone.h5: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep" \
     alone.h5 -n 5 --keep --tsv
 }
@@ -322,7 +341,7 @@ PY
     for (t = 1; t <= 100; ++t) printf "%d\t%d\t%.6g\t%.6g\t%.6g\n", i, t, a * t, a + t, a * a * t } }' > runs.tsv
   awk 'BEGIN { print "t\tone\ttwo\tthree"; for (t = 1; t <= 100; ++t) printf "%d\t%.6g\t%.6g\t%.6g\n", t, t / 2, t + 0.5, t / 4 }' > observed.tsv
   local seconds TIMEFORMAT=%U
-  seconds=$({ time pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 --quiet -o posterior.h5 > /dev/null; } 2>&1)
+  seconds=$({ time pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.1 --quiet -o posterior.h5 > /dev/null; } 2>&1)
   echo "# $seconds s" >&3
   holds 's < 1' s="$seconds"
 }
