@@ -374,7 +374,6 @@ crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, li
 # Versions of clang-format differ in details of the layout; one decides.
 LAYOUT := 14
 CLANG_FORMAT = $(firstword $(foreach f,clang-format-$(LAYOUT) clang-format,$(if $(findstring version $(LAYOUT).,$(shell $f --version 2>/dev/null)),$f)))
-comma := ,
 
 .PHONY: format
 format: ## lay out every source with clang-format (version 14, of Debian 12)

@@ -14,6 +14,9 @@ PYTHON ?= /usr/bin/python3
 STUDY_PY := PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=pipelines $(PYTHON) -P
 STUDY := $(wildcard pipelines/study/*.py pipelines/study/templates/*)
 
+# A comma, which functions of make take for the end of an argument.
+comma := ,
+
 # $(call remember,WORDS): a file of these words, which changes only when they do.
 remember = mkdir -p $(@D) && { printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$(1)' > $@; }
 # Whatever the profile decides depends on it.

@@ -19,7 +19,7 @@ C2_STRAIN_thesis := 8.5
 C2_STRAIN ?= $(C2_STRAIN_$(PROFILE))
 # Runs of which the greatest stress ratio alone is compared go farther.
 C2_STRAIN_peak := 10
-# Variances of the observation error: of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
+# Variances of the observation error of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
 # has 0.1 for all; 0.3 of a stress ratio is 8 % of it, so that the strains then decide alone. 0.025 is 4 % of it.
 C2_ERROR ?= 0.1,0.025,0.1
 # Variance of the greatest stress ratio, where there is no curve: the thesis's.
@@ -31,30 +31,27 @@ C2_TWINS ?= 3
 C2_ROUNDS := $(shell seq $(words $(C2_SAMPLES)))
 C2_LAST := round$(lastword $(C2_ROUNDS))
 
-# In the rules below % is CASE or CASE/roundN.
-c2_case = $(firstword $(subst /, ,$*))
-c2_round = $(lastword $(subst /round, ,$*))
-c2_law = $(word 1,$(subst _, ,$(c2_case)))
-c2_pressure = $(word 3,$(subst _, ,$(c2_case)))
-c2_packing = $(C2O)/packing_$(word 2,$(subst _, ,$(c2_case))).h5
-C2_SCENARIO_hm := $(C2)/hertz-mindlin.toml
-C2_SCENARIO_cl := $(C2)/linear.toml
+# In the rules below % is the case.
+c2_law = $(word 1,$(subst _, ,$*))
+c2_pressure = $(word 3,$(subst _, ,$*))
+c2_packing = $(C2O)/packing_$(word 2,$(subst _, ,$*)).h5
+CALIBRATION := pipelines/calibration
+C2_SCENARIO_hm := $(CALIBRATION)/hertz-mindlin.toml
+C2_SCENARIO_cl := $(CALIBRATION)/linear.toml
 c2_scenario = $(C2_SCENARIO_$(c2_law))
 c2_prior = $(C2)/prior_$(PROFILE)$(if $(filter quick,$(PROFILE)),_$(c2_law)).toml
 # The curves of the laboratory, three observables at each station, where there are; else the greatest stress ratio alone.
 c2_curve = $(wildcard data/laboratory/toyoura_drained_triaxial_$(c2_pressure)MPa.tsv)
 c2_observed = $(or $(c2_curve),$(C2O)/peak_$(c2_pressure)MPa.tsv)
-C2_ALONG := --until $(C2_STRAIN) --where stage=1 --station strain_axial --observe strain_radial=strain_xx,strain_yy --observe stress_ratio \
-  --observe strain_volumetric $(C2_STATIONS:%=--at %) --covariance component --error $(C2_ERROR)
-C2_PEAK := --where stage=1 --greatest --observe stress_ratio_peak=stress_ratio --error $(C2_ERROR_peak)
+# What is compared and how: of a curve all its rows, as they are; else the greatest value.
+C2_VARIANCE := $(join strain_radial= stress_ratio= strain_volumetric=,$(subst $(comma), ,$(C2_ERROR)))
+C2_ALONG := natural --until $(C2_STRAIN) --variance $(subst $() ,$(comma),$(strip $(C2_VARIANCE))) --at $(subst $() ,$(comma),$(strip $(C2_STATIONS)))
+C2_PEAK := greatest --until $(C2_STRAIN_peak) --variance stress_ratio_peak=$(C2_ERROR_peak)
 c2_thesis = $(wildcard data/contacts/toyoura_$(c2_law)_$(c2_pressure)MPa.tsv)
-# The first round is drawn from the prior, another around the posterior of the one before.
-c2_from = $(if $(filter 1,$(c2_round)),$(c2_prior),$(C2O)/$(c2_case)/round$(words $(wordlist 2,$(c2_round),$(C2_ROUNDS)))_posterior.h5)
 C2_BASES := 2,5,7,9,11
-c2_drawn = $(if $(filter 1,$(c2_round)),draw $< --bases $(C2_BASES),resample $< --keep --seed $(c2_round))
 # One ensemble after the other, since each has all cores: a case waits for the last round of the case before.
 C2_PAIRS := $(join $(C2_CASES:%=%:),$(wordlist 2,$(words $(C2_CASES)),$(C2_CASES)))
-c2_after = $(if $(filter 1,$(c2_round)),$(patsubst %:$(c2_case),$(C2O)/%/$(C2_LAST)_ran,$(filter %:$(c2_case),$(C2_PAIRS))))
+c2_after = $(patsubst %:$*,$(C2O)/%/posterior.h5,$(filter %:$*,$(C2_PAIRS)))
 
 .PHONY: ch2
 ch2: $(C2O)/page.html ## contact parameters identified with the particle filter (thesis: 2000 runs a case; C2_CASES=...)
@@ -73,28 +70,21 @@ $(C2O)/peak_%MPa.tsv: $(C2)/inputs.py data/laboratory/toyoura_peak_obliquity.tsv
 	@$(STUDY_PY) $^ --peak $* $(call whole,$@)
 
 .SECONDEXPANSION:
-C2_RUN := $(C2)/ensemble.sh $(C2)/ensemble.py pipelines/study/jobs.py $(C2)/run.sh $(BIN)/run-dem $(BIN)/homogenize
-$(C2O)/%_sets.h5 $(C2O)/%_sets.tsv: $$(c2_from) $(C2O)/settings $(BIN)/pf-weight
-	@mkdir -p $(@D)
-	@$(BIN)/pf-weight $(c2_drawn) --samples $(word $(c2_round),$(C2_SAMPLES)) --tsv --force -o $(C2O)/$*_sets.h5 $(call whole,$(C2O)/$*_sets.tsv)
-$(C2O)/%_ran: $(C2O)/%_sets.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN) | $$(c2_after)
-	@BIN=$(BIN) $(C2)/ensemble.sh $< $(C2O)/$(c2_case) $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $(if $(c2_curve),$(C2_STRAIN),$(C2_STRAIN_peak))
-	@touch $@
-c2_assimilate = $(BIN)/pf-weight assimilate $(C2O)/$*_sets.h5 $(c2_observed) --runs '$(C2O)/$(c2_case)/runs/{id:06}/series.h5' \
-  $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK))
-# Named one by one, since a pattern may not follow from itself, as a round does from the one before.
-C2_POSTERIORS := $(foreach c,$(C2_CASES),$(C2_ROUNDS:%=$(C2O)/$(c)/round%_posterior.h5))
-$(C2_POSTERIORS): $(C2O)/%_posterior.h5: $(C2O)/%_ran $$(c2_observed) $(BIN)/pf-weight
-	@$(c2_assimilate) --force -o $@ > $(@:.h5=.txt)
-$(C2O)/%_steps.tsv $(C2O)/%_density.tsv: $(C2O)/%_posterior.h5
-	@$(foreach table,steps density,$(c2_assimilate) --quiet --tsv --table $(table) $(call whole,$(C2O)/$*_$(table).tsv) || exit;)
+C2_RUN := $(filter-out %.toml,$(wildcard $(CALIBRATION)/*)) pipelines/study/jobs.py $(BIN)/run-dem $(BIN)/homogenize
+$(C2O)/%/posterior.h5: $$(c2_prior) $$(c2_packing) $$(c2_scenario) $$(c2_observed) $(C2O)/settings pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot | $$(c2_after)
+	@BIN=$(BIN) pipelines/calibrate.sh --prior $(c2_prior) --packing $(c2_packing) --law $(c2_law) --scenario $(c2_scenario) \
+	  --test $(c2_observed) "$(c2_pressure) MPa" $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK)) --stations 0 --bases $(C2_BASES) \
+	  --samples $(subst $() ,$(comma),$(strip $(C2_SAMPLES))) --rounds $(words $(C2_SAMPLES)) --effective-size 0 $(C2O)/$*
+# The tables of all rounds of a case, which its posterior comes with.
+C2_OF_ROUNDS := $(foreach r,$(C2_ROUNDS),$(foreach t,steps density,round$(r)_$(t).tsv))
+$(foreach t,$(C2_OF_ROUNDS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
 
 # The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go. Weights are
 # not used there, so that any error will do.
 $(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis)
 	@$(STUDY_PY) $^ --twins $(C2_TWINS) $(call whole,$@)
 $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
-	@BIN=$(BIN) $(C2)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
+	@BIN=$(BIN) $(CALIBRATION)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
 	@touch $@
 c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(C2O)/$*/check/runs/{id:06}/series.h5' \
   --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table

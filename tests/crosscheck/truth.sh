@@ -10,7 +10,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 BIN=$(cd "${BIN:-$here/../../build/bin}" && pwd)
 export BIN PATH=$BIN:$PATH OMP_NUM_THREADS=1 LC_ALL=C.UTF-8
-study=$here/../../pipelines/ch2 law=${LAW:-cl} sets=${SETS:-60}
+study=$here/../../pipelines/calibration priors=$here/../../pipelines/ch2 law=${LAW:-cl} sets=${SETS:-60}
 command -v parallel > /dev/null || { echo "crosscheck: no GNU parallel here; skipped"; exit 0; }
 if [[ -n ${WORK:-} ]]; then
   mkdir -p "$WORK"
@@ -40,7 +40,7 @@ awk -F '\t' -v radial="${deviations[0]}" -v ratio="${deviations[1]}" -v volume="
       $at["stress_ratio"] + ratio * normal(), 100 * $at["strain_volumetric"] + volume * normal() }' series.tsv > observed.tsv
 
 errors=$(printf '%s\n' "${deviations[@]}" | awk '{ printf "%s%.6g", (NR > 1 ? "," : ""), $1 * $1 }')
-pf-weight draw "$study/prior_quick_$law.toml" --samples "$sets" --first 1 --tsv --force -o round0.h5 > round0.tsv
+pf-weight draw "$priors/prior_quick_$law.toml" --samples "$sets" --first 1 --tsv --force -o round0.h5 > round0.tsv
 for round in 0 1 2 3; do
   "$study/ensemble.sh" "round$round.tsv" case "$law" packing.h5 "$scenario" 0.2 $strain
   pf-weight assimilate "round$round.h5" observed.tsv --runs 'case/runs/{id:06}/series.h5' --where stage=1 --station strain_axial \

@@ -7,7 +7,8 @@ import types
 
 import numpy
 import pytest
-from ch2 import ensemble, inputs
+from calibration import ensemble
+from ch2 import inputs
 from ch2 import study as chapter
 from ch2.inputs import PARAMETERS
 from ch2.study import Case
@@ -197,6 +198,6 @@ def test_an_array_job_s_tasks_share_the_rows(tmp_path, monkeypatch):
 
 
 def test_what_an_ensemble_needs_is_named_in_one_line(tmp_path):
-    run = subprocess.run([ROOT / "pipelines/ch2/ensemble.sh", "sets.tsv"], capture_output=True, text=True, check=False,
+    run = subprocess.run([ROOT / "pipelines/calibration/ensemble.sh", "sets.tsv"], capture_output=True, text=True, check=False,
                          env={"BIN": str(tmp_path), "PATH": os.environ["PATH"]})
     assert run.returncode == 64 and run.stderr.count("\n") == 1 and "usage: BIN=build/bin ensemble.sh TABLE.tsv" in run.stderr

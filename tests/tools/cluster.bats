@@ -33,7 +33,7 @@ ensemble() {
     printf 'id [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\n'
     for k in 0 1 2 3 4 5; do printf '%s\t4e9\t0.2\t0.1\t0.2\t2%s\n' $k $k; done
   } > sets.tsv
-  "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv case hm packing.h5 "$ROOT/pipelines/ch2/hertz-mindlin.toml" 0.1 0.4
+  "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv case hm packing.h5 "$ROOT/pipelines/calibration/hertz-mindlin.toml" 0.1 0.4
 }
 
 complete() {

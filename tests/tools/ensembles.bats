@@ -21,7 +21,7 @@ study() { # OUT TARGET...
 }
 
 @test "an ensemble that is killed three times ends in the same bytes as one that is not" {
-  local whole=$PWD/whole killed=$PWD/killed posterior=ch2/hm_200_0.2/round2_posterior.h5 k
+  local whole=$PWD/whole killed=$PWD/killed posterior=ch2/hm_200_0.2/posterior.h5 k
   export JOBS=2 PROGRESS_INTERVAL=0
   exits 0 study "$whole" "$whole/$posterior"
   for k in 1 2 3; do
@@ -49,12 +49,12 @@ family() {
 
 # ensemble TABLE: on a small packing, into the folder `case`.
 ensemble() {
-  "$ROOT/pipelines/ch2/ensemble.sh" "$1" case hm packing.h5 scenario.toml 0.1 0.4
+  "$ROOT/pipelines/calibration/ensemble.sh" "$1" case hm packing.h5 scenario.toml 0.1 0.4
 }
 
 small_inputs() {
   pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
-  cp "$ROOT/pipelines/ch2/hertz-mindlin.toml" scenario.toml
+  cp "$ROOT/pipelines/calibration/hertz-mindlin.toml" scenario.toml
   printf 'id [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\n%s\n%s\n%s\n' $'0\t4e9\t0.2\t0.1\t0.2\t30' $'1\t1e3\t0.2\t0.1\t0.2\t30' \
     $'2\t4e9\t0.2\t0.1\t0\t25' > sets.tsv
 }
@@ -101,13 +101,13 @@ small_inputs() {
   local packing=$'a b;$(touch pwned)\'".h5' folder=' bl ank={1}=$(touch pwned)'
   mv packing.h5 "$packing"
   printf '\xef\xbb\xbfid [1]\tE [Pa]\tnu [1]\tkr [1]\teta [1]\tmu [deg]\r\n000008\t4e9\t0.2\t0.1\t0.2\t30\r\n000010\t4e9\t0.2\t0.1\t0\t25' > sets.tsv
-  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
+  exits 0 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
   [[ $output == *"2 of 2 rows"*"2 runs, 0 failed"* ]] || show
   [[ -e $folder/runs/000008/series.h5 && -e $folder/runs/000010/series.h5 && ! -e pwned ]] || show "$(find .)"
   [[ $(cat "$folder/runs/000010/parameters") == "hm 0.1 0.1 4e9 0.2 0.1 0 25 0" ]] || show "$(cat "$folder"/runs/*/parameters)"
-  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
+  exits 0 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv "$folder" hm "$packing" scenario.toml 0.1 0.1
   [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
-  exits 65 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv $'ta\tb' hm "$packing" scenario.toml 0.1 0.1
+  exits 65 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv $'ta\tb' hm "$packing" scenario.toml 0.1 0.1
   [[ $stderr == "jobs: ta"$'\t'"b: names of folders and files may not hold tabs or line ends" ]] || show
 }
 
@@ -137,7 +137,7 @@ exec sh -c "$*"
 SH
   chmod +x hop
   printf '1/%s host1\n1/%s host2\n' "$PWD/hop" "$PWD/hop" > hosts
-  SSHLOGINFILE=$PWD/hosts JOBS=1 exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv "bl ank \$x" hm packing.h5 scenario.toml 0.1 0.2
+  SSHLOGINFILE=$PWD/hosts JOBS=1 exits 0 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv "bl ank \$x" hm packing.h5 scenario.toml 0.1 0.2
   [[ -e "bl ank \$x/runs/000002/series.h5" && $(sort -u called | tr '\n' ' ') == "host1 host2 " ]] || show "$(cat called)"
 }
 
@@ -160,10 +160,10 @@ SH
   printf '#!/bin/sh\necho "$*" > cancelled\n' > slurm/scancel
   chmod +x slurm/*
   export PATH=$PWD/slurm:$PATH ENGINE=slurm SLURM_POLL=0.1 SLURM_ARRAY_SIZE=2
-  exits 0 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv 'bl ank' hm packing.h5 scenario.toml 0.1 0.2
+  exits 0 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv 'bl ank' hm packing.h5 scenario.toml 0.1 0.2
   [[ $output == *"3 of 3 rows"*"3 runs, 1 failed"* && -e "bl ank/runs/000002/series.h5" ]] || show
   rm asked
-  STUCK=7_1 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv other hm packing.h5 scenario.toml 0.1 0.2 3>&- &
+  STUCK=7_1 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv other hm packing.h5 scenario.toml 0.1 0.2 3>&- &
   local job=$! k
   for k in $(seq 200); do [[ -e asked ]] && break; sleep 0.1; done
   kill "$job"
@@ -189,8 +189,8 @@ SH
   refuses_table 'line 1: 2 columns named mu or friction_angle where one belongs' "$head"$'\tfriction_angle\n'
   refuses_table 'line 1: mu is in rad: give it in deg' "${head/deg/rad}"
   refuses_table 'no rows below the header' "$head"
-  exits 64 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv case lin packing.h5 scenario.toml 0.1 0.4
+  exits 64 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv case lin packing.h5 scenario.toml 0.1 0.4
   [[ $stderr == 'ensemble: "lin" is no law; give hm (Hertz-Mindlin) or cl (linear)' ]] || show
-  exits 64 "$ROOT/pipelines/ch2/ensemble.sh" sets.tsv case hm packing.h5 scenario.toml 0,1 0.4
+  exits 64 "$ROOT/pipelines/calibration/ensemble.sh" sets.tsv case hm packing.h5 scenario.toml 0,1 0.4
   [[ $stderr == 'ensemble: PRESSURE_MPa: "0,1" is no number'* ]] || show
 }

@@ -151,14 +151,17 @@ def main(table, folder, law, packing, scenario, pressure, strain):
     folder, packing, scenario = (f"./{path}" if path.startswith("-") else path for path in (folder, packing, scenario))
     name, home, programs = pathlib.Path(table).stem, pathlib.Path(folder), pathlib.Path(os.environ["BIN"])
     (home / "runs").mkdir(parents=True, exist_ok=True)
+    ensemble, speed = Ensemble(name, home, [folder, law, packing, scenario, pressure, strain], read_rows(table)), ""
     lock = jobs.one_at_a_time(home)
-    ensemble = Ensemble(name, home, [folder, law, packing, scenario, pressure, strain], read_rows(table))
-    keep_results_of(home, [packing, scenario, RUN, programs / "run-dem", programs / "homogenize"])
-    left, speed = ensemble.unfinished(), ""
-    if left:
-        print(f"  run   {home} {name}: {len(left)} of {len(ensemble.rows)} rows", flush=True)
-        speed = jobs.run(home, name, [[RUN, *ensemble.common, *row] for row in left], lock,
-                         lambda seconds: ensemble.progress(len(ensemble.rows) - len(left), seconds))
+    try:
+        keep_results_of(home, [packing, scenario, RUN, programs / "run-dem", programs / "homogenize"])
+        left = ensemble.unfinished()
+        if left:
+            print(f"  run   {home} {name}: {len(left)} of {len(ensemble.rows)} rows", flush=True)
+            speed = jobs.run(home, name, [[RUN, *ensemble.common, *row] for row in left], lock,
+                             lambda seconds: ensemble.progress(len(ensemble.rows) - len(left), seconds))
+    finally:
+        os.close(lock)
     ensemble.tell_failed()
     print(f"  {home} {name}: {len(ensemble.rows)} runs, {len(ensemble.failed())} failed{speed}", flush=True)
     missing = len(ensemble.unfinished())

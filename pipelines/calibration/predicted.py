@@ -1,0 +1,94 @@
+"""What a calibration leaves: its parameters, and the curves of the posterior beside each test, as tables and as drawings."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import os
+import subprocess
+
+import numpy
+from study import Drawn, Series, Table, curves, figures, panel
+from study.files import put
+from study.tables import write_table
+
+from .ensemble import PARAMETERS
+
+OBSERVED = ("stress_ratio", "strain_volumetric")
+LOW, HIGH = 0.05, 0.95
+
+
+def quantile(values, weights, share):
+    """Returns the least of the values up to which the weights make `share` of their sum."""
+    order = numpy.argsort(values)
+    reached = numpy.cumsum(weights[order]) >= share * weights.sum() - 1e-12
+    return values[order][int(numpy.argmax(reached))]
+
+
+def band(table, weight_of, names):
+    """Returns columns of a table of curves over their stations: observation, weighted mean, 5 and 95 % of the weight, deviation.
+
+    weight_of: weights by id; sets without a run count nowhere.
+    """
+    ids, steps = table("id", "1"), table("step", "1")
+    columns = {"strain_axial [%]": []}
+    for step in numpy.unique(steps):
+        rows = table.rows(steps == step)
+        weights = numpy.array([weight_of[i] for i in ids[steps == step]])
+        weights = weights / weights.sum()
+        columns["strain_axial [%]"].append(rows["strain_axial"][0])
+        for name in names:
+            unit = "%" if name.startswith("strain") else "1"
+            values = rows(name, unit)
+            mean = float(values @ weights)
+            for ending, value in (("observed", rows(f"{name}_observed", unit)[0]), ("", mean), ("low", quantile(values, weights, LOW)),
+                                  ("high", quantile(values, weights, HIGH)), ("deviation", float(numpy.sqrt(weights @ (values - mean)**2)))):
+                columns.setdefault(f"{name}{'_' if ending else ''}{ending} [{unit}]", []).append(value)
+    return columns
+
+
+def parameters(steps, runs, sets):
+    """Returns the identified parameters: weighted mean, deviation, 5 and 95 % of the weight, and the set of the greatest weight."""
+    heaviest = sets.rows(sets("id", "1") == runs("id", "1")[runs("weight", "1").argmax()])
+    units = {name: unit for name, _, unit in PARAMETERS if steps.has(name)}
+    return {"parameter": list(units), "unit": list(units.values()),
+            **{end or "mean": [steps(f"{name}{'_' if end else ''}{end}", unit)[-1] for name, unit in units.items()]
+               for end in ("", "deviation", "low", "high")},
+            "heaviest": [heaviest(name, unit)[0] for name, unit in units.items()]}
+
+
+def write(case, name):
+    """Writes parameters.tsv, predicted_TEST.tsv, misfits.tsv, predicted.svg and posterior.svg of a calibration's last round."""
+    steps, runs = (Table.read(case.folder / f"{name}_{table}.tsv") for table in ("steps", "runs"))
+    sets = [Table.read(path) for path in sorted(case.folder.glob("round*_sets.tsv"))]
+    heavy = runs("id", "1")[runs("weight", "1").argmax()]
+    own = next(table for table in sets if (table("id", "1") == heavy).any())
+    put(case.folder / "parameters.tsv", write_table(parameters(steps, runs, own)))
+    weight_of = dict(zip(runs("id", "1"), runs("weight", "1"), strict=True))
+    panels, misfits = [], {"test": [], **{f"{n} [{'%' if 'strain' in n else '1'}]": [] for n in OBSERVED}}
+    for test in case.tests:
+        table = Table.read(case.folder / f"{test.name}_curves.tsv")
+        names = [n for n in OBSERVED if table.has(n)]
+        if test.kind == "greatest" or not names:
+            continue
+        columns = band(table, weight_of, names)
+        path = case.folder / f"predicted_{test.name}.tsv"
+        put(path, write_table(columns))
+        panels += draw(path, test, names)
+        misfits["test"].append(test.name)
+        for n in OBSERVED:
+            unit = "%" if "strain" in n else "1"
+            off = numpy.subtract(columns[f"{n} [{unit}]"], columns[f"{n}_observed [{unit}]"]) if n in names else None
+            misfits[f"{n} [{unit}]"].append(None if off is None else float(numpy.sqrt(numpy.mean(off**2))))
+    put(case.folder / "misfits.tsv", write_table(misfits))
+    if panels:
+        put(case.folder / "predicted.svg", figures.svg(curves.figure(panels, columns=len(names))))
+    subprocess.run([f"{os.environ['BIN']}/plot", "posterior", case.folder / "posterior.h5", "--force", "--quiet", "-o",
+                    case.folder / "posterior.svg"], check=True)
+
+
+def draw(path, test, names):
+    """Returns a panel for each observable of a test: the posterior's mean and spread, and the laboratory's points."""
+    table = Table.read(path)
+    strain = table["strain_axial"]
+
+    def of(ending):
+        return Series({"strain_axial": strain, **{n: table(f"{n}{ending}", "%" if n.startswith("strain") else "1") for n in names}})
+    runs = [Drawn("posterior", of(""), figures.BLUE, spread=of("_deviation")), Drawn("laboratory", of("_observed"), figures.INK, "o")]
+    return [panel("strain_axial", n, runs, legend=n == names[0], title=f"{test.pressure / 1e3:g} kPa") for n in names]

@@ -1,0 +1,44 @@
+#!/usr/bin/env bats
+# pipelines/calibrate.sh: rounds over two tests together, what they leave, that they go on, what is refused before anything runs.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+ROOT=$BATS_TEST_DIRNAME/../..
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+  command -v parallel >/dev/null || skip "GNU parallel is not installed"
+  printf 'axial_strain [%%]\tvolumetric_strain [%%]\tdeviatoric_stress [kPa]\n0\t0\t0\n0.1\t0.05\t50\n0.2\t0.08\t90\n0.3\t0.1\t120\n0.4\t0.1\t140\n' > low.tsv
+  awk -F '\t' -v OFS='\t' 'NR > 1 { $3 *= 2 } { print }' low.tsv > high.tsv
+}
+
+# calibrate OPTION...: two tests on a small packing, into the folder `case`.
+calibrate() {
+  "$ROOT/pipelines/calibrate.sh" --prior "$ROOT/pipelines/ch2/prior_quick_hm.toml" --packing packing.h5 --test low.tsv "100 kPa" engineering \
+    --test high.tsv "200 kPa" natural --until 0.4 --error stress_ratio=0.5,strain_volumetric=0.05 "$@" case
+}
+
+@test "two tests are weighed together until the effective size is reached or the rounds are spent; finished runs stay" {
+  pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
+  exits 1 calibrate --samples 5,3 --rounds 2 --effective-size 100
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $stderr == *"after 2 of 2 rounds, below the 100 asked for"*"loading rate: the scenario's"* ]] || show
+  [[ -s case/posterior.h5 && -s case/predicted.svg && -s case/posterior.svg ]] || show "$(ls case)"
+  # Both tests and all sets of both rounds count.
+  [[ $(value case/round2_runs.tsv id last) -eq 7 ]] || show "$(cat case/round2_runs.tsv)"
+  near "$(value case/parameters.tsv mean 5)" "$(value case/round2_steps.tsv friction_angle last)" 1e-4
+  [[ $(value case/predicted_low_100kPa.tsv stress_ratio_observed 1) == 1.5 ]] || show "$(cat case/predicted_low_100kPa.tsv)"
+  [[ $(value case/misfits.tsv test last) == high_200kPa ]] || show "$(cat case/misfits.tsv)"
+  exits 0 calibrate --samples 5,3 --rounds 2 --effective-size 1
+  [[ $output != *"  run  "* && $output == *"after 1 of 2 rounds; loading rate"* ]] || show "finished runs were made again, or rounds after the size"
+}
+
+@test "what is wrong with a test is one line, before anything runs" {
+  touch packing.h5
+  sed -i 's/^0.4.*/0.4\t0.1\t-140/' high.tsv
+  exits 65 calibrate
+  [[ $stderr == "calibrate: high.tsv: "*"change the signs" && ! -e case/low_100kPa/runs ]] || show
+  exits 64 calibrate --error 0.1 --variance stress_ratio=0.1
+  [[ $stderr == "calibrate: --error and --variance both say how exact the tests are: give one of them; --help tells the options" ]] || show
+}
