@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .SHELLFLAGS := -o pipefail -c
 .DELETE_ON_ERROR:
 .SUFFIXES:
-# awk, sort and printf read and write numbers by the locale: everything below has one.
+# awk, sort and printf read and write numbers by the locale, so one locale is set here.
 export LC_ALL := C.UTF-8
 MAKEFLAGS += --no-builtin-rules
 .DEFAULT_GOAL := all
@@ -27,10 +27,10 @@ B := build$(addprefix /,$(VARIANT))
 # ---- Flags ----------------------------------------------------------------------------------------------------------
 # -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/lanes.h).
 OPTIMISE_ := -O3 -DNDEBUG
-# Null pointers, overruns and wrong types show as address errors: looking twice would double the time to compile.
+# Null pointers, overruns and wrong types show as address errors; a second check would double the compile time.
 OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment \
   -fno-sanitize-recover=all
-# One thread: the fuzzer needs no OpenMP of clang's own.
+# The fuzzer runs on one thread and does not need clang's OpenMP.
 OPTIMISE_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-openmp
 OPTIMISE_coverage := -Og -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
@@ -58,7 +58,7 @@ ifneq ($(VTK_PREFIX),/usr)
 VTK_LIBS += -L$(VTK_PREFIX)/lib -Wl,-rpath,$(VTK_PREFIX)/lib
 endif
 
-# Headers and programs that the compiler needs are looked for before it starts; each has its remedy.
+# Headers and programs that the compiler needs are checked before it starts; each has its remedy.
 missing = $(strip $(if $(shell command -v $(CXX)),,$(CXX)) $(foreach p,$(PACKAGES),$(shell pkg-config --exists $(p) || echo $(p))) \
   $(if $(NO_VTK)$(wildcard $(VTK_PREFIX)/include/vtk-$(VTK)/vtkVersion.h),,VTK) $(if $(and $(CLANG),$(if $(FUZZ),,other)),$(shell $(CXX) -fopenmp -include omp.h -x c++ -fsyntax-only \
   /dev/null 2> /dev/null || echo OpenMP)))
@@ -86,9 +86,9 @@ SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benc
   tests/tools/*.bash tests/tools/*.bats))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
-# plot is Python: it draws with the package of the studies, and is linked to where it lies beside that.
+# plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
-# Those of every check; soak takes minutes.
+# Test programs of every check; soak takes minutes.
 TEST_PROGRAMS := $(foreach t,$(filter-out soak,$(TESTED)),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
 
 .PHONY: all
@@ -98,7 +98,7 @@ all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANIT
 # Compiles, and keeps beside the object what the compiler warned of, for lint. The argument is the rest of the command.
 compile = $(CXX) $(1) 2> $@.warnings; status=$$?; cat $@.warnings >&2; exit $$status
 
-# $(B)/flags changes only when the command line of the compiler does; every object depends on it.
+# $(B)/flags changes only when the compiler's command line does; every object depends on it.
 FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
 $(B)/flags: always
 	@$(foreach m,$(strip $(missing)),echo 'make: $m is not installed; $(or $(remedy_$m),run: make deps)' >&2; exit 1;)
@@ -107,7 +107,7 @@ $(B)/flags: always
 .PHONY: always
 always:
 
-# Headers parsed once per tree and level of optimisation; sources compile in half the time.
+# Headers are parsed once per tree and level of optimisation, which halves the time to compile sources.
 $(B)/precompiled/%.h.gch: lib/core/precompiled.h $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $(@:.gch=)'
@@ -140,7 +140,7 @@ HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/grain_motion.cpp lib/dem/
 WIDE := contact_sweep grain_motion
 EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/lib/dem/%.avx512.o))
 $(HOT) $(EIGHT): private CXXFLAGS += $(if $(CLANG),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
-# AVX-512 roots: its headers leave a register unset on purpose (bug 105593).
+# AVX-512 roots: GCC's headers leave a register unset on purpose (bug 105593).
 $(EIGHT): private CXXFLAGS += -Wno-uninitialized
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
 $(if $(EIGHT),$(call object,lib/dem/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
@@ -150,25 +150,25 @@ $(B)/obj/lib/dem/%.avx512.o: lib/dem/%.cpp $(B)/flags
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) $(AVX512) -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@.all)
 	@ld -r --force-group-allocation $@.all -o $@.one
 	@objcopy --wildcard --keep-global-symbol='*$*_of_eight*' $@.one $@ && rm $@.all $@.one
-# For tests of their bits on any processor: the same, lowered to the baseline.
+# Objects of eight lanes lowered to the baseline, so that tests can compare bits on any processor.
 LOWERED := $(WIDE:%=$(B)/obj/lib/dem/%.eight.o)
 $(LOWERED): $(B)/obj/lib/dem/%.eight.o: lib/dem/%.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
-# What looks at the processor must run on any.
+# The check of the processor must run on any processor.
 $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (any processor)'
 	@$(call compile,$(CPPFLAGS) $(subst -march=x86-64-v3,-march=x86-64,$(CXXFLAGS)) -c $< -o $@)
-# The tests themselves need not be fast, but compile fast; what times the library does.
+# Tests need not be fast, but must compile fast; bench times the library.
 TEST_OBJECTS := $(call object,$(foreach t,$(TESTED),$(call tests_of,$(t))) $(SUPPORT) $(TEST_MAIN))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
 $(TEST_OBJECTS): $(PRECOMPILED_TESTS).gch
 $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
 $(TEST_OBJECTS) $(PRECOMPILED_TESTS).gch: private CXXFLAGS += $(if $(SANITIZE),-O0,-O1)
 
-# $(B)/sources remembers which files the archive is made of: a source taken away must leave it too.
+# $(B)/sources lists the files of the archive, so that a deleted source leaves it too.
 $(B)/sources: always
 	@mkdir -p $(@D)
 	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
@@ -185,13 +185,13 @@ $(B)/bin/%: $(B)/obj/tools/%.o $(B)/libsoilweave.a
 $(B)/bin/plot: tools/plot
 	@mkdir -p $(@D) && ln -sf $(CURDIR)/$< $@
 
-# A weak symbol of the archive does not call for them.
+# A weak symbol does not make the linker take a member of the archive.
 VTK_TOOLS := $(if $(NO_VTK),,to-vtk filter-expand)
 $(B)/bin/to-vtk: $(call object,lib/io/vtk.cpp)
 $(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/io/vtk_read.cpp))
 $(VTK_TOOLS:%=$(B)/bin/%): LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
-# Linked before the archive: its ranks take the place of the one process there.
+# Linked before the archive, so that its ranks replace those of the single process.
 $(call object,$(MPI_ONLY)): private CPPFLAGS += $(call system,$(shell pkg-config --cflags ompi-cxx 2>/dev/null))
 .PHONY: mpi
 mpi: $(B)/mpi/fem-dem ## fem-dem over several machines: mpirun -n 4 build/mpi/fem-dem (needs libopenmpi-dev)
@@ -224,7 +224,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
 
-# Kept objects: make would otherwise delete the tools' as intermediates and build them again next time.
+# Objects are kept; make would otherwise delete those of the tools as intermediates and build them again.
 .SECONDARY:
 
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
@@ -248,7 +248,7 @@ deps: ## install the Debian packages that are missing (as root or through sudo; 
 # A sub-make takes part in the job server of 'make -jN' and starts one of its own otherwise.
 AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS)),,-j$(JOBS))
 
-# A single test may take SOILWEAVE_TEST_LIMIT seconds (600); then it is stopped and named.
+# A single test may take SOILWEAVE_TEST_LIMIT seconds (600). Then it is stopped and named.
 .PHONY: check
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
 	@$(AGAIN) deps
@@ -264,18 +264,19 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@$(AGAIN) test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
-# Tests that a check leaves out are noted here: program, test and reason, with tabs between them.
+# Skipped tests are noted here: program, test and reason, separated by tabs.
 SKIPPED := $(CURDIR)/build/skipped
 check: export SOILWEAVE_SKIPPED := $(SKIPPED)
 skip = { echo "== $(1): skipped: $(3)"; printf '%s\t%s\t%s\n' '$(1)' '$(2)' '$(3)' >> "$${SOILWEAVE_SKIPPED:-/dev/null}"; }
 
-# One process a core, each with a share of the tests that is small enough for all to end together.
+# One process per core takes small shares of the tests, so that all cores end together.
 SHARES = $(shell echo $$((8 * $(JOBS))))
 run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(SHARES) - 1)) | \
   GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
 
-# In a check the unit tests run once, under the sanitizers; to compile them twice would take as long as all the tools.
-# Machines must give the same bytes, so no compiler may fuse products with sums by itself.
+# A check runs the unit tests once, under the sanitizers, because compiling them twice would take as long as all the
+# tools.
+# Machines must give equal bytes, so no compiler may fuse products with sums by itself.
 .PHONY: fused
 fused: $(B)/libsoilweave.a
 	@found=$$(objdump -d --no-show-raw-insn $< | awk '/file format/ { file = $$1 } /vfmaddsub|vfmsubadd/ { print file }' | sort -u); \
@@ -293,7 +294,7 @@ test: $(TEST_PROGRAMS) ## unit, property and benchmark tests of the library
 test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tests (SANITIZE=1: under the sanitizers)
 	@$(call run_tests,$^)
 
-# The bag's test takes a minute on one core: begun last, it would leave the others idle.
+# The bag's test takes a minute on one core; begun last it would leave the others idle.
 LONGEST_FIRST := tests/tools/soilbag.bats $(filter-out tests/tools/soilbag.bats,$(sort $(wildcard tests/tools/*.bats)))
 .PHONY: test-tools
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
@@ -303,14 +304,15 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	  --report-formatter tap --output $(B)/tests/tools $(LONGEST_FIRST)
 	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
 
-# Tests that read, compare and write run a second time in a locale whose decimal sign is a comma, where there is one.
+# Tests that read, compare and write run again in a locale with a decimal comma, if there is one.
 .PHONY: test-study
 test-study: ## the studies' Python package, on small tables
 	@echo "== tests/study"
 	@$(STUDY_PY) -m pytest -q -p no:cacheprovider tests/study
 	@LC_ALL=de_DE.UTF-8 $(STUDY_PY) -m pytest -q -p no:cacheprovider tests/study/test_study.py
 
-# Its pvpython cannot be installed beside libvtk9-dev, which needs python3-vtk9; beside it unpacked it can be, and needs no root.
+# ParaView's pvpython cannot be installed beside libvtk9-dev, which needs python3-vtk9. Unpacked beside it, it needs no
+# root.
 .PHONY: paraview
 paraview: build/paraview/pvpython ## ParaView, unpacked into build/paraview: its test is then no longer skipped
 build/paraview/pvpython:
@@ -384,8 +386,9 @@ format-check:
 	@$(if $(CLANG_FORMAT),$(CLANG_FORMAT) --dry-run --Werror $(SOURCES) $(HEADERS) && echo "== format: clean",\
 	  $(call skip,format,layout of the sources,clang-format $(LAYOUT) decides it$(comma) and is not installed))
 
-# clang-tidy reads the sources of a folder as one, for what takes its time is the headers, and leaves a stamp per folder.
-# Without OpenMP, for neither clang-tidy nor all versions of the compiler have an omp.h that clang-tidy reads.
+# clang-tidy reads the sources of a folder as one, because most of its time goes into headers, and leaves a stamp per
+# folder.
+# It runs without OpenMP, because neither clang-tidy nor all versions of the compiler have an omp.h that it reads.
 TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -Wall -Wextra -Wpedantic -Wno-unknown-pragmas -Wno-unknown-warning-option $(CLANG_ONLY)
 TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL)
 TIDY := $(patsubst %/,build/lint/%.tidy,$(sort $(dir $(TIDY_SOURCES))))
@@ -400,10 +403,22 @@ $(foreach f,$(TIDY_SOURCES),$(eval $(patsubst %/,build/lint/%.tidy,$(dir $(f))):
 -include $(addsuffix .d,$(TIDY))
 
 .PHONY: lint
-lint: $(TIDY) build/lint/shellcheck warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, file sizes
-	@bash tests/layers.sh && echo "== lint: clean"
+lint: $(TIDY) build/lint/shellcheck warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, file sizes, comments
+	@bash tests/layers.sh && $(PYTHON) tests/comments.py && echo "== lint: clean"
 
-# The compiler's warnings about the sources as they are, where it has compiled them.
+# Each header as the only one of a source. columns8.h and lanes8.h are halves of the headers that include them.
+# No check runs it: it takes some minutes on two cores, and most mistakes of this kind stop a source from compiling.
+ALONE := $(patsubst %,$(B)/headers/%.alone,$(filter-out lib/core/columns8.h lib/core/lanes8.h,$(HEADERS)))
+.PHONY: headers
+headers: $(ALONE) ## compile each header of the library and the tests alone (minutes)
+	@echo "== headers: clean"
+$(B)/headers/%.alone: % $(B)/flags
+	@mkdir -p $(@D)
+	@echo '  c++   $< (alone)'
+	@$(CXX) $(CPPFLAGS) -Itests $(CXXFLAGS) -Werror -include $< -fsyntax-only -MMD -MP -MT $@ -MF $@.d -x c++ /dev/null && touch $@
+-include $(addsuffix .d,$(ALONE))
+
+# Prints the compiler's warnings about the present sources, where it has compiled them.
 .PHONY: warnings
 warnings:
 	@found=0; for tree in build build/sanitize; do for source in $(SOURCES); do \

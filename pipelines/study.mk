@@ -1,4 +1,4 @@
-# What all studies share: where results go, the profile, the report. A study is a folder with a study.mk that adds its
+# Rules that all studies share: places of results, the profile, the report. A study is a folder with a study.mk that adds its
 # name to STUDIES, gives a target of that name, and makes out/NAME/page.html, its section of the report.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -17,7 +17,7 @@ STUDY := $(wildcard pipelines/study/*.py pipelines/study/templates/*)
 # A comma, which functions of make take for the end of an argument.
 comma := ,
 
-# $(call remember,WORDS): a file of these words, which changes only when they do.
+# $(call remember,WORDS): a file with these words, which changes only when they do.
 remember = mkdir -p $(@D) && { printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\n' '$(1)' > $@; }
 # Whatever the profile decides depends on it.
 $(OUT)/profile: always

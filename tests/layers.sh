@@ -11,7 +11,7 @@ fault() {
   faults=$((faults + 1))
 }
 
-# Folders from the lowest up: each may include itself and those before it.
+# Folders from the lowest up. Each may include itself and those before it.
 layers=(core io dem analysis packing calibration gws fem)
 allowed=""
 for layer in "${layers[@]}"; do
@@ -25,7 +25,7 @@ for folder in lib/*/; do
   [[ " ${layers[*]} " == *" $(basename "$folder") "* ]] || fault "$folder: not a layer; add it to tests/layers.sh"
 done
 
-# only PATTERN FOLDERS FILES: among the folders, none but the files includes what the pattern names.
+# only PATTERN FOLDERS FILES: demands that only these files in the folders include the pattern.
 only() {
   local pattern=$1 files=$3 folders
   read -ra folders <<<"$2"
@@ -43,7 +43,7 @@ only 'CLI/' 'lib tools' 'lib/core/tool_parse.cpp'
 only 'toml' 'lib tools' 'lib/core/settings.cpp'
 only '(Eigen/|unsupported/)' 'tools' ''
 
-# limit LINES FILE...: no file is longer.
+# limit LINES FILE...: demands that no file is longer.
 limit() {
   local most=$1 file
   shift
@@ -76,7 +76,7 @@ awk_functions='
 while IFS= read -r line; do fault "$line"; done \
   < <(awk -v most=60 "$awk_functions" "${headers[@]}" "${sources[@]}" "${tools[@]}")
 
-# The licence within the first lines (a header sentence may take several), and a sentence before it.
+# Every file has the licence in its first lines, below a sentence that may take several.
 mapfile -t scripts < <(find tests pipelines .ci -name '*.sh' -o -name '*.bash' -o -name '*.bats' -o -path .ci/run | sort)
 for file in "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}" "${scripts[@]}" Makefile; do
   head -8 "$file" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || fault "$file: no SPDX line at the top"
@@ -86,13 +86,13 @@ for file in "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}"; do
   head -1 "$file" | grep -q 'SPDX' && fault "$file: the first line does not say what the file is"
 done
 
-# Unfinished work is finished or filed, not marked; [o] keeps this line from finding itself.
+# Unfinished work is finished or filed, not marked. The brackets keep this line from finding itself.
 while IFS= read -r line; do
   fault "$line: unfinished"
 done < <(grep -rnwE 'T[O]DO|F[I]XME|X[X]X|H[A]CK|N[O]LINT' lib tools tests pipelines Makefile .ci 2>/dev/null \
   | grep -v '^Binary')
 
-# Nothing of ours ends a process or talks on standard error from the library; core/tool and core/terminal are the doors.
+# The library neither ends the process nor writes to standard error; core/tool and core/terminal do.
 while IFS= read -r line; do
   fault "$line: throw an error of core/error.h instead"
 done < <(grep -rnE 'std::cerr|std::exit|[^_a-z.]exit\(|std::abort|stderr' lib --include='*.cpp' --include='*.h' \

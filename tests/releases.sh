@@ -20,7 +20,7 @@ for need in debootstrap:debootstrap unshare:util-linux git:git; do
 done
 [[ -z $(git status --porcelain) ]] || stop "a commit is what is compared, and there are changes beside it; commit or stash them"
 
-# Mounts and processes belong to namespaces of their own: however this ends, none of them stays behind.
+# Mounts and processes belong to namespaces of their own, so that none stays behind, however this ends.
 if [[ -z ${SOILWEAVE_UNSHARED:-} ]]; then
   unshare --mount --pid --fork true 2> /dev/null || stop "this machine permits no namespaces (unshare --mount --pid); run it outside of the container"
   SOILWEAVE_UNSHARED=1 exec unshare --mount --propagation private --pid --fork --kill-child "$PWD/tests/releases.sh"
@@ -38,13 +38,13 @@ root=$(realpath -m "${ROOT:-build/releases/$release}")
 jobs=${JOBS:-$(nproc)}
 out=build/releases/out
 
-# owner COMMAND: runs it here as whoever called sudo, so that what is built belongs to them.
+# owner COMMAND: runs it here as the user who called sudo, so that built files belong to that user.
 owner() {
   if [[ -n ${SUDO_USER:-} ]]; then runuser -u "$SUDO_USER" -- "$@"; else "$@"; fi
 }
 owner mkdir -p $out
 
-# A root that was not made whole is made anew.
+# A root that was left incomplete is made anew.
 if [[ ! -e $root/made ]]; then
   echo "== $release: debootstrap from $mirror into $root"
   rm -rf --one-file-system "$root"
@@ -56,7 +56,7 @@ cp -L /etc/resolv.conf "$root/etc/resolv.conf"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 
-# there COMMAND: runs it on the other release, in its clone, with nothing of this machine but the way to the network.
+# there COMMAND: runs it on the other release, in its clone, with nothing of this machine but the network.
 there() {
   local -a proxies
   mapfile -t proxies < <(env | grep -iE '^(http|https|no)_proxy=')
@@ -66,7 +66,7 @@ there() {
 
 there 'apt-get update -qq && apt-get install -qq -y --no-install-recommends make git ca-certificates' > "$root.log" 2>&1 ||
   stop "apt-get failed on $release: $(tail -n 1 "$root.log"); see $root.log"
-# A clone of this commit. What was built in it before is kept; what the studies wrote is not.
+# Makes a clone of this commit. Earlier builds in it are kept; results of studies are not.
 clone=$root/soilweave
 [[ -d $clone/.git ]] || git clone -q --no-hardlinks . "$clone"
 git -C "$clone" fetch -q "$PWD" HEAD
@@ -85,7 +85,7 @@ echo "== $here: the same"
 owner make -j"$jobs" all
 owner make -j"$jobs" PROFILE=quick OUT=$out quickstart ch5
 
-# Packings, runs and tables; figures and pages come out as the Matplotlib of a release draws them.
+# Packings, runs and tables are compared; figures and pages depend on the release's Matplotlib.
 kept() {
   (cd "$1/$out" && find quickstart ch5 -type f \( -name '*.h5' -o -name '*.tsv' -o -name '*.txt' \) | LC_ALL=C sort)
 }

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Ten soils, each packed at four void ratios with nothing said but grading, void ratio and pressure: a packing that holds
-# the void ratio at rest within 0.002, or one line that says which are in reach. SPDX-License-Identifier: GPL-3.0-or-later
+# the void ratio at rest within 0.002, or one line that says which are in reach.
+# SPDX-License-Identifier: GPL-3.0-or-later
 #   BIN=build/bin [OUT=folder] [JOBS=2] [SOILS='0.15_1.2 20_2.5'] [VOID_RATIOS='0.60 0.75'] tests/soils.sh
 # Prints a table: soil, void ratio asked for and got, status, steps, seconds, what was said. Fails where an attempt ends
 # otherwise than with status 0 and that void ratio, or with status 1 and a range or a file.
@@ -8,12 +9,12 @@ set -uo pipefail
 export LC_ALL=C.UTF-8
 BIN=$(realpath "${BIN:-build/bin}")
 export BIN OUT=${OUT:-build/soils} OMP_NUM_THREADS=1
-# Diameter in mm that half the mass is finer than, and coefficient of uniformity.
+# Median diameter in mm by mass, and coefficient of uniformity.
 read -ra soils <<< "${SOILS:-0.15_1.2 0.15_2 0.2_1.5 0.5_1.5 0.5_3 1_2 2_1.2 2_4 10_1.5 20_2.5}"
 read -ra void_ratios <<< "${VOID_RATIOS:-0.60 0.65 0.70 0.75}"
 mkdir -p "$OUT"
 
-# grading D50 CU: lognormal by mass, D60 over D10 is CU, within 1.6 standard deviations.
+# grading D50 CU: prints a lognormal curve by mass, D60 over D10 = CU, within 1.6 standard deviations.
 grading() {
   awk -v d50="$1" -v cu="$2" '
     function normal(z,   k, t, sum) {  # the integral of the density, by Simpson

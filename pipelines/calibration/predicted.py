@@ -1,4 +1,4 @@
-"""What a calibration leaves: its parameters, and the curves of the posterior beside each test, as tables and as drawings."""
+"""Results of a calibration: its parameters, and the curves of the posterior beside each test, as tables and as drawings."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import subprocess

@@ -20,7 +20,7 @@ case $law in
   hm | cl) ;;
   *) echo "run.sh: \"$law\" is no law; give hm (Hertz-Mindlin) or cl (linear)" >&2; exit 64 ;;
 esac
-# printf takes a number with leading zeros for an octal one.
+# printf reads a number with leading zeros as octal.
 id=${id#"${id%%[!0]*}"}
 row=$folder/runs/$(printf %06d "${id:-0}")
 
@@ -32,7 +32,8 @@ else
   mkdir -p "$row" && printf '%s\n' "$parameters" > "$row/parameters" || exit 73
 fi
 
-# The author's scripts: in Hertz-Mindlin contacts a limit of 0 is none, and twisting has none; nu of linear ones is k_s/k_n.
+# In the author's scripts a limit of 0 in Hertz-Mindlin contacts is none, and twisting has none; nu of linear ones is
+# k_s/k_n.
 ratio_key=poisson_ratio twisting_limit=none perturb=0
 [ "$law" = cl ] && ratio_key=stiffness_ratio twisting_limit=$limit
 [ "$twin" = 0 ] || perturb=1e-6
@@ -50,6 +51,6 @@ case $status in
   *) cat "$row/log" >&2; exit $status ;;
 esac
 
-# The series with the history of the run. The run itself is large and can be made again; KEEP_RUN=1 keeps it.
+# The series is kept with the history of the run. The run itself is large and can be made again; KEEP_RUN=1 keeps it.
 "$BIN/homogenize" "$row/run.h5" --force -o "$row/series.part" --quiet && rm -f "$row/log" && mv "$row/series.part" "$row/series.h5" || exit 74
 [ -n "${KEEP_RUN:-}" ] || rm -f "$row/run.h5"

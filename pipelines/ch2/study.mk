@@ -17,12 +17,12 @@ C2_SAMPLES ?= $(C2_SAMPLES_$(PROFILE))
 C2_STRAIN_quick := 6
 C2_STRAIN_thesis := 8.5
 C2_STRAIN ?= $(C2_STRAIN_$(PROFILE))
-# Runs of which the greatest stress ratio alone is compared go farther.
+# Runs that are compared only by their greatest stress ratio go farther.
 C2_STRAIN_peak := 10
 # Variances of the observation error of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
 # has 0.1 for all; 0.3 of a stress ratio is 8 % of it, so that the strains then decide alone. 0.025 is 4 % of it.
 C2_ERROR ?= 0.1,0.025,0.1
-# Variance of the greatest stress ratio, where there is no curve: the thesis's.
+# Variance of the greatest stress ratio, if there is no curve: the thesis's.
 C2_ERROR_peak := 0.1
 # Strains (%) at which densities are drawn, as far as the runs go.
 C2_STATIONS := 0.5 1 3 6 8.5
@@ -43,13 +43,13 @@ c2_prior = $(C2)/prior_$(PROFILE)$(if $(filter quick,$(PROFILE)),_$(c2_law)).tom
 # The curves of the laboratory, three observables at each station, where there are; else the greatest stress ratio alone.
 c2_curve = $(wildcard data/laboratory/toyoura_drained_triaxial_$(c2_pressure)MPa.tsv)
 c2_observed = $(or $(c2_curve),$(C2O)/peak_$(c2_pressure)MPa.tsv)
-# What is compared and how: of a curve all its rows, as they are; else the greatest value.
+# Compared quantities: all rows of a curve, as they are; without a curve the greatest value.
 C2_VARIANCE := $(join strain_radial= stress_ratio= strain_volumetric=,$(subst $(comma), ,$(C2_ERROR)))
 C2_ALONG := natural --until $(C2_STRAIN) --variance $(subst $() ,$(comma),$(strip $(C2_VARIANCE))) --at $(subst $() ,$(comma),$(strip $(C2_STATIONS)))
 C2_PEAK := greatest --until $(C2_STRAIN_peak) --variance stress_ratio_peak=$(C2_ERROR_peak)
 c2_thesis = $(wildcard data/contacts/toyoura_$(c2_law)_$(c2_pressure)MPa.tsv)
 C2_BASES := 2,5,7,9,11
-# One ensemble after the other, since each has all cores: a case waits for the last round of the case before.
+# Ensembles run one after the other, since each uses all cores: a case waits for the last round of the case before.
 C2_PAIRS := $(join $(C2_CASES:%=%:),$(wordlist 2,$(words $(C2_CASES)),$(C2_CASES)))
 c2_after = $(patsubst %:$*,$(C2O)/%/posterior.h5,$(filter %:$*,$(C2_PAIRS)))
 

@@ -1,4 +1,4 @@
-"""What the runs of chapter 3 left: a bag under load with its groups and fabric, the recorded series, the tables of a folder."""
+"""Results of the runs of chapter 3: a bag under load with its groups and fabric, the recorded series, the tables of a folder."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import pathlib

@@ -1,4 +1,4 @@
-"""Before loading: how the bag came to be, whether its contacts are spread as the representative volume's, its geotextile alone."""
+"""The bag before loading: its making, the spread of its contacts against the representative volume's, its geotextile alone."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import tomllib

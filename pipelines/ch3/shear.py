@@ -1,4 +1,4 @@
-"""Simple shear of bags of PP under dead loads: measures of one bag, and of how they change with the load."""
+"""Simple shear of bags of PP under dead loads: measures of one bag, and their change with the load."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 from study import NotMade

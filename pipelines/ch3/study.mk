@@ -5,8 +5,9 @@
 STUDIES += ch3
 C3 := pipelines/ch3
 C3O := $(OUT)/ch3
-# Of three representative volumes the one whose bag of full size is the nearest to the mean of theirs in axial stress and load at equal
-# tension (kept/bulging_thesis.tsv); in the quick profile the one that the void ratio below was chosen for.
+# The full-size bag of this one of three representative volumes is nearest to their mean in axial stress and load at
+# equal tension
+# (kept/bulging_thesis.tsv). In the quick profile it is the one for which the void ratio below was chosen.
 C3_SEED_quick := 1
 C3_SEED_thesis := 3
 C3_SEED := $(C3_SEED_$(PROFILE))
@@ -14,10 +15,10 @@ C3_SEED := $(C3_SEED_$(PROFILE))
 C3_LOADS_quick := 2410 24100
 C3_LOADS_thesis := 1330 1870 2410 12050 24100 36150
 C3_LOADS := $(C3_LOADS_$(PROFILE))
-# Just past the greatest load and the greatest shear.
+# Strains just past the greatest load and the greatest shear.
 C3_UC_quick := --set stage.1.strain=0.16
 C3_SS_quick := --set stage.2.parts=10 --set stage.2.move.0.distance=0.008
-# Larger nodes stand out of the bag by as much more: its soil has the same room.
+# Larger nodes stand out of the bag by as much more, so that its soil keeps the same room.
 C3_GRAINS_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] \
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
@@ -27,7 +28,7 @@ C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.
 C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.6 --set growth.measure_every=6 --set growth.overlap=2e-4 \
   --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 \
   --set material.0.twisting.stiffness=1.04
-# A yarn stands for two of the thesis's.
+# A yarn stands for two of the thesis's yarns.
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
 # Runs side by side use the cores better than threads within one; of the full size there is one at a time.
 C3_THREADS_quick := 1
@@ -116,7 +117,7 @@ $(C3O)/uc_PE_yarns_%.tsv: $(C3O)/uc_PE.h5 $(BIN)/homogenize
 $(C3O)/provenance.txt: $(C3O)/uc_PE.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
-# What is measured, of each run: so little that what runs of full size leave can be kept, and compared without them.
+# Measurements of each run, so small that those of full-size runs can be kept and compared without the runs.
 C3_UC := uc_PE uc_PP
 C3_SS := $(C3_LOADS:%=ss_%)
 C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) \

@@ -7,16 +7,16 @@ C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
 C3V_PY := $(STUDY_PY) -m ch3.variants
 C3V_RATE := 0.02
-# Past the greatest load; of full size, past the first yarn's break.
+# Strain past the greatest load; at full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_STATES_quick := [0.04,0.08,0.12,0.16]
 C3V_STATES_thesis := [0.04,0.08]
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set record.strains=$(C3V_STATES_$(PROFILE))
 C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
-# All but the study's own volume, which the bag itself is made of, and bags that are of full size alone.
+# All volumes except the study's own, which the bag itself is made of, and bags that exist at full size only.
 C3_VARIANTS_quick := $(filter-out name seed_$(C3_SEED) bulging_seed_%,$(shell sed '/^#/d' $(C3)/variants.tsv | cut -f 1))
-# What the speed of the plates is worth, fast ones beside slow ones; of full size, nothing else.
+# Effect of the speed of the plates: fast ones beside slow ones. At full size this is the only variant.
 C3V_RATES := paced fast held_often followed
 C3V_SLOW_paced := slow_paced
 C3V_SLOW_fast := slow
@@ -43,7 +43,7 @@ $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
 	@mkdir -p $(@D)
 	@seed=$$($(C3V_PY) seed $*) && $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $${seed/#-/$(C3_SEED)} --threads 1 \
 	  --quiet --force -o $@
-# What is only loaded otherwise is the bag itself.
+# Variants that only load differently use the bag itself.
 $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
 	@seed=$$($(C3V_PY) seed $*) && options=$(call of_variant,$*,bag) && if [ "$$seed$$options" = - ]; then cp $(C3O)/bag.h5 $@; else \
@@ -52,17 +52,18 @@ $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) --set stage.1.rate=$(C3V_RATE),$$options)
 
-# The bag itself comes first; the others are told as differences from it.
+# The bag itself comes first; the others are reported as differences from it.
 $(C3V)/variants.tsv: $(C3_PY) $(STUDY) $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(filter-out bag,$(C3V_ENDED)))
 	@$(C3V_PY) table $(C3V) bag $(filter-out bag,$(C3V_ENDED)) $(call whole,$@)
 
-# What a misfit of the study comes from: bags otherwise shaped or filled, and how much of it is chance: bags of other representative
-# volumes. At the study's own rate, past the greatest stress.
+# Causes of a misfit of the study: bags of another shape or filling, and bags of other representative volumes, which
+# show how much is chance.
+# The runs use the study's own rate and go past the greatest stress.
 C3K := $(C3O)/causes
 C3K_UC := --set stage.1.strain=0.15 --set record.strains=[0.04,0.08,0.12]
 C3_CAUSES_quick := bulging_corners round_corners sharp_corners unstretched meshed_evenly round_sides flatter_sides
 C3_CAUSES := $(C3_CAUSES_$(PROFILE))
-# Of full size one cause, for three volumes: what it is worth beside what chance is.
+# At full size, one cause for three volumes: its effect beside the chance.
 C3_BULGING_thesis := bulging_seed_1 bulging_seed_2 bulging_seed_3
 C3_BULGING := $(C3_BULGING_$(PROFILE))
 C3K_YARNS_quick := PE

@@ -1,4 +1,4 @@
-"""What the runs of chapter 4 left: a cell of reinforced soil in drained compression, the same of soil alone, sections of both forms."""
+"""Results of the runs of chapter 4: a cell of reinforced soil in drained compression, the same of soil alone, sections of both forms."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import pathlib

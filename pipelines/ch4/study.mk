@@ -3,7 +3,7 @@
 # as strong, and a representative volume half as high, so that the cell has its height.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Run by its name: the report of all studies leaves it out.
+# This study runs only by its name; the report of all studies leaves it out.
 C4 := pipelines/ch4
 C4O := $(OUT)/ch4
 C4_FORMS := wrapped layered
@@ -24,10 +24,11 @@ C4_FILL_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set ge
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025 --set growth.delaunay_void_ratio=0.6 \
   --set growth.measure_every=6 --set growth.overlap=2e-4 $(call c4_moments,material.0)
 C4_COARSE := $(call c4_moments,material.0 material.1) --set geotextile.0.multiple=2
-# So few grains of fill lie between bags that high nodes bear a part of the pressure, and sheets crumple by more than at full size.
+# Bags have so few grains of fill between them that high nodes bear part of the pressure, and sheets crumple by more
+# than at full size.
 C4_PUT_quick := --set surround.copies=[5,5,1] --set surround.scale=1.94 --set surround.height_tolerance=0.1 \
   --set surround.stress_tolerance=0.3 $(C4_COARSE)
-# At rest sooner: half of the steps to 20 % are spent on waiting for it.
+# A coarser criterion of rest: half of the steps to 20 % wait for rest.
 C4_LOAD_quick := $(C4_COARSE) --set equilibrium.unbalanced_force=2e-3 --set equilibrium.kinetic_energy=1e-3
 # The ring of five by five copies is half a copy wide.
 C4_FORM_layered_quick := --set surround.rings=0.5
@@ -52,7 +53,7 @@ $(C4_PACKINGS): $(C4O)/%.h5: $(C4_BAG) $(C4_RV) $(C4)/%.toml $(BIN)/filter-expan
 	@echo '  fill  $@'
 	@$(BIN)/filter-expand $< $(C4)/$*.toml --set surround.representative_volume=$(C4_RV) $(C4_PUT_$(PROFILE)) $(C4_FORM_$*_$(PROFILE)) \
 	  --threads $(C4_THREADS) --quiet --resume --force -o $@
-# Soil alone, of true size in either profile.
+# Soil alone, at its true size in either profile.
 $(C4O)/alone.h5: $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
 	@$(BIN)/pack-generate --grains $(C4_GRAINS_$(PROFILE)) --void-ratio 0.68 --pressure 1e4 --seed 1 --threads 1 --quiet --force -o $@

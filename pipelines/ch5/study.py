@@ -103,7 +103,7 @@ def slope(model, share):
 
 
 def measure_trends(study, uniaxial):
-    """How the solution hangs on the stiffness of the geotextile."""
+    """Measures how the solution depends on the stiffness of the geotextile."""
     slopes = {}
     for g, model in uniaxial.items():
         slopes[g] = last(model, "reinforcing_efficiency", "1/m") / last(model, "hoop_strain", "%")
@@ -128,7 +128,7 @@ def measure_trends(study, uniaxial):
 
 
 def measure_triaxial(study, runs):
-    """How the solution hangs on the lateral stress."""
+    """Measures how the solution depends on the lateral stress."""
     capacity = settlement = 0
     shifts = []
     for g in SHEARED:

@@ -1,4 +1,4 @@
-"""What the runs of chapter 6 left: curves over the pull, the history of a point, the soil and its sheet at the end."""
+"""Results of the runs of chapter 6: curves over the pull, the history of a point, the soil and its sheet at the end."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
 import functools
@@ -101,7 +101,7 @@ def spread(curves, start):
 
 
 class History(Series):
-    """What a point went through, output by output. Its parts are named by shares of the pull, which is even in time."""
+    """The history of a point, output by output. Its parts are named by shares of the pull, which is even in time."""
 
     derived = {"pull": ("cm", "pulled", lambda h: 25 * h.table["time"] / h.table["time"][-1]),
                "p": ("kPa", "p", lambda h: h.table["mean_stress"]), "q": ("kPa", "q", lambda h: h.table["deviatoric_stress"]),

@@ -4,7 +4,7 @@
 STUDIES += quickstart
 QS := pipelines/quickstart
 QSO := $(OUT)/quickstart
-# Two packings of a thousand grains may differ in strength by more than the tolerances; means of six do not.
+# Two packings of a thousand grains may differ in strength by more than the tolerances, but means of six do not.
 QS_SEEDS_quick := 1 2 3 4 5 6
 QS_SEEDS_thesis := $(shell seq 1 16)
 QS_SEEDS := $(QS_SEEDS_$(PROFILE))

@@ -1,4 +1,4 @@
-"""What the studies share beyond physics: tables with units, comparison with published values, figures, pages.
+"""Tools that the studies share beyond physics: tables with units, comparison with published values, figures, pages.
 
 A study is a folder pipelines/NAME with study.mk (which file is made from which by which command), expected.tsv and
 study.py, which reads like the chapter: it loads the tables of the tools, names each measure, states what was published

@@ -1,4 +1,4 @@
-"""The shape of a command of the package, as the tools have it: options from one table, help, manual page, completion, statuses."""
+"""The shape of a command of the package, like that of the tools: options from one table, help, manual page, completion, statuses."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import contextlib
 import dataclasses
@@ -15,7 +15,7 @@ STATUSES = {0: "done", 64: "wrong usage", 65: "bad input data", 66: "input missi
 
 
 class Failure(Exception):
-    """What ends a command: its status and one line for each thing that is wrong."""
+    """The failure that ends a command: its exit status, and one line for each mistake."""
 
     def __init__(self, status, *lines):
         super().__init__("\n".join(lines))
@@ -39,7 +39,7 @@ GENERAL = (Option(("--force",), "", "overwrite an existing output file"), Option
 
 @dataclasses.dataclass(frozen=True)
 class Command:
-    """A command and all that it says about itself. words: of the choices of the first operand, by name."""
+    """A command and its description of itself. words: of the choices of the first operand, by name."""
 
     name: str
     sentence: str
@@ -54,7 +54,7 @@ class Command:
         return (*self.options, *GENERAL)
 
     def parse(self, arguments):
-        """Returns options by long name and the operands. Raises Failure, 64, for what no option is or has."""
+        """Returns options by long name and the operands. Raises Failure, 64, for unknown options and values."""
         given, operands, wrong = {o.names[-1]: [] for o in self.all_options()}, [], []
         known = {name: o for o in self.all_options() for name in o.names}
         words = iter(arguments)

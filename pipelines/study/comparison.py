@@ -33,7 +33,7 @@ class Measure:
 
 @dataclasses.dataclass(frozen=True)
 class Statement:
-    """What was published of a measure, and how near it has to be.
+    """A published value of a measure, and how near the measure has to be.
 
     published, tolerance: as written in expected.tsv, in `unit`. relation: one of RELATIONS.
     """

@@ -1,4 +1,4 @@
-"""Figures of curves in a few words: which column over which, of which runs, beside which published points."""
+"""Figures of curves from a short description: columns over a column, for runs and published points."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
 

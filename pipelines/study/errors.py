@@ -1,10 +1,10 @@
-"""The one error of the studies, the nearest known name for its messages, and what is no error: a number that is not made."""
+"""The error of the studies, the nearest known name for its messages, and the exception for a number that a profile does not make."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import difflib
 
 
 class StudyError(Exception):
-    """One line for the reader: which file, what is wrong, what would mend it."""
+    """An error in one line for the reader: the file, the mistake, the remedy."""
 
 
 class NotMade(Exception):

@@ -1,4 +1,4 @@
-"""One style for all figures: colours that colour-blind readers can tell apart, units on every axis, the same bytes again."""
+"""One style for all figures: colours that colour-blind readers can distinguish, units on every axis, reproducible bytes."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import io
 import re

@@ -1,4 +1,4 @@
-"""Files that appear whole."""
+"""Writes files so that no reader meets half of one."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import contextlib
 import errno

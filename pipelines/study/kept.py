@@ -1,4 +1,4 @@
-"""What a run at full size measured, kept in the repository: the comparison.tsv that it wrote, read beside today's statements."""
+"""Measurements of a run at full size, kept in the repository: its comparison.tsv, read beside today's statements."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .comparison import Verdict
 from .errors import StudyError, suggestion

@@ -1,4 +1,4 @@
-"""What the command `plot` draws: kinds of plots, each of one or several runs or tables beside each other."""
+"""Plots of the command `plot`: each kind shows one or several runs or tables beside each other."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
 import pathlib

@@ -1,4 +1,4 @@
-"""What a study.py builds up, and how its files are written: measured.tsv, comparison.tsv, figures, page.html, card.json."""
+"""The study that a study.py builds, and its files: measured.tsv, comparison.tsv, figures, page.html, card.json."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import dataclasses
@@ -23,7 +23,7 @@ FIRST_SCREEN = 120  # words that lead, headline and score may have together
 
 @dataclasses.dataclass
 class Group:
-    """Statements that a page shows in one table, and what it says below it."""
+    """Statements that a page shows in one table, and the note below it."""
 
     heading: str
     statements: list = dataclasses.field(default_factory=list)
@@ -33,7 +33,7 @@ class Group:
 
 @dataclasses.dataclass(frozen=True)
 class Shown:
-    """A figure as the page shows it: its panels as markup, the sentence beneath, and what it bears out. width: in points."""
+    """A figure on the page: its panels as markup, the sentence beneath, and the claim it supports. width: in points."""
 
     panes: list
     width: float
@@ -45,7 +45,7 @@ class Shown:
 
 @dataclasses.dataclass(frozen=True)
 class Score:
-    """How well a study agrees: in words, and as a share of what is judged. total: 0 where nothing is."""
+    """Agreement of a study: in words, and as a share of the judged statements. total: 0 if nothing is judged."""
 
     text: str
     met: int
@@ -106,7 +106,7 @@ class Study:
         return study
 
     def tell(self, **values):
-        """Lets the page say what words.toml has: lead, headline, remarks, reasons, appendix, and captions of figures that follow.
+        """Takes the texts of the page from words.toml: lead, headline, remarks, reasons, appendix, and captions of figures that follow.
 
         values: what its texts may name, beside say() and published() of the study, `kept` (of say: the kept run's numbers are
         told, since this one is not judged), `profile` and `judged`.
@@ -170,7 +170,7 @@ class Study:
         self.measures[name] = Measure(kept, unit, None if deviation is None else float(deviation))
 
     def unmade(self, name, unit, reason):
-        """Says that this profile does not make the runs that would give the measure, and why."""
+        """Notes that this profile does not make the runs for the measure, and why."""
         if name in self.measures:
             raise StudyError(f"{name}: is measured twice")
         self.measures[name] = Measure(None, unit, reason=reason)
@@ -197,7 +197,7 @@ class Study:
         self.checks.append(Statement(name, relation, str(bound), str(tolerance), unit, "this study", description))
 
     def reason(self, name, text):
-        """Says why a statement on this measure is not met; its row shows it where it is not."""
+        """Notes why a statement on this measure is not met; its row shows the reason if it is not."""
         self._reasons[name] = text
 
     def kept(self, path):
@@ -233,7 +233,7 @@ class Study:
         return quantity(found.published.replace("-", "−"), found.unit)
 
     def remark(self, text):
-        """Adds a paragraph below the figures: what to bear in mind."""
+        """Adds a paragraph below the figures, as a caveat."""
         self.remarks.append(text)
 
     def text(self, heading, path):
@@ -338,7 +338,7 @@ class Study:
             raise StudyError(f"{self.name}: lead, headline and score have {words} words; {FIRST_SCREEN} are what a first screen holds")
 
     def write_tables(self):
-        """Writes what was measured, each published value beside it, and the figures: all files but those of the page."""
+        """Writes the measurements, each published value beside them, and the figures: all files except those of the page."""
         for name, svg in self._drawings.items():
             put(self.out / f"{name}.svg", svg)
         made = {name: m for name, m in self.measures.items() if m.value is not None}

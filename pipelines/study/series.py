@@ -1,4 +1,4 @@
-"""A table as figures and measures read it: columns in the units of QUANTITIES, and what is derived from them row by row."""
+"""A table as figures and measures read it: columns in the units of QUANTITIES, and columns derived from them row by row."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import numpy
 

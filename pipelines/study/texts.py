@@ -1,4 +1,4 @@
-"""words.toml of a study: all that its page says, with numbers filled in from the run; and how figures are captioned."""
+"""words.toml of a study: all texts of its page, with numbers filled in from the run, and captions of figures."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import tomllib
 

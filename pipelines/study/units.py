@@ -49,7 +49,7 @@ _WRITTEN = str.maketrans({"²": "2", "³": "3", "\u00b5": "u", "\u03bc": "u"})
 
 
 def factor(given, wanted):
-    """Returns what turns a number in the unit `given` into one in `wanted`. Raises StudyError where they do not fit."""
+    """Returns the factor from the unit `given` to the unit `wanted`. Raises StudyError if they do not fit."""
     given, wanted = (unit.translate(_WRITTEN) for unit in (given, wanted))
     for unit in (given, wanted):
         if unit not in _UNITS:

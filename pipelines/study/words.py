@@ -1,9 +1,9 @@
-"""Numbers as sentences hold them."""
+"""Numbers as text in sentences."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
 import re
 
-# A number does not part from its unit at the end of a line.
+# A no-break space keeps a number and its unit on one line.
 _SPACE = "\u00a0"
 
 

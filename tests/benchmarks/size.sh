@@ -13,7 +13,7 @@ out=${OUT:-$here/../../build/bench}
 mkdir -p "$out"
 export LC_ALL=C.UTF-8
 "$bench" --benchmark_filter=size_of_system --benchmark_format=csv 2> /dev/null > "$out/size_of_system.csv"
-# One thread and two in turn, medians: what else the machine does then falls on both.
+# Medians over one thread and two in turn, so that other work of the machine affects both.
 "$bench" --benchmark_filter=small_systems --benchmark_repetitions=15 --benchmark_enable_random_interleaving=true \
   --benchmark_format=csv 2> /dev/null > "$out/small_systems.csv"
 

@@ -51,7 +51,7 @@ scales() { # EXAMPLE PACKING
   rm -f "$out/$1"_*.rates
   for _ in $(seq "$rounds"); do
     for threads in 1 2; do
-      # Its own account of what it did: the time of the packings, without what reads and writes the file.
+      # fem-dem reports the speed of its packings itself, without the reading and writing of files.
       "$BIN/fem-dem" "pipelines/ch6/$1.toml" "$out/ch6/$2.h5" --set time.duration="$stretch" \
         --set time.output_interval="$stretch" --threads "$threads" --force -o "$out/$1_$threads.h5" 2>&1 | tee /dev/stderr |
         sed -n 's/.*: \([0-9.e+]*\) packing steps.*/\1/p' >> "$out/$1_$threads.rates"

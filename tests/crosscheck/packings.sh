@@ -18,7 +18,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# scaled GRAINS LX LY LZ: the packing as text, its grains of the mean volume that those of the 1000 have.
+# scaled GRAINS LX LY LZ: prints the packing as text, with the mean volume of its grains as in the packing of 1000.
 solids=$(awk -F , 'NR > 1 { v += $4 ^ 3 } END { printf "%.17g", v / (NR - 1) }' "$reference/ch2/toyoura_rv_1000.csv")
 scaled() {
   local csv=$reference/ch2/toyoura_rv_$1.csv factor
@@ -32,7 +32,7 @@ scaled 1000 0.0462201 0.0461205 0.0921203
 scaled 2000 0.050135 0.050157 0.099452
 scaled 5000 0.046171 0.046258 0.092015
 
-# one GRAINS TWIN: its mean stress ratio between 5 and 8 % axial strain.
+# one GRAINS TWIN: prints its mean stress ratio between 5 and 8 % axial strain.
 one() {
   local perturb=1e-6
   [[ $2 -eq 0 ]] && perturb=0

@@ -11,7 +11,7 @@ VOID_RATIO = 5e-4      # of the mean after isotropic compression
 STRESS_RATIO = 0.02    # relative, up to 1 % strain
 VOLUMETRIC = 0.03      # %, up to 1 % strain
 LABORATORY = {"hm": 6.0, "cl": 2.2}  # %, root mean square of the stress ratio, as well as the peer meets it
-# Of stations whose difference is normal, 32 % lie beyond one combined standard deviation; neighbours go together.
+# If differences are normal, 32 % of stations lie beyond one combined standard deviation; neighbours go together.
 BEYOND = 0.45
 SHOWN = (0.1, 0.5, 1, 1.5, 2, 3, 4, 6, 8, 10)
 

@@ -70,7 +70,7 @@ rate = 0.1
 reset_strain = true'
 for law in hm cl; do echo "$stages" >> $law.toml; done
 
-# one LAW SERVO RATE TWIN: a test, as a table.
+# one LAW SERVO RATE TWIN: prints a test as a table.
 one() {
   local law=$1 servo=$2 rate=$3 twin=$4 perturb=1e-6
   [[ $twin -eq 0 ]] && perturb=0

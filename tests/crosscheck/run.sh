@@ -17,13 +17,13 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# peer NAME JSON: YADE carries out an order, output to NAME.
+# peer NAME JSON: lets YADE carry out an order, with output to NAME.
 peer() {
   ORDER=$2 yade -n -x -j1 "$here/peer.py" > peer.log 2>&1 < /dev/null || true
   [[ -s $1.speed ]] || { tail -5 peer.log >&2; echo "crosscheck: YADE did not finish $1" >&2; exit 1; }
 }
 
-# law NAME FORM: the parameters of a law, as TOML or as JSON.
+# law NAME FORM: prints the parameters of a law as TOML or as JSON.
 law() {
   case $1-$2 in
     lattice-hertz-mindlin-toml)
@@ -49,7 +49,7 @@ law() {
   esac
 }
 
-# columns FILE NAME...: these columns of our table, without the header.
+# columns FILE NAME...: prints these columns of our table, without the header.
 columns() {
   awk -F '\t' -v names="${*:2}" '
     NR == 1 { for (i = 1; i <= NF; ++i) { split($i, part, / \[/); at[part[1]] = i }; n = split(names, name, " "); next }
@@ -117,7 +117,7 @@ packing() {
 triaxial() {
   local name=$1 twin began
   { law "triaxial-$name" toml
-    printf '[servo]\nkind = "inertia"\n'  # as the peer has it: it rings, which shifts the stress ratio by a per cent
+    printf '[servo]\nkind = "inertia"\n'  # YADE's servo oscillates, which shifts the stress ratio by a per cent
     printf '[[stage]]\npath = "isotropic"\npressure = 2e5\n'
     printf '[[stage]]\npath = "triaxial"\nreset_strain = true\nconfining_pressure = 2e5\naxial_strain = 0.02\n'
     printf 'increment = 1e-3\nrate = 0.1\n'; } > triaxial.toml

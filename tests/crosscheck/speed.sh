@@ -27,7 +27,7 @@ packing() {
     1000) zcat "$reference/hm31_0.2MPa_N1000.txt.gz" > 1000.txt ;;
     70000) zcat "$reference/hm31_eta0.13_0.2MPa_N70000_tiled7x10x1.txt.gz" > 70000.txt ;;
     disks)
-      # By the law it is loaded with: at rest from the first step on, in whatever engine.
+      # The packing is made by the law of its loading, so that it is at rest from the first step in any engine.
       scenario disks 0 | sed '/^\[equilibrium\]/,$d' > disks_material.toml
       pack-generate --quiet --material disks_material.toml --dimension 2 --grains 400 --aspect 1 --mean-radius 0.003 \
         --density 2650 --pressure 1e5 -o disks.h5
@@ -73,8 +73,9 @@ price() { # SAID: steps per second of the clock beside output, and contacts
     printf "%.9g %d\n", steps / (clock * (1 - output / 100)), pairs }'
 }
 
-# Of one thread all count processor time, which others on the machine take less from than from the clock's. What is spent
-# on output and the start, once a run, is left out here as it is for the peers.
+# All engines count processor time on one thread, because other work on the machine takes less of it than of the
+# clock's.
+# Output and start, once per run, are left out for every engine.
 ours() { # CASE THREADS TO
   scenario "$1" "${strain[$1]}" > scenario.toml
   local pin=(first_core) TIMEFORMAT='%R %U %S'
@@ -85,7 +86,7 @@ ours() { # CASE THREADS TO
     printf "%.6g %d\n", $1 / share, $2 }' > "$3"
 }
 
-# Two runs side by side, a core each: as much as this machine gives two threads that need nothing of one another.
+# Two runs side by side, one per core, show the most that this machine gives two threads that share nothing.
 side_by_side() { # CASE TO
   scenario "$1" "${strain[$1]}" > scenario.toml
   for core in 0 1; do
@@ -102,7 +103,7 @@ yade_speed() { # CASE TO
   [[ -s $2 ]] || { tail -n 5 peer.log >&2; echo "bench-peers: YADE did not finish" >&2; exit 1; }
 }
 
-# Grains of the text as LAMMPS reads them; the step is 0.3 r_min sqrt(density/E).
+# Prints the grains of the text for LAMMPS; the step is 0.3 r_min sqrt(density/E).
 grains() {
   awk '/^##/ { lx = $2; ly = $3; lz = $4; next } { ++n; line[n] = sprintf("%d 1 %.10g 2650e3 %.10g %.10g %.10g", n, 2 * $4, $1, $2, $3) }
     END { printf "packing\n\n%d atoms\n1 atom types\n0 %.10g xlo xhi\n0 %.10g ylo yhi\n0 %.10g zlo zhi\n\nAtoms\n\n", n, lx, ly, lz
@@ -145,9 +146,10 @@ bar() { # WORDS CASE NUMERATOR DENOMINATOR BAR
     met = a / b >= bar; printf "  %s: %.3g times, at least %s: %s\n", words, a / b, bar, met ? "met" : "MISSED"; exit !met }' || missed=1
 }
 
-# Of 70,000 as many steps that making the simulation, which the peers' warm-up holds, counts little.
+# A packing of 70,000 grains runs so many steps that making the simulation counts little; the peers' warm-up includes
+# that.
 declare -A strain=([1000]=0.05 [70000]=0.006 [disks]=0.05) peer_steps=([1000]=1000 [70000]=30 [disks]=8000)
-# Disks: the same force on a side, over the peer's thickness of 0.03 m.
+# Disks get the same force per side, over YADE's thickness of 0.03 m.
 declare -A peer_pressure=([1000]=2e5 [70000]=2e5 [disks]=3.333e6)
 declare -A peer_warm_up=([1000]=200 [70000]=10 [disks]=1000)
 missed=0

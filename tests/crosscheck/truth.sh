@@ -28,7 +28,7 @@ strain=4
 KEEP_RUN=1 "$study/run.sh" hidden "$law" packing.h5 "$scenario" 0.2 $strain 0 "${truth[@]}" 7
 homogenize hidden/runs/000000/run.h5 --tsv --table series > series.tsv
 
-# Twelve stations; noise as exact as a good laboratory, and the scatter of twins.
+# Twelve stations, with the noise of a good laboratory and the scatter of twins.
 deviations=(0.03 0.06 0.03)
 awk -F '\t' -v radial="${deviations[0]}" -v ratio="${deviations[1]}" -v volume="${deviations[2]}" '
   function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # Thousands of hostile inputs to every reader and option of the tools: mutated text, edited HDF5, extreme numbers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same cases each time (--seed). Demanded of each: no signal, a documented status, no defect, no more than 1 GiB of
-memory beyond the files' own size, a few seconds of processor time, and where it fails one line (mistakes in options and
-TOML: a line each) that begins with the tool's name, without control characters; no output but a whole one, and no
-temporary file. Failing cases are kept in a folder, each with its command."""
+"""A seed gives the same cases each time (--seed). Each case demands: no signal, a documented status, no defect, no more
+than 1 GiB of memory beyond the files' own size, and a few seconds of processor time. A failing command has to print one
+line (mistakes in options and TOML: a line each) that begins with the tool's name, without control characters. Output is
+whole or absent, and no temporary file stays. Failing cases are kept in a folder, each with its command."""
 import argparse
 import collections
 import concurrent.futures
@@ -179,7 +179,7 @@ class Cases:
 
 
 def fault(command, done, files, before, after):
-    """What is wrong with how a command ended, or nothing."""
+    """Returns the fault in the way a command ended, or nothing."""
     tool, status, words = command[0], done.returncode, done.stderr
     if status < 0:
         return "took more than its processor time" if -status in (9, 24) else f"signal {-status}"

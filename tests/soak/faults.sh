@@ -48,7 +48,7 @@ readable() {
   done
 }
 
-# interrupted SIGNAL: one attempt, sent the signal after a random part of the time of a whole run.
+# interrupted SIGNAL: makes one attempt and sends it the signal after a random part of a whole run's time.
 interrupted() {
   local status=0
   "${run[@]}" --resume -o out.h5 2> said &

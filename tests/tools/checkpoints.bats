@@ -48,17 +48,17 @@ setup() {
   ln -s "$BATS_FILE_TMPDIR"/* .
 }
 
-# short ARGUMENTS...: the reference run, kept often.
+# short ARGUMENTS...: runs the reference run with frequent checkpoints.
 short() {
   run-dem --quiet --checkpoint-every 0.002 packing.h5 short.toml "$@"
 }
 
-# broken CALL AT COMMAND...: the command with this system call failing from the AT-th on.
+# broken CALL AT COMMAND...: runs the command with this system call failing from the AT-th on.
 broken() {
   LD_PRELOAD=$PWD/faults.so FAULT=$1 FAULT_AT=$2 "${@:3}"
 }
 
-# stopped SIGNAL SECONDS: the run, sent the signal after this time; $status is its exit status.
+# stopped SIGNAL SECONDS: sends the run the signal after this time; $status is its exit status.
 stopped() {
   env --default-signal run-dem --quiet --checkpoint-every 0.002 packing.h5 short.toml --resume -o out.h5 2> said &
   local run=$!
@@ -68,7 +68,7 @@ stopped() {
   wait $run || status=$?
 }
 
-# A run that does not end while a test looks on; $run is its process.
+# Starts a run that does not end while a test looks on; $run is its process.
 begin_long() {
   run-dem --quiet --checkpoint-every 0.02 packing.h5 short.toml --set stage.1.rate=1e-6 -o out.h5 2> said &
   run=$!
@@ -269,7 +269,7 @@ command with --resume goes on from there" said || show "$(< said)"
   grep -Eq '^5 states recorded, file about [0-9.]+ kB, memory about [0-9.]+ MB$' <<< "$output" || show "no sizes"
   local predicted
   predicted=$(sed -n "s|^about .*: \([0-9]*\) $words\$|\1|p" <<< "$output")
-  # How fast grains come to rest is not known beforehand: the order of magnitude is.
+  # The time until grains rest is not known beforehand, but its order of magnitude is.
   ((predicted > steps / 4 && predicted < steps * 4)) || show "predicted $predicted of $steps steps"
   exits 0 run-dem --check packing.h5 short.toml --set stage.1.way_unbalanced_force=0
   [[ $output == *'stage "triaxial": 4 stations, about '* && $output != *'as given'* ]] || show "wanted a guess, for nothing is paced"

@@ -43,7 +43,7 @@ without_doubts() {
   grep -v ': doubt: ' <<< "$stderr" || true
 }
 
-# mentions STATUS TOOL WORDS ARGUMENTS...: one line that starts with the tool's name and holds the words.
+# mentions STATUS TOOL WORDS ARGUMENTS...: demands one line that starts with the tool's name and contains the words.
 mentions() {
   local wanted=$1 tool=$2 words=$3
   shift 3
@@ -53,8 +53,9 @@ mentions() {
   [[ $stderr != *$'\n'* ]] || show "wanted one line"
 }
 
-# refuses STATUS TOOL WORDS ARGUMENTS...: as mentions, and nothing was written: no standard output, and in this folder
-# the same files with the same bytes.
+# refuses STATUS TOOL WORDS ARGUMENTS...: demands what mentions() does, and that nothing was written: no standard
+# output, and the same files
+# with the same bytes in this folder.
 refuses() {
   local before
   before=$(here)
@@ -67,19 +68,20 @@ here() {
   find -L . -type f -exec sha256sum {} + | sort -k 2
 }
 
-# same_bytes ONE OTHER: files that hold something, and the same; the other may be a process substitution.
+# same_bytes ONE OTHER: demands equal files that are not empty; the other may be a process substitution.
 same_bytes() {
   [[ -s $1 ]] || { show "$1 is missing or empty"; return 1; }
   cmp "$1" "$2" || show "$1 and $2 differ"
 }
 
-# other_bytes ONE OTHER: files that hold something, but not the same.
+# other_bytes ONE OTHER: demands different files that are not empty.
 other_bytes() {
   [[ -s $1 && -s $2 ]] || { show "$1 or $2 is missing or empty"; return 1; }
   ! cmp -s "$1" "$2" || show "$1 and $2 are the same"
 }
 
-# same_text ONE OTHER, other_text ONE OTHER: files or process substitutions; nothing at all is neither the same nor another text.
+# same_text ONE OTHER, other_text ONE OTHER: compare files or process substitutions; empty text is neither equal nor
+# different.
 same_text() {
   local one other
   one=$(cat "$1") other=$(cat "$2")
@@ -109,21 +111,22 @@ table() {
   awk "$by_name $1" "${@:2}"
 }
 
-# value FILE COLUMN ROW: one number of a table; rows count from 1, or "last". Where there is none, words that no other file gives.
+# value FILE COLUMN ROW: prints one number of a table; rows count from 1, or "last". Without it, prints words that no
+# other file gives.
 value() {
   awk -v name="$2" -v row="$3" "$by_name"'
     row == "last" || NR == row + 1 { found = text(name) }
     END { if (found == "") exit 1; print found }' "$1" || { echo "(no $2 in row $3 of $1)"; return 1; }
 }
 
-# near ONE OTHER TOLERANCE (relative): finite numbers, all three.
+# near ONE OTHER TOLERANCE (relative): demands three finite numbers.
 near() {
   awk -v a="$1" -v b="$2" -v t="$3" "$is_number"'
     BEGIN { if (!is_number(a) || !is_number(b) || !is_number(t)) exit 1
       d = a - b; if (d < 0) d = -d; m = b < 0 ? -b : b; exit !(d <= t * m) }' || show "'$1' is not '$2' to '$3'"
 }
 
-# holds CONDITION NAME=NUMBER...: an awk condition on numbers, each of which must be one.
+# holds CONDITION NAME=NUMBER...: demands an awk condition on numbers, each of which must be one.
 holds() {
   local condition=$1 argument
   local -a given=()
@@ -135,14 +138,14 @@ holds() {
   awk "${given[@]}" "BEGIN { exit !($condition) }" || show "wanted $condition of $*"
 }
 
-# needs_reference FILE: $reference is the path of this reference data; the test is skipped where there is none.
+# needs_reference FILE: sets $reference to the path of this reference data, or skips the test.
 needs_reference() {
   [[ -n ${SOILWEAVE_REFERENCE:-} ]] || skip "SOILWEAVE_REFERENCE is not set"
   reference=$SOILWEAVE_REFERENCE/$1
   [[ -e $reference ]] || skip "no $1 in SOILWEAVE_REFERENCE"
 }
 
-# analysis_inputs: files of every kind that analyses take, in $IN.
+# analysis_inputs: makes files of every kind that analyses take, in $IN.
 analysis_inputs() {
   local case
   export IN=$BATS_FILE_TMPDIR
@@ -156,7 +159,7 @@ every_tool() {
   for tool in "$BIN"/*; do basename "$tool"; done
 }
 
-# family_of PID: its children and theirs.
+# family_of PID: prints its children and their children.
 family_of() {
   local file line child
   for file in /proc/[0-9]*/stat; do
@@ -178,7 +181,7 @@ limit_time() {
     trap - ERR EXIT DEBUG
     set +eET
     exec < /dev/null > /dev/null 2>&1
-    # Whatever pipe it held would look open to the one who reads it.
+    # A pipe that it held would look open to its reader.
     for held in /proc/"$BASHPID"/fd/*; do
       held=${held##*/}
       ((held < 3 || held == 255)) || eval "exec $held>&-"

@@ -43,7 +43,7 @@ setup() {
   [[ $(grep -c '  doubt: inertia: stage "shear" at 0.5 1/s' <<< "$output") -eq 1 ]] || show "wanted it in the history"
   exits 0 run-dem --check packing.h5 short.toml
   [[ $stderr == *"$said"* && $output == *"time step "* ]] || show "wanted it beforehand"
-  # The rate that would do does.
+  # The suggested rate works.
   local rate=${stderr##*a rate of }
   exits 0 run-dem --check packing.h5 short.toml --set "stage.1.rate=${rate%% *}"
   [[ $stderr != *"inertial number"* ]] || show "the rate does not do"
@@ -58,7 +58,7 @@ setup() {
   wait "$run" || true
   exits 0 run-dem --quiet packing.h5 short.toml --resume -o out.h5
   same_bytes whole.h5 out.h5
-  # What is finished is known to be, doubts and all.
+  # A finished run is recognised as finished, even with doubts.
   exits 0 run-dem packing.h5 short.toml --resume -o out.h5
   [[ $stderr == "run-dem: out.h5 is finished already" ]] || show
 }
@@ -80,7 +80,8 @@ PY
   done
 }
 
-# follows WORDS CALL -- SETS: run-dem with the sets of CALL fails with the words, and does not with those of SETS too.
+# follows WORDS CALL -- SETS: demands that run-dem with the sets of CALL fails with the words, and that adding SETS
+# mends it.
 follows() {
   local words=$1 broken=() mended=() all=()
   shift
@@ -120,7 +121,7 @@ follows() {
       for verb in respond identify design draw assimilate resample; do "$tool" "$verb" --help || true; done
     done
   } > help.txt 2> /dev/null
-  # Words of string literals alone: comments speak of other programs, too.
+  # Only words of string literals count, because comments name other programs too.
   grep -rhoE '"([^"\\]|\\.)*"' "$root"/lib "$root"/tools --include='*.cpp' --include='*.h' > literals.txt
   while read -r word; do
     grep -q -- "$word" help.txt || [[ $word == --man || $word == --completion || $word == --bind-to ]] || show "no tool has $word"

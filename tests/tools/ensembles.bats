@@ -11,7 +11,7 @@ setup() {
   command -v parallel >/dev/null || skip "GNU parallel is not installed"
 }
 
-# The studies' rules with the tools as they are, in a folder of the test's own, on a small ensemble.
+# Runs the studies' rules with the real tools, in a folder of the test's own, on a small ensemble.
 study() { # OUT TARGET...
   printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.SECONDARY:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
     > "$BATS_TEST_TMPDIR/study.mk"
@@ -30,7 +30,7 @@ study() { # OUT TARGET...
     local make=$!
     set +m
     sleep "$((RANDOM % 2)).$((RANDOM % 900 + 100))"
-    # Twice everything that make started, whatever process groups it is in; once make alone, whose jobs live on.
+    # Kills twice everything that make started, whatever its process group, and once make alone, whose jobs live on.
     if ((k < 3)); then family "$make" | xargs -r kill -KILL || true; else kill -KILL "$make" || true; fi
     wait "$make" || true
   done 2>/dev/null
@@ -40,14 +40,14 @@ study() { # OUT TARGET...
   [[ $output != *"  run  "* ]] || show "a finished ensemble ran again"
 }
 
-# family PID: the process and all its descendants.
+# family PID: prints the process and all its descendants.
 family() {
   local child
   for child in $(pgrep -P "$1"); do family "$child"; done
   echo "$1"
 }
 
-# ensemble TABLE: on a small packing, into the folder `case`.
+# ensemble TABLE: runs it on a small packing, into the folder `case`.
 ensemble() {
   "$ROOT/pipelines/calibration/ensemble.sh" "$1" case hm packing.h5 scenario.toml 0.1 0.4
 }
@@ -126,7 +126,7 @@ small_inputs() {
 
 @test "rows go to the hosts of SSHLOGINFILE, names unharmed" {
   small_inputs
-  # Goes to a host as ssh does, HOST -- COMMAND, and stays here.
+  # Stands for ssh HOST -- COMMAND, and runs here.
   cat > hop <<'SH'
 #!/bin/sh
 echo "$1" >> "${0%/*}/called"
@@ -144,7 +144,7 @@ SH
 @test "ENGINE=slurm: rows are an array job, which an interrupted make takes along" {
   small_inputs
   mkdir slurm
-  # The job runs at once where sbatch is called, a task after another, and is over when squeue is asked.
+  # Stands for sbatch: the job runs at once, one task after another, and is over when squeue is asked.
   cat > slurm/sbatch <<'SH'
 #!/bin/sh
 for word; do case $before in --array) last=${word#0-} ;; --wrap) job=$word ;; esac; before=$word; done

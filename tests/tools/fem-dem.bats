@@ -8,7 +8,7 @@ setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR" || return
   cp "$BATS_TEST_DIRNAME/examples/pull.toml" elastic.toml
-  # The same with grains.
+  # A mesh with grains instead.
   awk '/^material/ { print "material = \"grains\""; next } /^(density|young|poisson|initial_stress)/ { next }
     /^columns/ { print "columns = 2"; next } /^rows/ { print "rows = 1"; next } { print }' elastic.toml > grains.toml
   cat >> grains.toml << 'TOML'
@@ -108,7 +108,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   refuses 64 fem-dem "name the file to write with -o" elastic.toml
 }
 
-# mesh TRIANGLE...: two triangles of a unit square, by nodes counter-clockwise from (0, 0), with a word for each.
+# mesh TRIANGLE...: prints two triangles of a unit square, by nodes counter-clockwise from (0, 0), with a word for each.
 # shellcheck disable=SC2016  # Gmsh's dollars, not the shell's
 mesh() {
   printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$PhysicalNames' 2 '1 1 "bottom"' '1 2 "top"' '$EndPhysicalNames' '$Nodes' 4 \

@@ -134,7 +134,7 @@ l[:] = h5py.VirtualSource('pipe', 'x', shape=(n,)); g.create_virtual_dataset('ma
   refused 'is missing' "del g['mass']; g['mass'] = h5py.SoftLink('/particles/grains/mass')"
   edit "f.move('particles/grains/mass', 'far'); g['mass'] = h5py.SoftLink('/far'); f.move('particles/grains/radius', 'particles/grains/r'); g['radius'] = h5py.SoftLink('r')"
   exits 0 homogenize edited.h5 --tsv
-  # Open for writing elsewhere: not damaged, and the remedy works.
+  # The file is open for writing elsewhere: it is not damaged, and the remedy works.
   cp "$made/packing.h5" edited.h5
   "$PYTHON" -c "import h5py, os; f = h5py.File('edited.h5', 'r+', libver='latest'); f.attrs['x'] = 1; f.flush(); os._exit(0)"
   mentions 65 homogenize "is open for writing in another program" edited.h5 --tsv

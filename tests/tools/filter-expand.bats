@@ -44,18 +44,18 @@ setup() {
   # The second row is the one under the plates' load of 20 N.
   near "$(value series.tsv force_top_z 2)" 20 0.02
   near "$(value series.tsv force_bottom_z 2)" -20 0.02
-  # What it is compressed by after that it carries.
+  # After that row the bag carries the compression.
   holds 'last > 40' last="$(value series.tsv force_top_z last)"
   local column
   for column in yarn_tension_face soil_stress_zz soil_volume; do
     holds 'x > 0' x="$(value series.tsv $column 2)"
   done
   homogenize run.h5 --table bag --tsv | grep -q soil_void_ratio
-  # A row a yarn of 12 x 12 x 6 cells; those of the faces have the mean tension that the series tells.
+  # Each yarn of 12 x 12 x 6 cells has a row; those of the faces have the mean tension of the series.
   homogenize run.h5 --state last --table yarns --tsv > yarns.tsv
   [[ $(wc -l < yarns.tsv) -eq $((1 + 2 * 2 * 12 * 13 + 4 * 12 * 5 + 4 * 12 * 6)) ]] || show "$(wc -l < yarns.tsv) rows"
   near "$(table 'c("family") == 0 { sum += c("tension"); ++n } END { printf "%.15g", sum / n }' yarns.tsv)" "$(value series.tsv yarn_tension_face last)" 1e-9
-  # Asked for, they are in a file, too.
+  # On request they are in a file too.
   homogenize --quiet run.h5 --state last --yarns -o fields.h5
   exits 0 "$PYTHON" - << 'PY'
 import h5py
@@ -65,7 +65,7 @@ with h5py.File("fields.h5") as file:
         column = file["fields/yarns/" + head.split(" [")[0]]
         assert column[()].tolist() == [float(line[place]) for line in lines[1:]], head
 PY
-  # Nodes have no cell, thus no stress; yarns and grains are of the same moment.
+  # Nodes have no cell and thus no stress; yarns and grains belong to the same time.
   homogenize run.h5 --state last --table grains --tsv > grains.tsv
   [[ $(value grains.tsv time 1) == "$(value yarns.tsv time 1)" ]] || show "times differ"
   # shellcheck disable=SC2016  # awk's dollar
@@ -80,7 +80,7 @@ PY
   sed '/^yarn_tension/d; s/^yarn_strain.*/curve = "1.3PE"/' press.toml > named.toml
   run-dem --quiet bag.h5 named.toml -o named.h5
   exits 0 gws-solve identify run.h5 named.h5
-  # The secant of the curve in the run over the yarns' distance; 1.3 times the stiffness that the file of PE states.
+  # The stiffness is the secant of the run's curve over the yarns' distance: 1.3 times the stiffness in the file of PE.
   [[ $output == *"run.h5: rows 2 to 4 of 4, up to the last; tensile stiffness "*" kN/m, the secant to failure"* ]] || show
   [[ $output == *"named.h5: rows 2 to 4 of 4, up to the last; tensile stiffness 68.9 kN/m, of geotextile 1.3PE"* ]] || show
   near "$(sed -n 's/^run.h5: .*stiffness \([0-9.]*\) kN.*/\1/p' <<< "$output")" 52.45 1e-3
@@ -100,9 +100,11 @@ PY
   refuses 65 homogenize "bag.h5: has no series: it is a packing" --table loading --tsv bag.h5
 }
 
-# stops_when_full HISTORY VOID_RATIO LARGEST_COORDINATION_NUMBER: grains grow until the first measurement that misses nothing (volume
-# that stands still, overlap, contacts, void ratio), then come to rest, and the first state at rest that misses nothing either and
-# has no more contacts than asked for is the last.
+# stops_when_full HISTORY VOID_RATIO LARGEST_COORDINATION_NUMBER: demands that grains grow until the first measurement
+# that meets
+# all criteria (steady volume, overlap, contacts, void ratio) and then come to rest. The last state is the first one at
+# rest that meets
+# them too, with no more contacts than requested.
 stops_when_full() {
   table '
     ended { fault("the row before misses nothing and is at rest") }
@@ -114,7 +116,7 @@ stops_when_full() {
       ended = at_rest && full && c("coordination_number") <= most
       round = c("round")
     }
-    # Held grains carry less than 0.9 of the volume along that free ones would; while none grow, nothing is learnt.
+    # Held grains carry less than 0.9 of the volume that free grains would; while none grow, nothing is learnt.
     function stand(growth, now,    free) {
       free = growth_before ? 3 * log(growth / growth_before) : 0
       if (free > 0) standing = log(now / volume) < 0.9 * free
@@ -129,21 +131,21 @@ stops_when_full() {
   filter-expand --quiet packing.h5 bag.toml "${finely[@]}" --set growth.largest_coordination_number=2.9 -o denser.h5 --history denser.tsv
   stops_when_full growth.tsv 100 20
   stops_when_full denser.tsv 0.8 2.9
-  # The void ratio is the one that the bag's tables give.
+  # The void ratio equals the one in the bag's tables.
   homogenize denser.h5 --table bag --tsv > bag.tsv
   near "$(value bag.tsv soil_void_ratio last)" "$(value denser.tsv void_ratio last)" 1e-3
   near "$(value bag.tsv soil_delaunay_void_ratio last)" "$(value denser.tsv delaunay_void_ratio last)" 1e-3
-  # Asked for by the Delaunay volume, it is reached by that, which the bag as dense as it comes does not.
+  # A void ratio by the Delaunay volume is reached by that measure; the bag at its densest would miss it.
   filter-expand --quiet packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.4 -o hull.h5 --history hull.tsv
   holds 'reached <= 0.4 && alone > 0.4' reached="$(value hull.tsv delaunay_void_ratio last)" \
     alone="$(value growth.tsv delaunay_void_ratio last)"
   refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml "${finely[@]:2}" --set growth.delaunay_void_ratio=0.2 -o out.h5
-  # One contact alone bears nothing: at rest fewer than one grain in a hundred has just one.
+  # A single contact bears nothing, so at rest fewer than one grain in a hundred has just one.
   filter-expand --quiet packing.h5 bag.toml --set growth.unbalanced_force=1e-5 -o rested.h5
   fabric rested.h5 --table histogram --tsv > rested.tsv
   [[ $(value rested.tsv contacts 2) -eq 1 && $(value rested.tsv grains 2) -le 4 ]] || show "$(cat rested.tsv)"
   refuses 1 filter-expand "the grains do not fill the container" --quiet packing.h5 bag.toml --set growth.rounds=10 -o out.h5
-  # More overlap asked for than is left at rest, less than there was before.
+  # The requested overlap is more than is left at rest, and less than there was before.
   local round between
   read -r round between < <(table '{ before = rest; rest = c("mean_overlap"); round = c("round") }
     END { printf "%d %.9g\n", round, (before + rest) / 2 }' growth.tsv)
@@ -151,7 +153,7 @@ stops_when_full() {
   refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
 }
 
-# stl FILE OFFSET...: cubes of 40 mm around these points on the diagonal; LEAVE_OUT triangles are missing.
+# stl FILE OFFSET...: writes cubes of 40 mm around these points on the diagonal; LEAVE_OUT triangles are missing.
 stl() {
   local file=$1
   shift
@@ -208,12 +210,12 @@ with open(sys.argv[2], "wb") as file:
     for k in range(0, len(corners), 3):
         file.write(struct.pack("<12fH", 0, 0, 0, *sum(corners[k:k + 3], []), 0))
 PYTHON
-  # A file that --set names is looked for in the working folder.
+  # A file that --set names is searched in the working folder.
   filter-expand --quiet packing.h5 plans/cut.toml --set container.file=binary.STL -o binary.h5
   filter-expand --quiet packing.h5 plans/cut.toml --set container.file=mm.stl --set container.scale=0.001 -o mm.h5
   local file
   for file in binary mm; do cmp text.txt <(to-vtk --text $file.h5) || show "$file: other grains"; done
-  # A file that only the plan names is no less an input.
+  # A file that only the plan names is an input too.
   refuses 73 filter-expand "binary.STL: is the surface that this command reads, or a copy of it, and would be lost" packing.h5 plans/cut.toml \
     --set container.file=binary.STL --force -o binary.STL
   refuses 73 filter-expand "name another file with --history" packing.h5 plans/cut.toml --set container.file=binary.STL --force \
@@ -243,7 +245,7 @@ PYTHON
   run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
 }
 
-# surface FILE SHAPE: an egg, or a ring, of triangles, as STL or VTP.
+# surface FILE SHAPE: writes an egg, or a ring, of triangles, as STL or VTP.
 surface() {
   "$PYTHON" - "$1" "$2" << 'PY'
 import sys
@@ -297,7 +299,7 @@ PY
   holds 'tension > 0' tension="$(value egg.tsv yarn_tension_face 1)"
   surface egg.stl egg
   filter-expand --quiet packing.h5 egg.toml --set container.file=egg.stl -o stl.h5
-  # The same surface from STL, whose numbers are single: the same yarns.
+  # The surface from STL has single-precision numbers and gives the same yarns.
   "$PYTHON" - << 'PY'
 import h5py, numpy
 with h5py.File("egg.h5") as one, h5py.File("stl.h5") as other:

@@ -11,7 +11,8 @@ setup() {
 DEM=$BATS_TEST_DIRNAME/../../data/discrete_element
 LAB=$BATS_TEST_DIRNAME/../../data/laboratory
 
-# refuses STATUS VERB MESSAGE ARGUMENTS...: exactly one line, "gws-solve VERB: MESSAGE", and nothing on standard output.
+# refuses STATUS VERB MESSAGE ARGUMENTS...: demands exactly one line, "gws-solve VERB: MESSAGE", and an empty standard
+# output.
 refuses() {
   local wanted=$1 verb=$2 message=$3
   shift 3

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The assertions of common.bash themselves: what is missing or no number fails.
+# Tests of the assertions in common.bash: missing values and non-numbers must fail.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 setup() {
@@ -9,7 +9,7 @@ setup() {
   printf 'step [1]\n' > empty.tsv
 }
 
-# fails COMMAND...: it has to.
+# fails COMMAND...: demands that the command fails.
 fails() {
   run "$@"
   [[ $status -ne 0 ]] || show "did not fail: $*"
@@ -88,4 +88,28 @@ fails() {
   [[ $output == *"[  FAILED  ] Harness.HangsWhereAskedTo: stopped, for it takes more than 1 s" ]] || show "wanted the name"
   exits 0 env SOILWEAVE_TRY_SKIPPING=1 SOILWEAVE_SKIPPED=noted "$program" --gtest_filter='Harness.*'
   [[ $(< noted) == $'benchmarks\tHarness.SkipsWhereAskedTo\tasked to' ]] || show "$(< noted)"
+}
+
+@test "a comment without its subject is refused, and a licence that continues a sentence" {
+  local check=$BATS_TEST_DIRNAME/../comments.py opening
+  printf '// Volume of a sphere, m3. What follows\n// Of is a continuation.\nint a = 1'"'"'000;  // "Of" in quotes\nauto b = "// Of";\n' > sound.h
+  printf '"""Returns it."""\nx = "# Of"  # value of x\n' > sound.py
+  printf '# Sets it.\n# Of is a continuation.\nx = "y"  # m\n' > sound.toml
+  exits 0 python3 "$check" sound.h sound.py sound.toml
+  for opening in 'Of a sphere, m3.' 'Those of a chunk.' 'That of the next one.' 'What is left.' 'The same in m.' 'Whose it is.'; do
+    printf 'int a;\n\n/// %s\n' "$opening" > whole.h
+    printf 'int a = 0;  // %s\n' "$opening" > after.cpp
+    printf 'x = 1\n# %s\n' "$opening" | tee whole.toml > whole.py
+    printf 'all: # %s\n' "$opening" > after.mk
+    printf 'def x():\n    """%s"""\n' "$opening" > docstring.py
+    local file
+    for file in whole.h after.cpp whole.toml whole.py after.mk docstring.py; do
+      exits 1 python3 "$check" sound.h "$file"
+      # shellcheck disable=SC2154  # stderr is set by exits
+      [[ $stderr == "$file:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted the place and the opening"
+    done
+  done
+  printf '// Volumes of\n// grains. SPDX-License-Identifier: GPL-3.0-or-later\n' > glued.h
+  exits 1 python3 "$check" glued.h
+  [[ $stderr == "glued.h:2: the licence continues a sentence; put it on a line of its own" ]] || show "wanted the line"
 }

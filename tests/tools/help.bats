@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 load common
 
-# The order in which the examples can follow one another: each tool reads what those before it wrote.
+# Examples run in this order, in which each tool reads the output of those before it.
 ORDER=(pack-generate filter-expand run-dem homogenize fabric to-vtk gws-solve pf-weight)
 
 setup_file() {
@@ -23,7 +23,7 @@ in_order() {
   for tool in $(every_tool); do [[ " ${ORDER[*]} " == *" $tool "* ]] || echo "$tool"; done
 }
 
-# The commands in the help text of a tool: the lines between "Example" and the next heading, indented by two.
+# Prints the commands in the help text of a tool: the lines between "Example" and the next heading, indented by two.
 examples_of() {
   "$1" --help | awk '/^[A-Z]/ { on = /^Example/ } on && /^  [^ ]/ { sub(/^  /, ""); print }'
 }
@@ -112,7 +112,7 @@ examples_of() {
   local tool command
   for tool in $(in_order); do
     while IFS= read -r command; do
-      # An example may write what an earlier one wrote; --force is no part of what the reader has to see.
+      # An example may overwrite the output of an earlier one; readers need not see --force.
       local forced=$command
       [[ $command == *" -o "* && $command != *"|"* ]] && forced="$command --force"
       exits 0 bash -c "set -o pipefail; $forced --quiet" || show "example of $tool: $command"

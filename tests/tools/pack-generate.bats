@@ -29,7 +29,7 @@ refused() {
   refuses "$1" pack-generate "$2" --quiet "${@:3}"
 }
 
-# unmade STATUS WORDS ARGUMENTS...: the same of a small packing from nothing.
+# unmade STATUS WORDS ARGUMENTS...: demands that for a small packing from nothing.
 unmade() {
   refused "${@:1:2}" --grains 60 --aspect 1 --tolerance 1e-2 "${@:3}"
 }
@@ -203,7 +203,7 @@ unmade() {
   exits 0 small --grains 20 --void-ratio 0.7 --coarsest "$size" -o finer.h5
   unmade 65 "take at least 1600 grains (--grains)" --aspect 0.2 -o out.h5
   unmade 65 "at least 2.03 are needed; take at least 49 grains (--grains)" --grains 12 -o out.h5
-  # Whoever asks for ten million steps waits for none of them.
+  # A request for ten million steps must not wait for any of them.
   SECONDS=0
   unmade 65 "not less than half the cell" --grains 20 --void-ratio 0.7 --max-rate 1e-6 -o out.h5
   [[ $SECONDS -le 5 ]] || show "noticed after $SECONDS s"
@@ -290,7 +290,7 @@ unmade() {
   same_bytes packing.h5 mine.h5
   exits 0 small --seed 7 --force -o mine.h5
   other_bytes packing.h5 mine.h5
-  # An error later on keeps the former file, too.
+  # A later error keeps the former file too.
   cp packing.h5 mine.h5
   unmade 1 "is not reached" --void-ratio 0.2 --force -o mine.h5
   same_bytes packing.h5 mine.h5

@@ -29,7 +29,7 @@ teardown_file() {
   [ ! -e "$BATS_FILE_TMPDIR/xvfb.pid" ] || kill "$(cat "$BATS_FILE_TMPDIR/xvfb.pid")"
 }
 
-# A bag that is pressed, three of whose yarns are said to be broken; its packing; a pull-out.
+# The inputs are a pressed bag, three of whose yarns are marked broken, its packing, and a pull-out.
 make_runs() {
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   filter-expand --quiet packing.h5 "$BATS_TEST_DIRNAME/examples/bag.toml" -o bag.h5
@@ -79,7 +79,7 @@ check() {
   for file in yarns:tension contacts:normal_force grains:strain_deviatoric broken:break_time; do
     cp -r out faulty
     name=${file#*:}
-    # Another name of the same length leaves the offsets of the appended data right.
+    # Another name of equal length keeps the offsets of the appended data right.
     sed -i "s/Name=\"$name\"/Name=\"${name//?/x}\"/" "faulty/${file%:*}"_*.vtp
     run ! check open faulty expected.json
     [[ $output == *"no array $name"* ]] || show
@@ -106,7 +106,7 @@ check() {
   to-vtk --quiet packing.h5 -o out
   check expect packing.h5 > expected.json
   check open out expected.json
-  # As ParaView's window runs it: without telling it where it lies.
+  # ParaView's window runs the script without telling it its path.
   "$PARAVIEW" -c 'import sys; exec(open(sys.argv[1]).read(), {"__name__": "__main__"})' out/show.py picture.png
   check look picture.png 2
 }

@@ -43,7 +43,7 @@ def table_states(table):
 
 
 def components(rows, names):
-    """What the arrays of these rows hold: vectors and tensors by their components, as in the table."""
+    """Returns the arrays of these rows: vectors and tensors by their components, as in the table."""
     return {name: rows[name] for name in names if name in rows}
 
 

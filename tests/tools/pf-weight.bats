@@ -9,7 +9,8 @@ setup() {
   cp "$BATS_TEST_DIRNAME"/examples/{prior.toml,observed.tsv,runs.tsv} .
 }
 
-# refuses STATUS VERB MESSAGE ARGUMENTS...: exactly these lines, each "pf-weight VERB: MESSAGE", nothing on standard output.
+# refuses STATUS VERB MESSAGE ARGUMENTS...: demands exactly these lines, each "pf-weight VERB: MESSAGE", and an empty
+# standard output.
 refuses() {
   local wanted=$1 verb=$2 message=$3
   shift 3
@@ -277,7 +278,7 @@ PY
     ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --continue
 }
 
-# two A B: the linear model that the examples' runs come from, of one parameter set.
+# two A B: prints the linear model of the examples' runs for one parameter set.
 @test "resample: weights that are all zero or negative are refused" {
   printf 'id\ta\tweight\n0\t1\t0\n1\t2\t0\n' > zero.tsv
   exits 65 pf-weight resample zero.tsv -n 4 -o out.h5
@@ -313,7 +314,7 @@ PY
   pf-weight draw prior.toml -n 40 --method sobol --first 1 --tsv > sets.tsv
   echo $'id\tt\tone\ttwo' > runs.tsv
   for round in 1 2 3; do
-    # The runs of the new sets alone are added.
+    # Only the runs of the new sets are added.
     awk -F '\t' 'NR > 1 { for (t = 1; t <= 5; ++t) printf "%d\t%d\t%.17g\t%.17g\n", $1, t, $2 + $3 * t / 5, $2 * t / 5 - $3 }' \
       sets.tsv >> runs.tsv
     pf-weight assimilate $ensemble observed.tsv --runs runs.tsv --variance 1e-2 --tsv --quiet -o "posterior$round.h5" > "steps$round.tsv"

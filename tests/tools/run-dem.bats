@@ -28,12 +28,12 @@ setup() {
   ln -s "$BATS_FILE_TMPDIR"/* .
 }
 
-# refused STATUS WORDS ARGUMENTS...: as refuses, of a run of the packing along the scenario.
+# refused STATUS WORDS ARGUMENTS...: demands what refuses() does, for a run of the packing along the scenario.
 refused() {
   refuses "$1" run-dem "$2" --quiet packing.h5 short.toml "${@:3}"
 }
 
-# off WORDS KEY=VALUE...: the scenario with these values is refused with the words.
+# off WORDS KEY=VALUE...: demands that the scenario with these values is refused with the words.
 off() {
   local words=$1 value
   shift

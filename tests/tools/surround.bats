@@ -8,7 +8,7 @@ setup_file() {
   load common
   cd "$BATS_FILE_TMPDIR" || return
   cp "$BATS_TEST_DIRNAME/examples/bag.toml" .
-  # The plan of the documentation, as it is pasted.
+  # The plan is the one in the documentation, as it is pasted.
   awk '/^```toml/ { on = 1; next } /^```/ { on = 0 } on' "$BATS_TEST_DIRNAME/../../lib/packing/PLAN.md" > around.toml
   pack-generate --quiet --grains 300 --void-ratio 0.72 --pressure 1e4 --tolerance 1e-2 -o packing.h5
   pack-generate --quiet --grains 60 --aspect 1 --pressure 1e4 --tolerance 1e-2 -o one.h5 2> doubts
@@ -16,7 +16,7 @@ setup_file() {
   echo 'surround.representative_volume=one.h5 surround.void_ratio=0.65 surround.unbalanced_force=1e-2 surround.max_rate=0.3 surround.height_tolerance=0.02' |
     tr ' ' '\n' | sed 's/^/--set\n/' > options
   mapfile -t around < options
-  # The little bag holds less than its own pressure: it gives way by more than a large one may.
+  # The little bag holds less than its own pressure, so it gives way by more than a large one may.
   filter-expand --quiet bag.h5 around.toml "${around[@]}" --history shape.tsv -o cell.h5 2> missed || echo $? > status
 }
 

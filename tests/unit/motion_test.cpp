@@ -76,8 +76,7 @@ TEST(Motion, DampingGoesByTheWorkOfTheForceOverTheStep) {
   }
 }
 
-// Of two grains that press each other, the lighter one, moving against its force and gravity, gains what the bound
-// says.
+// The lighter of two grains that press each other gains all of the bound, if it moves against its force and gravity.
 TEST(Motion, NoGrainGainsMoreThanTheBoundAndOneGainsAllOfIt) {
   const double dt = 1e-6, g = 10, damping = 0.3;
   const Sphere low = free_sphere(Vec3(0, 0, 5));
