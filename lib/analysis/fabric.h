@@ -28,10 +28,10 @@ struct StressForceFabric {
 StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& fabric);
 
 struct Coordination {
-  double all = 0;            // 2 Nc/N over grain-grain contacts; a plane contact counts once
-  double mechanical = 0;     // Thornton 2000: (2 Nc - N1)/(N - N0 - N1)
-  double backbone = 0;       // of the grains that remain when grains with fewer than 2 contacts are removed repeatedly
-  std::size_t rattlers = 0;  // grains outside that backbone
+  double all = 0;         // 2 Nc/N over grain-grain contacts; a plane contact counts once
+  double mechanical = 0;  // Thornton 2000: (2 Nc - N1)/(N - N0 - N1)
+  double backbone = 0;    // mean over grains that remain when grains with fewer than 2 contacts are removed repeatedly
+  std::size_t rattlers = 0;            // grains outside that backbone
   std::vector<std::size_t> histogram;  // grains with 0, 1, 2 ... contacts
 };
 /// Returns the coordination of the counted grains, with one entry per body. Their contacts with other grains count.
@@ -56,9 +56,9 @@ Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes);
 /// Chains of contacts with more than the mean normal force, followed from grain to grain within 45 deg of the larger
 /// principal direction of the grain's stress (after Peters et al. 2005).
 struct ForceChains {
-  std::vector<std::int32_t> chain;  // by contact; -1: in no chain
+  std::vector<std::int32_t> chain;  // chain of each contact; -1: in no chain
   std::size_t count = 0;            // number of chains of three grains or more
-  double mean_length = 0;           // in grains
+  double mean_length = 0;           // mean number of grains in a chain
   double grains_in_chains = 0;      // share of the grains
 };
 ForceChains force_chains(const io::Snapshot& state);

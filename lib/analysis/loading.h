@@ -20,9 +20,9 @@ struct LoadedBag {
   double fabric_volume = 0;  // volume of the layer filled by the nodes of the geotextile, m3
   double gap = 0;            // distance of the plates at zero displacement, m
   bool preloaded = false;    // whether strains count from the end of the first stage instead of the start
-  std::array<double, 3> multiple = {1, 1, 1};  // by family: number of yarns of the geotextile per modelled yarn
+  std::array<double, 3> multiple = {1, 1, 1};  // number of yarns of the geotextile per modelled yarn, by family
   double face_yarns = 0, side_yarns = 0;  // yarns that an upright plane in the middle cuts on one face and on one side
-  std::vector<std::optional<double>> closing_speed;  // by stage: greatest speed of the plates, m/s; none under a load
+  std::vector<std::optional<double>> closing_speed;  // greatest speed of the plates by stage, m/s; none under a load
   std::optional<double> first_break;                 // time of the first broken yarn, s
 };
 
@@ -40,7 +40,7 @@ io::Series loading(const io::Series& run, const LoadedBag& bag);
 
 /// A path of mean and deviatoric stress, fitted by the best line through the origin.
 struct StressPath {
-  double slope = 0;      // of the line, by least squares
+  double slope = 0;      // slope of the line, by least squares
   double deviation = 0;  // greatest difference of q from the line, over the greatest q
   std::size_t points = 0;
 };

@@ -14,7 +14,7 @@ namespace soilweave::analysis {
 /// The reinforced cell of a run, as far as its series does not describe it.
 struct ReinforcedCell {
   std::optional<double> first_break;                // time of the first broken yarn, s
-  std::vector<std::optional<double>> loading_rate;  // by stage: greatest strain rate along z, 1/s; none under a stress
+  std::vector<std::optional<double>> loading_rate;  // greatest strain rate along z by stage, 1/s; none under a stress
 };
 
 /// Returns the reinforced cell of a run. Throws DataError naming `where` and what the run lacks: a series, a cell

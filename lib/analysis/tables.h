@@ -22,9 +22,9 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate);
 
 /// Data of one state for its volumes of interest and grains.
 struct Local {
-  std::vector<Mat3> dyads;           // by grain, N m
-  std::vector<double> cell_volumes;  // by grain, m3 (2D: m2)
-  std::vector<Mat3> deformation;     // by grain, gradient since the reference
+  std::vector<Mat3> dyads;           // N m, per grain
+  std::vector<double> cell_volumes;  // m3 (2D: m2), per grain
+  std::vector<Mat3> deformation;     // gradient since the reference, per grain
 };
 /// Computes the data. Strains count from `reference`, which may be `state` itself.
 Local local(const io::Snapshot& reference, const io::Snapshot& state);

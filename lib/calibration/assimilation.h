@@ -23,7 +23,7 @@ inline constexpr std::string_view assumptions =
     "and resample draws the next ensemble around the posterior, with the importance that keeps the result unbiased.";
 
 struct Assimilation {
-  Ensemble ensemble;  // with the weights of the last step
+  Ensemble ensemble;  // members with the weights of the last step
   Observations observed;
   Simulated runs;
   Matrix misfit, variance;  // N x T; T x C, with its factor

@@ -18,7 +18,7 @@ struct Ensemble {
   std::vector<std::int64_t> id;
   Matrix values;              // row = member, column = parameter, in its unit
   Vector log_importance;      // log(prior density / density of all rounds together); 0 if drawn from the prior
-  Vector weight;              // after assimilation, sum 1; empty before
+  Vector weight;              // weights after assimilation, sum 1; empty before
   std::vector<Round> rounds;  // distributions that the members were drawn from; empty if unknown
 
   std::size_t size() const { return id.size(); }

@@ -48,7 +48,7 @@ enum class Fate { used, missing, unreadable, unordered, not_finite, too_short };
 std::string_view word(Fate fate);
 
 struct Simulated {
-  std::vector<Matrix> values;  // by member, T x C in the units of the observations; empty without a run
+  std::vector<Matrix> values;  // T x C per member, in the units of the observations; empty without a run
   std::vector<Fate> fate;
   std::vector<std::string> why;  // reason; empty if used
 

@@ -17,9 +17,9 @@ double weighted_quantile(const Vector& values, const Vector& weight, double shar
 
 /// Marginal density over the range of one parameter.
 struct Density {
-  std::vector<double> value;    // of the parameter
-  std::vector<double> density;  // per unit of the parameter; on a log scale per decade
-  double bandwidth = 0;         // in the coordinate
+  std::vector<double> value;    // values of the parameter
+  std::vector<double> density;  // density per unit of the parameter; on a log scale per decade
+  double bandwidth = 0;         // width of the kernels in the coordinate
 };
 
 /// Returns the density at `points` values over the range: weighted Gaussian kernels in the coordinate, mirrored at its

@@ -17,7 +17,7 @@
 namespace soilweave::calibration {
 namespace {
 
-constexpr double least_deviation = 1e-3;  // of a Gaussian along any axis, as a share of the range
+constexpr double least_deviation = 1e-3;  // least deviation of a Gaussian along any axis, as a share of the range
 constexpr std::size_t inside_draws = 1 << 14;
 constexpr int iterations = 200;
 constexpr double settled = 1e-8;  // relative change of the log likelihood

@@ -11,7 +11,7 @@
 namespace soilweave::calibration {
 
 struct Gaussian {
-  double share;  // in the mixture
+  double share;  // share in the mixture
   Vector mean;
   Matrix root;  // lower triangular, covariance = root root^T
 };

@@ -32,7 +32,7 @@ class Archive {
   void item(const std::string& name, std::int64_t& value);  // exact below 2^53
   void item(const std::string& name, Vec3& value);
   void item(const std::string& name, Mat3& value);
-  void item(const std::string& name, std::vector<double>& values);  // of any length
+  void item(const std::string& name, std::vector<double>& values);  // vector of any length
   /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
   template <class Whole>

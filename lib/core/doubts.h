@@ -12,7 +12,7 @@ namespace soilweave {
 /// A doubt about a result that is written all the same.
 struct Doubt {
   std::string key;       // one word for scripts ("rattlers"), unique in a file
-  std::string sentence;  // for people: the finding with number and threshold, and a remedy
+  std::string sentence;  // text for people: the finding with number and threshold, and a remedy
 
   bool operator==(const Doubt&) const = default;
 };

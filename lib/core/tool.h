@@ -41,7 +41,7 @@ struct Invocation {
   std::string tool;
   std::string version;
   std::string command;  // canonical: tool and result-relevant options in table order; no file names, threads, quiet
-  std::vector<std::string> arguments;  // as typed
+  std::vector<std::string> arguments;  // arguments as typed
   bool quiet = false;
   bool force = false;
   bool resume = false;

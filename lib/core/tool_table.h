@@ -18,10 +18,10 @@ enum class Kind { value, flag, choice, file, list };
 
 struct Entry {
   Kind kind = Kind::value;
-  std::string name;      // with hyphens ("void-ratio"); empty if there is only a letter
+  std::string name;      // long name with hyphens ("void-ratio"); empty if there is only a letter
   std::string letter;    // "n" for -n
   std::string metavar;   // stands for the value in help: the unit, or the kind of text
-  std::string sentence;  // without a full stop
+  std::string sentence;  // sentence without a full stop
   std::string standard;  // default as text; empty: none
   std::string range;     // "from 0 to 1", with unit
   std::string why;       // reason for the range
@@ -58,7 +58,7 @@ struct Table::Impl {
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
   bool has(std::string_view name) const;
   bool writes() const { return output != nullptr && !(no_output && *no_output); }
-  std::vector<std::string> names() const;  // as typed, --long or -l
+  std::vector<std::string> names() const;  // names as typed, --long or -l
 };
 
 /// Option that asks for information; the tool then does nothing else.

@@ -46,7 +46,7 @@ class ChunkPlan {
     bool collect;
   };
   struct Share {
-    std::vector<std::uint32_t> in_need;  // in the order of their grains
+    std::vector<std::uint32_t> in_need;  // chunks to move, in the order of their grains
     std::vector<Turn> turns;
   };
 

@@ -34,9 +34,9 @@ namespace soilweave::dem {
 /// Sums over the contacts in a step. Work is that of the step that led to the present positions, J.
 struct SweepSums {
   Mat3 force_branch = Mat3::Zero();  // sum of f (x) l, N m; over the volume: stress, compression positive
-  double tangential_work = 0;        // on the shear, rolling and twisting springs
+  double tangential_work = 0;        // work on the shear, rolling and twisting springs
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double plane_work = 0;       // of moving planes on the grains
+  double plane_work = 0;       // work of moving planes on the grains
   double largest_overlap = 0;  // m
   std::int64_t contacts = 0;
 };
@@ -59,8 +59,8 @@ struct Scene {
 class AroundChunk {
  public:
   virtual ~AroundChunk() = default;
-  virtual void before(std::size_t chunk) = 0;  // before any pair of the chunk's grains is swept
-  virtual void after(std::size_t chunk) = 0;   // after all of them
+  virtual void before(std::size_t chunk) = 0;  // called before any pair of the chunk's grains is swept
+  virtual void after(std::size_t chunk) = 0;   // called after all of them
 };
 
 /// Stiffness of one contact: normal, N/m; the larger one of rolling and (in space) twisting, N m/rad.

@@ -49,11 +49,11 @@ struct Contacts {
   void look_across(const std::vector<Pair>& pairs);
   void name_singles(Bodies& bodies);
 
-  std::vector<LargeVector<ContactBlock>> known_;     // by thread: blocks of one chunk while it is listed anew
-  std::vector<std::vector<std::uint32_t>> reached_;  // by chunk: other chunks that its pairs reach
-  std::vector<std::vector<std::int32_t>> across_;    // by chunk: second grains in other chunks, pair by pair
-  std::vector<std::size_t> work_;                    // by chunk: cost of a step; 1 for a pair or a grain
-  std::vector<std::uint32_t> next_;                  // by grain: next free place in `singles`
+  std::vector<LargeVector<ContactBlock>> known_;     // blocks of one chunk while it is listed anew, by thread
+  std::vector<std::vector<std::uint32_t>> reached_;  // other chunks that a chunk's pairs reach
+  std::vector<std::vector<std::int32_t>> across_;    // second grains in other chunks, pair by pair, by chunk
+  std::vector<std::size_t> work_;                    // cost of a chunk in a step; 1 for a pair or a grain
+  std::vector<std::uint32_t> next_;                  // next free place in `singles` of each grain
 };
 
 /// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.

@@ -36,7 +36,7 @@ struct ServoRule {
     inertia
   };
   Kind kind = Kind::stiffness;
-  double damping = 0.25;  // for `inertia`
+  double damping = 0.25;  // damping of `inertia`
 };
 
 class Servo {

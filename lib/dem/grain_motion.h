@@ -28,7 +28,7 @@ struct MotionTally {
 struct MovedGrains {
   Grain* grains;
   Load* loads;
-  double* angle;  // for disks
+  double* angle;  // rotation of disks, rad
   const double* per_leeway2;
 };
 

@@ -16,14 +16,14 @@ namespace soilweave::dem {
 /// Contact law with its materials, indexed by material_id, planes included. One alternative per registered law
 /// (laws.h).
 struct Model {
-  AnyMaterials materials;                   // for example std::vector<HertzMindlin::Material>
-  std::vector<WireCurve> geotextiles = {};  // by geotextile_id
+  AnyMaterials materials;                   // vector of one law's materials, as std::vector<HertzMindlin::Material>
+  std::vector<WireCurve> geotextiles = {};  // curves by geotextile_id
 };
 
 /// Limits beyond which a simulation counts as broken.
 struct Limits {
-  double overlap = 0.5;       // of two grains, over the smaller radius
-  double energy_error = 0.1;  // of the turned-over energy
+  double overlap = 0.5;       // overlap of two grains over the smaller radius
+  double energy_error = 0.1;  // error of the balance over the turned-over energy
   double escape =
       2;  // distance beyond the extent of grains and planes at the start, over that extent, along an open axis
 };

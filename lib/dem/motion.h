@@ -12,7 +12,7 @@ namespace soilweave::dem {
 /// Sums of a pass over the grains.
 struct MotionSums {
   double damping = 0;       // energy taken by local damping in this step, J
-  double gravity_work = 0;  // in this step, J
+  double gravity_work = 0;  // work in this step, J
   double fastest = 0;       // largest fluctuation speed, m/s
   double haste = 0;         // largest speed over skin distance (Neighbours), 1/s
 };
@@ -61,7 +61,7 @@ class Motion {
   Push push_{};
   std::vector<MotionTally> moved_;
   std::vector<Collected> collected_;
-  std::vector<double> partial_;  // of other passes, by chunk
+  std::vector<double> partial_;  // sums of other passes, by chunk
 };
 
 struct Slowed {

@@ -74,8 +74,8 @@ class Neighbours {
   int threads_ = 1;
   Since filtered_, searched_;
   std::vector<Pair> outer_, listed_;        // sorted
-  std::vector<char> near_;                  // by pair of the outer list: whether it is in the swept list
-  std::vector<std::size_t> listed_before_;  // by share of the outer list: number of listed pairs in the shares before
+  std::vector<char> near_;                  // whether a pair of the outer list is in the swept list
+  std::vector<std::size_t> listed_before_;  // number of listed pairs in the shares before each share of the outer list
 };
 
 }  // namespace soilweave::dem

@@ -10,7 +10,7 @@ namespace soilweave::dem {
 
 /// The contact of the largest overlap over the smaller radius; zeros without contacts.
 struct DeepestContact {
-  std::int32_t first = 0, second = 0;  // as in io::ContactsRecord::bodies
+  std::int32_t first = 0, second = 0;  // bodies as in io::ContactsRecord::bodies
   double overlap = 0;                  // m
   double relative = 0;                 // overlap over the smaller radius, 1
 };

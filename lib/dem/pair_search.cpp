@@ -135,7 +135,7 @@ class Grid {
   Vec3i bins_;
   std::vector<std::uint32_t> bin_of_, start_;
   std::vector<std::int32_t> members_;       // bin by bin
-  std::vector<double> x_, y_, z_, radius_;  // of the members, m
+  std::vector<double> x_, y_, z_, radius_;  // positions and radii of the members, m
   std::vector<CellOffset> wrap_;            // between a grain's unwrapped position and its bin
 };
 

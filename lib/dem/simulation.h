@@ -57,11 +57,11 @@ struct Energies {
   double rolling_plastic = 0;  // dissipated at the rolling and twisting limits
   double viscous = 0;          // dissipated by contact damping
   double damping = 0;          // dissipated by local non-viscous damping
-  double boundary_work = 0;    // of the deforming cell, moving planes and clamps on the assembly
+  double boundary_work = 0;    // work of the deforming cell, moving planes and clamps on the assembly
   double gravity_work = 0;
   double elastic_yarns = 0, yarn_dissipation = 0;  // stored in yarns; taken by their yielding and breaking
   double law = 0;                                  // taken out (+) or created (-) by the incremental contact law itself
-  double tangential_work = 0;                      // on the tangential springs, plus their energy at the start
+  double tangential_work = 0;                      // work on the tangential springs, plus their energy at the start
   double initial = 0;                              // kinetic and elastic at the start
   double turned_over = 0;                          // sum of |work| and |dissipation| of every step
   double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
@@ -85,7 +85,7 @@ class Simulation {
   /// Advances one time step with the cell's present velocity gradient. Throws PhysicsError when physics breaks.
   void step();
 
-  const Measures& measures() const;  // of the last step
+  const Measures& measures() const;  // measurements of the last step
   /// Returns the mean resultant on grains over the mean force of contacts and taut yarns, at least over `least`, N; 0/0
   /// is 0.
   double unbalanced_force(double least = 0) const;

@@ -79,12 +79,12 @@ class Yarns {
   LargeVector<Block> blocks_;
   // For each lane of each block, a slot: unit vector from first to second node, and tension, N.
   LargeVector<Lane4> pulls_;
-  std::vector<std::size_t> slot_;   // for each yarn of the record
-  std::vector<Breakage> breakage_;  // by slot
+  std::vector<std::size_t> slot_;   // slot of each yarn of the record
+  std::vector<Breakage> breakage_;  // breaks by slot
   std::vector<WireCurve> curves_;
   std::vector<std::int32_t> node_;  // grains that are nodes, ascending
   std::vector<std::uint32_t> start_,
-      ends_;  // of node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
+      ends_;  // ends at node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
   std::vector<YarnSums> partial_;
   YarnSums sums_;
   io::YarnsRecord identity_;  // data that never change

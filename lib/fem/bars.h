@@ -32,7 +32,7 @@ struct ChainEnd {
 struct BarsSetup {
   std::vector<Vec2> interface;                                // nodes of the soil's boundary, with the soil on the left
   std::vector<Vec2> chain;                                    // nodes of the geosynthetic, m
-  double radius = 0;                                          // of the virtual disks of chain and boundary, m
+  double radius = 0;                                          // radius of the virtual disks of chain and boundary, m
   double stiffness = 0;                                       // J, N/m
   double strength = std::numeric_limits<double>::infinity();  // N/m
   bool compression = true;                                    // whether bars resist shortening

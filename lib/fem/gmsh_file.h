@@ -28,11 +28,11 @@ GmshType gmsh_type(int number);
 struct GmshFile {
   struct Node {
     Vec3 at;           // m
-    std::size_t line;  // in the file
+    std::size_t line;  // line in the file
   };
   struct Item {
     std::int64_t tag;
-    std::size_t line;  // in the file
+    std::size_t line;  // line in the file
     int type;
     std::vector<int> groups;  // physical groups without sign; the sign is an orientation
     std::vector<std::int64_t> nodes;

@@ -293,7 +293,7 @@ class GmshReader {
   Words words_;
   double version_ = 0;
   GmshFile file_;
-  std::vector<Entity> entity_of_;  // by item, 4.1 only
+  std::vector<Entity> entity_of_;  // entity of each item, 4.1 only
   std::map<Entity, std::vector<int>> groups_of_entity_;
   std::map<Entity, Partition> partition_;
 };

@@ -249,10 +249,10 @@ class Builder {
   const GmshFile& file_;
   const std::string& where_;
   Mesh mesh_;
-  std::vector<const GmshFile::Item*> from_;  // by element
+  std::vector<const GmshFile::Item*> from_;  // Gmsh's item of each element
   std::map<std::vector<std::int64_t>, std::vector<int>> known_;
-  std::map<std::int64_t, Index> number_;        // from Gmsh's numbers of nodes
-  std::map<std::array<Index, 2>, Side> sides_;  // by their end nodes, counter-clockwise
+  std::map<std::int64_t, Index> number_;        // numbers of nodes by Gmsh's numbers
+  std::map<std::array<Index, 2>, Side> sides_;  // sides by their end nodes, counter-clockwise
   std::map<std::string, std::set<std::array<Index, 2>>> edges_;
   Index turned_ = 0, again_ = 0;
   std::int64_t first_turned_ = 0;

@@ -104,7 +104,7 @@ class Model {
   std::unique_ptr<Bars> bars_;
   Points points_;
   std::vector<Mat2> stresses_;
-  std::vector<double> areas_;  // of the points at the start, m2
+  std::vector<double> areas_;  // areas of the points at the start, m2
   double dt_ = 0, eigenvalue_ = 0, time_ = 0;
   std::int64_t substeps_ = 0, steps_ = 0, loading_steps_ = 0;
   bool relaxing_ = false;

@@ -234,7 +234,7 @@ class Runner {
   bool resting_ = false, going_on_ = false;
   io::MultiscaleFile file_;
   Clock::time_point began_ = Clock::now();
-  double seconds_ = 0;  // of earlier sessions
+  double seconds_ = 0;  // seconds of earlier sessions
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains);
 /// Data from which the time steps of both scales are chosen.
 struct Probe {
   double limit = 0;             // stability limit of the grains, s
-  Mat3 tangent = Mat3::Zero();  // as MaterialPoint::tangent
+  Mat3 tangent = Mat3::Zero();  // stiffness as in MaterialPoint::tangent
   Mat2 stress = Mat2::Zero();   // Pa, tension positive
   double solid_fraction = 0;
 };
@@ -54,7 +54,7 @@ class Rve : public MaterialPoint {
   Grains grains_;
   double step_;
   std::int64_t substeps_;
-  double area_;  // at the start, m2
+  double area_;  // area of the cell at the start, m2
   dem::Simulation simulation_;
 };
 

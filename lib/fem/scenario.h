@@ -15,12 +15,12 @@ namespace soilweave::fem {
 /// Quasi-static loading: at every output the loading stops until the kinetic energy is this small.
 struct QuasiStatic {
   Relaxation damping;
-  double kinetic_energy = 0;      // of the soil, J per metre
+  double kinetic_energy = 0;      // limit for the soil, J per metre
   std::int64_t largest_rest = 0;  // steps after which it counts as unreachable
 };
 
 struct Scenario {
-  ModelSetup model;  // without packings
+  ModelSetup model;  // model without packings
   double duration = 0;
   std::vector<Index> recorded;  // points whose grains are recorded
   std::optional<QuasiStatic> quasi_static;

@@ -11,7 +11,7 @@ namespace soilweave::gws {
 
 /// Demand on a bag. The settlement is the axial strain at the surcharge, counted from compaction.
 struct Demand {
-  double surcharge = 0;   // at service, Pa
+  double surcharge = 0;   // surcharge at service, Pa
   double settlement = 1;  // greatest admissible settlement; 1: any
   double safety = 1;      // factor on the surcharge at which the hoops may reach their stated fraction of the strength
 };
@@ -26,7 +26,7 @@ enum class Governs { settlement, strength, range };
 struct Design {
   Geotextile geotextile;  // softest geotextile that meets the demand, with the strength it needs
   Governs governs = Governs::settlement;
-  Point start, service, factored;  // after compaction; at the surcharge; at `safety` times the surcharge
+  Point start, service, factored;  // states after compaction, at the surcharge, and at `safety` times the surcharge
 };
 
 /// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J.
@@ -46,8 +46,8 @@ Allowance allowable_surcharge(const Case& bag, double settlement, double safety)
 /// One bag of a design chart. A NaN marks what the bag does not reach.
 struct ChartRow {
   Geotextile geotextile;
-  double capacity = 0, settlement = 0, hoop_strain = 0;    // at the end of the response
-  double service_settlement = 0, allowable_surcharge = 0;  // for the demand
+  double capacity = 0, settlement = 0, hoop_strain = 0;    // values at the end of the response
+  double service_settlement = 0, allowable_surcharge = 0;  // values for the demand
 };
 /// Returns n bags with stiffnesses at equal steps of ln J. They keep the geotextile's strength over stiffness and
 /// failure strain.

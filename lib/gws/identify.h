@@ -19,7 +19,7 @@ struct BagSeries {
   std::vector<double> strain_axial, strain_volumetric, mean_stress, deviatoric_stress;
   std::vector<bool> contracting;  // rows of the compression line; empty: contraction() chooses them
   std::size_t first_row = 0;      // number of rows of the table or run before these
-  std::string note;               // which rows of a run these are, and whose stiffness; empty for tables
+  std::string note;               // rows of a run, and source of the stiffness; empty for tables
 
   std::size_t size() const { return mean_stress.size(); }
   double strain_deviatoric(std::size_t i) const { return strain_axial[i] - strain_volumetric[i] / 3; }
@@ -35,7 +35,7 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
 
 /// Points of one line: their coordinates, what is fitted, and the series and row of each point.
 struct Line {
-  std::string name;                    // for example "near_failure_line"
+  std::string name;                    // key of the line, as "near_failure_line"
   std::vector<std::string> constants;  // keys of the constants, in the order of fit.estimates
   std::vector<double> given;           // constants of the soil that identification started from
   std::vector<double> x, y;            // coordinates in the thesis's figure
@@ -60,7 +60,7 @@ struct Increment {
 };
 struct Identification {
   std::vector<Line> lines;                         // lines that the data allow, in the order of Table 5.2
-  std::vector<std::vector<Increment>> increments;  // per series
+  std::vector<std::vector<Increment>> increments;  // increments of each series
   std::vector<std::string> left_out;               // reason for each line that is missing
   SoilFile soil;                                   // identified constants with their scatter; all others as given
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double share_of_step = 0.01;    // share of the whole path's tolerance for one step
 constexpr double smallest_strain = 1e-2;  // percent; below it errors are absolute
-constexpr double longest_step = 0.5;      // in ln p
+constexpr double longest_step = 0.5;      // step in ln p
 
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
 

@@ -22,7 +22,7 @@ struct OpenFile {
   /// Throws DataError unless the kind is one of `kinds` (words separated by blanks).
   void demand_kind(std::string_view kinds) const;
 
-  Source source;  // without its history until read_history
+  Source source;  // source, without its history until read_history
   Reader reader;
   std::string kind;
 

@@ -90,7 +90,7 @@ class Part {
 
   std::filesystem::path folder_;
   History history_;
-  std::vector<PartFile> files_;  // by step
+  std::vector<PartFile> files_;  // files in order of steps
   std::optional<Moment> last_;
   bool replaced_ = false;
   int lock_ = -1;

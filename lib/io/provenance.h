@@ -14,7 +14,7 @@ namespace soilweave::io {
 
 struct InputRecord {
   std::string role;    // "packing", "scenario", "grading", ...
-  std::string sha256;  // of the bytes read
+  std::string sha256;  // digest of the bytes read
   int origin = -1;     // index in History of the record that made it; -1: data from outside
 };
 

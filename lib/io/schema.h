@@ -24,7 +24,7 @@ struct Entry {
   std::string_view path;
   Type type;
   std::string_view shape;
-  std::string_view units;  // in H5MD's form: "kg m-3"; "1" for pure numbers
+  std::string_view units;  // unit in H5MD's form: "kg m-3"; "1" for pure numbers
   std::string_view long_name;
   bool optional = false;
 };

@@ -39,7 +39,7 @@ constexpr std::array known_names{
 constexpr std::array yade_words{"id", "matid", "clumpid", "mask", "mass", "material"};
 
 struct Heading {
-  std::string name;  // as written, without the unit
+  std::string name;  // name as written, without the unit
   std::string unit;  // empty if none is written
   Role role = Role::other;
 };

@@ -14,8 +14,8 @@ struct SphereColumns {
   std::size_t width = 0;  // columns per line
   std::size_t x = 0, y = 0, size = 0;
   std::optional<std::size_t> z;     // absent for disks
-  double size_factor = 1;           // from column `size` to a radius in the unit of length: 1/2 for diameters
-  double length_factor = 1;         // from the unit of length to m
+  double size_factor = 1;           // factor from column `size` to a radius in the unit of length: 1/2 for diameters
+  double length_factor = 1;         // factor from the unit of length to m
   std::vector<std::string> unused;  // names of the other columns
 
   bool is_unused(std::size_t column) const { return column != x && column != y && column != size && z != column; }

@@ -23,7 +23,7 @@ void check_whole(std::string_view bytes, const std::string& where) {
   if (bytes.substr(0, signature.size()) != signature.substr(0, bytes.size()))
     throw DataError(where + ": not an HDF5 file; give a file that a soilweave tool wrote");
   constexpr std::size_t version_at = 8, flags_at = 11;
-  constexpr unsigned open_to_write = 1U | 4U;  // by one program; by one program with readers (SWMR)
+  constexpr unsigned open_to_write = 1U | 4U;  // flags of one writing program, and of one with readers (SWMR)
   if (bytes.size() >= smallest && bytes[version_at] == 3 &&
       (static_cast<unsigned char>(bytes[flags_at]) & open_to_write) != 0)
     throw DataError(

@@ -41,7 +41,7 @@ std::string to_vtu(const VtkPicture& picture, bool compress = false);
 
 /// A surface as in its file.
 struct TriangleSoup {
-  std::vector<Vec3> points;  // in the file's unit of length
+  std::vector<Vec3> points;  // corners in the file's unit of length
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 /// Returns the polygons of a .vtp file, cut into triangles. Throws DataError if it is no such file. Null in programs

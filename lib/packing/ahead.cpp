@@ -22,7 +22,7 @@ constexpr double deepest_over_mean = 2;
 constexpr double touching_spheres = 0.8, touching_disks = 0.25;
 // Steps in which a cloud should close, for remedies.
 constexpr double good_steps = 50'000;
-constexpr double largest_rate = 1e3;  // of --max-rate, 1/s
+constexpr double largest_rate = 1e3;  // upper limit of --max-rate, 1/s
 
 // Returns the normal force of two equal grains of the first material, N.
 double normal_force(const dem::Model& model, double radius, double overlap) {

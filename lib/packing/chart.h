@@ -44,7 +44,7 @@ class Chart {
   double along_equator(double azimuth) const;
   Vec3 at(double azimuth, double share) const;
 
-  std::vector<Line> sections_;  // from the upper pole to the lower, at equal azimuths
+  std::vector<Line> sections_;  // lines from the upper pole to the lower, at equal azimuths
   Line equator_;                // closed, starting at azimuth 0
   double corner_;               // azimuth of the box's corner, rad
 };

@@ -33,7 +33,7 @@ class Container {
 
 /// A filled bag: flat square faces with rounded corners, and round sides between them.
 struct FilledBag : Container, Profile {
-  double corner_radius = 0;  // of the faces, m
+  double corner_radius = 0;  // radius of the faces' corners, m
 
   Vec3 low() const override { return -high(); }
   Vec3 high() const override { return {reach(), reach(), half_height}; }

@@ -22,7 +22,7 @@ constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
 // grain, a cell of 4.8 largest grains and a q/p of 0.08, all in shear stresses, which no servo controls.
 constexpr double most_rattlers = 0.3, least_coordination = 3, least_cell = 3, most_obliquity = 0.25,
                  most_overlap = 0.05;
-constexpr double median_error = 0.1;             // of the median diameter by mass
+constexpr double median_error = 0.1;             // share of the median diameter by mass
 constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
 double modulus(const dem::HertzMindlin::Material& m) { return m.young_modulus; }

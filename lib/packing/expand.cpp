@@ -268,7 +268,7 @@ class Grower {
   Standing at_;
   Fill fill_;
   double least_force_ = 0;   // N
-  bool fell_apart_ = false;  // as it came to rest
+  bool fell_apart_ = false;  // whether grains fell apart as they came to rest
   io::Series history_;
   dem::PriceClock clock_;
 };

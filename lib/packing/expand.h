@@ -22,7 +22,7 @@ struct Growth {
   /// Stretch from the grains as cut to the container that they fill. Coordinates grow by it while radii grow by
   /// `filling`, so that nothing need travel far.
   Vec3 stretch = Vec3::Ones();
-  double unbalanced_force = 1e-3;  // of an equilibrium: mean resultant over mean contact force
+  double unbalanced_force = 1e-3;  // limit at an equilibrium: mean resultant over mean contact force
   double negligible = 1e-4;  // overlap over radius; its force replaces the mean contact force while contacts carry less
   double damping = 0.5;      // Cundall's local damping
   std::int64_t steps = 100;  // greatest number per round; ten times as many before a measurement
@@ -46,10 +46,10 @@ struct Growth {
 
 /// Quantities measured at intervals.
 struct Fill {
-  double growth = 1;               // of the radii, so far
-  double volume = 0;               // of the Delaunay tetrahedra of the soil's centres, m3
-  double void_ratio = 0;           // by the soil's power cells
-  double delaunay_void_ratio = 0;  // by those tetrahedra
+  double growth = 1;               // growth of the radii so far
+  double volume = 0;               // volume of the Delaunay tetrahedra of the soil's centres, m3
+  double void_ratio = 0;           // void ratio by the soil's power cells
+  double delaunay_void_ratio = 0;  // void ratio by those tetrahedra
   double overlap = 0;              // mean over the contacts, over the soil's mean radius
   double coordination_number = 0;  // 2 Nc/N of the soil; contacts with nodes count once
 
@@ -57,7 +57,7 @@ struct Fill {
 };
 
 struct Grown {
-  io::Snapshot state;  // at rest
+  io::Snapshot state;  // state at rest
   Fill fill;
   io::Series history;  // one row per measurement
   dem::Price price;

@@ -55,7 +55,7 @@ struct Position {
   double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without friction
   std::int64_t attempt = 0;
   std::int64_t skipped = 0;        // numbers of steps that no attempt took
-  std::int64_t contact_steps = 0;  // of earlier attempts
+  std::int64_t contact_steps = 0;  // contact steps of earlier attempts
 
   void archive(Archive& a) {
     a.whole("phase", phase), a.item("phase_first_step", first);

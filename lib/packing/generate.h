@@ -28,13 +28,13 @@ struct Recipe {
   std::optional<double> void_ratio;  // none: whatever full friction gives
   double void_ratio_tolerance = 5e-4;
   dem::Tolerances tolerances;
-  double max_rate = 1.0;                     // 1/s, during compression
-  double damping = 0.2;                      // Cundall's local damping, throughout
-  double friction_factor = 0.8;              // factor on the friction angle at each equilibrium
-  std::int64_t largest_stage = 2'000'000;    // steps after which an equilibrium counts as unreachable
-  int most_attempts = 8;                     // at a void ratio that is not held at rest; each restores friction earlier
-  std::optional<Room> room = {};             // of the grading; if known, errors tell how many grains are enough
-  Vec3 rate_shares = Vec3::Ones();           // shares of max_rate by axis
+  double max_rate = 1.0;                   // 1/s, during compression
+  double damping = 0.2;                    // Cundall's local damping, throughout
+  double friction_factor = 0.8;            // factor on the friction angle at each equilibrium
+  std::int64_t largest_stage = 2'000'000;  // steps after which an equilibrium counts as unreachable
+  int most_attempts = 8;            // attempts at a void ratio that is not held at rest; each restores friction earlier
+  std::optional<Room> room = {};    // cell of the grading; if known, errors tell how many grains are enough
+  Vec3 rate_shares = Vec3::Ones();  // shares of max_rate by axis
   std::vector<std::int32_t> apart = {};      // grains that the cell's strain moves only through contacts and yarns
   double first_friction = 0;                 // friction angle while the cloud is compressed, rad; 0: the materials' own
   std::vector<std::int32_t> materials = {};  // materials whose friction is lowered; empty: all
@@ -42,7 +42,7 @@ struct Recipe {
 };
 
 struct Result {
-  io::Snapshot state;  // at rest, full friction, strains and clock zero
+  io::Snapshot state;  // state at rest, at full friction, strains and clock zero
   double void_ratio = 0;
   double friction_angle = 0;  // the lowest one used, rad
   dem::Price price;

@@ -30,7 +30,7 @@ struct Plan {
   std::vector<Sheet> sheets;
   NodeRecipe nodes;
   double density = 0;  // density of the soil, kg/m3; 0: the packing's
-  double scale = 1;    // of the representative volume
+  double scale = 1;    // factor on the representative volume's lengths
   dem::Model model;
   dem::Numerics numerics;
   std::optional<Growth> growth;

@@ -12,7 +12,7 @@ namespace soilweave::packing {
 /// For the grains of a block: which ones the reinforced part has already, or which ones lie inside it.
 struct Origin {
   bool cut = false;         // whether the reinforced soil was cut from this very block
-  std::vector<bool> taken;  // by grain of the block
+  std::vector<bool> taken;  // whether the reinforced part has the grain of the block, by grain
 };
 
 /// Returns whether the soil was cut from the block, by body_id, copies and radii, which growth multiplies by one
@@ -41,8 +41,8 @@ class Inside {
   struct Node {
     Vec3 position, outwards;
   };
-  std::vector<Node> nodes_;                        // of closed geotextiles
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // of the soil's centres
+  std::vector<Node> nodes_;                        // nodes of closed geotextiles
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // box of the soil's centres
   bool any_soil_ = false;
 };
 

@@ -21,10 +21,10 @@
 namespace soilweave::packing {
 namespace {
 
-// Void ratios above the one asked for of the cell that fill is placed in: a looser one where it finds no room.
+// Additions to the requested void ratio in which the fill is placed; larger ones follow if it finds no room.
 constexpr double first_looseness = 0.35, next_looseness = 0.15, last_looseness = 5;
 constexpr int most_tries_of_a_grain = 1000;
-// Void ratio that fill of a narrow grading cannot fall below; whatever would need less has no room.
+// Void ratio below which fill of a narrow grading cannot be.
 constexpr double densest = 0.35;
 
 double solids(const io::GrainsRecord& g) {
@@ -32,7 +32,7 @@ double solids(const io::GrainsRecord& g) {
                          [](double sum, double r) { return sum + dem::grain_volume(3, r); });
 }
 
-// As many copies as the reader gives, or as cover the reinforced part.
+// Returns the copies that the user gives, or as many as cover the reinforced part.
 std::array<int, 3> copies_around(const Surround& how, const io::Snapshot& volume, const Vec3& size) {
   if (how.copies) return *how.copies;
   std::array<int, 3> n{};
@@ -48,7 +48,7 @@ std::array<int, 3> copies_around(const Surround& how, const io::Snapshot& volume
   return n;
 }
 
-// The block that the soil was cut from, where the reader gives no copies: one of about as many as cover it.
+// Returns the block that the soil was cut from, if the user gives no copies: one of about as many as cover it.
 io::Snapshot block_of(const io::Snapshot& reinforced, const Surround& how, const io::Snapshot& volume,
                       std::array<int, 3>& copies) {
   copies = copies_around(how, volume, extent(reinforced));
@@ -78,8 +78,8 @@ void demand_cover(const io::Snapshot& block, const io::Snapshot& part) {
   }
 }
 
-// Lengths of the cell: those of the block and one margin along all axes, so much that it has the volume, but room for
-// the reinforced part and the gap.
+// Returns the lengths of the cell: those of the block plus one margin along all axes that gives the volume, but at
+// least room for the reinforced part and the gap.
 Vec3 lengths(const Vec3& block, const Vec3& least, double volume) {
   const auto at = [&](double margin) -> Vec3 { return (block.array() + margin).max(least.array()).matrix(); };
   double low = -block.minCoeff(), high = block.maxCoeff();
@@ -91,7 +91,7 @@ Vec3 lengths(const Vec3& block, const Vec3& least, double volume) {
   return at(high);
 }
 
-// Refuses a cell of a void ratio that is too small for what is to lie in it, before anything is placed.
+// Refuses a void ratio that is too small for the content of the cell, before anything is placed.
 void demand_room(const io::Snapshot& part, double e, double all_solids) {
   const Vec3 size = extent(part);
   const double volume = (1 + e) * all_solids;
@@ -120,7 +120,7 @@ class Placing {
       placed_.add(home(part.grains.position[i]), part.grains.radius[i]);
   }
 
-  // The place of a grain, the nearest tries first; none after many.
+  // Returns a place for a grain, nearest tries first; none after many tries.
   std::optional<Vec3> find(const Vec3& wanted, double radius) {
     for (int k = 0; k < most_tries_of_a_grain; ++k) {
       const double wide = static_cast<double>(k) / most_tries_of_a_grain;
@@ -137,7 +137,7 @@ class Placing {
 
  private:
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1.0p-53; }
-  // Into the cell that begins at the origin.
+  // Returns the point moved into the cell that begins at the origin.
   Vec3 home(const Vec3& at) const {
     Vec3 x = at;
     for (int a = 0; a < 3; ++a) {

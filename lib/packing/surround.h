@@ -21,32 +21,32 @@ struct Surround {
   enum class Form { wrapped, layered };
 
   Form form = Form::wrapped;
-  double rings = 1;  // copies along each edge of the block whose soil is left out of the layered form
-  std::optional<std::array<int, 3>> copies;  // of the representative volume; none: as many as cover the file
-  double scale = 1;                          // of the representative volume's lengths
+  double rings = 1;  // copies along each edge of the block whose soil the layered form leaves out
+  std::optional<std::array<int, 3>> copies;  // copies of the representative volume; none: as many as cover the file
+  double scale = 1;                          // factor on the representative volume's lengths
   std::int32_t material = 2;                 // material_id of the fill
-  std::optional<double> gap;                 // m, between the reinforced part and its image; none: of the fill's grains
-  std::optional<double> max_rate;            // 1/s; none: so slow that the fill strikes nothing
+  std::optional<double> gap;  // distance between the reinforced part and its image, m; none: from the fill's grains
+  std::optional<double> max_rate;  // strain rate, 1/s; none: so slow that the fill strikes nothing
   double height_tolerance = 0.02, stress_tolerance = 0.2;
-  io::Snapshot volume;  // the representative one
+  io::Snapshot volume;  // the representative volume
   Recipe recipe;
 
-  /// Reads the table and the representative volume that it names.
+  /// Reads the table, and the representative volume that it names.
   static Surround read(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources);
 };
 
-/// A cell before it is compacted.
+/// A cell before compaction.
 struct Surrounded {
-  io::Snapshot state;          // periodic, the fill loose
-  std::vector<bool> fill;      // by body
-  bool cut_away = false;       // whether the fill are the grains that were cut from the same block
-  Vec3 shares = Vec3::Ones();  // of the strain rate by axis, with which all gaps close at one speed
+  io::Snapshot state;          // periodic, with loose fill
+  std::vector<bool> fill;      // whether a body is fill
+  bool cut_away = false;       // whether the fill grains were cut from the same block
+  Vec3 shares = Vec3::Ones();  // shares of the strain rate by axis, with which all gaps close at one speed
 };
 
-/// Puts what the block of copies has around the reinforced part of the file into a loose cell, near where it was.
-/// copy_id: -1 of fill, as of nodes. density: of the fill, kg/m3; 0: the representative volume's. Throws DataError
-/// where the file has no geotextile, the block is smaller than the reinforced part, or the cell that is asked for has
-/// no room for it or for the fill.
+/// Puts the grains of the block of copies that surround the reinforced part into a loose cell, near their places.
+/// copy_id: -1 for fill, as for nodes. density: of the fill, kg/m3; 0: the representative volume's. Throws DataError if
+/// the file has no geotextile, the block is smaller than the reinforced part, or the cell has no room for it or for the
+/// fill.
 Surrounded surround(const io::Snapshot& reinforced, const Surround& how, double density);
 
 }  // namespace soilweave::packing

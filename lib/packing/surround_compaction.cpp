@@ -1,4 +1,4 @@
-// A loose cell around reinforced soil compacted.
+// Compaction of a loose cell around reinforced soil.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/surround_compaction.h"
 
@@ -24,7 +24,7 @@ double mean_stress_of(const std::vector<Mat3>& dyads, const std::vector<double>&
   return volume > 0 ? sum / volume : 0;
 }
 
-// Means over the ends of the faces' yarns above and below the middle.
+// Returns the difference of the mean heights of the ends of the faces' yarns above and below the middle, m.
 double height(const io::Snapshot& state) {
   std::vector<bool> face(state.grains.size(), false);
   for (std::size_t y = 0; y < state.yarns.size(); ++y)
@@ -57,7 +57,7 @@ double yarn_length(const io::Snapshot& state) {
   return number > 0 ? sum / number : 1;
 }
 
-// The reinforced part alone, in no cell.
+// Returns the void ratio of the reinforced part alone, without its cell.
 double void_ratio_of_soil(const io::Snapshot& state, const std::vector<bool>& fill, const std::vector<bool>& node) {
   io::Snapshot open = state;
   open.cell.periodic = {false, false, false};
@@ -68,8 +68,8 @@ double void_ratio_of_soil(const io::Snapshot& state, const std::vector<bool>& fi
   return soil > 4 ? analysis::delaunay_fill(open, apart).void_ratio() : 0;
 }
 
-// 1/s: faces of the cell that come together at sqrt(0.004 p/density) throw fill at what it meets at 0.4 % of the
-// pressure.
+// Returns a strain rate, 1/s: faces of the cell that approach each other at sqrt(0.004 p/density) throw fill with an
+// impact of 0.4 % of the pressure.
 double gentle_rate(const Surrounded& cell, double pressure) {
   constexpr double impact = 0.004;
   double mass = 0, volume = 0;
@@ -79,7 +79,7 @@ double gentle_rate(const Surrounded& cell, double pressure) {
   return std::sqrt(impact * pressure * volume / mass) / cell.state.cell.matrix.diagonal().minCoeff();
 }
 
-// The tolerance, to three digits, that a relative deviation is within.
+// Returns the tolerance, to three digits, that accepts a relative deviation.
 double accepting(double deviation) { return std::ceil(1e3 * std::abs(deviation) + 1e-6) / 1e3; }
 
 void judge(const Surround& how, CompactedCell& cell) {
@@ -150,7 +150,8 @@ CompactedCell compact_around(const Surrounded& cell, const Surround& how, const 
   Recipe recipe = how.recipe;
   recipe.rate_shares = cell.shares;
   if (!how.max_rate) recipe.max_rate = gentle_rate(cell, recipe.pressure);
-  // A loose cell that strains would else carry the reinforced part along, and crumple what bears no compression.
+  // Otherwise strains of a loose cell would carry the reinforced part along, and crumple yarns, which bear no
+  // compression.
   for (std::size_t i = 0; i < cell.fill.size(); ++i)
     if (!cell.fill[i]) recipe.apart.push_back(static_cast<std::int32_t>(i));
   CompactedCell done{compact(cell.state, model, numerics, recipe, report, safekeeping), {}, {}, {}};

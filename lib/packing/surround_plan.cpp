@@ -1,4 +1,4 @@
-// A plan's [surround], read.
+// Reads a plan's [surround].
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <numbers>
