@@ -31,6 +31,7 @@ struct DelaunayFill {
   double volume = 0, solids = 0;  // m3
   double void_ratio() const { return solids > 0 ? volume / solids - 1 : 0; }
 };
+/// Measures the tetrahedra between all centres that are not left out.
 DelaunayFill delaunay_fill(const io::Snapshot& state, const std::vector<bool>& left_out);
 
 /// Volumes of a bag's grains by both tessellations, computed in parallel if there are two threads.
@@ -38,6 +39,7 @@ struct BagRoom {
   std::vector<double> cells;  // power cells as in power_cell_volumes, m3
   DelaunayFill soil;
 };
+/// Measures both, with left_out as for delaunay_fill().
 BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& left_out, int threads);
 
 /// Appends one row: volume, void ratio and stress of the reinforced soil over its power cells, its Delaunay void ratio,

@@ -18,6 +18,7 @@ struct Fabric {
   double a_c = 0, a_n = 0, a_t = 0;  // Eq. 3.9, with the sign of a : dev(stress)
   double mean_normal_force = 0;      // tr chi^n, N
 };
+/// Computes the fabric tensors and anisotropies of all contacts.
 Fabric fabric(const io::Snapshot& state);
 
 /// Both sides of the stress-force-fabric relation: q/p from the stress, and 2/5 (a_c + a_n + 3/2 a_t) from the fabric
@@ -25,8 +26,10 @@ Fabric fabric(const io::Snapshot& state);
 struct StressForceFabric {
   double stress = 0, fabric = 0;
 };
+/// Returns both sides of the relation, to check stress and fabric against each other.
 StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& fabric);
 
+/// Mean numbers of contacts, and the distribution behind them.
 struct Coordination {
   double all = 0;         // 2 Nc/N over grain-grain contacts; a plane contact counts once
   double mechanical = 0;  // Thornton 2000: (2 Nc - N1)/(N - N0 - N1)
@@ -61,6 +64,7 @@ struct ForceChains {
   double mean_length = 0;           // mean number of grains in a chain
   double grains_in_chains = 0;      // share of the grains
 };
+/// Finds the force chains of a state.
 ForceChains force_chains(const io::Snapshot& state);
 
 }  // namespace soilweave::analysis

@@ -21,6 +21,7 @@ std::vector<bool> nodes(const io::Snapshot& state);
 std::vector<Part> parts(const io::Snapshot& state);
 /// Returns for each body whether it is of this part.
 std::vector<bool> those(const std::vector<Part>& parts, Part part);
+/// Returns whether some body is fill.
 bool has_fill(const io::Snapshot& state);
 /// Adds the array `part` to the picture of a state's grains, if there is fill.
 void mark_parts(const io::Snapshot& state, io::VtkPicture& grains);

@@ -26,6 +26,7 @@ struct Principal {
   Vec3 values;
   Mat3 directions;
 };
+/// Computes principal values and directions. The largest component of a direction is positive.
 Principal principal(const Mat3& stress, int dimension);
 
 }  // namespace soilweave::analysis

@@ -33,6 +33,7 @@ struct VolumeState {
   double void_ratio = 0;
   Mat3 stress = Mat3::Zero();
 };
+/// Averages over a volume. Grains whose cell reaches outside (volume 0) are left out.
 VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
                          const std::vector<double>& cell_volumes);
 

@@ -22,6 +22,7 @@ inline constexpr std::string_view assumptions =
     "tells, "
     "and resample draws the next ensemble around the posterior, with the importance that keeps the result unbiased.";
 
+/// Everything that an assimilation has read and found.
 struct Assimilation {
   Ensemble ensemble;  // members with the weights of the last step
   Observations observed;

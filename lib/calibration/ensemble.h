@@ -13,6 +13,7 @@
 
 namespace soilweave::calibration {
 
+/// N parameter sets of a prior.
 struct Ensemble {
   Prior prior;
   std::vector<std::int64_t> id;

@@ -45,8 +45,10 @@ Observations observations(const io::Series& table, const Choice& choice, const s
 
 /// Fate of a member's run.
 enum class Fate { used, missing, unreadable, unordered, not_finite, too_short };
+/// Returns the fate as a word for tables and messages.
 std::string_view word(Fate fate);
 
+/// Runs of N members at the stations of the observations.
 struct Simulated {
   std::vector<Matrix> values;  // T x C per member, in the units of the observations; empty without a run
   std::vector<Fate> fate;

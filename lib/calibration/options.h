@@ -53,6 +53,7 @@ struct ComparisonOptions {
   std::vector<double> chosen_stations() const;
 };
 
+/// Output of a verb: a text, a table as TSV, or a file.
 struct Output {
   bool tsv = false;
   std::filesystem::path file;

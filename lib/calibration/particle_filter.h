@@ -50,6 +50,7 @@ Matrix variances(const ErrorModel& model, const Observations& observed);
 /// Returns chi2_t(i) = sum over c of (y_tc - x_tc(i))^2 / R_tc, N x T; infinite for members without a run.
 Matrix misfits(const Observations& observed, const Simulated& runs, const Matrix& variance);
 
+/// Weights of all members at all stations, and measures of how far they can be trusted.
 struct Filtered {
   Matrix log_weight;           // N x T, each column normalised; -inf: no weight
   Vector effective_size;       // T, 1 / sum of w^2
@@ -57,6 +58,7 @@ struct Filtered {
   Vector least_misfit;         // T, smallest chi2 of that step among members with weight before it
   double variance_factor = 1;  // factor on all variances
 
+  /// Returns the weights after a step, which sum to 1.
   Vector weights(Eigen::Index step) const;
 };
 

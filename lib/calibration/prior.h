@@ -23,12 +23,14 @@ struct Range {
   double low = 0, high = 1;
   Scale scale = Scale::linear;
 
+  /// Convert a coordinate to a value, and back.
   double value(double u) const;
   double coordinate(double value) const;
   /// Returns the width of the range on its scale (in decades on a log scale).
   double width() const;
 };
 
+/// Independent ranges of all parameters, in the order of an ensemble's columns.
 struct Prior {
   std::vector<Range> ranges;
 

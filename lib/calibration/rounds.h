@@ -10,6 +10,7 @@
 
 namespace soilweave::calibration {
 
+/// One Gaussian of a mixture, in the prior's coordinates.
 struct Gaussian {
   double share;  // share in the mixture
   Vector mean;
@@ -31,6 +32,7 @@ struct CutMixture {
   double log_density(const Vector& point) const;
 };
 
+/// One round of sampling: the distribution that its sets were drawn from, and their number.
 struct Round {
   CutMixture from;
   std::size_t sets;  // number of drawn sets

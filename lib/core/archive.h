@@ -12,6 +12,7 @@
 
 namespace soilweave {
 
+/// Named numbers, kept or given back. Each class has one list of items, in its archive(), for both.
 class Archive {
  public:
   using Numbers = std::map<std::string, std::vector<double>, std::less<>>;
@@ -21,6 +22,7 @@ class Archive {
   /// Makes an archive that gives back kept numbers. `where`: what messages call their source.
   Archive(Numbers numbers, std::string where);
 
+  /// Returns whether items are set to kept values instead of being kept.
   bool giving_back() const { return giving_back_; }
   const Numbers& numbers() const { return numbers_; }
   /// Packs the numbers as bytes for another process on an equal machine; the second function unpacks them.
@@ -35,6 +37,7 @@ class Archive {
   void item(const std::string& name, std::vector<double>& values);  // vector of any length
   /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
+  /// Keeps or sets an integer or enumeration as a whole number.
   template <class Whole>
   void whole(const std::string& name, Whole& value) {
     auto number = static_cast<std::int64_t>(value);

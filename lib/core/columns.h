@@ -11,6 +11,7 @@ template <class T>
 struct Columns {
   T a, b, c, d;
 };
+/// Transposes four rows: a holds the first numbers of all rows, b the second, c and d the others.
 inline Columns<Lane4> columns(const Lane4 (&r)[4]) {
   const Lane4 t0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
   const Lane4 t1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);

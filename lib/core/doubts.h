@@ -28,6 +28,7 @@ class Doubts {
 
   /// Keeps the doubt and prints it, unless its key is there already.
   void add(const Doubt& doubt);
+  /// Keeps and says several doubts in order.
   void add_all(const std::vector<Doubt>& doubts);
 
   const std::vector<Doubt>& all() const { return all_; }

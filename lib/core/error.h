@@ -31,27 +31,35 @@ class Error : public std::runtime_error {
   Exit status_;
 };
 
+/// The run ended, but a station, void ratio or criterion was not reached. Output may exist; the message says so.
 struct TargetNotReached : Error {
   explicit TargetNotReached(const std::string& m) : Error(Exit::not_reached, m) {}
 };
+/// The command line is wrong: unknown option, value out of range, options that exclude each other.
 struct UsageError : Error {
   explicit UsageError(const std::string& m) : Error(Exit::usage, m) {}
 };
+/// Content of a file, scenario or plan is invalid. The message begins with its name, and line where there is one.
 struct DataError : Error {
   explicit DataError(const std::string& m) : Error(Exit::bad_data, m) {}
 };
+/// An input file does not exist or cannot be opened.
 struct MissingInput : Error {
   explicit MissingInput(const std::string& m) : Error(Exit::no_input, m) {}
 };
+/// Physics broke: a number is not finite, energy appears, grains overlap too deeply, a grain is lost.
 struct PhysicsError : Error {
   explicit PhysicsError(const std::string& m) : Error(Exit::internal, m) {}
 };
+/// An output cannot be made, or would replace something that is still needed.
 struct CannotCreate : Error {
   explicit CannotCreate(const std::string& m) : Error(Exit::cannot_create, m) {}
 };
+/// Reading or writing failed midway, for example on a full disk.
 struct IoError : Error {
   explicit IoError(const std::string& m) : Error(Exit::io, m) {}
 };
+/// A signal stopped the work after its state was written. It can be resumed.
 struct Stopped : Error {
   explicit Stopped(const std::string& m) : Error(Exit::stopped, m) {}
 };

@@ -25,11 +25,13 @@ inline constexpr bool is_lane = !std::is_arithmetic_v<T>;
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
+/// Returns `yes` in lanes where the mask holds, `no` elsewhere. Both are computed.
 template <class T>
 T select(const Mask<T>& mask, const T& yes, const T& no) {
   return mask ? yes : no;
 }
 
+/// Returns the square root, correctly rounded, for lanes and scalars alike.
 inline double square_root(double x) { return std::sqrt(x); }
 
 inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
@@ -88,6 +90,7 @@ using Lanes = Lane8;
 using Lanes = Lane4;
 #endif
 
+/// Returns whether the mask holds in any lane.
 inline bool any(bool mask) { return mask; }
 template <class M>
 bool any(const M& mask) {
@@ -106,6 +109,7 @@ requires is_lane<T> T keep(const Mask<T>& mask, const T& x) {
   return kept;
 }
 
+/// Return the smaller or larger of two numbers by lane. If one is a NaN, the second argument is returned.
 template <class T>
 T minimum(const T& a, const T& b) {
   return select<T>(a < b, a, b);
@@ -115,6 +119,7 @@ T maximum(const T& a, const T& b) {
   return select<T>(a > b, a, b);
 }
 
+/// Returns the magnitude of each lane.
 template <class T>
 T absolute(const T& x) {
   return select<T>(x < all<T>(0), -x, x);

@@ -11,6 +11,7 @@ namespace soilweave {
 /// Returns the resource of the process. Threads may share it.
 std::pmr::memory_resource& large_pages();
 
+/// Allocator of the standard library that takes large pages.
 template <class T>
 struct LargePages {
   using value_type = T;

@@ -9,6 +9,7 @@
 
 namespace soilweave {
 
+/// One described quantity. Bounds are in its unit and inclusive, unless `open`.
 struct Parameter {
   std::string_view name;  // snake_case: the scenario key; as an option --with-hyphens
   std::string_view unit;  // SI; "1" for pure numbers, "deg" for angles that users write

@@ -8,6 +8,7 @@
 
 namespace soilweave {
 
+/// Progress of one piece of work. Its line on a terminal is cleared when the object is destroyed.
 class Progress {
  public:
   /// name: the advancing quantity ("axial strain"). quiet: print nothing.

@@ -22,6 +22,7 @@ class Settings {
   /// Applies one --set key=value. Dotted keys reach into tables, "stage.0.pressure" into arrays of tables.
   void set(std::string_view assignment);
 
+  /// Returns whether the key exists, without reading it.
   bool has(std::string_view key) const;
   /// Returns numbers in the parameter's unit: bare numbers have it already, text such as "100 kPa" is converted.
   double number(const Parameter& parameter, std::optional<double> fallback = std::nullopt);
@@ -32,6 +33,7 @@ class Settings {
   Vec3 vector(const Parameter& parameter, std::optional<Vec3> fallback = std::nullopt);
   /// Returns a vector, or nullopt for the word `word` (as in point = "touch").
   std::optional<Vec3> vector_or(const Parameter& parameter, std::string_view word);
+  /// Return texts. choice() accepts only the listed values and names the nearest one in its mistake.
   std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
   std::string choice(std::string_view key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);

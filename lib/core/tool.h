@@ -54,6 +54,7 @@ class Table {
  public:
   Table();
   ~Table();
+  /// Sets the name, the sentence and the description that help and manual page begin with.
   void about(std::string name, std::string sentence, std::string description = "");
   void example(std::string command, std::string sentence);  // can be pasted; the tests run every example
 

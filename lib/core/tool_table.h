@@ -16,6 +16,7 @@ namespace soilweave::tool {
 
 enum class Kind { value, flag, choice, file, list };
 
+/// One option of a table.
 struct Entry {
   Kind kind = Kind::value;
   std::string name;      // long name with hyphens ("void-ratio"); empty if there is only a letter
@@ -36,6 +37,7 @@ struct Entry {
   std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
 };
 
+/// One positional input, for a single file or for many.
 struct Positional {
   std::string name, sentence;
   bool required = true, many = false;
@@ -43,6 +45,7 @@ struct Positional {
   std::vector<std::string> given;
 };
 
+/// Everything declared about a tool, and the values read from its arguments.
 struct Table::Impl {
   std::string name, sentence, description;
   std::vector<std::pair<std::string, std::string>> examples;
@@ -78,6 +81,7 @@ void check_files(const Table::Impl& table);
 /// shell.
 std::string canonical_command(const Table::Impl& table);
 
+/// Return the texts of --help and --version.
 std::string help_text(Table::Impl& table);
 std::string version_text(const Table::Impl& table);
 /// Returns man(7) source. Equal tables give equal bytes.
@@ -85,6 +89,7 @@ std::string man_text(Table::Impl& table);
 /// Returns bash source that completes option names, choices and files.
 std::string completion_text(Table::Impl& table);
 
+/// One exit status, as help and manual page describe it.
 struct Status {
   int code;
   const char* meaning;

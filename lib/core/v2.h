@@ -28,10 +28,12 @@ template <class T>
 V2<T> operator*(const T& s, const V2<T>& a) {
   return {s * a.x, s * a.y};
 }
+/// Returns a . b.
 template <class T>
 T dot(const V2<T>& a, const V2<T>& b) {
   return fused(a.y, b.y, T(a.x * b.x));
 }
+/// Returns the component of a x b along the normal of the plane.
 template <class T>
 T cross(const V2<T>& a, const V2<T>& b) {
   return fused(a.x, b.y, T(-(a.y * b.x)));
@@ -46,10 +48,12 @@ template <class T>
 V2<T> fused_less(const T& s, const V2<T>& a, const V2<T>& b) {
   return {fused_less(s, a.x, b.x), fused_less(s, a.y, b.y)};
 }
+/// Returns v where the mask holds, and zero elsewhere.
 template <class T>
 V2<T> keep(const Mask<T>& mask, const V2<T>& v) {
   return {keep(mask, v.x), keep(mask, v.y)};
 }
+/// Returns |a|^2.
 template <class T>
 T norm2(const V2<T>& a) {
   return dot(a, a);

@@ -22,16 +22,20 @@ struct BlockLanes {
   BlockLanes(ContactBlock& of, std::size_t from) : block(&of), lane(from), numbers(of.shear[0] + from) {}
 
   static constexpr unsigned full = (1u << width<T>)-1;
+  /// Returns the mask of touching pairs, bit i for lane i.
   unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
   /// Returns the mask of pairs that reach across the cell's faces.
   unsigned folded() const { return (unsigned{block->folded} >> lane) & full; }
+  /// Stores the masks of touching and sliding pairs.
   void set_masks(unsigned touching, unsigned sliding) const {
     const unsigned others = ~(full << lane);
     block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
     block->sliding = static_cast<std::uint8_t>((block->sliding & others) | (sliding << lane));
   }
+  /// Return the byte offsets of the grains of pair k from the first grain.
   std::size_t first(std::size_t k) const { return block->first[lane + k]; }
   std::size_t second(std::size_t k) const { return block->second[lane + k]; }
+  /// Return the loads that take the force on the first and on the second grain of pair k.
   double* load_first(std::size_t k, double* loads) const {
     constexpr std::size_t grain_over_load = sizeof(Grain) / sizeof(Load);
     return at_bytes(loads, first(k) / grain_over_load);
@@ -39,6 +43,7 @@ struct BlockLanes {
   double* load_second(std::size_t k, double* loads) const { return at_bytes(loads, block->load_second[lane + k]); }
   std::size_t image(std::size_t k) const { return block->image[lane + k]; }
 
+  /// Return the history in these lanes.
   template <class Space>
   Along<T, Space> shear() const {
     return read(at(shear_force), Along<T, Space>());
@@ -49,6 +54,7 @@ struct BlockLanes {
   }
   T twisting() const { return load<T>(at(twisting_moment)); }
   T normal_force() const { return load<T>(at(normal)); }
+  /// Store the history of these lanes.
   template <class V>
   void remember_shear(const V& shear) const {
     put(shear, at(shear_force));
@@ -61,6 +67,7 @@ struct BlockLanes {
   void forget_moments() const { remember_moments(Memory<T, Spatial>{}); }
   void remember_normal_force(const T& force) const { store(at(normal), force); }
 
+  /// Return the grains on either side of the pairs.
   Side first_side(const std::byte* grains) const { return {grains, block->first + lane}; }
   Side second_side(const std::byte* grains) const { return {grains, block->second + lane}; }
   /// Reads the rows of both grains. The cell offset of a pair is added from `shifts`, a row for each of
@@ -70,6 +77,7 @@ struct BlockLanes {
     const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
     return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded != 0, shift, Space());
   }
+  /// Reads the masses of both grains, which only some laws need.
   template <class Space>
   void masses(const std::byte* grains, Kinematics<T, Space>& kinematics) const {
     double one[width<T>], two[width<T>];

@@ -35,6 +35,7 @@ double grain_volume(int dimension, double radius);
 inline std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
 inline std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
 
+/// All grains of a simulation: spheres, disks, and nodes of geotextiles.
 struct Bodies {
   int dimension = 3;
   double gyration;  // moment of inertia over (mass times squared radius)
@@ -70,6 +71,7 @@ struct Bodies {
   Lane4 spin(std::size_t i) const {
     return dimension == 2 ? Lane4{0, 0, grains[i].velocity[2], radius(i)} : grains[i].spin;
   }
+  /// Set velocity, m/s, and spin, rad/s, of one grain.
   void set_velocity(std::size_t i, const Vec3& v);
   void set_spin(std::size_t i, const Vec3& spin);
 
@@ -80,6 +82,7 @@ struct Bodies {
   }
   Lane4 torque(std::size_t i) const { return dimension == 2 ? Lane4{0, 0, loads[i].force[2], 0} : loads[i].torque; }
 
+  /// Returns whether a grain is a node of a geotextile.
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
   /// Returns whether two nodes belong to one fabric: yarns hold these together, so they touch only across a periodic
   /// face.
@@ -91,6 +94,7 @@ struct Bodies {
   void scale_radii(double factor, const Vec3& stretch);
   /// Returns the volume of the grains, m3 (2D: m2). Overlaps count twice.
   double solid_volume() const;
+  /// Return extremes over all grains, m, kg and kg m2; inertia without nodes.
   double largest_radius() const;
   double smallest_radius() const;
   double smallest_mass() const;

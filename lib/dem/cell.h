@@ -7,6 +7,7 @@
 
 namespace soilweave::dem {
 
+/// Shape H and motion L of the cell. Columns of H are the cell vectors.
 class Cell {
  public:
   Cell() = default;
@@ -15,6 +16,7 @@ class Cell {
   /// Advances shape and deformation gradient over a step, first order: H <- (1 + L dt) H (LAWS.md §5).
   void advance(double dt);
   void set_velocity_gradient(const Mat3& gradient) { velocity_gradient_ = gradient; }
+  /// Makes the present shape the reference of the deformation gradient.
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
 
   const Mat3& matrix() const { return matrix_; }  // columns are the cell vectors, m
@@ -29,6 +31,7 @@ class Cell {
   /// Returns the integer offset of `to`'s image nearest to `from`, along periodic axes. Exact for grains smaller than
   /// half the cell.
   Vec3i nearest_image(const Vec3& from, const Vec3& to) const;
+  /// Returns the cell as files hold it.
   io::CellRecord record() const;
 
  private:

@@ -15,12 +15,14 @@ using CellOffset = std::int64_t;
 
 constexpr int cell_offset_bits = 21;  // bits per axis, sign included
 
+/// Packs three integers; all offsets beyond a million cells become one.
 inline CellOffset cell_offset(const Vec3i& cells) {
   constexpr std::int64_t most = (std::int64_t{1} << (cell_offset_bits - 1)) - 1;
   const auto along = [&](int axis) { return std::clamp(std::int64_t{cells[axis]}, -most, most); };
   return (along(0) * (1 << cell_offset_bits) + along(1)) * (1 << cell_offset_bits) + along(2);
 }
 
+/// Unpacks an offset.
 inline Vec3i cells_of(CellOffset offset) {
   constexpr std::int64_t range = std::int64_t{1} << cell_offset_bits, half = range / 2;
   Vec3i cells;

@@ -9,12 +9,14 @@
 
 namespace soilweave::dem {
 
+/// One clamp: its grains by index, its velocity, and the force on it.
 struct Clamp {
   std::vector<std::int32_t> grains;
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 force = Vec3::Zero();     // force of its grains on the clamp, gravity included, N
 };
 
+/// All clamps of a simulation.
 class Clamps {
  public:
   std::vector<Clamp> all;

@@ -17,11 +17,13 @@ namespace soilweave::dem {
 /// Grains per chunk, whose pairs one thread sweeps at a time. So many fit the second cache. A representative volume has
 /// as many, and large packings often repeat its copies.
 inline constexpr std::size_t grains_per_chunk = 1000;
+/// Returns the number of chunks of so many grains.
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
 /// Index of the first grain of `chunk`; the number of grains if there is no such chunk.
 inline std::size_t first_grain(std::size_t chunk, const Bodies& bodies) {
   return std::min(bodies.size(), chunk * grains_per_chunk);
 }
+/// Returns the chunk of a grain.
 inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t>(grain) / grains_per_chunk; }
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
@@ -94,6 +96,7 @@ struct History {
 
 /// Returns the history in a lane.
 History history_of(const ContactBlock& block, int lane);
+/// Stores a history in a lane.
 void set_history(ContactBlock& block, int lane, const History& history);
 /// Copies the history of a lane into a lane that holds zeros.
 void copy_history(const ContactBlock& from, int lane, ContactBlock& to, int to_lane);

@@ -68,6 +68,7 @@ struct PairStiffness {
   double normal = 0, rotational = 0;
 };
 
+/// A sweep for one law and one width of the register. An object keeps buffers, so one simulation needs one.
 class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
@@ -81,6 +82,7 @@ class ContactSweep {
   /// rotation in `torque`, N m/rad (in the plane the third component of `force`). Changes nothing else. Returns the
   /// affine stiffness times squared branch along the axes, summed over contacts, N m.
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
+  /// Returns the energies stored in all contacts now.
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
   /// Returns the largest stiffness between equal grains, one of a material below `materials`, the other of any
   /// material, at the given radius and overlap, m. It bounds the step before contacts form (step_bound.h).

@@ -7,6 +7,7 @@
 
 namespace soilweave::dem {
 
+/// Work and dissipation of one contact in a step.
 template <class T>
 struct Work {
   T on_springs, frictional, rolling_plastic, viscous;  // J; the first one times -2

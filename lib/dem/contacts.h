@@ -20,6 +20,7 @@
 
 namespace soilweave::dem {
 
+/// All pairs of a simulation, in chunks of blocks, with the history of those that touch.
 struct Contacts {
   std::vector<LargeVector<ContactBlock>> chunks;
   PlaneContacts planes;
@@ -43,6 +44,7 @@ struct Contacts {
   /// Resizes the loads, which must be zero. Throws DataError beyond 65,000 cell offsets or 33 million grains.
   void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
 
+  /// Returns the pair in a lane of a block.
   Pair pair(const ContactBlock& block, int lane) const;
 
  private:

@@ -19,6 +19,7 @@ struct AxisGoal {
 };
 using AxisGoals = std::array<AxisGoal, 3>;
 
+/// Tolerances of an equilibrium.
 struct Tolerances {
   double stress = 1e-3;                                             // relative to the goal
   double unbalanced_force = 1e-3;                                   // mean resultant over mean contact force
@@ -27,6 +28,7 @@ struct Tolerances {
 
 /// Rule by which an axis follows its stress goal.
 struct ServoRule {
+  /// stiffness: for all new work. inertia: to repeat the thesis's runs.
   enum class Kind {
     // Proportional-integral and critically damped. Gains follow the stiffness of the contact network, so that the
     // response takes as many steps for any number of grains, stiffness and pressure.
@@ -39,6 +41,7 @@ struct ServoRule {
   double damping = 0.25;  // damping of `inertia`
 };
 
+/// A controller of all cell axes. One object serves one run, since it keeps an integral part.
 class Servo {
  public:
   explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}

@@ -11,6 +11,7 @@
 
 namespace soilweave::dem {
 
+/// Table of all pairs of n materials; (a, b) and (b, a) are mixed separately.
 template <class Law>
 class Couples {
  public:
@@ -19,6 +20,7 @@ class Couples {
       for (const auto& b : materials) all_.push_back(Law::mix(a, b));
   }
 
+  /// Returns the pair of two materials.
   const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
   /// Returns the pair of materials of a block, which all its pairs share.
   const typename Law::Couple& of(const ContactBlock& block, const Bodies& bodies) const {

@@ -10,6 +10,7 @@
 
 namespace soilweave::dem {
 
+/// Forecast of a whole run, by stages and in total.
 struct Forecast {
   struct OfStage {
     std::string name;

@@ -37,6 +37,7 @@ struct MovedGrains {
 /// damping if it slows it down. The new velocities and the cell's affine motion change the positions. Leaves the loads
 /// zero.
 using MoveGrains = void (*)(const Push& push, MovedGrains of, std::size_t begin, std::size_t end, MotionTally& tally);
+/// The loops of one width: for spheres, for disks, and the number of grains that they take at a time.
 struct GrainMotion {
   MoveGrains in_space, in_plane;
   std::size_t at_once;

@@ -14,6 +14,7 @@
 
 namespace soilweave::dem {
 
+/// Guards of one simulation, with the limits of its numerics.
 class Guard {
  public:
   Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes);

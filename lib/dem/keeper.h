@@ -22,6 +22,7 @@ struct Safekeeping {
   const StopSignals* signals = nullptr;  // nullptr: signals are ignored here
 };
 
+/// Keeper of checkpoints for one run.
 class Keeper {
  public:
   Keeper(const Safekeeping& how, std::size_t grains);

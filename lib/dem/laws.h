@@ -30,6 +30,7 @@ concept ContactLaw = requires(const typename L::Material& material, const typena
   requires std::same_as<typename L::Material::Law, L>;
 };
 
+/// A list of laws: the variant of their materials, and their names for scenarios.
 template <ContactLaw... Law>
 struct LawList {
   using Materials = std::variant<std::vector<typename Law::Material>...>;

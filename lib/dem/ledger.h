@@ -17,6 +17,7 @@ static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13
                   sizeof(Energies) == 17 * sizeof(double),
               "a number was added that is not in the lists below");
 
+/// Keep or restore sums of a sweep, measurements and energies.
 inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
   a.item("sum_tangential_work", s.tangential_work), a.item("sum_frictional", s.frictional);

@@ -28,6 +28,7 @@ struct Limits {
       2;  // distance beyond the extent of grains and planes at the start, over that extent, along an open axis
 };
 
+/// Numerical settings of the steps.
 struct Numerics {
   double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
   double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness

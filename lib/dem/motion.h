@@ -27,6 +27,7 @@ class Motion {
   void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
   /// Moves the grains of a chunk. Leaves their loads zero.
   void advance(std::size_t chunk, Bodies& bodies);
+  /// Moves all grains, chunk by chunk.
   void advance_all(Bodies& bodies);
   MotionSums advanced() const;
   /// Returns a bound on the speed that any grain can gain in the coming step, m/s, from the collected forces; infinite
@@ -64,6 +65,7 @@ class Motion {
   std::vector<double> partial_;  // sums of other passes, by chunk
 };
 
+/// Kinetic energies around a change of all velocities.
 struct Slowed {
   double energy_before = 0, energy_after = 0;  // kinetic energy, J, as defined below
 

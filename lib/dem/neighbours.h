@@ -20,6 +20,7 @@
 
 namespace soilweave::dem {
 
+/// Neighbour lists of one simulation.
 class Neighbours {
  public:
   /// Skins are fractions of the largest radius, m.

@@ -14,6 +14,7 @@ struct DeepestContact {
   double overlap = 0;                  // m
   double relative = 0;                 // overlap over the smaller radius, 1
 };
+/// Finds the deepest contact of a state.
 DeepestContact deepest_of(const io::ContactsRecord& contacts, const Bodies& bodies);
 
 /// Returns the contact in words, for messages.

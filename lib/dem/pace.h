@@ -10,6 +10,7 @@
 
 namespace soilweave::dem {
 
+/// A loading speed that adapts to the unbalanced force. It begins at a hundredth of the prescribed speed.
 class Pace {
  public:
   /// The number of grains and the dimension tell how many steps a wave takes across the assembly.

@@ -22,9 +22,11 @@ struct PathState {
   Vec3 strain;  // natural, since the start of the stage
 };
 
+/// A loading path. Objects are immutable: goals depend only on the station and the state.
 class Path {
  public:
   virtual ~Path() = default;
+  /// Returns the number of stations.
   virtual std::size_t stations() const = 0;
   /// Returns the goals on the way to a station (0 to stations() - 1). Strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
@@ -52,6 +54,7 @@ double read_max_rate(Settings& table);
 /// Reads a stress, Pa.
 double read_stress(Settings& table, std::string_view key, std::string_view sentence);
 
+/// Returns the names of all paths, for scenarios.
 std::vector<std::string> path_names();
 /// Reads the path `name`. Mistakes are collected in the table's document.
 std::unique_ptr<Path> read_path(const std::string& name, Settings& table);

@@ -13,6 +13,7 @@ namespace soilweave::dem {
 /// Grains that touch a plane; numbers as in files.
 enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
 
+/// One plane.
 struct Plane {
   Vec3 point, normal, velocity;
   std::int32_t material;
@@ -21,6 +22,7 @@ struct Plane {
   bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
 };
 
+/// All planes of a simulation, which move at constant velocities.
 struct Planes {
   std::vector<Plane> all;
 

@@ -21,6 +21,7 @@ struct PlaneBlock {
   std::int32_t plane;
 };
 
+/// All pairs of grains and planes of a simulation.
 class PlaneContacts {
  public:
   bool empty() const { return blocks_.empty(); }

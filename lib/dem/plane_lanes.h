@@ -32,6 +32,7 @@ struct PlaneSums {
   }
 };
 
+/// Lanes of a block of pairs with one plane.
 template <class T>
 class PlaneLanes {
  public:
@@ -49,6 +50,7 @@ class PlaneLanes {
     return bodies_.material[static_cast<std::size_t>(ContactBlock::index(pairs.block->first[0]))];
   }
 
+  /// Returns the geometry and motion of the pairs over a step dt.
   PairGeometry<T> geometry(double dt) const {
     const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
     const bool planar = bodies_.dimension == 2;  // in the plane the spin comes with the velocity

@@ -14,6 +14,7 @@
 
 namespace soilweave::dem {
 
+/// Sweep over pairs with planes for one law.
 template <class Law, class T>
 class PlaneSweep {
  public:

@@ -10,6 +10,7 @@
 
 namespace soilweave::dem {
 
+/// Load on one plane.
 struct PlateLoad {
   Vec3 force = Vec3::Zero();  // force of the grains on the plane, N
   double stiffness = 0;       // lower bound of the stiffness of its contacts along the normal, N/m

@@ -11,6 +11,7 @@
 
 namespace soilweave::dem {
 
+/// Cost of a run.
 struct Price {
   std::size_t grains = 0;
   std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
@@ -18,6 +19,7 @@ struct Price {
   double stepping = 0, output = 0;            // s
   StepTimes times;
 
+  /// Returns the mean number of contacts per step.
   double contacts() const { return steps > 0 ? static_cast<double>(contact_steps) / static_cast<double>(steps) : 0; }
   /// Returns the time of a whole step per contact, ns.
   double per_contact() const { return contact_steps > 0 ? 1e9 * stepping / static_cast<double>(contact_steps) : 0; }

@@ -28,6 +28,7 @@ struct RigPart {
   double mass = 0;         // kg; 0: massless, carried by its contacts
 };
 
+/// All named plates and clamps of a run.
 class Rig {
  public:
   Rig() = default;

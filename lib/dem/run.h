@@ -23,6 +23,7 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
 /// Appends further columns on a recorded state to the series, the same columns each time.
 using Observe = std::function<void(const io::Snapshot& state, io::Series& series)>;
 
+/// Result of a run.
 struct Outcome {
   io::RunFile file;
   Price price;

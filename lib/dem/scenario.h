@@ -13,6 +13,7 @@
 
 namespace soilweave::dem {
 
+/// One stage of loading.
 struct Stage {
   std::string name;
   std::unique_ptr<Path> path;
@@ -43,6 +44,7 @@ struct PartSetting {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
+/// A whole scenario.
 struct Scenario {
   Model model;
   Numerics numerics;

@@ -71,6 +71,7 @@ struct Energies {
   }
 };
 
+/// One assembly in motion.
 class Simulation {
  public:
   /// Takes over the state with its contacts and their history. Contacts missing in the record begin at zero shear.

@@ -11,6 +11,7 @@
 
 namespace soilweave::dem {
 
+/// Types of space: vectors and rotations have three components.
 struct Spatial {
   template <class T>
   using Vector = V3<T>;
@@ -21,6 +22,7 @@ struct Spatial {
   static constexpr bool twists = true;  // grains can rotate about the normal of a contact
 };
 
+/// Types of the plane: vectors have two components, rotations and forces along a contact have one.
 struct Planar {
   template <class T>
   using Vector = V2<T>;

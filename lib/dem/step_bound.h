@@ -27,6 +27,7 @@ struct StepBound {
   double rotation;
 };
 
+/// Returns the bound from the least radius, mass and inertia, and from the stiffest contact of any materials.
 StepBound bound_to_come(const ContactSweep& sweep, const Bodies& bodies, const Smallest& smallest);
 
 }  // namespace soilweave::dem

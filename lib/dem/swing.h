@@ -17,6 +17,7 @@
 
 namespace soilweave::dem {
 
+/// Estimator of the swing of one run.
 class Swing {
  public:
   /// Starts anew when the loading stops, because the grains then swing about another state.

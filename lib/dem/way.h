@@ -12,6 +12,7 @@
 
 namespace soilweave::dem {
 
+/// Changes of the grains' velocities in one run.
 class Way {
  public:
   /// Begins a stage, whose first loading has no earlier one.

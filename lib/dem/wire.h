@@ -19,6 +19,7 @@ struct WireCurve {
   std::vector<double> tension;  // N, not negative
   double unloading = 0;         // N per unit of strain
 
+  /// Returns the strain at which a yarn breaks.
   double breaking_strain() const { return strain.back(); }
   /// Returns the tension on the curve of first loading, N, from 0 to breaking_strain(). T is double or lanes.
   template <class T>

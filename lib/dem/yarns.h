@@ -29,6 +29,7 @@ struct YarnSums {
   }
 };
 
+/// All yarns of a simulation, in blocks that a register can take.
 class Yarns {
  public:
   Yarns() = default;
@@ -52,6 +53,7 @@ class Yarns {
   /// Returns the affine stiffness of the taut yarns times their squared lengths along the axes, N m, as
   /// ContactSweep::stiffen does for contacts. A yarn is stiff along itself, and sideways as a taut string.
   Vec3 affine_stiffness(int threads) const;
+  /// Returns the yarns as files hold them.
   io::YarnsRecord record() const;
 
  private:

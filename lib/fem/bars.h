@@ -13,6 +13,7 @@
 
 namespace soilweave::fem {
 
+/// Parameters of contacts.
 struct Touch {
   double normal_stiffness = 0;  // N/m3, per length of bar and width
   double shear_ratio = 0;       // shear over normal stiffness
@@ -25,10 +26,12 @@ struct Guide {
   bool holds_soil = false;  // whether it carries the interface too
 };
 
+/// Prescribed velocity of an end of the chain.
 struct ChainEnd {
   std::optional<double> x, y;  // prescribed velocity, m/s; none: free
 };
 
+/// Input of a geosynthetic.
 struct BarsSetup {
   std::vector<Vec2> interface;                                // nodes of the soil's boundary, with the soil on the left
   std::vector<Vec2> chain;                                    // nodes of the geosynthetic, m
@@ -50,6 +53,7 @@ struct BarsSetup {
 /// their bisector. overhang: straight length before the start, m. Throws DataError above 100,000 bars.
 std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, double spacing, double overhang);
 
+/// Energies of the geosynthetic since the start, J per metre.
 struct BarEnergies {
   double kinetic = 0, elastic = 0, contact = 0;
   double damping = 0, friction = 0, broken = 0;
@@ -61,6 +65,7 @@ struct BarEnergies {
   }
 };
 
+/// The chain, its contacts and its guides in motion.
 class Bars {
  public:
   explicit Bars(BarsSetup setup);
@@ -80,6 +85,7 @@ class Bars {
   /// Returns how far interface nodes stand off the soil's nodes since seat().
   const std::vector<Vec2>& offsets() const { return offsets_; }
 
+  /// Holds the ends still and replaces the damping, or releases them.
   void hold(bool held, std::optional<double> damping = std::nullopt);
   const std::vector<Vec2>& nodes() const { return x_; }
   const std::vector<Vec2>& velocities() const { return v_; }

@@ -18,6 +18,7 @@ struct ContinuumLaw {
   Vec3 initial_stress = Vec3::Zero();    // xx, yy, zz, tension positive, Pa
 };
 
+/// A material point with a continuum law.
 class ContinuumPoint : public MaterialPoint {
  public:
   explicit ContinuumPoint(const ContinuumLaw& law);

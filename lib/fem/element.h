@@ -9,6 +9,7 @@
 
 namespace soilweave::fem {
 
+/// Shapes of elements.
 enum class Shape {
   triangle3,       // linear, one integration point
   quadrilateral8,  // serendipity
@@ -20,6 +21,7 @@ enum class Integration { reduced, full };
 inline constexpr std::size_t most_nodes = 8;
 constexpr std::size_t nodes_of(Shape shape) { return shape == Shape::triangle3 ? 3 : 8; }
 constexpr std::size_t corners_of(Shape shape) { return shape == Shape::triangle3 ? 3 : 4; }
+/// Returns the name of a shape, as scenarios write it.
 std::string name_of(Shape shape);
 
 /// 2 x n, one column per node.
@@ -31,6 +33,7 @@ struct IntegrationPoint {
   Vec2 at;
   double weight;
 };
+/// Returns the integration points of a shape; triangles always have one.
 std::vector<IntegrationPoint> integration_points(Shape shape, Integration integration);
 
 /// Returns the shape functions N at a position in the reference element.
@@ -43,6 +46,7 @@ struct Gradients {
   ElementNodes dN;
   double area;
 };
+/// Computes them for an element with these nodes.
 Gradients gradients(Shape shape, const Vec2& at, const ElementNodes& nodes);
 
 }  // namespace soilweave::fem

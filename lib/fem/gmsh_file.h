@@ -23,8 +23,10 @@ struct GmshType {
   std::string_view name;
   int nodes = 0;
 };
+/// Returns the description of a Gmsh element number.
 GmshType gmsh_type(int number);
 
+/// A parsed file.
 struct GmshFile {
   struct Node {
     Vec3 at;           // m

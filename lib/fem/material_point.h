@@ -25,6 +25,7 @@ struct PointEnergy {
   double stored = 0, kinetic = 0, dissipated = 0;
 };
 
+/// A material point. Implementations: ContinuumPoint, Rve.
 class MaterialPoint {
  public:
   MaterialPoint() = default;

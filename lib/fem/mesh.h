@@ -24,6 +24,7 @@ struct Boundary {
   std::vector<Index> nodes;                // all nodes, ascending; a boundary of points has only these
 };
 
+/// A mesh of triangles or quadrilaterals.
 struct Mesh {
   Shape shape = Shape::triangle3;
   std::vector<Vec2> nodes;                              // m
@@ -49,6 +50,7 @@ struct Mesh {
     Index elements = 0;
     Vec2 middle = Vec2::Zero();
   };
+  /// Returns the pieces that share no node.
   std::vector<Piece> pieces() const;
 };
 

@@ -30,6 +30,7 @@
 
 namespace soilweave::fem {
 
+/// Input of a model.
 struct ModelSetup {
   SoilSetup soil;                   // density 0: density of the grains times their solid fraction
   std::optional<ContinuumLaw> law;  // none: grains
@@ -57,6 +58,7 @@ struct Balance {
   double error() const { return external - kinetic - stored - dissipated; }
 };
 
+/// Both scales in motion.
 class Model {
  public:
   /// ranks: processes that share the points; must outlive the model. Throws DataError for unknown boundaries, packings

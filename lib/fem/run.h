@@ -14,6 +14,7 @@ namespace soilweave::fem {
 /// Progress callback: fraction done (0 to 1), and a line on the present state.
 using Report = std::function<void(double fraction, const std::string& detail)>;
 
+/// Result of a run.
 struct Outcome {
   io::MultiscaleFile file;
   std::string price;  // a line: steps, grain steps per second, seconds

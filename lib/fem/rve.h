@@ -29,8 +29,10 @@ struct Probe {
   Mat2 stress = Mat2::Zero();   // Pa, tension positive
   double solid_fraction = 0;
 };
+/// Measures a packing before the run.
 Probe probe(const io::Snapshot& packing, const Grains& grains);
 
+/// A packing of disks as a material point.
 class Rve : public MaterialPoint {
  public:
   /// Each step takes `substeps` substeps of step/substeps s, with equal parts of the gradient.

@@ -19,6 +19,7 @@ struct QuasiStatic {
   std::int64_t largest_rest = 0;  // steps after which it counts as unreachable
 };
 
+/// A whole two-scale scenario.
 struct Scenario {
   ModelSetup model;  // model without packings
   double duration = 0;

@@ -27,6 +27,7 @@ struct Traction {
   Vec2 value = Vec2::Zero();
 };
 
+/// Input of the finite elements.
 struct SoilSetup {
   Mesh mesh;
   Integration integration = Integration::reduced;
@@ -53,6 +54,7 @@ struct SoilEnergies {
 
 using Points = std::vector<std::unique_ptr<MaterialPoint>>;
 
+/// The finite elements in motion.
 class Soil {
  public:
   /// Checks the mesh and lumps masses (HRZ: Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass

@@ -22,6 +22,7 @@ struct Stiffness {
   double value = 0;  // tensile stiffness J, N/m
   std::string source;
 };
+/// Returns the series of a table of loading, as described above.
 BagSeries bag_of_loading(const io::Series& loading, const std::string& where, const Stiffness& stiffness);
 
 /// Returns the tensile stiffness of the geotextile around the bag of a run. A curve from data/geotextiles has the

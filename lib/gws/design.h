@@ -23,6 +23,7 @@ struct StiffnessRange {
 
 enum class Governs { settlement, strength, range };
 
+/// The answer to a demand.
 struct Design {
   Geotextile geotextile;  // softest geotextile that meets the demand, with the strength it needs
   Governs governs = Governs::settlement;
@@ -35,6 +36,7 @@ struct Design {
 /// Throws TargetNotReached if the stiffest geotextile of the range is too soft, DataError for an inadmissible demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
+/// Surcharge that a given bag carries.
 struct Allowance {
   double surcharge = 0;  // Pa
   Governs governs = Governs::strength;

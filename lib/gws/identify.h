@@ -58,6 +58,7 @@ struct Increment {
   double generalized_stress = 0;                // dp*, Pa
   double failure_obliquity = 0, obliquity = 0;  // M_f and q/p of the increment
 };
+/// Result of an identification.
 struct Identification {
   std::vector<Line> lines;                         // lines that the data allow, in the order of Table 5.2
   std::vector<std::vector<Increment>> increments;  // increments of each series

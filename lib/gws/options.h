@@ -53,6 +53,7 @@ struct ReadCase {
   std::string scenario;  // the soil as TOML, for provenance
 };
 
+/// Options of a bag, shared by several verbs.
 struct CaseOptions {
   std::string geotextile, soil;  // soil: empty if none was chosen
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;

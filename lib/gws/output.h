@@ -14,6 +14,7 @@ namespace soilweave::gws {
 
 using Groups = std::vector<io::FieldsFile::Group>;
 
+/// Output of a verb.
 struct Output {
   bool tsv = false;
   std::filesystem::path file;

@@ -44,8 +44,10 @@ std::string describe(const Identification& found, const std::vector<BagSeries>& 
 std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series,
                             const std::string& command);
 
+/// Describe a design or an allowance in a paragraph.
 std::string describe(const Design& design, const Demand& demand, const Case& bag);
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag);
+/// Return designs, allowances and charts as tables in SI.
 io::Series design_table(const Design& design);
 io::Series allowance_table(const Allowance& allowance);
 io::Series chart_table(const std::vector<ChartRow>& rows);

@@ -29,11 +29,13 @@ std::vector<Sensitivity> sensitivities(const Case& bag, const SoilFile& soil, do
 struct Band {
   double low = 0, middle = 0, high = 0;
 };
+/// One row of the bands: quantiles of the responses at one settlement.
 struct BandRow {
   double settlement = 0;
   std::size_t samples = 0;  // number of responses that get as far
   Band surcharge, axial_stress, radial_stress, hoop_strain;
 };
+/// Bands of responses, and of their ends.
 struct Bands {
   std::int64_t samples = 0;
   std::map<std::string, std::size_t> left_out;  // number of draws without a response, by reason

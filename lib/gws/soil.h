@@ -49,6 +49,7 @@ struct Constant {
 
   std::string key() const;  // "compression_line.C_t"
 };
+/// Returns all constants in the order of Table 5.2.
 std::span<const Constant> constants();
 
 /// Scatter of the constants of one line: standard errors and correlation (row by row; the unit matrix if the source
@@ -76,6 +77,7 @@ struct Identified {
   Span stiffness, mean_stress, axial_strain;
 };
 
+/// A soil with its name, scatter and ranges.
 struct SoilFile {
   std::string name;
   Soil soil;

@@ -16,6 +16,7 @@ struct TableState {
   std::int64_t step = 0;
   std::vector<std::size_t> rows;
 };
+/// Splits a table into its states.
 std::vector<TableState> states_of(const Series& table);
 
 /// Returns whether rows have a position: columns x y (z), or these names after "position_" or "centre_".

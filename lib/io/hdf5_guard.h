@@ -14,6 +14,7 @@ struct Way {
   bool there = false;
   std::string refusal;  // reason why a link on the way is not followed ("is a link to ..."); empty: all were followed
 };
+/// Follows a path.
 Way way_to(hid_t file, const std::string& path);
 
 /// Returns why the values of a dataset may not be read ("keeps its values in ..."): they are in other files, or packed
@@ -27,6 +28,7 @@ struct Unpacked {
   Extent bytes = 0;
   std::string gap;
 };
+/// Measures a dataset before it is read.
 Unpacked unpacked(hid_t dataset, hid_t space, hid_t type);
 
 }  // namespace soilweave::io::hdf5

@@ -38,6 +38,7 @@ struct AnotherRun : DataError {
   using DataError::DataError;
 };
 
+/// A folder OUTPUT.part that this process owns.
 class Part {
  public:
   /// Treatment of an existing folder.

@@ -12,12 +12,14 @@
 
 namespace soilweave::io {
 
+/// One input of a tool run.
 struct InputRecord {
   std::string role;    // "packing", "scenario", "grading", ...
   std::string sha256;  // digest of the bytes read
   int origin = -1;     // index in History of the record that made it; -1: data from outside
 };
 
+/// One tool run.
 struct ProvenanceRecord {
   std::string tool, version, command;
   std::string scenario;  // resolved TOML; empty: none

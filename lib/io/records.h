@@ -79,6 +79,7 @@ struct YarnsRecord {
   std::size_t size() const { return nodes.size(); }
 };
 
+/// One state of an assembly.
 struct Snapshot {
   std::int64_t step = 0;
   double time = 0;  // s

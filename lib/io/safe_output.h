@@ -16,6 +16,7 @@ namespace soilweave::io {
 /// knows the files that a scenario or plan names only after reading them. option: the option that named the output.
 void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
 
+/// Output of one invocation.
 class SafeOutput {
  public:
   /// Enters the folder of the output as --resume and --force say. Standard output, pipes and devices have no folder.

@@ -18,6 +18,7 @@ struct SpheresOptions {
   std::optional<int> dimension;    // 3: spheres, 2: disks; none: by the line ##PERIODIC:: or the header
 };
 
+/// Grains read from a text.
 struct ImportedSpheres {
   Snapshot state;
   Source source;

@@ -77,6 +77,7 @@ struct NumberOf<std::vector<std::array<std::int32_t, 2>>> {
 
 // The only list that pairs datasets with records. Writing and reading both use it.
 
+/// Visit each dataset with its array: those that change with time, those that last, contacts, planes, yarns.
 template <class Visit>
 void moving(const Visit& visit) {
   visit(grains + "/position/value", &GrainsRecord::position);

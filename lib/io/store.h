@@ -46,6 +46,7 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
+  /// Makes a group.
   void group(const std::string& path);
   /// Writes an array. T: double, int64, int32, uint8. values.size() must be the product of the shape.
   template <class T>
@@ -90,16 +91,19 @@ class Reader {
   const std::string& where() const { return where_; }
   /// Throws DataError if the path leads out of the file (an external or user-defined link).
   bool has(const std::string& path) const;
+  /// Returns whether the path is a group.
   bool is_group(const std::string& path) const;
   /// Returns the names in a group, sorted.
   std::vector<std::string> children(const std::string& path) const;
 
+  /// Returns the shape of a dataset.
   Shape shape(const std::string& path) const;
   /// Returns whether a dataset holds integers.
   bool is_integer(const std::string& path) const;
   /// Returns the whole array, row major. Rejects another shape, another class of type, and wider integers.
   template <class T>
   std::vector<T> read(const std::string& path, const Shape& expected) const;
+  /// Return texts of datasets and attributes, of fixed or variable length.
   std::string read_text(const std::string& path) const;
 
   bool has_attribute(const std::string& path, const std::string& name) const;

@@ -12,6 +12,7 @@
 
 namespace soilweave::packing {
 
+/// A closed surface, with its interior.
 class Container {
  public:
   virtual ~Container() = default;

@@ -15,6 +15,7 @@
 
 namespace soilweave::packing {
 
+/// Settings of the growth; PLAN.md describes them.
 struct Growth {
   double factor = 1.0002;    // growth of the radii per round
   double filling = 1;        // growth of the radii that fills the container
@@ -41,6 +42,7 @@ struct Growth {
   std::int64_t largest_rounds = 2000;
   std::int64_t largest_round = 100'000;  // steps
 
+  /// Reads [growth].
   static Growth read(Settings& table);
 };
 
@@ -56,6 +58,7 @@ struct Fill {
   std::string text() const;
 };
 
+/// Result of the growth.
 struct Grown {
   io::Snapshot state;  // state at rest
   Fill fill;

@@ -23,6 +23,7 @@ struct Remedies {
   std::string density = "--density, or grains.density in --material";
 };
 
+/// Settings of a compaction.
 struct Recipe {
   double pressure = 1e3;             // Pa
   std::optional<double> void_ratio;  // none: whatever full friction gives
@@ -41,6 +42,7 @@ struct Recipe {
   Remedies remedies = {};
 };
 
+/// Result of a compaction.
 struct Result {
   io::Snapshot state;  // state at rest, at full friction, strains and clock zero
   double void_ratio = 0;

@@ -27,6 +27,7 @@ struct NodeRecipe {
   std::int32_t material = 1;  // material_id
   std::int32_t geotextile = 0;
 
+  /// Reads node_radius, node_density, material and geotextile_id.
   static NodeRecipe read(Settings& table);
 };
 

@@ -37,6 +37,7 @@ class Placed {
           }
     return true;
   }
+  /// Adds a grain, which need not fit.
   void add(const Vec3& at, double radius) { members_[index(bin(at))].emplace_back(at, radius); }
 
  private:

@@ -16,6 +16,7 @@
 
 namespace soilweave::packing {
 
+/// A whole plan.
 struct Plan {
   std::unique_ptr<Container> container;  // nullptr: no soil
   std::optional<std::array<int, 3>> copies;
@@ -49,6 +50,7 @@ struct Laid {
   NodeRecipe nodes;
   double outside = 0;
 };
+/// Reads the nodes of [geotextile_mesh].
 Laid read_laid(Settings& table);
 
 /// Reads a plan. Throws DataError with all mistakes at once.

@@ -64,6 +64,7 @@ struct Room {
   void demand(std::size_t grains) const;
   /// Throws that error for a cell that is `now` diameters of the largest grain wide.
   [[noreturn]] void refuse(std::size_t grains, double now) const;
+  /// Returns the same grading at another void ratio.
   Room at(double other_void_ratio) const { return {curve, dimension, proportions, other_void_ratio}; }
 };
 

@@ -16,6 +16,7 @@
 
 namespace soilweave::packing {
 
+/// The table [surround]; PLAN.md describes it.
 struct Surround {
   /// wrapped: the file as it is. layered: its soil between the faces of its geotextiles, without the sides.
   enum class Form { wrapped, layered };

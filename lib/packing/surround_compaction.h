@@ -25,6 +25,7 @@ struct Shape {
 /// Measures a cell. fill: whether a body is fill. Stresses need a periodic cell.
 Shape shape(const io::Snapshot& state, const std::vector<bool>& fill);
 
+/// Result of compacting a cell.
 struct CompactedCell {
   Result result;
   Shape before, after;

@@ -44,6 +44,7 @@ struct SpringStep {
   Mask<T> limited;
 };
 
+/// Return the square, the magnitude, and the product of two quantities, each a scalar or a vector.
 template <class T>
 T squared(const T& a) {
   return a * a;

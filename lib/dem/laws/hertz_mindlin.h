@@ -15,9 +15,11 @@
 
 namespace soilweave::dem {
 
+/// The law. Its members are those that laws.h demands.
 struct HertzMindlin {
   static constexpr std::string_view name = "hertz-mindlin";
 
+  /// Parameters of one material.
   struct Material {
     using Law = HertzMindlin;
     double young_modulus;  // Pa
@@ -28,6 +30,7 @@ struct HertzMindlin {
     bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
     bool friction_decides = false;  // whether its friction angle holds against any other material
   };
+  /// A pair of materials.
   struct Couple {
     double E_star, G_star;  // Pa
     Damping damping;
@@ -49,6 +52,7 @@ struct HertzMindlin {
                                            "Poisson's ratio of the grains",
                                            "isotropic elastic solids of this field lie between 0 and 0.5"};
 
+  /// Reads a material from [contact] or a [[material]] table.
   static Material read(Settings& table) {
     return {table.number(young_modulus), table.number(poisson_ratio),       read_friction_angle(table),
             read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),

@@ -12,9 +12,11 @@
 
 namespace soilweave::dem {
 
+/// The law. Its members are those that laws.h demands.
 struct Linear {
   static constexpr std::string_view name = "linear";
 
+  /// Parameters of one material.
   struct Material {
     using Law = Linear;
     double young_modulus;               // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
@@ -25,6 +27,7 @@ struct Linear {
     bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
     bool friction_decides = false;  // whether its friction angle holds against any other material
   };
+  /// A pair of materials.
   struct Couple {
     double E1, E2;  // Pa
     double S1, S2;  // modulus times stiffness ratio, Pa
@@ -47,6 +50,7 @@ struct Linear {
                                              "shear stiffness over normal stiffness of a contact",
                                              "a contact much stiffer in shear than in compression is not a grain's"};
 
+  /// Reads a material from [contact] or a [[material]] table.
   static Material read(Settings& table) {
     return {table.number(young_modulus), table.number(stiffness_ratio),     read_friction_angle(table),
             read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),

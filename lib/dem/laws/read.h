@@ -22,6 +22,7 @@ inline double read_friction_angle(Settings& table) {
   return table.number(friction_angle) * std::numbers::pi / 180;
 }
 
+/// Reads the coefficient of restitution; none if the key is absent.
 inline std::optional<double> read_restitution(Settings& table) {
   static constexpr Parameter restitution{"restitution",
                                          "1",

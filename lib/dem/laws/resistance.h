@@ -12,6 +12,7 @@
 
 namespace soilweave::dem {
 
+/// Resistance of one material to rolling or twisting.
 struct Resistance {
   enum class Scale { absolute, contact };  // stiffness in N m/rad, or a factor on ks r1 r2
   enum class Arm { mean_radius, smaller_radius };

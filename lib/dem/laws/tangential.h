@@ -34,6 +34,7 @@ double mix_friction(const Material& a, const Material& b) {
   return std::min(a.friction_angle, b.friction_angle);
 }
 
+/// Mixes the tangential parts of two materials.
 template <class Material>
 Tangential mix_tangential(const Material& a, const Material& b) {
   return {std::tan(mix_friction(a, b)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};

@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// Shear at constant p: the lateral stress is p times the dimension minus the axial stress, shared evenly.
 class ConstantP final : public Path {
  public:
   static constexpr std::string_view name = "constant-p";

@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// Undrained shear of a periodic cell.
 class ConstantVolume final : public Path {
  public:
   static constexpr std::string_view name = "constant-volume";

@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// Moves and loads of named parts. Goals of the stations are equal parts of the way.
 class Drive final : public Path {
  public:
   static constexpr std::string_view name = "drive";

@@ -9,6 +9,7 @@
 
 namespace soilweave::dem {
 
+/// Goals given for each axis.
 class Free final : public Path {
  public:
   static constexpr std::string_view name = "free";

@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// One station at which every axis has the pressure.
 class Isotropic final : public Path {
  public:
   static constexpr std::string_view name = "isotropic";

@@ -8,6 +8,7 @@
 
 namespace soilweave::dem {
 
+/// Axial stresses in stations; the lateral strain goal is zero.
 class K0 final : public Path {
  public:
   static constexpr std::string_view name = "k0";

@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// Drained compression or extension at constant lateral stress.
 class Triaxial final : public Path {
  public:
   static constexpr std::string_view name = "triaxial";

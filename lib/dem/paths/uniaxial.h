@@ -6,6 +6,7 @@
 
 namespace soilweave::dem {
 
+/// Displacements of two plates. Strains are engineering strains of the height between them.
 class Uniaxial final : public Path {
  public:
   static constexpr std::string_view name = "uniaxial";
