@@ -1,12 +1,13 @@
 # The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
-# one packing differs from the next by. All are compressed at 2 %/s, the bag itself too: slowly enough for inertia to be no part of
-# it. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as they end; of full size, which is not
+# one packing differs from the next by. All are compressed at 2 %/s with a given drag, the bag itself too: slowly enough for inertia to be
+# no part of it, and so that a variant may load it otherwise. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as they end; of full size, which is not
 # soon repeated, with how each came to be. Beside it, in rates_*_PROFILE.tsv, how fast and slow plates compare.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
 C3V_PY := $(STUDY_PY) -m ch3.variants
-C3V_RATE := 0.02
+C3V_LOADING := --set stage.1.rate=0.02 --set stage.1.way_unbalanced_force=0 --set stage.1.homogeneous_start=false \
+  --set stage.1.rest_drag=60 --set grains.mass_scaling=none
 # Strain past the greatest load; at full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
@@ -50,7 +51,7 @@ $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expan
 	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $$options --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
 $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) --set stage.1.rate=$(C3V_RATE),$$options)
+	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) $(C3V_LOADING),$$options)
 
 # The bag itself comes first; the others are reported as differences from it.
 $(C3V)/variants.tsv: $(C3_PY) $(STUDY) $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(filter-out bag,$(C3V_ENDED)))
