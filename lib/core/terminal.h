@@ -7,10 +7,9 @@
 
 namespace soilweave {
 
-/// Returns the text with escapes for everything that a terminal obeys: \t,
-/// , \x1b for control characters, \u{202e} for signs that change the writing direction or are invisible, \xff for bytes
-/// that are not UTF-8. ASCII characters in `as_they_are` ("
-/// \t") stay.
+/// Returns the text with escapes for everything that a terminal obeys: \t, \n, \x1b for control characters, \u{202e}
+/// for signs that change the writing direction or are invisible, \xff for bytes that are not UTF-8. ASCII characters in
+/// `as_they_are` ("\n\t") stay.
 std::string printable(std::string_view text, std::string_view as_they_are = "");
 
 /// Writes bytes to standard error. Failures (a full disk, a closed terminal) are ignored: they cannot be reported, and
