@@ -29,6 +29,7 @@ std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
 /// soil. No tetrahedron passes a periodic face: those of reinforced soil end where it ends.
 struct DelaunayFill {
   double volume = 0, solids = 0;  // m3
+  /// Returns e = V_tetrahedra / V_grains - 1; 0 without soil.
   double void_ratio() const { return solids > 0 ? volume / solids - 1 : 0; }
 };
 /// Measures the tetrahedra between all centres that are not left out.

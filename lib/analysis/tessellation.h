@@ -39,6 +39,7 @@ std::vector<double> power_cell_volumes(const io::Snapshot& state);
 /// A tetrahedron of grain centres (2D: a triangle, without the fourth vertex). A vertex lies at position + cell *
 /// image.
 struct Simplex {
+  /// A grain, and the image of it that is meant.
   struct Vertex {
     std::size_t grain = 0;
     Vec3i image = Vec3i::Zero();

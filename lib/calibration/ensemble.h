@@ -22,6 +22,7 @@ struct Ensemble {
   Vector weight;              // weights after assimilation, sum 1; empty before
   std::vector<Round> rounds;  // distributions that the members were drawn from; empty if unknown
 
+  /// Returns the number of members.
   std::size_t size() const { return id.size(); }
   /// Returns the values in the prior's coordinates, one row per member.
   Matrix coordinates() const;

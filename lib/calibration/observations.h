@@ -27,6 +27,7 @@ struct Observations {
   std::vector<Observable> observables;
   Matrix values;  // T x C, in the units of the table
 
+  /// Returns the number of stations.
   std::size_t stations() const { return at.size(); }
 };
 
@@ -54,6 +55,7 @@ struct Simulated {
   std::vector<Fate> fate;
   std::vector<std::string> why;  // reason; empty if used
 
+  /// Returns the number of members with a used run.
   std::size_t used() const;
 };
 

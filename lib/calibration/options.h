@@ -42,8 +42,11 @@ struct ComparisonOptions {
   std::optional<double> until, least_size;
   bool greatest = false;
 
+  /// Declares the options in a tool's table.
   void declare(tool::Table& table);
+  /// Adds usage mistakes.
   void check(std::vector<std::string>& mistakes) const;
+  /// Returns the selection that the options describe.
   Choice choice() const;
   /// Returns the error model: the variances of --variance, the squares of --error, or its relative standard deviation.
   ErrorModel model() const;
@@ -58,6 +61,7 @@ struct Output {
   bool tsv = false;
   std::filesystem::path file;
 
+  /// Declares the options in a tool's table.
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes, bool needed) const;

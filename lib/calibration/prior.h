@@ -34,7 +34,9 @@ struct Range {
 struct Prior {
   std::vector<Range> ranges;
 
+  /// Returns the number of parameters.
   std::size_t size() const { return ranges.size(); }
+  /// Returns the names of the parameters in order.
   std::vector<std::string> names() const;
   /// Convert a row of coordinates to values, and back.
   Vector values(const Vector& coordinates) const;

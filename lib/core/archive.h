@@ -24,6 +24,7 @@ class Archive {
 
   /// Returns whether items are set to kept values instead of being kept.
   bool giving_back() const { return giving_back_; }
+  /// Returns the numbers kept so far.
   const Numbers& numbers() const { return numbers_; }
   /// Packs the numbers as bytes for another process on an equal machine; the second function unpacks them.
   static std::string packed(const Numbers& numbers);

@@ -31,6 +31,7 @@ class Doubts {
   /// Keeps and says several doubts in order.
   void add_all(const std::vector<Doubt>& doubts);
 
+  /// Returns all doubts so far.
   const std::vector<Doubt>& all() const { return all_; }
 
  private:

@@ -19,6 +19,7 @@ struct Parameter {
   std::string_view sentence = "";  // meaning, as one sentence without a full stop
   std::string_view why = "";       // reason for the range, printed with a range error
 
+  /// Returns whether a value lies in the range. A NaN does not.
   bool contains(double value) const { return open ? (value > low && value < high) : (value >= low && value <= high); }
 };
 

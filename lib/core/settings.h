@@ -40,6 +40,7 @@ class Settings {
   /// Returns a choice that decides which other keys the table has. After a wrong choice no further mistake of the table
   /// is reported.
   std::string kind(std::string_view key, const std::vector<std::string>& values);
+  /// Returns true or false; the fallback if the key is absent.
   bool flag(std::string_view key, bool fallback);
 
   Settings table(std::string_view key);                // empty table if absent

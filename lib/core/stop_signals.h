@@ -11,6 +11,7 @@ namespace soilweave {
 /// Signals that the caller of the program ignores stay ignored. Make it before the first parallel region.
 class StopSignals {
  public:
+  /// Begins to hold the signals back.
   StopSignals();
   /// Takes remaining signals off the queue: they were obeyed, or came after the work.
   ~StopSignals();

@@ -126,6 +126,7 @@ int start(int argc, char** argv) {
 /// A tool of several verbs ("gws-solve respond"). The first argument names the verb. Each verb is a program named "TOOL
 /// VERB" with its own option table; help, manual page and completion of the tool cover all verbs.
 struct Suite {
+  /// One verb: the word after the tool's name, and its program.
   struct Verb {
     std::string name;
     Program program;

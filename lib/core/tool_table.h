@@ -34,6 +34,7 @@ struct Entry {
   std::function<std::optional<std::string>(const std::string&)> assign;  // returns the mistake, if any
   std::function<std::string()> value;                                    // canonical text of the field's present value
 
+  /// Returns the option as a user writes it, for messages.
   std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
 };
 
@@ -58,8 +59,11 @@ struct Table::Impl {
   std::deque<Table> verbs;          // option tables of a tool's verbs, for its help
   Invocation invocation;
 
+  /// Adds an option. A name such as "pressure,p" gives it a letter too.
   Entry& add(std::string_view name, Kind kind, std::string_view sentence);
+  /// Returns whether the table has an option of this name.
   bool has(std::string_view name) const;
+  /// Returns whether this run writes a file.
   bool writes() const { return output != nullptr && !(no_output && *no_output); }
   std::vector<std::string> names() const;  // names as typed, --long or -l
 };

@@ -54,7 +54,9 @@ struct Bodies {
   bool of_one_material;
   std::vector<std::int32_t> fabric;  // fabric of a geotextile node, -1 for soil; empty if all are soil
 
+  /// Takes the grains of a record, without their identities.
   explicit Bodies(const io::GrainsRecord& record);
+  /// Return number, radius and mass of grains.
   std::size_t size() const { return grains.size(); }
   double radius(std::size_t i) const { return grains[i].position[3]; }
   double mass(std::size_t i) const { return grains[i].velocity[3]; }

@@ -11,10 +11,12 @@ namespace soilweave::dem {
 class Cell {
  public:
   Cell() = default;
+  /// Takes a cell from a file. In 2D the third axis is aperiodic.
   Cell(const io::CellRecord& record, int dimension);
 
   /// Advances shape and deformation gradient over a step, first order: H <- (1 + L dt) H (LAWS.md §5).
   void advance(double dt);
+  /// Sets L for the next steps, 1/s, extension positive.
   void set_velocity_gradient(const Mat3& gradient) { velocity_gradient_ = gradient; }
   /// Makes the present shape the reference of the deformation gradient.
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
@@ -22,8 +24,10 @@ class Cell {
   const Mat3& matrix() const { return matrix_; }  // columns are the cell vectors, m
   const Mat3& velocity_gradient() const { return velocity_gradient_; }
   const Mat3& deformation_gradient() const { return deformation_gradient_; }
+  /// Returns whether an axis is periodic.
   bool periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
   bool any_periodic() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
+  /// Returns whether the last step changed the cell.
   bool deforming() const { return deforming_; }
 
   double volume() const;  // m3 (2D: m2)

@@ -40,11 +40,13 @@ class ChunkPlan {
   }
 
  private:
+  /// One chunk to sweep, after enough chunks have moved.
   struct Turn {
     std::uint32_t chunk;
     std::uint32_t moved_until;  // number of chunks of in_need that must have moved first
     bool collect;
   };
+  /// The chunks of one thread, in order.
   struct Share {
     std::vector<std::uint32_t> in_need;  // chunks to move, in the order of their grains
     std::vector<Turn> turns;

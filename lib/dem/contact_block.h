@@ -42,10 +42,12 @@ struct alignas(64) ContactBlock {
   std::uint8_t count = 0;
   bool far = false;  // whether a second grain is in another chunk
 
+  /// Returns a mask with bit k set or cleared.
   static std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
     return static_cast<std::uint8_t>((bits & ~(1u << k)) | (static_cast<unsigned>(on) << k));
   }
 
+  /// Returns the index of a grain from its byte offset.
   static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / sizeof(Grain)); }
 };
 
@@ -75,9 +77,11 @@ class PairOrder {
   explicit PairOrder(const Bodies& bodies) : material_(bodies.of_one_material ? nullptr : bodies.material.data()) {}
   /// True if the order by grains is this order already, because all grains have one material.
   bool is_that_of_grains() const { return !material_; }
+  /// Returns whether two pairs have the same pair of materials.
   bool same_couple(const Pair& a, const Pair& b) const {
     return !material_ || (material_[a.first] == material_[b.first] && material_[a.second] == material_[b.second]);
   }
+  /// Returns whether pair a comes before pair b.
   bool operator()(const Pair& a, const Pair& b) const {
     if (same_couple(a, b) || chunk_of(a.first) != chunk_of(b.first)) return before(a, b);
     return std::pair(material_[a.first], material_[a.second]) < std::pair(material_[b.first], material_[b.second]);

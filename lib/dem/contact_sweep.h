@@ -44,6 +44,7 @@ struct SweepSums {
 /// Energies stored in the contacts, J, computed only when needed.
 struct StoredEnergies {
   double normal = 0, shear = 0, rolling = 0, twisting = 0;
+  /// Returns the energy of the tangential springs.
   double tangential() const { return shear + rolling + twisting; }
 };
 

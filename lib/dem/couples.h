@@ -29,6 +29,7 @@ class Couples {
     };
     return of(material(block.first[0]), material(block.second[0]));
   }
+  /// Returns the pairs of all materials, row by row.
   const std::vector<typename Law::Couple>& all() const { return all_; }
   /// Returns the only pair, if there is one material.
   std::optional<typename Law::Couple> lone() const {

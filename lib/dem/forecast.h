@@ -12,6 +12,7 @@ namespace soilweave::dem {
 
 /// Forecast of a whole run, by stages and in total.
 struct Forecast {
+  /// Steps of one stage.
   struct OfStage {
     std::string name;
     std::size_t stations = 0;

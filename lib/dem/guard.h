@@ -17,6 +17,7 @@ namespace soilweave::dem {
 /// Guards of one simulation, with the limits of its numerics.
 class Guard {
  public:
+  /// Takes the limits, and the extent of grains and planes at the start.
   Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes);
 
   // All functions throw PhysicsError with step, body or axis, numbers, and likely cause.
@@ -34,6 +35,7 @@ class Guard {
   /// Checks that no grain left through an open side. Planes hold grains back only where they are.
   void escape(std::int64_t step, const Bodies& bodies) const;
 
+  /// Keeps or restores the positions that grains may reach.
   void archive(Archive& archive) { archive.item("guard_low", low_), archive.item("guard_high", high_); }
 
  private:

@@ -25,9 +25,12 @@ struct Safekeeping {
 /// Keeper of checkpoints for one run.
 class Keeper {
  public:
+  /// Prepares the keeping of a run with so many grains.
   Keeper(const Safekeeping& how, std::size_t grains);
 
+  /// Returns whether checkpoints are written at all.
   bool keeps() const { return how_.part != nullptr; }
+  /// Returns the folder; only if keeps().
   io::Part& part() const { return *how_.part; }
   /// Call it after every step. Writes the checkpoint that make() returns when it is due. Throws Stopped after a signal.
   template <class Make>
@@ -38,6 +41,7 @@ class Keeper {
     keep(make(), false);
     if (signal) stop(signal);
   }
+  /// Writes a checkpoint and counts the time.
   void keep(io::Moment moment, bool recorded);
   /// Returns the time spent in checkpoints so far, s.
   double seconds() const { return seconds_; }

@@ -21,6 +21,7 @@ struct MotionSums {
 /// stepping allocates nothing. Different threads may work on different chunks.
 class Motion {
  public:
+  /// Prepares passes over so many grains. `how`: loops of one width.
   Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
 
   /// Sets what the next step moves the grains by.
@@ -29,6 +30,7 @@ class Motion {
   void advance(std::size_t chunk, Bodies& bodies);
   /// Moves all grains, chunk by chunk.
   void advance_all(Bodies& bodies);
+  /// Returns the sums over all chunks since set_out().
   MotionSums advanced() const;
   /// Returns a bound on the speed that any grain can gain in the coming step, m/s, from the collected forces; infinite
   /// before forces were collected. Call it before anything moves.
@@ -48,6 +50,7 @@ class Motion {
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
+  /// Sums of one chunk over its collected loads.
   struct Collected {
     Lane4 virial[3] = {};  // rows: force times x, y, z of the position
     Lane4 force{};         // largest of each component, squared, N2

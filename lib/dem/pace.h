@@ -23,6 +23,7 @@ class Pace {
   void follow(double unbalanced, double wanted, std::int64_t steps);
   /// Returns the share of the prescribed speeds and rates, in (0, 1].
   double share() const { return share_; }
+  /// Keeps or restores the present share.
   void archive(Archive& archive);
 
  private:

@@ -19,6 +19,7 @@ struct Plane {
   std::int32_t material;
   Partners partners = Partners::all;
 
+  /// Returns whether the plane acts on a node, or on a grain of soil.
   bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
 };
 
@@ -27,10 +28,13 @@ struct Planes {
   std::vector<Plane> all;
 
   Planes() = default;
+  /// Takes the planes of a record.
   explicit Planes(const io::PlanesRecord& record);
+  /// Moves all planes over a step.
   void advance(double dt) {
     for (Plane& p : all) p.point += dt * p.velocity;
   }
+  /// Returns the planes as files hold them.
   io::PlanesRecord record() const;
 };
 

@@ -24,6 +24,7 @@ struct PlaneBlock {
 /// All pairs of grains and planes of a simulation.
 class PlaneContacts {
  public:
+  /// Returns whether no pair is listed.
   bool empty() const { return blocks_.empty(); }
   /// Returns the blocks, plane by plane, sorted by material and grain.
   LargeVector<PlaneBlock>& blocks() { return blocks_; }

@@ -32,8 +32,10 @@ struct RigPart {
 class Rig {
  public:
   Rig() = default;
+  /// Takes the parts of a scenario, all at rest.
   explicit Rig(std::vector<RigPart> parts) : parts_(std::move(parts)), states_(parts_.size()) {}
 
+  /// Returns whether there are any parts.
   bool any() const { return !parts_.empty(); }
   /// Makes displacements count from here.
   void begin_stage();
@@ -53,9 +55,11 @@ class Rig {
   void record(const Simulation& simulation, io::Series& series) const;
   /// Returns displacement and force of every part in brief, for progress.
   std::string text(const Simulation& simulation) const;
+  /// Keeps or restores displacements, loads and velocities.
   void archive(Archive& archive);
 
  private:
+  /// Present state of one part.
   struct State {
     Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();  // m
     bool loaded = false;

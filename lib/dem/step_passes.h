@@ -15,6 +15,7 @@ class StepPasses final : public AroundChunk {
   StepPasses(bool moving, const Contacts& contacts, Motion& motion, Bodies& bodies, PassTime* time = nullptr)
       : moving_(moving), contacts_(contacts), motion_(motion), bodies_(bodies), time_(time) {}
 
+  /// Returns whether grains move within the sweep.
   bool moving() const { return moving_; }
   void before(std::size_t chunk) override {
     if (moving_) PassTime::count(time_, [&] { motion_.advance(chunk, bodies_); });

@@ -16,15 +16,18 @@ struct StepTimes {
   std::array<double, 3> seconds = {};
   std::int64_t looked_at = 0;  // number of sampled steps
 
+  /// Returns the seconds of a phase.
   double of(Phase phase) const { return seconds[static_cast<std::size_t>(phase)]; }
 };
 
 /// Watch of one step. Laps count only in sampled steps.
 class StepWatch {
  public:
+  /// Begins the watch of a step.
   StepWatch(StepTimes& times, std::int64_t step) : times_(times), on_(step % interval == 0) {
     if (on_) ++times_.looked_at, last_ = Clock::now();
   }
+  /// Returns whether this step is sampled.
   bool on() const { return on_; }
   /// Counts the time since the last lap for this phase.
   void lap(Phase phase) {
@@ -62,6 +65,7 @@ class PassTime {
     pass();
     time->seconds_ += std::chrono::duration<double>(Clock::now() - began).count();
   }
+  /// Returns the seconds of all passes so far.
   double seconds() const { return seconds_; }
 
  private:

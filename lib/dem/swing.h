@@ -26,6 +26,7 @@ class Swing {
   void look(const Simulation& simulation);
   /// Returns twice the frequency of the swing, 1/s.
   double critical_drag() const { return 2 * frequency_; }
+  /// Keeps or restores samples and sums.
   void archive(Archive& archive);
 
  private:

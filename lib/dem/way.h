@@ -25,6 +25,7 @@ class Way {
   void after_step(Simulation& simulation);
   /// Returns the number of steps in which stations waited for rest, since the run began.
   std::int64_t waited() const { return waited_; }
+  /// Keeps or restores the state between steps.
   void archive(Archive& archive);
 
  private:

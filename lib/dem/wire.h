@@ -37,6 +37,7 @@ struct WireCurve {
   }
 
  private:
+  /// One linear piece of the curve.
   struct Piece {
     double strain, tension, slope;  // values at its beginning
   };

@@ -37,9 +37,11 @@ class Yarns {
   /// shares a node with another fabric.
   Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
 
+  /// Returns whether there are yarns.
   bool any() const { return !blocks_.empty(); }
   /// Returns the fabric of every grain, -1 for soil; empty without yarns.
   std::vector<std::int32_t> fabric_of() const;
+  /// Replaces the curves between stages; the history stays.
   void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
 
   /// Stretches all yarns to the present positions and adds their tension to the forces on their nodes, for each node in
@@ -68,6 +70,7 @@ class Yarns {
 
     explicit Block(std::int32_t of) : geotextile(of) {}
   };
+  /// Time and place of a break.
   struct Breakage {
     double time = 0;               // s
     Vec3 position = Vec3::Zero();  // m

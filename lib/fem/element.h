@@ -19,6 +19,7 @@ enum class Shape {
 enum class Integration { reduced, full };
 
 inline constexpr std::size_t most_nodes = 8;
+/// Return the number of nodes, and of corners, of a shape.
 constexpr std::size_t nodes_of(Shape shape) { return shape == Shape::triangle3 ? 3 : 8; }
 constexpr std::size_t corners_of(Shape shape) { return shape == Shape::triangle3 ? 3 : 4; }
 /// Returns the name of a shape, as scenarios write it.

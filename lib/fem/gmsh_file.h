@@ -28,10 +28,12 @@ GmshType gmsh_type(int number);
 
 /// A parsed file.
 struct GmshFile {
+  /// One node.
   struct Node {
     Vec3 at;           // m
     std::size_t line;  // line in the file
   };
+  /// One element, with its groups.
   struct Item {
     std::int64_t tag;
     std::size_t line;  // line in the file

@@ -40,6 +40,7 @@ class MaterialPoint {
   virtual Mat2 stress() const = 0;
   /// Returns the stiffness for stability, Pa: rows and columns xx, yy, xy (engineering shear).
   virtual Mat3 tangent() const = 0;
+  /// Return local state and energies since the start.
   virtual Local local() const { return {}; }
   virtual PointEnergy energy() const { return {}; }
   /// Sets the damping of the point's own motion, if it has any; none: as the scenario says.
@@ -50,6 +51,7 @@ class MaterialPoint {
   virtual std::optional<io::Snapshot> packing() const { return std::nullopt; }
   /// Returns the number of grain steps and of contacts so far.
   virtual std::int64_t steps() const { return 0; }
+  /// Return sums over the grains of the point; 0 without grains.
   virtual std::int64_t contact_steps() const { return 0; }
   virtual std::size_t grains() const { return 0; }
   /// Keeps the state under names with the prefix, or restores it, bit for bit.

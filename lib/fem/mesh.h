@@ -33,6 +33,7 @@ struct Mesh {
   std::vector<std::int64_t> node_tags;  // numbers of the nodes in their file; empty for a rectangle
   std::vector<Doubt> doubts;            // about the file: elements reversed or repeated, nodes left out
 
+  /// Returns the number of nodes of an element.
   Index nodes_of_element() const { return nodes_of(shape); }
   /// Returns the corners of an element at the given positions.
   ElementNodes corners(Index element, const std::vector<Vec2>& positions) const;

@@ -55,6 +55,7 @@ struct Relaxation {
 /// Energy balance of everything: external work = kinetic + stored + dissipated + error. J per metre of thickness.
 struct Balance {
   double external = 0, kinetic = 0, stored = 0, dissipated = 0;
+  /// Returns the energy that the balance lacks.
   double error() const { return external - kinetic - stored - dissipated; }
 };
 
@@ -70,11 +71,14 @@ class Model {
   /// point.
   void step();
 
+  /// Return the step of the soil, its stability limit (s), and the number of grain steps within it.
   double time_step() const { return dt_; }
   double stable_time_step() const { return 2 / std::sqrt(eigenvalue_); }
   std::int64_t substeps() const { return substeps_; }
+  /// Return time, s, and number of steps so far.
   double time() const { return time_; }
   std::int64_t steps() const { return steps_; }
+  /// Return the parts of the model; bars() is nullptr without a geosynthetic.
   const Soil& soil() const { return *soil_; }
   Soil& soil() { return *soil_; }
   const Points& points() const { return points_; }
@@ -84,9 +88,11 @@ class Model {
   void collect();
   /// Throws PhysicsError if the step of the soil or of a point's grains exceeds its limit.
   void check_steps() const;
+  /// Returns the energy balance since the start.
   Balance balance() const;
   /// Stops supports, chain ends and clock, and damps everything; none: go on.
   void relax(const std::optional<Relaxation>& how);
+  /// Keeps or restores everything that steps change.
   void archive(Archive& archive);
 
  private:

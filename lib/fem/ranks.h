@@ -13,13 +13,17 @@ namespace soilweave::fem {
 /// first process reads and writes checkpoints and writes the output.
 class Ranks {
  public:
+  /// Joins the processes of this run.
   Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
+  /// Returns whether this is the first process.
   bool first() const { return rank_ == 0; }
+  /// Returns the number of processes.
   int size() const { return size_; }
+  /// Return whether this process computes a point, and which process does.
   bool owns(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)) == rank_; }
   int owner(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)); }
 

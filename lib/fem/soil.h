@@ -48,7 +48,9 @@ struct Place {
 struct SoilEnergies {
   double kinetic = 0, internal_work = 0, viscous = 0;
   double traction_work = 0, support_work = 0, interface_work = 0;
+  /// Returns the work of tractions, supports and interface.
   double external() const { return traction_work + support_work + interface_work; }
+  /// Returns the energy that the balance lacks.
   double error() const { return external() - kinetic - internal_work - viscous; }
 };
 
@@ -60,6 +62,7 @@ class Soil {
   /// Checks the mesh and lumps masses (HRZ: Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
   /// matrix is scaled to the element's mass. Throws DataError for an unknown boundary.
   explicit Soil(SoilSetup setup);
+  /// Return the number of points, in total and per element.
   Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
   Index points_of_element() const { return rule_.size(); }
 
@@ -72,15 +75,19 @@ class Soil {
   /// increment on the geometry before the step. Throws PhysicsError naming a degenerate element.
   void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
 
+  /// Returns the gradients of the last displacement increment, one per point.
   const std::vector<Mat2>& gradients() const { return gradients_; }
   const std::vector<Mat2>& strains() const { return strains_; }  // plain sums of the gradients
+  /// Return positions and displacements (m), velocities (m/s) and masses (kg/m) of the nodes.
   const std::vector<Vec2>& positions() const { return positions_; }
   const std::vector<Vec2>& displacements() const { return displacements_; }
   const std::vector<Vec2>& velocities() const { return velocities_; }
   const std::vector<double>& masses() const { return masses_; }
   const Mesh& mesh() const { return setup_.mesh; }
+  /// Return energies since the start, and the present kinetic energy, J/m.
   SoilEnergies energies() const;
   double kinetic_energy() const;
+  /// Returns element, position and area of a point.
   Place place(Index point) const;
   /// Returns point values averaged at the nodes, weighted by area.
   std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
@@ -92,7 +99,9 @@ class Soil {
 
   /// Holds supports still, or releases them. damping: replaces the scenario's viscous coefficient.
   void hold(bool held, std::optional<double> damping = std::nullopt);
+  /// Sets the velocities of all nodes, m/s.
   void set_velocities(std::vector<Vec2> velocities) { velocities_ = std::move(velocities); }
+  /// Keeps or restores everything that steps change.
   void archive(Archive& archive);
 
  private:
@@ -107,6 +116,7 @@ class Soil {
   std::vector<Vec2> positions_, displacements_, velocities_, increments_;
   std::vector<Mat2> gradients_, strains_;
   std::vector<Vec2> internal_;  // N/m, at the start of the step
+  /// Nodes of one support.
   struct Held {
     std::array<bool, 2> axis{};
     Vec2 velocity = Vec2::Zero();

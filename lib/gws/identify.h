@@ -21,7 +21,9 @@ struct BagSeries {
   std::size_t first_row = 0;      // number of rows of the table or run before these
   std::string note;               // rows of a run, and source of the stiffness; empty for tables
 
+  /// Returns the number of rows.
   std::size_t size() const { return mean_stress.size(); }
+  /// Returns eps_d = eps_a - eps_v / 3 of row i.
   double strain_deviatoric(std::size_t i) const { return strain_axial[i] - strain_volumetric[i] / 3; }
 };
 

@@ -43,6 +43,7 @@ struct SoilState {
   double path_slope = 0;     // s = dq/dp along the path
   double plastic_rate = 0;   // d eps_a^p / d ln p, percent
 
+  /// Return sigma_a and sigma_r, Pa, from p and q/p.
   double axial_stress() const { return p * (3 + 2 * obliquity) / 3; }
   double lateral_stress() const { return p * (3 - obliquity) / 3; }
   double stress_increment_ratio() const { return (3 + 2 * path_slope) / (3 - path_slope); }  // K', Eq. 5.10

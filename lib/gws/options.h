@@ -61,11 +61,13 @@ struct CaseOptions {
   std::filesystem::path history;
   double width = 0.4, height = 0.08, lateral = 0, fraction = 0.5, tolerance = 1e-6;
 
+  /// Declares the options in a tool's table.
   void declare(tool::Table& table);
   /// Returns usage mistakes, one a line.
   std::vector<std::string> mistakes(bool needs_geotextile) const;
   /// Reads the files and names. Throws DataError or MissingInput.
   ReadCase read() const;
+  /// Returns whether the user named a soil.
   bool chose_soil() const { return !soil.empty(); }
 
  private:

@@ -19,6 +19,7 @@ struct Output {
   bool tsv = false;
   std::filesystem::path file;
 
+  /// Declares the options in a tool's table.
   void declare(tool::Table& table);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes) const;

@@ -22,6 +22,7 @@ class Path {
   /// Takes one more step. Returns false if the path has ended: end() then tells why, and the last node lies within
   /// `resolution` of the end.
   bool advance();
+  /// Return why the path has ended (none: not yet), and the number of steps so far.
   End end() const { return end_; }
   std::size_t steps() const { return nodes_.size() - 1; }
 
@@ -35,6 +36,7 @@ class Path {
   static constexpr double resolution = 1e-9;
 
  private:
+  /// State at the end of one step.
   struct Node {
     double x;
     Plastic plastic;

@@ -56,6 +56,7 @@ io::Series readable(const std::vector<ChartRow>& rows);
 
 /// Returns one row per constant, in the order of describe(); `constant` is its number.
 io::Series sensitivity_table(const std::vector<Sensitivity>& rows);
+/// Describe sensitivities and bands in paragraphs.
 std::string describe(const std::vector<Sensitivity>& rows);
 io::Series bands_table(const Bands& bands);
 /// Returns the main columns in kPa and percent.

@@ -35,7 +35,9 @@ namespace soilweave::gws {
 struct LateralStress {
   std::vector<double> surcharge, lateral;  // Pa; empty: no lateral stress
 
+  /// Returns a lateral stress that does not depend on the surcharge.
   static LateralStress constant(double stress) { return {{0}, {stress}}; }
+  /// Returns the lateral stress at a surcharge, Pa.
   double at(double surcharge) const;
   /// Throws DataError if surcharges fall (the model cannot unload), if a stress is negative, or if the lateral stress
   /// rises so fast that it alone carries the surcharge, at (1 + H/B)/(2 H/B) in the beginning.
@@ -80,6 +82,7 @@ struct Point {
   double hoop_strain = 0, hoop_tension = 0;
   SoilState soil;  // strains in percent
 
+  /// Returns the axial strain as a fraction.
   double settlement() const { return soil.strain_axial / 100; }
 };
 
@@ -91,14 +94,18 @@ void check(const Case& what);
 /// stress, or the compaction is beyond the bag's capacity.
 class Response {
  public:
+  /// Computes the whole response.
   explicit Response(const Case& what);
 
+  /// Returns why the response ended.
   End end() const { return end_; }
   /// Returns the state after compaction, or the first state if there is none.
   const Point& start() const { return start_; }
   /// Returns the last state. It is the ultimate state if end() is strength or failure_strain.
   const Point& last() const { return last_; }
+  /// Returns whether the bag failed before the surcharge asked for.
   bool failed() const { return end_ != End::surcharge; }
+  /// Returns the number of steps along the path.
   std::size_t steps() const { return path_.steps(); }
 
   /// Returns the state at a surcharge between start() and last(), or at an axial strain counted from the unloaded bag.

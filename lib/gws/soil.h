@@ -66,6 +66,7 @@ struct Scatter {
 struct Span {
   double low = 0, high = -1;  // high < low: not known
 
+  /// Returns whether the range is known.
   bool known() const { return high >= low; }
   /// Widens the range to include the value.
   void add(double value);

@@ -40,6 +40,7 @@ struct TextFile {
 
 /// Output of an analysis tool: groups of columns ("global", "volumes", "grains", "rose", ...).
 struct FieldsFile {
+  /// One table with its name and sentence.
   struct Group {
     std::string name, long_name;
     Series table;

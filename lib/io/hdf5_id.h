@@ -15,12 +15,14 @@ namespace soilweave::io::hdf5 {
 /// An HDF5 identifier, closed by the function for its kind.
 class Id {
  public:
+  /// Takes an identifier and the function that closes it.
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
   Id(const Id&) = delete;
   Id& operator=(const Id&) = delete;
   ~Id() {
     if (id_ >= 0) close_(id_);
   }
+  /// Returns the identifier; negative if HDF5 failed.
   operator hid_t() const { return id_; }
 
  private:

@@ -31,6 +31,7 @@ class ParaviewFolder {
   void finish() const;
 
  private:
+  /// One written file, with its time.
   struct Frame {
     double time;  // s
     std::string file;

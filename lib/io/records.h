@@ -32,6 +32,7 @@ struct GrainsRecord {
   std::vector<std::int32_t> material_id;
   std::vector<std::int32_t> copy_id;  // number of the copy of a tiled representative volume; 0 if not tiled
 
+  /// Returns the number of grains.
   std::size_t size() const { return position.size(); }
 };
 
@@ -49,6 +50,7 @@ struct ContactsRecord {
   std::vector<double> twisting_moment;  // N m, about `normal`, on the second body
   std::vector<std::uint8_t> sliding;    // 1 if the Coulomb limit holds the shear force
 
+  /// Returns the number of contacts.
   std::size_t size() const { return bodies.size(); }
   /// Returns the force on the second body, normal_force * normal + shear_force, N.
   Vec3 force(std::size_t c) const { return normal_force[c] * normal[c] + shear_force[c]; }
@@ -76,6 +78,7 @@ struct YarnsRecord {
   std::vector<double> break_time;    // s; 0 if unbroken
   std::vector<Vec3> break_position;  // m, of its middle; zero if unbroken
 
+  /// Returns the number of yarns.
   std::size_t size() const { return nodes.size(); }
 };
 
@@ -100,8 +103,10 @@ struct Column {
 struct Series {
   std::vector<Column> columns;
 
+  /// Returns the column of this name, or nullptr.
   const Column* find(std::string_view name) const;
   const Column& at(std::string_view name) const;  // throws DataError that names the nearest column
+  /// Returns the number of rows.
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 };
 

@@ -43,6 +43,7 @@ struct Section {
   std::vector<AttributeEntry> attributes;
 };
 
+/// Returns all parts of all file kinds.
 const std::vector<Section>& schema();
 
 /// Returns the entry of a path, written as in the table. Throws std::out_of_range, a defect.

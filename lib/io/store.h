@@ -41,6 +41,7 @@ struct Label {
 /// Throws IoError naming the object.
 class Writer {
  public:
+  /// Begins an empty file.
   Writer();
   ~Writer();
   Writer(const Writer&) = delete;
@@ -51,8 +52,10 @@ class Writer {
   /// Writes an array. T: double, int64, int32, uint8. values.size() must be the product of the shape.
   template <class T>
   void write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label);
+  /// Writes a text as a dataset.
   void write_text(const std::string& path, const std::string& text, const Label& label);
 
+  /// Write attributes: one text, several texts, or integers.
   void attribute(const std::string& path, const std::string& name, const std::string& text);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
@@ -88,6 +91,7 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  /// Returns how messages call the file.
   const std::string& where() const { return where_; }
   /// Throws DataError if the path leads out of the file (an external or user-defined link).
   bool has(const std::string& path) const;
@@ -106,6 +110,7 @@ class Reader {
   /// Return texts of datasets and attributes, of fixed or variable length.
   std::string read_text(const std::string& path) const;
 
+  /// Returns whether an object has an attribute.
   bool has_attribute(const std::string& path, const std::string& name) const;
   std::string text_attribute(const std::string& path, const std::string& name) const;
   std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;

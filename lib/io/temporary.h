@@ -13,11 +13,13 @@ namespace soilweave::io {
 /// may) before a byte is written. It is removed unless renamed. Throws CannotCreate.
 class Temporary {
  public:
+  /// Creates the file.
   explicit Temporary(const std::filesystem::path& target);
   ~Temporary();
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
+  /// Returns the open descriptor.
   int descriptor() const { return descriptor_; }
   /// Closes the file. Returns false if the system could not write all of it.
   bool close();

@@ -40,8 +40,10 @@ class Chart {
     Vec3 point(const Place& place) const;
   };
   static Place section(double azimuth);  // the two sections around an azimuth
+  /// Returns the azimuth of a point of the box's outline, rad.
   double azimuth(double u, double v) const;
   double along_equator(double azimuth) const;
+  /// Returns the point at a share of the section at an azimuth.
   Vec3 at(double azimuth, double share) const;
 
   std::vector<Line> sections_;  // lines from the upper pole to the lower, at equal azimuths

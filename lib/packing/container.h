@@ -52,7 +52,9 @@ struct FilledBag : Container, Profile {
 
 /// All points within side_radius of a flat core in z = 0, cut at half_height. Its sides bulge around the corners too.
 struct Pillow final : FilledBag {
+  /// The thesis's bag, with its default corner radius.
   Pillow() { corner_radius = 0.0357; }
+  /// Reads a pillow from [container].
   explicit Pillow(Settings& table);
   double depth(const Vec3& point) const override;
   /// Integrates A + P t + pi t^2 over the height: the area within distance t of a flat core of area A and perimeter P

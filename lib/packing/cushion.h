@@ -14,6 +14,7 @@ namespace soilweave::packing {
 /// the sides meet in mitres.
 struct Cushion final : FilledBag {
   Cushion() = default;
+  /// Reads a cushion from [container].
   explicit Cushion(Settings& table) { read(table); }
   double depth(const Vec3& point) const override;
   /// Integrates squares as wide as the section at each height, minus their corners. Deeper squares have smaller corner
@@ -29,12 +30,15 @@ struct Cushion final : FilledBag {
   struct Seen {
     double far, near, height;
   };
+  /// Mirrors a point into that octant.
   static Seen see(const Vec3& point);
+  /// Returns half the width of the section at a height, m.
   double half_width(double height) const;
   /// Returns the vector from the centre of the corner's rounding, at that height.
   Eigen::Vector2d from_corner(const Seen& at, double height) const;
   /// Returns the distance beyond the outline at that height, m, in the horizontal plane; negative inside.
   double beyond(const Seen& at, double height) const;
+  /// Returns whether a point lies inside the bag.
   bool inside(const Seen& at) const;
   /// Returns whether a point is nearest to a corner, not to a face or a side.
   bool at_corner(const Seen& at) const;

@@ -55,6 +55,7 @@ struct Fill {
   double overlap = 0;              // mean over the contacts, over the soil's mean radius
   double coordination_number = 0;  // 2 Nc/N of the soil; contacts with nodes count once
 
+  /// Returns the measurements in a line, for progress.
   std::string text() const;
 };
 

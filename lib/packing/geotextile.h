@@ -13,6 +13,7 @@ namespace soilweave::packing {
 
 /// Nodes of a woven geotextile, and the yarns between them by indices of nodes.
 struct Fabric {
+  /// One yarn.
   struct Yarn {
     std::int32_t first, second, family;  // family as in files
   };

@@ -23,6 +23,7 @@ struct Plan {
   std::optional<std::array<int, 3>> wrapping;  // cells of the geotextile around the container
   bool even = true;                            // yarns of one length; false: each face divided by itself
   double outside = 0;                          // distance of the nodes from the container's surface, m
+  /// One flat geotextile.
   struct Sheet {
     std::array<int, 2> cells;
     double spacing, height;  // m

@@ -37,6 +37,7 @@ struct Profile {
     double face, beyond;  // distance from the axis up to the face's edge, and from there on, m
     double height;        // m
   };
+  /// Returns where a point of a box's surface comes to lie.
   Place place(const Vec3& box, double side, double outside) const;
 };
 

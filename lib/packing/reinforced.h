@@ -34,10 +34,13 @@ Vec3 extent(const io::Snapshot& state);
 /// against the box around the centres of the soil.
 class Inside {
  public:
+  /// Takes the geotextiles of a state.
   explicit Inside(const io::Snapshot& reinforced);
+  /// Returns whether a point lies inside.
   bool operator()(const Vec3& at) const;
 
  private:
+  /// A node, with the outward normal of its surroundings.
   struct Node {
     Vec3 position, outwards;
   };

@@ -20,6 +20,7 @@ struct Shape {
   double soil_stress = 0;        // mean stress of the reinforced soil, Pa
   double fill_coordination = 0;  // 2 Nc/N of the fill
 
+  /// Returns the measurements in a line, for progress.
   std::string text() const;
 };
 /// Measures a cell. fill: whether a body is fill. Stresses need a periodic cell.
