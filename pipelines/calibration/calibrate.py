@@ -60,6 +60,8 @@ def parse(words):
     p.add_argument("--test", required=True, nargs="+", action="append", metavar="TABLE PRESSURE KIND [PACKING]",
                    help=f"a test, again for each: table, confining pressure (\"100 kPa\"), strains ({', '.join(KINDS)}: one row with "
                    f"{PEAK} instead of a curve), packing if it has its own")
+    p.add_argument("--predict", nargs="+", action="append", default=[], metavar="TABLE PRESSURE KIND [PACKING]",
+                   help="a test that is predicted and not weighed, again for each")
     p.add_argument("--packing", default="", help="packing of tests that name none")
     p.add_argument("--law", choices=tuple(SCENARIOS), default="hm", help="Hertz-Mindlin or linear contacts")
     p.add_argument("--scenario", type=pathlib.Path, help="isotropic and triaxial stage; else that of the law beside this file")
@@ -83,6 +85,7 @@ def parse(words):
         p.error(f'--rate "{given.rate}": write a number in 1/s, or try')
     given.error = given.error if given.error is not None or given.variance else 0.05
     given.tests = [_test(p, one, given.packing) for one in given.test]
+    given.predictions = [_test(p, one, given.packing) for one in given.predict]
     given.scenario = given.scenario or SCENARIOS[given.law]
     return given
 
@@ -104,11 +107,11 @@ class Calibration:
 
     def __init__(self, given):
         self.given, self.folder, self.tests = given, given.folder, given.tests
-        if len({test.name for test in self.tests}) < len(self.tests):
+        if len({test.name for test in self.tests + given.predictions}) < len(self.tests + given.predictions):
             raise Failure(65, "calibrate: two tests have a table of the same name and one pressure; rename one of the tables")
         self.folder.mkdir(parents=True, exist_ok=True)
         self.observed, self.until = {}, {}
-        for test in self.tests:
+        for test in self.tests + given.predictions:
             self._prepare(test)
         self.scenario = given.scenario
         self.rate_words = rate.chosen(self)
@@ -174,6 +177,12 @@ class Calibration:
         for table in ("steps", "density", "runs"):
             self.filter(*words, "--tsv", "--table", table, output=f"{of}_{table}.tsv", fails=(1,))
         return float(Table.read(f"{of}_steps.tsv")("effective_size", "1")[-1])
+
+    def predict(self, test, sets):
+        """Runs a table of sets through a test that was not weighed, and writes their curves into TEST_curves.tsv."""
+        self.run(sets, test)
+        words = ["assimilate", sets, "--prior", self.given.prior, *self.comparison(test), "--quiet", "--tsv", "--table", "curves"]
+        self.filter(*words, output=self.folder / f"{test.name}_curves.tsv", fails=(1,))
 
     def rounds(self):
         """Makes the rounds; returns the name of the last one and its effective sample size."""

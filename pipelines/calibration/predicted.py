@@ -12,6 +12,8 @@ from .ensemble import PARAMETERS
 
 OBSERVED = ("stress_ratio", "strain_volumetric")
 LOW, HIGH = 0.05, 0.95
+# Share of the greatest weight below which a set is left out where a test is predicted.
+NEGLIGIBLE = 1e-3
 
 
 def quantile(values, weights, share):
@@ -53,16 +55,34 @@ def parameters(steps, runs, sets):
             "heaviest": [heaviest(name, unit)[0] for name, unit in units.items()]}
 
 
+def drawn(folder, rounds):
+    """Returns the sets of so many rounds as the text of one table, a row each."""
+    texts = [(folder / f"round{r}_sets.tsv").read_text(encoding="utf-8").splitlines() for r in range(1, rounds + 1)]
+    width = texts[0][0].count("\t") + 1
+    return "\n".join([texts[0][0], *("\t".join(line.split("\t")[:width]) for text in texts for line in text[1:])]) + "\n"
+
+
+def with_weight(sets, weight_of):
+    """Returns the rows of a table of sets whose weight is not negligible."""
+    head, *rows = sets.splitlines()
+    least = NEGLIGIBLE * max(weight_of.values())
+    return "\n".join([head, *(row for row in rows if weight_of.get(float(row.split("\t")[0]), 0) > least)]) + "\n"
+
+
 def write(case, name):
     """Writes parameters.tsv, predicted_TEST.tsv, misfits.tsv, predicted.svg and posterior.svg of a calibration's last round."""
     steps, runs = (Table.read(case.folder / f"{name}_{table}.tsv") for table in ("steps", "runs"))
-    sets = [Table.read(path) for path in sorted(case.folder.glob("round*_sets.tsv"))]
-    heavy = runs("id", "1")[runs("weight", "1").argmax()]
-    own = next(table for table in sets if (table("id", "1") == heavy).any())
-    put(case.folder / "parameters.tsv", write_table(parameters(steps, runs, own)))
+    sets = drawn(case.folder, int(name.removeprefix("round")))
+    put(case.folder / "sets.tsv", sets)
+    put(case.folder / "weights.tsv", write_table({"id [1]": runs("id", "1"), "weight [1]": runs("weight", "1")}))
+    put(case.folder / "parameters.tsv", write_table(parameters(steps, runs, Table.parse(sets, "sets.tsv"))))
     weight_of = dict(zip(runs("id", "1"), runs("weight", "1"), strict=True))
+    heavy = case.folder / "heavy_sets.tsv"
+    put(heavy, with_weight(sets, weight_of))
+    for test in case.given.predictions:
+        case.predict(test, heavy)
     panels, misfits = [], {"test": [], **{f"{n} [{'%' if 'strain' in n else '1'}]": [] for n in OBSERVED}}
-    for test in case.tests:
+    for test in case.tests + case.given.predictions:
         table = Table.read(case.folder / f"{test.name}_curves.tsv")
         names = [n for n in OBSERVED if table.has(n)]
         if test.kind == "greatest" or not names:
@@ -70,7 +90,7 @@ def write(case, name):
         columns = band(table, weight_of, names)
         path = case.folder / f"predicted_{test.name}.tsv"
         put(path, write_table(columns))
-        panels += draw(path, test, names)
+        panels += draw(path, test, names, "" if test in case.tests else ", predicted")
         misfits["test"].append(test.name)
         for n in OBSERVED:
             unit = "%" if "strain" in n else "1"
@@ -83,7 +103,7 @@ def write(case, name):
                     case.folder / "posterior.svg"], check=True)
 
 
-def draw(path, test, names):
+def draw(path, test, names, note):
     """Returns a panel for each observable of a test: the posterior's mean and spread, and the laboratory's points."""
     table = Table.read(path)
     strain = table["strain_axial"]
@@ -91,4 +111,4 @@ def draw(path, test, names):
     def of(ending):
         return Series({"strain_axial": strain, **{n: table(f"{n}{ending}", "%" if n.startswith("strain") else "1") for n in names}})
     runs = [Drawn("posterior", of(""), figures.BLUE, spread=of("_deviation")), Drawn("laboratory", of("_observed"), figures.INK, "o")]
-    return [panel("strain_axial", n, runs, legend=n == names[0], title=f"{test.pressure / 1e3:g} kPa") for n in names]
+    return [panel("strain_axial", n, runs, legend=n == names[0], title=f"{test.pressure / 1e3:g} kPa{note}") for n in names]

@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""Reads own.toml and its tables, refuses what is wrong in one line, and writes what the rules of own/study.mk need.
+
+That is inputs.mk, variables of make; failure.tsv, q/p at failure of each test; and a geotextile of each stiffness that bags are
+made with.
+"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import argparse
+import dataclasses
+import math
+import pathlib
+import re
+import sys
+import tomllib
+
+import numpy
+from calibration.laboratory import Test, observed, pressure
+from study import StudyError, Table
+from study.errors import suggestion
+from study.files import put
+from study.units import factor
+
+KEYS = {"name": str, "grading": str, "void_ratio": float, "surcharge": "Pa", "settlement": float, "geotextile": (str, dict), "bag": dict,
+        "factors": dict, "test": list}
+OPTIONAL = ("factors",)
+BAG = {"width": "m", "height": "m"}
+FACTORS = ("creep", "installation", "durability", "load", "soil")
+TEST = {"table": str, "confining_pressure": "Pa", "strains": str}
+FABRIC = {"stiffness": "N/m", "strength": "N/m", "failure_strain": float}
+# Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
+STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
+# Strain up to which the yarns of these bags are whole: identification ends at the first broken one.
+WHOLE = 0.5
+# Exponent, constant and reference pressure of Toyoura's failure line (thesis Table 5.2), whose exponent a single test cannot give.
+M, EXPONENT = 1.35, 0.0723
+
+
+def _value(path, where, key, given, kind):
+    """Returns a value in its kind or unit. Raises StudyError with file, key and remedy."""
+    if isinstance(kind, str):
+        match = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\S+)\s*", given) if isinstance(given, str) else None
+        try:
+            number = float(match[1]) * factor(match[2], kind) if match else 0
+        except (StudyError, ValueError) as error:
+            raise StudyError(f"{path}: {where}{key}: {error}") from error
+        if not number > 0:
+            raise StudyError(f'{path}: {where}{key} = {given!r}: write a number above 0 with its unit, as "{"300 kPa" if kind == "Pa" else "50 kN/m" if kind == "N/m" else "400 mm"}"')
+        return number
+    if kind is float:
+        if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0:
+            raise StudyError(f"{path}: {where}{key} = {given!r}: write a number above 0")
+        return float(given)
+    if not isinstance(given, kind):
+        raise StudyError(f"{path}: {where}{key} = {given!r} is no {'table' if kind is dict else 'list of tables' if kind is list else 'text'}")
+    return given
+
+
+def _table(path, where, given, keys, optional=()):
+    """Returns the values of a table by key. Raises StudyError for an unknown or a missing one."""
+    for key in given:
+        if key not in keys:
+            raise StudyError(f"{path}: {where}{key} is unknown{suggestion(key, keys)}")
+    for key in keys:
+        if key not in given and key not in optional:
+            raise StudyError(f"{path}: {where}{key} is missing; pipelines/own/README.md tells all keys")
+    return {key: _value(path, where, key, value, keys[key]) for key, value in given.items()}
+
+
+@dataclasses.dataclass
+class Inputs:
+    """What own.toml says. Units are SI; paths count from its folder. stiffness: of the geotextile; fabric: its file or name."""
+
+    path: pathlib.Path
+    values: dict
+    tests: list
+    stiffness: float
+    fabric: str
+
+    @property
+    def reduction(self):
+        """The product of the reduction factors of the geotextile's strength."""
+        return math.prod(self.values["factors"].get(name, 1) for name in FACTORS[:3])
+
+
+def _fabric(path, given, catalogue):
+    """Returns the stiffness and the text of the geotextile's file. Raises StudyError for one that is unknown or contradictory."""
+    if isinstance(given, str):
+        known = {file.stem: file for file in sorted(pathlib.Path(catalogue).glob("*.toml"))}
+        if given not in known:
+            raise StudyError(f'{path}: geotextile = "{given}" is not in {catalogue}{suggestion(given, known)}; or write [geotextile] with '
+                             "stiffness, strength and failure_strain of its data sheet")
+        text = known[given].read_text(encoding="utf-8")
+        given = {key: value for key, value in tomllib.loads(text).items() if key in FABRIC}
+    values = _table(path, "geotextile.", given, FABRIC, ("stiffness",))
+    secant = values["strength"] / values["failure_strain"]
+    stiffness = values.get("stiffness", secant)
+    if values["failure_strain"] >= 1:
+        raise StudyError(f"{path}: geotextile.failure_strain = {given['failure_strain']}: write a fraction, as 0.15 for 15 %")
+    if not 0.2 < stiffness / secant < 5:
+        raise StudyError(f"{path}: geotextile.stiffness is {stiffness / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
+                         "they contradict each other; correct one of the three")
+    lines = {"stiffness": stiffness, "strength": values["strength"], "failure_strain": values["failure_strain"]}
+    return stiffness, "# The geotextile of own.toml.\nname = \"own\"\n" + "".join(f"{key} = {value!r}\n" for key, value in lines.items())
+
+
+def read(path, catalogue="data/geotextiles"):
+    """Returns the Inputs of an own.toml. Raises StudyError for the first thing that is wrong, before anything is computed."""
+    path = pathlib.Path(path)
+    try:
+        given = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise StudyError(f"{path}: cannot be read: {error.strerror}; begin with a copy of data/own/example/own.toml") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise StudyError(f"{path}: {error}") from error
+    values = _table(path, "", given, KEYS, OPTIONAL)
+    values["bag"] = _table(path, "bag.", values["bag"], BAG)
+    values["factors"] = _table(path, "factors.", values.get("factors", {}), dict.fromkeys(FACTORS, float), FACTORS)
+    for key, value in values["factors"].items():
+        if value < 1:
+            raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
+    if not 0 < values["settlement"] < 0.3:
+        raise StudyError(f"{path}: settlement = {values['settlement']:g}: write a fraction of the height below 0.3, as 0.05 for 5 %")
+    if not 0.2 < values["void_ratio"] < 2:
+        raise StudyError(f"{path}: void_ratio = {values['void_ratio']:g}: void ratios of granular soils lie between 0.2 and 2; 0.68, not 68 %")
+    grading = Table.read(path.parent / values["grading"])
+    sizes, finer = grading("diameter", "mm"), grading("finer_by_mass", "1")
+    if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
+        raise StudyError(f"{grading.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
+    if not values["test"]:
+        raise StudyError(f"{path}: [[test]] is missing: one drained triaxial test at least; pipelines/own/README.md tells its keys")
+    tests = []
+    for k, entry in enumerate(values["test"], start=1):
+        one = _table(path, f"test {k}: ", _value(path, "", f"test {k}", entry, dict), TEST)
+        if one["strains"] not in ("engineering", "natural"):
+            raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
+        tests.append(Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], ""))
+        observed(tests[-1], 1e3, 0)
+    return Inputs(path, values, tests, *_fabric(path, values["geotextile"], catalogue))
+
+
+def failures(tests):
+    """Returns confining pressure (kPa) and greatest q/p of each test, and the names of those whose last row is their greatest."""
+    rows, rising = [], []
+    for test in tests:
+        ratio = observed(test, 1e3, 0)["stress_ratio [1]"]
+        most = ratio.max()
+        rows.append((test.pressure / 1e3, 3 * (most - 1) / (most + 2)))
+        if ratio.argmax() == len(ratio) - 1:
+            rising.append(test.name)
+    return rows, rising
+
+
+def failure_options(rows, path):
+    """Returns what tells gws-solve the failure line: points at two pressures or more, else p_c by Toyoura's exponent.
+
+    M_f = M (p/p_c)^-n (thesis Eq. 5.3), at p = 3 sigma_r / (3 - q/p).
+    """
+    if len({round(sigma, 3) for sigma, _ in rows}) > 1:
+        return f"--failure {path}"
+    sigma, eta = rows[0][0], sum(eta for _, eta in rows) / len(rows)
+    return f"--set failure_line.p_c={1e3 * 3 * sigma / (3 - eta) * (eta / M)**(1 / EXPONENT):.6g}"
+
+
+def write(own, out):
+    """Writes the files of the module's docstring into a folder."""
+    out.mkdir(parents=True, exist_ok=True)
+    rows, rising = failures(own.tests)
+    put(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
+    put(out / "geotextile.toml", own.fabric)
+    for k, share in enumerate(STIFFNESSES, start=1):
+        j = share * own.stiffness
+        put(out / f"geotextile_{k}.toml", f"# A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.\n"
+            f"name = \"own_{k}\"\nstiffness = {j!r}\nstrength = {j * WHOLE!r}\nfailure_strain = {WHOLE}\n"
+            f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
+    v, factors = own.values, own.values["factors"]
+    strength = tomllib.loads(own.fabric)["strength"]
+    lines = {
+        "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["void_ratio"],
+        "TESTS": " ".join(f"--test '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for t in own.tests),
+        "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"] * factors.get("load", 1), "SETTLEMENT": v["settlement"],
+        "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", "STRENGTH": strength / own.reduction,
+        "SOIL_FACTOR": f"--set failure_line.M={M / factors['soil']:g}" if factors.get("soil", 1) > 1 else "",
+        "STIFFNESS": own.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
+    put(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("soil", type=pathlib.Path, help="folder of own.toml")
+    parser.add_argument("out", type=pathlib.Path, help="folder of the study's results")
+    arguments = parser.parse_args()
+    try:
+        write(read(arguments.soil / "own.toml"), arguments.out)
+    except (StudyError, OSError) as error_:
+        print(f"own: {error_}", file=sys.stderr)
+        sys.exit(65)
