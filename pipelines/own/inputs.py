@@ -25,7 +25,7 @@ KEYS = {"name": str, "grading": str, "void_ratio": float, "surcharge": "Pa", "se
 OPTIONAL = ("factors",)
 BAG = {"width": "m", "height": "m"}
 FACTORS = ("creep", "installation", "durability", "load", "soil")
-TEST = {"table": str, "confining_pressure": "Pa", "strains": str}
+TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
 FABRIC = {"stiffness": "N/m", "strength": "N/m", "failure_strain": float}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
@@ -33,6 +33,7 @@ STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
 WHOLE = 0.5
 # Exponent, constant and reference pressure of Toyoura's failure line (thesis Table 5.2), whose exponent a single test cannot give.
 M, EXPONENT = 1.35, 0.0723
+_WORDS = {dict: "table", list: "list of tables", bool: "true or false"}
 
 
 def _value(path, where, key, given, kind):
@@ -51,7 +52,7 @@ def _value(path, where, key, given, kind):
             raise StudyError(f"{path}: {where}{key} = {given!r}: write a number above 0")
         return float(given)
     if not isinstance(given, kind):
-        raise StudyError(f"{path}: {where}{key} = {given!r} is no {'table' if kind is dict else 'list of tables' if kind is list else 'text'}")
+        raise StudyError(f"{path}: {where}{key} = {given!r} is no {_WORDS.get(kind, 'text')}")
     return given
 
 
@@ -68,13 +69,14 @@ def _table(path, where, given, keys, optional=()):
 
 @dataclasses.dataclass
 class Inputs:
-    """What own.toml says. Units are SI; paths count from its folder. stiffness: of the geotextile; fabric: its file or name."""
+    """What own.toml says, in SI units; paths count from its folder. fabric: stiffness, strength and failure strain by key."""
 
     path: pathlib.Path
     values: dict
     tests: list
+    predictions: list
     stiffness: float
-    fabric: str
+    fabric: dict
 
     @property
     def reduction(self):
@@ -83,7 +85,7 @@ class Inputs:
 
 
 def _fabric(path, given, catalogue):
-    """Returns the stiffness and the text of the geotextile's file. Raises StudyError for one that is unknown or contradictory."""
+    """Returns the stiffness and the three properties of the geotextile. Raises StudyError for one that is unknown or contradictory."""
     if isinstance(given, str):
         known = {file.stem: file for file in sorted(pathlib.Path(catalogue).glob("*.toml"))}
         if given not in known:
@@ -99,8 +101,12 @@ def _fabric(path, given, catalogue):
     if not 0.2 < stiffness / secant < 5:
         raise StudyError(f"{path}: geotextile.stiffness is {stiffness / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
                          "they contradict each other; correct one of the three")
-    lines = {"stiffness": stiffness, "strength": values["strength"], "failure_strain": values["failure_strain"]}
-    return stiffness, "# The geotextile of own.toml.\nname = \"own\"\n" + "".join(f"{key} = {value!r}\n" for key, value in lines.items())
+    return stiffness, {"stiffness": stiffness, "strength": values["strength"], "failure_strain": values["failure_strain"]}
+
+
+def sheet(comment, name, stiffness, strength, failure_strain):
+    """Returns the text of a geotextile's file, in SI units."""
+    return f'# {comment}\nname = "{name}"\nstiffness = "{stiffness!r} N/m"\nstrength = "{strength!r} N/m"\nfailure_strain = {failure_strain!r}\n'
 
 
 def read(path, catalogue="data/geotextiles"):
@@ -128,14 +134,17 @@ def read(path, catalogue="data/geotextiles"):
         raise StudyError(f"{grading.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
     if not values["test"]:
         raise StudyError(f"{path}: [[test]] is missing: one drained triaxial test at least; pipelines/own/README.md tells its keys")
-    tests = []
+    tests, predictions = [], []
     for k, entry in enumerate(values["test"], start=1):
-        one = _table(path, f"test {k}: ", _value(path, "", f"test {k}", entry, dict), TEST)
+        one = _table(path, f"test {k}: ", _value(path, "", f"test {k}", entry, dict), TEST, ("predict",))
         if one["strains"] not in ("engineering", "natural"):
             raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
-        tests.append(Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], ""))
-        observed(tests[-1], 1e3, 0)
-    return Inputs(path, values, tests, *_fabric(path, values["geotextile"], catalogue))
+        test = Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], "")
+        observed(test, 1e3, 0)
+        (predictions if one.get("predict") else tests).append(test)
+    if not tests:
+        raise StudyError(f"{path}: every test has predict = true: leave one to calibrate to without it")
+    return Inputs(path, values, tests, predictions, *_fabric(path, values["geotextile"], catalogue))
 
 
 def failures(tests):
@@ -161,24 +170,32 @@ def failure_options(rows, path):
     return f"--set failure_line.p_c={1e3 * 3 * sigma / (3 - eta) * (eta / M)**(1 / EXPONENT):.6g}"
 
 
+def _put_new(path, text):
+    """Writes a file unless it holds this text already: what hangs on it is then not made anew."""
+    if not (path.exists() and path.read_text(encoding="utf-8") == text):
+        put(path, text)
+
+
 def write(own, out):
     """Writes the files of the module's docstring into a folder."""
     out.mkdir(parents=True, exist_ok=True)
     rows, rising = failures(own.tests)
     put(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
-    put(out / "geotextile.toml", own.fabric)
     for k, share in enumerate(STIFFNESSES, start=1):
         j = share * own.stiffness
-        put(out / f"geotextile_{k}.toml", f"# A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.\n"
-            f"name = \"own_{k}\"\nstiffness = {j!r}\nstrength = {j * WHOLE!r}\nfailure_strain = {WHOLE}\n"
-            f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
+        _put_new(out / f"geotextile_{k}.toml", sheet(f"A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.",
+                                                f"own_{k}", j, j * WHOLE, WHOLE) + f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
     v, factors = own.values, own.values["factors"]
-    strength = tomllib.loads(own.fabric)["strength"]
+    long_term = own.fabric | {"strength": own.fabric["strength"] / own.reduction}
+    put(out / "long_term.toml", sheet("The geotextile of own.toml, its strength over the reduction factors.", "own", **long_term))
     lines = {
         "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["void_ratio"],
-        "TESTS": " ".join(f"--test '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for t in own.tests),
+        "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
+            ("test", own.tests), ("predict", own.predictions)) for t in some),
+        "PRESSURE": own.tests[0].megapascals,
         "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"] * factors.get("load", 1), "SETTLEMENT": v["settlement"],
-        "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", "STRENGTH": strength / own.reduction,
+        "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", 
+        "FRACTION": "--strength-fraction 0.9999" if own.reduction > 1 else "", "REDUCTION": f"{own.reduction:g}",
         "SOIL_FACTOR": f"--set failure_line.M={M / factors['soil']:g}" if factors.get("soil", 1) > 1 else "",
         "STIFFNESS": own.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
     put(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))

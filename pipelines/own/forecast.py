@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Says what make own will take: steps per second of a short trial on this machine, times the steps of all runs."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+from own.inputs import STIFFNESSES, read
+from study import StudyError
+
+SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"
+# Bodies and steps of a bag, and the share of its compression that making it takes, measured on those of chapter 3.
+BODIES = {"quick": 13800, "thesis": 92600}
+STEPS = {"quick": 85000, "thesis": 170000}
+FILLING = 0.5
+
+
+def seconds_of(text):
+    """Returns steps, bodies and steps per second from the last line of run-dem --check. Raises StudyError where it has none."""
+    match = re.search(r"(\d+) steps .* of (\d+) grains .*: ([0-9.e+]+) steps/s", text)
+    if not match:
+        raise StudyError("run-dem --check does not tell its steps per second")
+    return int(match[1]), int(match[2]), float(match[3])
+
+
+def main(own, out, given):
+    """Prints the hours of each part and of all, on so many cores."""
+    command = [f"{os.environ['BIN']}/run-dem", "--check", f"{out}/packing_1.h5", SCENARIO, "--set", f"stage.1.axial_strain={given.until}e-2"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    steps, bodies, rate = seconds_of(done.stdout + done.stderr)
+    tests = given.samples * given.rounds * len(own.tests) * steps / rate
+    # Large bags leave the caches: a body's step takes some 1.4 times as long.
+    bag = STEPS[given.profile] * BODIES[given.profile] / (rate * bodies) * 1.4
+    bags = len(STIFFNESSES) * bag + 2 * FILLING * bag
+    for words, seconds in ((f"calibration, at most {given.rounds} rounds of {given.samples} sets", tests),
+                           (f"{len(STIFFNESSES)} bags, and filling two", bags), ("all", tests + bags)):
+        print(f"{words}: {seconds / 3600 / given.cores:.2g} h on {given.cores} cores")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("soil", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    for name, kind in (("samples", int), ("rounds", int), ("until", float), ("profile", str), ("cores", int)):
+        parser.add_argument(f"--{name}", type=kind, required=True)
+    arguments = parser.parse_args()
+    try:
+        main(read(arguments.soil / "own.toml"), arguments.out, arguments)
+    except (StudyError, OSError, subprocess.CalledProcessError) as error_:
+        print(f"own: {error_}", file=sys.stderr)
+        sys.exit(65)

@@ -1,0 +1,128 @@
+# A soil and a bag of one's own, from a grading curve, triaxial tests and a data sheet to a design: make own SOIL=FOLDER (own.toml in
+# it, README.md here). Not among STUDIES: it takes a soil, and an hour. The bag is the one of ch3, with the same plates and rates.
+# SPDX-License-Identifier: GPL-3.0-or-later
+OWN := pipelines/own
+SOIL ?= data/own/example
+OWNO := $(OUT)/own/$(notdir $(patsubst %/,%,$(SOIL)))
+# Grains of the representative volume, its mean radius (the thesis's sand's, m), and sets, rounds and effective size of the calibration.
+OWN_GRAINS_quick := 500
+OWN_GRAINS_thesis := 1000
+OWN_RADIUS := 2.954e-3
+OWN_SAMPLES_quick := 40
+OWN_SAMPLES_thesis := 200
+OWN_SAMPLES := $(OWN_SAMPLES_$(PROFILE))
+OWN_GRAINS := $(OWN_GRAINS_$(PROFILE))
+OWN_ROUNDS := 5
+OWN_SIZE := 12
+# Axial strain (%) up to which tests are compared, standard deviations of their error, and the rate (1/s).
+OWN_UNTIL := 8
+OWN_ERROR := stress_ratio=0.2,strain_volumetric=0.3
+OWN_RATE := try
+OWN_PRIOR := $(or $(wildcard $(SOIL)/prior.toml),$(OWN)/prior.toml)
+# Options of the bag and its load, the size of its grains over those of the calibration, and how far it is compressed.
+# More copies of the representative volume than cover the bag: how many do depends on the soil, and those outside are cut away.
+# Delaunay's tetrahedra leave out a part along the walls, by which ch3's bag of coarse and of fine grains is denser than their volume.
+OWN_DENSER_quick := 0.08
+OWN_DENSER_thesis := 0.005
+OWN_BAG ?= $(C3_BAG_$(PROFILE)) --set container.copies=[14,14,2] \
+  --set growth.delaunay_void_ratio=$$(awk 'BEGIN { print $(OWN_VOID_RATIO) - $(OWN_DENSER_$(PROFILE)) }')
+OWN_LOAD ?= $(C3_LOAD_$(PROFILE))
+OWN_SCALE_quick := 2
+OWN_SCALE_thesis := 1
+OWN_SCALE := $(OWN_SCALE_$(PROFILE))
+OWN_STRAIN := 0.12
+OWN_TWINS := 2
+OWN_DRAWS := 500
+OWN_PY := $(STUDY_PY) $(OWN)
+OWN_CAL := $(OWNO)/calibration
+
+.PHONY: own own-check
+own: $(OWNO)/page.html ## your soil, your bag: make own SOIL=FOLDER with own.toml (example: data/own/example)
+own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make own SOIL=FOLDER will take
+	@BIN=$(BIN) $(OWN_PY)/forecast.py $(SOIL) $(OWNO) --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --until $(OWN_UNTIL) \
+	  --profile $(PROFILE) --cores $(shell nproc)
+
+# Only where it is asked for: make reads what own.toml says, after it made it.
+ifneq ($(filter own own-check $(OWNO)/%,$(MAKECMDGOALS)),)
+-include $(OWNO)/inputs.mk
+endif
+OWN_TABLES := $(wildcard $(SOIL)/*.tsv)
+$(OWNO)/geotextile_%.toml: $(OWNO)/inputs.mk ;
+$(OWNO)/inputs.mk: $(SOIL)/own.toml $(OWN_TABLES) $(OWN)/inputs.py pipelines/calibration/laboratory.py
+	@$(OWN_PY)/inputs.py $(SOIL) $(OWNO)
+
+# What packings, calibration and bags hang on; another surcharge makes none of them anew.
+$(OWNO)/settings: always $(OWNO)/inputs.mk
+	@$(call remember,$(PROFILE) $(OWN_VOID_RATIO) $(OWN_GRAINS) $(OWN_RADIUS))
+$(OWN_CAL)/settings: always $(OWNO)/inputs.mk
+	@$(call remember,$(subst ',,$(OWN_TESTS)) $(OWN_UNTIL) $(OWN_ERROR) $(OWN_SAMPLES) $(OWN_ROUNDS) $(OWN_SIZE) $(OWN_RATE))
+$(OWNO)/loading: always $(OWNO)/inputs.mk
+	@$(call remember,$(subst $$,,$(subst ',,$(OWN_BAG) $(OWN_LOAD))) $(OWN_SCALE) $(OWN_STRAIN))
+
+# (b) % is the seed of a representative volume; the bags are cut from both.
+$(OWNO)/packing_%.h5: $(OWNO)/settings $(OWN_GRADING) $(BIN)/pack-generate
+	@echo '  pack  $@'
+	@$(BIN)/pack-generate --grading '$(OWN_GRADING)' --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
+	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@
+
+# (a) A status of 1 says that the effective size is not reached; the page tells it.
+$(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight
+	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --error $(OWN_ERROR) \
+	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 ]
+$(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
+	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_BAGS)) $(call whole,$@)
+$(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
+	@$(OWN_PY)/sets.py heaviest $(OWN_CAL) $(OWN_TWINS) $(call whole,$@)
+# Twins of both volumes with the heaviest set, in the first test: what chance is worth. % is the seed.
+$(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5
+	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 pipelines/calibration/hertz-mindlin.toml \
+	  $(OWN_PRESSURE) $(OWN_UNTIL)
+	@touch $@
+OWN_SERIES := $(foreach seed,1 2,$(foreach k,$(shell seq 0 $$(($(OWN_TWINS) - 1))),$(OWNO)/check_$(seed)_$(k).tsv))
+.SECONDEXPANSION:
+$(OWN_SERIES): $(OWNO)/check_%.tsv: $(OWNO)/checked_$$(word 1,$$(subst _, ,$$*)) $(BIN)/homogenize
+	@cp $(OWNO)/check_$(word 1,$(subst _, ,$*))/runs/00000$(word 2,$(subst _, ,$*))/series.h5 $(@:.tsv=.h5)
+	@$(BIN)/homogenize $(@:.tsv=.h5) --table series --tsv $(call whole,$@)
+
+# (c) Two bags, filled with the heaviest set; each geotextile has a bag, of the two in turn, and a set of the posterior.
+own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
+$(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
+	@echo '  fill  $@'
+	@contact=$(call own_contact,$(OWNO)/heaviest.tsv,0) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
+	  --force --history $(@:.h5=.tsv) -o $@
+own_bag = $(OWNO)/bag_$(if $(filter 1 3 5 7,$*),1,2).h5
+$(OWNO)/uc_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@contact=$(call own_contact,$(OWNO)/draws.tsv,$$(($* - 1))) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
+	  --set stage.1.strain=$(OWN_STRAIN) --set record.strains=[$(OWN_STRAIN)] --set stage.1.plate_friction_angle=0 \
+	  --set geotextile.0.curve=$(OWNO)/geotextile_$*.toml --threads 1 --quiet --resume --force -o $@
+$(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
+
+# (d) From all bags, and from all but one each, which tells what one bag is worth.
+OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
+own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
+OWN_NAMED := sed 's/^name = .*/name = "own"/'
+$(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
+	@$(call own_identify,$(OWN_BAGS)) > $(OWNO)/identified.txt
+	@$(call own_identify,$(OWN_BAGS)) --toml | $(OWN_NAMED) $(call whole,$@)
+$(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
+	@$(call own_identify,$(filter-out $*,$(OWN_BAGS))) --toml --quiet | $(OWN_NAMED) $(call whole,$@)
+
+# (e) The bag of own.toml, with the long-term strength of its geotextile.
+own_case = --soil $(OWNO)/$(1).toml $(OWN_SOIL_FACTOR) --geotextile $(OWNO)/long_term.toml $(OWN_SHAPE) $(OWN_FRACTION)
+$(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
+	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv $(call whole,$@) 2> $(@:.tsv=.said)
+$(OWNO)/design_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
+	@$(BIN)/gws-solve design $(call own_case,$*) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv $(call whole,$@) 2> $(@:.tsv=.said)
+$(OWNO)/chart.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
+	@$(BIN)/gws-solve design $(call own_case,soil) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
+	  --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') --tsv $(call whole,$@)
+
+# (f)
+OWN_SOILS = soil $(OWN_BAGS:%=soil_%)
+OWN_LEFT = $(foreach soil,$(OWN_SOILS),$(OWNO)/bands_$(soil).tsv $(OWNO)/design_$(soil).tsv) $(OWN_BAGS:%=$(OWNO)/uc_%.tsv) $(OWNO)/chart.tsv $(OWN_SERIES)
+$(OWNO)/provenance.txt: $(OWNO)/uc_1.h5 $(BIN)/to-vtk
+	@$(BIN)/to-vtk --history $< $(call whole,$@)
+$(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWN)/study.py $(OWN)/words.toml $(STUDY)
+	@$(STUDY_PY) $(OWN)/study.py $(OWNO) --profile $(PROFILE) --soil $(SOIL)

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""The page of a soil and a bag of one's own: what the bag carries and what its geotextile must be, with their uncertainty."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import pathlib
+import re
+
+import numpy
+from calibration import predicted
+from own.inputs import STIFFNESSES, read
+from study import Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, figures, main, panel
+
+HERE = pathlib.Path(__file__).parent
+# Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives.
+DEVIATE, OF_SOLVE = 1.2816, 1.9600
+
+
+def jackknife(values):
+    """Returns the standard deviation of an estimate from its values with one bag left out each (Efron & Tibshirani 1993, Eq. 11.5)."""
+    values = numpy.asarray(values)
+    return float(numpy.sqrt((len(values) - 1) * numpy.mean((values - values.mean())**2)))
+
+
+def combined(median, low, high, left_out):
+    """Returns the middle 80 % of a positive quantity: the scatter of the constants (their 95 %) and that of the bags together.
+
+    Both are taken for independent and log-normal. left_out: the quantity without one bag each; bags differ in their packing and
+    have sets of the posterior, so that these count with them.
+    """
+    if not min(median, low, high, *left_out) > 0:
+        raise NotMade("it is not above 0 in all draws")
+    within = (numpy.log(high) - numpy.log(low)) / (2 * OF_SOLVE)
+    spread = DEVIATE * numpy.hypot(within, jackknife(numpy.log(left_out)))
+    return float(median * numpy.exp(-spread)), float(median * numpy.exp(spread))
+
+
+class Bands:
+    """Responses of the bag by the constants of all bags, and by those without one each, at the settlements that all have."""
+
+    def __init__(self, folder, bags):
+        self.whole, self.parts = folder("bands_soil"), [folder(f"bands_soil_{k}") for k in bags]
+        self.end = min(t("settlement", "1")[-1] for t in (self.whole, *self.parts))
+
+    def at(self, settlement, column="surcharge"):
+        """Returns median, low and high of a column (kPa) at a settlement, which is at most `end`."""
+        def value(table, name):
+            return float(numpy.interp(settlement, table("settlement", "1"), table(name, "kPa")))
+        median, low, high = (value(self.whole, column + end) for end in ("", "_low", "_high"))
+        return median, *combined(median, low, high, [value(t, column) for t in self.parts])
+
+
+def reach(table, settlement):
+    """Returns by how much a table of a design goes beyond the asked settlement, for the sentence on what governs."""
+    return table("settlement", "%")[0] - 100 * settlement
+
+
+def doubts(out, names):
+    """Returns what gws-solve doubted, each once, without the tool's name."""
+    said = []
+    for name in names:
+        text = (out / f"{name}.said").read_text(encoding="utf-8")
+        said += [line.partition("doubt: ")[2] for line in text.splitlines() if "doubt: " in line]
+    return list(dict.fromkeys(said))
+
+
+def measure(study, own, folder, bands, bags):
+    """What the bag carries, what the geotextile must be, and what these rest on."""
+    asked = own.values["settlement"]
+    at = min(asked, bands.end)
+    median, low, high = bands.at(at)
+    for name, value in (("carried", median), ("carried_low", low), ("carried_high", high)):
+        study.measure(name, value, "kPa")
+    study.measure("at", 100 * at, "%")
+    for name, unit in (("stiffness", "kN/m"), ("strength", "kN/m")):
+        designs = [folder(f"design_{soil}")(name, unit)[0] for soil in ("soil", *(f"soil_{k}" for k in bags))]
+        study.measure(f"needed_{name}", designs[0], unit)
+        study.measure(f"needed_{name}_high", lambda d=designs: d[0] * numpy.exp(DEVIATE * jackknife(numpy.log(d[1:]))), unit)
+    study.measure("needed_sheet", own.reduction * study.measures["needed_strength_high"].value, "kN/m")
+    study.measure("settlement_of_design", folder("design_soil")("settlement", "%")[0], "%")
+    peaks = {seed: [t.rows(t("stage", "1") == 1)("stress_ratio", "1").max() for t in own_twins(folder, seed)] for seed in (1, 2)}
+    study.measure("peak", Mean.of([peak for some in peaks.values() for peak in some]), "1")
+    study.measure("packings_apart", 100 * abs(numpy.mean(peaks[2]) / numpy.mean(peaks[1]) - 1), "%")
+
+
+def own_twins(folder, seed):
+    """Returns the series of the twins of a representative volume."""
+    return [folder(path.stem) for path in sorted(folder.path.glob(f"check_{seed}_*.tsv"))]
+
+
+def draw(study, own, folder, bands):
+    """The answer, the chart, the bags and the tests."""
+    settlements = numpy.linspace(0, bands.end, 30)[1:]
+    rows = numpy.array([bands.at(s) for s in settlements])
+    figure, (left, right) = figures.panels(2)
+    left.fill_between(100 * settlements, rows[:, 1], rows[:, 2], color=figures.BLUE, alpha=0.2, linewidth=0, label="middle 80 %")
+    left.plot(100 * settlements, rows[:, 0], color=figures.BLUE, label="solution")
+    left.axvline(100 * own.values["settlement"], color=figures.GREY, linewidth=1)
+    figures.label(left, "settlement (%)", "surcharge (kPa)")
+    chart = folder("chart")
+    right.loglog(chart("stiffness", "kN/m"), chart("allowable_surcharge", "kPa", missing=True), color=figures.ORANGE, label="within the settlement")
+    right.plot(chart("stiffness", "kN/m"), chart("capacity", "kPa"), color=figures.INK, label="ultimate")
+    figures.label(right, "stiffness of the geotextile (kN/m)", "surcharge (kPa)")
+    for a in (left, right):
+        a.legend()
+    study.figure("answer", figure)
+    bags = [Drawn(f"{share:g} J", Series(folder(f"uc_{k}")), colour) for k, (share, colour) in enumerate(
+        zip(STIFFNESSES, figures.SERIES, strict=False), start=1)]
+    study.curves("bags", panel("strain_axial", "plate_pressure", bags), panel("mean_stress", "deviatoric_stress", bags, legend=False))
+    panels = []
+    for test in own.tests + own.predictions:
+        path = folder.path / "calibration" / f"predicted_{test.name}.tsv"
+        panels += predicted.draw(path, test, predicted.OBSERVED, ", predicted" if test in own.predictions else "")
+    study.curves("tests", *panels, columns=2)
+
+
+def build(arguments):
+    """Reads the tables in the folder OUT and writes what the bag carries, how that was reached and what it rests on."""
+    study = Study.of(HERE, arguments)
+    own = read(pathlib.Path(arguments.soil) / "own.toml")
+    folder = Folder(study.out)
+    bags = range(1, len(STIFFNESSES) + 1)
+    bands = Bands(folder, bags)
+    measure(study, own, folder, bands, bags)
+    said = (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines()
+    misfits = folder("calibration/misfits") if (study.out / "calibration/misfits.tsv").exists() else None
+    if misfits is None:
+        raise StudyError(f"{study.out}/calibration: has no misfits.tsv; run make own again")
+    rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
+    study.tell(name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
+               short=bands.end < own.values["settlement"], reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
+               pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
+               grains=int(len(bags)), doubts=doubts(study.out, ["bands_soil", "design_soil"]), soil_factor=own.values["factors"].get("soil", 1),
+               load_factor=own.values["factors"].get("load", 1))
+    draw(study, own, folder, bands)
+    study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
+    study.text("Contact parameters, identified", study.out / "calibration/posterior.txt")
+    study.text("Constants of the wrapped soil, identified", study.out / "identified.txt")
+    study.appendix("Root mean square of what the posterior's mean misses in each test", study.out / "calibration/misfits.tsv")
+    return study
+
+
+if __name__ == "__main__":
+    main(build, soil={"required": True, "help": "folder of own.toml"})
