@@ -192,7 +192,7 @@ def write(own, out):
         "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
             ("test", own.tests), ("predict", own.predictions)) for t in some),
-        "PRESSURE": own.tests[0].megapascals,
+        "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,
         "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"] * factors.get("load", 1), "SETTLEMENT": v["settlement"],
         "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", 
         "FRACTION": "--strength-fraction 0.9999" if own.reduction > 1 else "", "REDUCTION": f"{own.reduction:g}",

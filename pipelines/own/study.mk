@@ -44,11 +44,11 @@ own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make ow
 
 # Only where it is asked for: make reads what own.toml says, after it made it.
 ifneq ($(filter own own-check $(OWNO)/%,$(MAKECMDGOALS)),)
--include $(OWNO)/inputs.mk
+include $(OWNO)/inputs.mk
 endif
 OWN_TABLES := $(wildcard $(SOIL)/*.tsv)
 $(OWNO)/geotextile_%.toml: $(OWNO)/inputs.mk ;
-$(OWNO)/inputs.mk: $(SOIL)/own.toml $(OWN_TABLES) $(OWN)/inputs.py pipelines/calibration/laboratory.py
+$(OWNO)/inputs.mk: $(wildcard $(SOIL)/own.toml) $(OWN_TABLES) $(OWN)/inputs.py pipelines/calibration/laboratory.py
 	@$(OWN_PY)/inputs.py $(SOIL) $(OWNO)
 
 # What packings, calibration and bags hang on; another surcharge makes none of them anew.
@@ -78,11 +78,9 @@ $(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5
 	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 pipelines/calibration/hertz-mindlin.toml \
 	  $(OWN_PRESSURE) $(OWN_UNTIL)
 	@touch $@
-OWN_SERIES := $(foreach seed,1 2,$(foreach k,$(shell seq 0 $$(($(OWN_TWINS) - 1))),$(OWNO)/check_$(seed)_$(k).tsv))
-.SECONDEXPANSION:
-$(OWN_SERIES): $(OWNO)/check_%.tsv: $(OWNO)/checked_$$(word 1,$$(subst _, ,$$*)) $(BIN)/homogenize
-	@cp $(OWNO)/check_$(word 1,$(subst _, ,$*))/runs/00000$(word 2,$(subst _, ,$*))/series.h5 $(@:.tsv=.h5)
-	@$(BIN)/homogenize $(@:.tsv=.h5) --table series --tsv $(call whole,$@)
+$(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
+	@$(BIN)/pf-weight assimilate $(OWNO)/heaviest.tsv $(OWN_CAL)/$(OWN_FIRST).tsv --prior $(OWN_PRIOR) --runs '$(OWNO)/check_$*/runs/{id:06}/series.h5' \
+	  --where stage=1 --station strain_axial --observe stress_ratio --error 1 --quiet --tsv --table curves $(call whole,$@)
 
 # (c) Two bags, filled with the heaviest set; each geotextile has a bag, of the two in turn, and a set of the posterior.
 own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
@@ -91,6 +89,7 @@ $(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3
 	@contact=$(call own_contact,$(OWNO)/heaviest.tsv,0) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
 	  --force --history $(@:.h5=.tsv) -o $@
 own_bag = $(OWNO)/bag_$(if $(filter 1 3 5 7,$*),1,2).h5
+.SECONDEXPANSION:
 $(OWNO)/uc_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@contact=$(call own_contact,$(OWNO)/draws.tsv,$$(($* - 1))) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
@@ -112,16 +111,16 @@ $(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
 # (e) The bag of own.toml, with the long-term strength of its geotextile.
 own_case = --soil $(OWNO)/$(1).toml $(OWN_SOIL_FACTOR) --geotextile $(OWNO)/long_term.toml $(OWN_SHAPE) $(OWN_FRACTION)
 $(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv $(call whole,$@) 2> $(@:.tsv=.said)
+	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv 2> $(@:.tsv=.said) $(call whole,$@)
 $(OWNO)/design_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve design $(call own_case,$*) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv $(call whole,$@) 2> $(@:.tsv=.said)
+	@$(BIN)/gws-solve design $(call own_case,$*) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv 2> $(@:.tsv=.said) $(call whole,$@)
 $(OWNO)/chart.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve design $(call own_case,soil) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
 	  --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') --tsv $(call whole,$@)
 
 # (f)
 OWN_SOILS = soil $(OWN_BAGS:%=soil_%)
-OWN_LEFT = $(foreach soil,$(OWN_SOILS),$(OWNO)/bands_$(soil).tsv $(OWNO)/design_$(soil).tsv) $(OWN_BAGS:%=$(OWNO)/uc_%.tsv) $(OWNO)/chart.tsv $(OWN_SERIES)
+OWN_LEFT = $(foreach soil,$(OWN_SOILS),$(OWNO)/bands_$(soil).tsv $(OWNO)/design_$(soil).tsv) $(OWN_BAGS:%=$(OWNO)/uc_%.tsv) $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
 $(OWNO)/provenance.txt: $(OWNO)/uc_1.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 $(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWN)/study.py $(OWN)/words.toml $(STUDY)

@@ -76,14 +76,15 @@ def measure(study, own, folder, bands, bags):
         study.measure(f"needed_{name}_high", lambda d=designs: d[0] * numpy.exp(DEVIATE * jackknife(numpy.log(d[1:]))), unit)
     study.measure("needed_sheet", own.reduction * study.measures["needed_strength_high"].value, "kN/m")
     study.measure("settlement_of_design", folder("design_soil")("settlement", "%")[0], "%")
-    peaks = {seed: [t.rows(t("stage", "1") == 1)("stress_ratio", "1").max() for t in own_twins(folder, seed)] for seed in (1, 2)}
+    peaks = {seed: twins(folder(f"check_{seed}")) for seed in (1, 2)}
     study.measure("peak", Mean.of([peak for some in peaks.values() for peak in some]), "1")
     study.measure("packings_apart", 100 * abs(numpy.mean(peaks[2]) / numpy.mean(peaks[1]) - 1), "%")
 
 
-def own_twins(folder, seed):
-    """Returns the series of the twins of a representative volume."""
-    return [folder(path.stem) for path in sorted(folder.path.glob(f"check_{seed}_*.tsv"))]
+def twins(table):
+    """Returns the greatest stress ratio of each twin of a representative volume."""
+    ids = table("id", "1")
+    return [float(table.rows(ids == i)("stress_ratio", "1").max()) for i in numpy.unique(ids)]
 
 
 def draw(study, own, folder, bands):
