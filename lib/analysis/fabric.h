@@ -1,5 +1,16 @@
 // Arrangement of contacts and forces: fabric tensors and anisotropies, coordination, orientation rose, force chains.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A packing under load is not the same in all directions: contacts turn towards the major stress, and forces grow along
+// it. Three tensors measure this. With contact normals n, normal forces f_n and shear forces f_t, over N contacts,
+//
+//   phi = (1/N) sum n (x) n                  where contacts point           thesis Eq. 3.6
+//   chi_n ~ (1/N) sum f_n n (x) n            how large forces are there     Eq. 3.7
+//   chi_t ~ (1/N) sum f_t (x) n              how much they shear            Eq. 3.8
+//
+// with each contact in the two force tensors divided by the density of contacts in its direction. The deviators, scaled
+// by 15/2 for phi, give the anisotropies a_c, a_n, a_t (Eq. 3.9), each with the sign of its inclination to the stress.
+// They carry the strength of the assembly: q/p is about 2/5 (a_c + a_n + 3/2 a_t) (Rothenburg & Bathurst 1989).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,14 @@
 // Love-Weber stress of the cell and of each grain, compression positive.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stress of a granular assembly is the virial of its contact forces (Love 1927, Weber 1966): the mean over a volume
+// V of force f times branch l, from centre to centre,
+//
+//   sigma = (1/V) sum over contacts of f (x) l                                                      thesis Eq. 3.4
+//
+// Cut the assembly by a plane: the forces of the contacts that cross it, over its area, are the traction sigma n. The
+// sum counts each contact as often as planes meet its branch. Inertia is neglected, since loading is quasi-static. The
+// share of a grain in this sum, over the volume of its power cell, is the stress of a grain.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,11 @@
 // Grains that grow until they fill a container: radii grow by small factors, with equilibrium in between.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Soil cut from a block to the shape of a bag leaves a gap of one grain along the surface. Growth closes it (thesis
+// section 3.2.3). Each round multiplies all radii by a small factor and lets the grains come to equilibrium between the
+// nodes, which stand still. Free grains carry the volume of their Delaunay tetrahedra along as the cube of their radii;
+// once the bag is full that volume stands still, and overlaps grow instead. If the soil is then looser than asked for,
+// friction is lowered and grains rearrange. At last friction is restored, and the grains come to rest.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,10 @@
 // From a cloud to a packing with a given void ratio at a given pressure: compression, then friction lowered step by
 // step.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A cloud that is compressed at full friction comes to rest as loose as friction allows. Lower friction lets grains
+// slide into denser places at the same pressure, and restored friction holds them there. So friction alone chooses the
+// void ratio, between that of full friction and that of none (thesis section 3.2.2).
 #pragma once
 
 #include <functional>
