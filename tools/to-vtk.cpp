@@ -52,12 +52,11 @@ struct ToVtk {
   void options(tool::Table& table) {
     table.about(
         "to-vtk", "write packings, runs and fields as VTK files for ParaView",
-        "For each state of a packing or run: the grains, the contacts, the yarns and where they broke, the cell and "
-        "the rigid planes as VTK XML files, a .pvd a group with the physical times, and show.py, which shows them in "
-        "ParaView at once: grains, force chains, yarns by tension and, with --fields, the strain of grains on a cut. "
-        "Contacts through a periodic face are drawn half out at both sides. Of a run of fem-dem the mesh with what its "
-        "nodes and points bear (.vtu), and the geosynthetic. Groups of a fields file whose rows have a place become "
-        "points (yarns: lines), the others .csv tables.");
+        "For each state of a packing or run the grains, contacts, yarns and where they broke, the cell and the rigid "
+        "planes as VTK XML files, a .pvd a group with the physical times, and show.py, which shows them in ParaView: "
+        "grains, force chains, yarns by tension and, with --fields, the strain of grains on a cut. Contacts through a "
+        "periodic face are drawn at both sides. Of a run of fem-dem mesh and geosynthetic. Rows of fields that have a "
+        "place become points, yarns lines, volumes also principal axes; others .csv.");
     table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
     table.example("to-vtk run.h5 --fields fields.h5 -o run-vtk",
                   "with strains, after: homogenize run.h5 --grains -o "
@@ -181,8 +180,9 @@ struct ToVtk {
       std::vector<double> times;
       for (const std::size_t index : chosen(states.size())) {
         frames.push_back({group.name, index, io::show_rows(group.table, states[index])});
-        io::add_principal(frames.back().picture);
         times.push_back(frames.back().picture.time);
+        if (auto axes = io::show_axes(group.table, states[index]))
+          frames.push_back({group.name + "_axes", index, std::move(*axes)});
       }
       io::demand_advance(group.name, times);
     }

@@ -121,6 +121,7 @@ class ReinforcedTable {
     put("soil_strain_deviatoric", "1", "axial strain of the cell less a third of the soil's volumetric one",
         [this](std::size_t i) { return done("strain_axial")[i] - done("soil_strain_volumetric")[i] / 3; });
     copy("soil_coordination_number");
+    for (const char* name : {"face_friction_x", "face_friction_y", "face_friction_z"}) copy(name);
     for (const io::Column& column : run_.columns)
       if (column.name.starts_with("group_")) table_.columns.push_back(column);
   }

@@ -31,6 +31,16 @@ void put_stress(io::Series& table, const Mat3& stress, int d) {
   put(table, "stress_obliquity", "1", "q/p", p != 0 ? q / p : 0);
 }
 
+void put_principal(io::Series& table, const Mat3& stress, int d) {
+  const Principal p = principal(stress, d);
+  for (int k = 0; k < d; ++k) {
+    put(table, fmt::format("principal_{}", k + 1), "Pa", "principal stress, largest first", p.values[k]);
+    for (int a = 0; a < d; ++a)
+      put(table, fmt::format("direction_{}{}", k + 1, axes[a]), "1", "unit direction of the principal stress",
+          p.directions(a, k));
+  }
+}
+
 void put_strain(io::Series& table, const Mat3& strain, int d) {
   put(table, "strain", "1", "natural strain, compression positive", strain, d);
   put(table, "strain_volumetric", "1", "sum of the natural strains, contraction positive",
@@ -68,13 +78,7 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
   put_strain(table, cell_strain(state.cell), d);
   const Mat3 stress = cell_stress(state);
   put_stress(table, stress, d);
-  const Principal p = principal(stress, d);
-  for (int k = 0; k < d; ++k) {
-    put(table, fmt::format("principal_{}", k + 1), "Pa", "principal stress, largest first", p.values[k]);
-    for (int a = 0; a < d; ++a)
-      put(table, fmt::format("direction_{}{}", k + 1, axes[a]), "1", "unit direction of the principal stress",
-          p.directions(a, k));
-  }
+  put_principal(table, stress, d);
   put(table, "void_ratio", "1", "void ratio of the cell, overlaps counted twice", void_ratio(state));
   if (tessellate) {
     const std::vector<double> volumes = power_cell_volumes(state);
@@ -108,9 +112,13 @@ void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snap
   put_step(table, state);
   put(table, "volume_of_interest", "1", "number of the volume, from 0", number);
   put(table, "grains", "1", "grains in it", static_cast<double>(volume.grains.size()));
+  const Vec3 middle = centre(state, volume);
+  for (int a = 0; a < d; ++a)
+    put(table, fmt::format("centre_{}", axes[a]), "m", "mean of the centres of its grains", middle[a]);
   put(table, "volume", d == 3 ? "m3" : "m2", "sum of its grains' power cells", v.volume);
   put(table, "void_ratio", "1", "void ratio from the power cells", v.void_ratio);
   put_stress(table, v.stress, d);
+  put_principal(table, v.stress, d);
   // A gradient needs one grain more than the space has axes.
   const bool enough = volume.grains.size() > static_cast<std::size_t>(d);
   const Mat3 strain = enough ? natural_strain(best_fit_gradient(reference, state, volume.grains))

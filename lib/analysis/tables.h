@@ -30,7 +30,8 @@ struct Local {
 Local local(const io::Snapshot& reference, const io::Snapshot& state);
 /// Appends step and time, the first columns of every table of several states.
 void put_step(io::Series& table, const io::Snapshot& state);
-/// Appends one volume of interest: number of grains, volume, void ratio, stress, p, q, best-fit strain.
+/// Appends one volume of interest: number of grains, centre, volume, void ratio, stress, p, q, principal stresses and
+/// their directions, best-fit strain.
 void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
                 const Volume& volume, const Local& local);
 /// Appends one row per grain: identity, position, part (with fill), power-cell volume, stress (none without a cell),

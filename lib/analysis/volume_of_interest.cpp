@@ -14,16 +14,34 @@
 #include "dem/bodies.h"
 
 namespace soilweave::analysis {
+namespace {
+
+/// Places of grains in the cell. A position stays as it is along axes that are not periodic.
+class Wrapping {
+ public:
+  explicit Wrapping(const io::Snapshot& state) : state_(state), inverse_(state.cell.matrix.inverse()) {}
+  Vec3 place(std::size_t grain) const {
+    Vec3 reduced = inverse_ * state_.grains.position[grain];
+    for (int a = 0; a < state_.grains.dimension; ++a)
+      if (state_.cell.periodic[static_cast<std::size_t>(a)]) reduced[a] -= std::floor(reduced[a]);
+    return state_.cell.matrix * reduced;
+  }
+
+ private:
+  const io::Snapshot& state_;
+  Mat3 inverse_;
+};
+
+}  // namespace
 
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
   Volume volume{
-      fmt::format("box {:g} {:g} {:g} {:g} {:g} {:g}", low.x(), high.x(), low.y(), high.y(), low.z(), high.z()), {}};
-  const Mat3 inverse = state.cell.matrix.inverse();
+      fmt::format("box {:g} {:g} {:g} {:g} {:g} {:g}", low.x(), high.x(), low.y(), high.y(), low.z(), high.z()),
+      {},
+      true};
+  const Wrapping wrapping(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    Vec3 reduced = inverse * state.grains.position[i];
-    for (int a = 0; a < state.grains.dimension; ++a)
-      if (state.cell.periodic[static_cast<std::size_t>(a)]) reduced[a] -= std::floor(reduced[a]);
-    const Vec3 at = state.cell.matrix * reduced;
+    const Vec3 at = wrapping.place(i);
     bool inside = true;
     for (int a = 0; a < state.grains.dimension; ++a) inside = inside && at[a] >= low[a] && at[a] < high[a];
     if (inside) volume.grains.push_back(i);
@@ -68,6 +86,13 @@ Volume whole(const io::Snapshot& state) {
   Volume all{"all grains", std::vector<std::size_t>(state.grains.size())};
   std::iota(all.grains.begin(), all.grains.end(), std::size_t{0});
   return all;
+}
+
+Vec3 centre(const io::Snapshot& state, const Volume& volume) {
+  const Wrapping wrapping(state);
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t i : volume.grains) sum += volume.wrapped ? wrapping.place(i) : state.grains.position[i];
+  return sum / static_cast<double>(volume.grains.size());
 }
 
 VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,

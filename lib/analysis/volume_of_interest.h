@@ -13,6 +13,8 @@ namespace soilweave::analysis {
 struct Volume {
   std::string name;
   std::vector<std::size_t> grains;
+  bool wrapped =
+      false;  // whether its grains were told by their places in the cell, not by where they have travelled to
 };
 
 /// Returns the grains whose wrapped centre lies in an axis-parallel box (m); the upper faces are excluded.
@@ -26,6 +28,10 @@ std::vector<Volume> copies(const io::Snapshot& state);
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);
+
+/// Returns the mean of the centres of a volume's grains, m. Grains of a wrapped volume count by their places in the
+/// cell.
+Vec3 centre(const io::Snapshot& state, const Volume& volume);
 
 /// Stress (Pa; 2D: N/m) and void ratio of a volume, from dyads (N m) and power-cell volumes of its grains.
 struct VolumeState {

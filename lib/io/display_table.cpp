@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "core/error.h"
+#include "io/display.h"
 #include "io/table.h"
 
 namespace soilweave::io {
@@ -52,6 +53,43 @@ struct Gathered {
   int order = 0;
   std::array<const Column*, 9> parts = {};
 };
+
+/// A principal stress of the rows of a table: its values (Pa) and the components of its direction; z is null in 2D.
+struct PrincipalColumns {
+  const Column* value;
+  std::array<const Column*, 3> direction;
+};
+
+/// Returns the principal stresses of a table, largest first; none if columns are missing.
+std::vector<PrincipalColumns> principal_columns(const Series& table) {
+  std::vector<PrincipalColumns> found;
+  for (const std::string number : {"1", "2", "3"}) {
+    const Column* value = table.find("principal_" + number);
+    if (!value) return found;
+    const std::string direction = "direction_" + number;
+    found.push_back({value, {table.find(direction + "x"), table.find(direction + "y"), table.find(direction + "z")}});
+    if (!found.back().direction[0] || !found.back().direction[1]) return {};
+  }
+  return found;
+}
+
+/// Returns a vector of a row from its columns; z is 0 without a column.
+Vec3 vector_of(const std::array<const Column*, 3>& columns, std::size_t row) {
+  return {columns[0]->values[row], columns[1]->values[row], columns[2] ? columns[2]->values[row] : 0.0};
+}
+
+/// Returns the length of a line per stress, m/Pa: the greatest stress is as long as the edge of the mean volume. 1
+/// without any stress.
+double axes_scale(const std::vector<PrincipalColumns>& stresses, const Column& volume) {
+  double greatest = 0, sum = 0;
+  for (const PrincipalColumns& stress : stresses)
+    for (const double value : stress.value->values)
+      if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+  for (const double value : volume.values) sum += value;
+  const double edge =
+      std::pow(sum / static_cast<double>(volume.values.size()), 1.0 / static_cast<double>(stresses.size()));
+  return greatest > 0 ? edge / greatest : 1.0;
+}
 
 VtkArray array_of(const std::string& name, const Gathered& gathered, const std::vector<std::size_t>& rows) {
   const int components = gathered.order == 0 ? 1 : gathered.order == 1 ? 3 : 9;
@@ -113,21 +151,44 @@ VtkPicture show_rows(const Series& table, const TableState& state) {
   VtkPicture picture;
   picture.time = state.time;
   picture.step = state.step;
-  const auto vector = [](const std::array<const Column*, 3>& columns, std::size_t row) {
-    return Vec3(columns[0]->values[row], columns[1]->values[row], columns[2] ? columns[2]->values[row] : 0.0);
-  };
   const Column* length = table.find("length");
   const std::array<const Column*, 3> direction = {table.find("direction_x"), table.find("direction_y"),
                                                   table.find("direction_z")};
   const bool lines = length && direction[0] && direction[1];
   for (const std::size_t row : state.rows) {
-    const Vec3 place = vector(places, row);
-    const Vec3 half = lines ? Vec3(0.5 * length->values[row] * vector(direction, row)) : Vec3(Vec3::Zero());
+    const Vec3 place = vector_of(places, row);
+    const Vec3 half = lines ? Vec3(0.5 * length->values[row] * vector_of(direction, row)) : Vec3(Vec3::Zero());
     picture.points.push_back(place - half);
     if (lines) picture.points.push_back(place + half);
   }
   if (lines) picture.shape = VtkShape::line;
   (lines ? picture.cell_data : picture.point_data) = arrays_of(table, state.rows);
+  add_principal(picture);
+  return picture;
+}
+
+std::optional<VtkPicture> show_axes(const Series& table, const TableState& state) {
+  const auto places = position_columns(table);
+  const std::vector<PrincipalColumns> stresses = principal_columns(table);
+  const Column* volume = table.find("volume");
+  if (!places[0] || stresses.empty() || !volume) return std::nullopt;
+  const double scale = axes_scale(stresses, *volume);
+  VtkPicture picture;
+  picture.time = state.time;
+  picture.step = state.step;
+  picture.shape = VtkShape::line;
+  std::vector<std::int32_t> number;
+  std::vector<double> stress;
+  for (const std::size_t row : state.rows)
+    for (std::size_t k = 0; k < stresses.size(); ++k) {
+      const double value = stresses[k].value->values[row];
+      if (!std::isfinite(value)) continue;
+      const Vec3 place = vector_of(places, row);
+      const Vec3 half = 0.5 * scale * std::abs(value) * vector_of(stresses[k].direction, row);
+      picture.points.push_back(place - half), picture.points.push_back(place + half);
+      number.push_back(static_cast<std::int32_t>(k + 1)), stress.push_back(value);
+    }
+  picture.cell_data = {{"principal", 1, std::move(number)}, {"principal_stress", 1, std::move(stress)}};
   return picture;
 }
 

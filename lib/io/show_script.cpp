@@ -7,6 +7,7 @@ namespace soilweave::io {
 const std::string_view show_script = R"script(# Shows the files beside it in ParaView, each kind in a panel of its own:
 #   grains, fill around reinforced soil faint; force chains (thickness: normal force, colour: shear force);
 #   yarns by tension, broken ones as red points;
+#   principal stresses of volumes, lengths in proportion, red the greatest, blue the medium, green the least;
 #   deviatoric strain of the grains cut by the plane in the middle (fields joined by to-vtk --fields); fields of a mesh.
 #   paraview --script=show.py              interactive
 #   pvpython show.py picture.png           a picture of the last state; without a display: xvfb-run -a pvpython ...
@@ -21,6 +22,7 @@ from paraview.simple import (CSVReader, Calculator, ColorBy, CreateLayout, Creat
 from paraview.servermanager import Fetch
 
 BLACK, GREY, SAND, RED = [0.0, 0.0, 0.0], [0.5, 0.5, 0.5], [0.7, 0.65, 0.55], [0.89, 0.1, 0.11]
+BLUE, GREEN = [0.12, 0.35, 0.8], [0.1, 0.6, 0.2]
 # What the elements of two scales bear, and what tables without a place are drawn over.
 MESH = {"mean_stress": "p (Pa)", "deviatoric_stress": "q (Pa)", "strain_shear": "shear strain",
         "rotation": "rotation (rad)", "anisotropy": "anisotropy", "strain_volumetric": "volumetric strain"}
@@ -232,6 +234,15 @@ def show_places(places):
     plain(Show(ellipsoids, view), SAND)
 
 
+def show_axes(axes):
+    """Principal stresses as lines in their directions (thesis Fig. 5.4)."""
+    view = panel()
+    for number, hue in ((1, RED), (2, BLUE), (3, GREEN)):
+        display = Show(within(axes, "CELLS", "principal", number, number), view)
+        display.LineWidth = 4.0
+        plain(display, hue)
+
+
 def polar(table):
     for name, function in (("x", "cos"), ("y", "sin")):
         table = Calculator(Input=table, AttributeType="Row Data", ResultArrayName=name,
@@ -293,8 +304,12 @@ def main():
         show_cut(grains, deep)
     if "soil" in sources:
         show_mesh(sources["soil"], sources.get("geosynthetic"))
-    for name in sources.keys() - {"grains", "contacts", "cell", "planes", "yarns", "broken", "soil", "geosynthetic"}:
-        show_places(sources[name])
+    shown = {"grains", "contacts", "cell", "planes", "yarns", "broken", "soil", "geosynthetic"}
+    for name in sorted(sources.keys() - shown):
+        if name.endswith("_axes"):
+            show_axes(sources[name])
+        elif name + "_axes" not in sources:
+            show_places(sources[name])
     for name, path in files(".csv").items():
         if name in CHARTS:
             show_table(name, path)

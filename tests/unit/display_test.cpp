@@ -89,7 +89,7 @@ Snapshot sheared_crowd() {
   return state;
 }
 
-Column column(const char* name, std::vector<double> values) { return {name, "1", name, std::move(values)}; }
+Column column(const std::string& name, std::vector<double> values) { return {name, "1", name, std::move(values)}; }
 
 TEST(Display, GrainsLieInsideTheShearedCellAndAWholeNumberOfCellVectorsAway) {
   const Snapshot state = sheared_crowd();
@@ -267,11 +267,51 @@ TEST(DisplayTable, ComponentsBecomeVectorsAndTensors) {
   EXPECT_EQ(picture.time, 0.5);
   EXPECT_EQ(picture.step, 4);
   EXPECT_EQ(picture.points, (std::vector<Vec3>{{1, 3, 0}, {2, 4, 0}}));
-  EXPECT_EQ(picture.point_data.size(), 4u);
+  EXPECT_EQ(picture.point_data.size(), 6u) << "with the principal stresses and their major direction";
   EXPECT_EQ(values_of<double>(picture.point_data, "u"), (std::vector<double>{5, 7, 0, 6, 8, 0}));
   EXPECT_EQ(values_of<double>(picture.point_data, "stress"),
             (std::vector<double>{1, 3, 0, 3, 5, 0, 0, 0, 0, 2, 4, 0, 4, 6, 0, 0, 0, 0}));
   EXPECT_EQ(values_of<double>(picture.point_data, "rate_zz"), (std::vector<double>{1, 1}));
+}
+
+// Two volumes of 8 m3 in the first state and one in the second, whose stress is the greatest of all.
+Series volumes() {
+  Series table;
+  table.columns = {column("step", {1, 1, 2}),          column("centre_x", {10, 20, 30}),
+                   column("centre_y", {0, 0, 0}),      column("centre_z", {0, 0, 5}),
+                   column("volume", {8, 8, 8}),        column("principal_1", {50, 20, 100}),
+                   column("principal_2", {10, 20, 0}), column("principal_3", {-10, std::nan(""), 0})};
+  const char* axes = "zxy";  // the axis of the greatest stress, and so on
+  for (int k = 0; k < 3; ++k)
+    for (const char axis : {'x', 'y', 'z'}) {
+      const double along = axes[k] == axis ? 1 : 0;
+      table.columns.push_back(column("direction_" + std::to_string(k + 1) + axis, {along, along, along}));
+    }
+  return table;
+}
+
+TEST(DisplayTable, PrincipalAxesAreLinesInProportionToTheStress) {
+  const Series table = volumes();
+  const auto states = states_of(table);
+  const auto first = show_axes(table, states[0]), last = show_axes(table, states[1]);
+  ASSERT_TRUE(first && last);
+  EXPECT_EQ(first->shape, VtkShape::line);
+  EXPECT_EQ(last->points[0], Vec3(30, 0, 4)) << "2 m, the edge of the mean volume, for the greatest of all states";
+  EXPECT_EQ(last->points[1], Vec3(30, 0, 6));
+  EXPECT_EQ(first->points[1] - first->points[0], Vec3(0, 0, 1));
+  EXPECT_NEAR((first->points[3] - first->points[2] - Vec3(0.2, 0, 0)).norm(), 0, rounding);
+  EXPECT_NEAR((first->points[5] - first->points[4] - Vec3(0, 0.2, 0)).norm(), 0, rounding) << "as long in tension";
+  EXPECT_EQ(values_of<std::int32_t>(first->cell_data, "principal"), (std::vector<std::int32_t>{1, 2, 3, 1, 2}))
+      << "no line where there is no stress";
+  EXPECT_EQ(values_of<double>(first->cell_data, "principal_stress"), (std::vector<double>{50, 10, -10, 20, 20}));
+}
+
+TEST(DisplayTable, RowsWithoutPlaceVolumeOrDirectionHaveNoAxes) {
+  for (const std::string name : {"centre_x", "volume", "principal_1", "direction_3y"}) {
+    Series table = volumes();
+    std::erase_if(table.columns, [&](const Column& c) { return c.name == name; });
+    EXPECT_FALSE(show_axes(table, states_of(table)[0])) << name;
+  }
 }
 
 TEST(DisplayTable, StatesAreStretchesOfOneStepAndWithoutTimesTheStepTellsThemApart) {

@@ -201,6 +201,7 @@ TEST(Reinforced, TheTableOfARunHasCellSoilGroupsAndFillSideBySide) {
   EXPECT_NEAR(column("soil_lateral_stress")[0], 4, 1e-10);
   EXPECT_NEAR(column("fill_axial_stress")[0], 14, 1e-10);
   EXPECT_NEAR(column("group_3_mean_stress")[0], 5, 1e-10);
+  EXPECT_EQ(column("face_friction_z"), run.series.at("face_friction_z").values) << "of the quarter, as in the series";
   EXPECT_NEAR(column("soil_strain_volumetric")[3], -std::log(0.9), 1e-12) << "of its own tetrahedra";
   EXPECT_NEAR(column("soil_strain_deviatoric")[3], 0.1 + std::log(0.9) / 3, 1e-12);
   EXPECT_NEAR(column("first_break_strain")[0], 0.04, 1e-15) << "0.4 s at 0.1 /s";

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
+#include "analysis/tables.h"
 #include "analysis/tessellation.h"
 #include "analysis/volume_of_interest.h"
 #include "support/assembly.h"
@@ -104,6 +106,29 @@ TEST(VolumeOfInterest, BoxesTakeWrappedGrainsOnce) {
   EXPECT_NEAR(v.volume, 32, 1e-10);
   EXPECT_LT((v.stress - Mat3(Vec3(3, 5, 7).asDiagonal())).norm(), 1e-10);
   EXPECT_NEAR(v.void_ratio, 6 / std::numbers::pi - 1, 1e-10);
+}
+
+TEST(VolumeOfInterest, ItsCentreIsWhereItsGrainsWereTold) {
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  const Vec3 still = centre(s, box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4})), all = centre(s, whole(s));
+  EXPECT_LT((still - Vec3(0.5, 1.5, 1.5)).norm(), 1e-12);
+  for (std::size_t i = 0; i < 16; ++i) s.grains.position[i] += 4 * Vec3(1, -2, 0);
+  EXPECT_LT((centre(s, box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4})) - still).norm(), 1e-12) << "a box is one of the cell";
+  EXPECT_LT((centre(s, whole(s)) - all - Vec3(1, -2, 0)).norm(), 1e-12) << "soil is where it has travelled to";
+}
+
+TEST(VolumeOfInterest, PrincipalStressesHaveDirectionsAndAPlace) {
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  io::Series table;
+  put_volume(table, s, s, 0, box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4}), local(s, s));
+  const auto value = [&](const std::string& name) { return table.at(name).values.at(0); };
+  for (const auto& [number, stress, axis] :
+       {std::tuple{"1", 7, "z"}, std::tuple{"2", 5, "y"}, std::tuple{"3", 3, "x"}}) {
+    EXPECT_NEAR(value(std::string("principal_") + number), stress, 1e-9);
+    EXPECT_NEAR(std::abs(value(std::string("direction_") + number + axis)), 1, 1e-9);
+  }
+  EXPECT_NEAR(value("centre_x"), 0.5, 1e-12);
+  EXPECT_NEAR(value("centre_z"), 1.5, 1e-12);
 }
 
 TEST(VolumeOfInterest, CopiesComeInOrder) {
