@@ -23,9 +23,10 @@ FIRST_SCREEN = 120  # words that lead, headline and score may have together
 
 @dataclasses.dataclass
 class Group:
-    """Statements that a page shows in one table, and the note below it."""
+    """Statements that a page shows in one table, and the note below it. judged: whether this run has the size for them."""
 
     heading: str
+    judged: bool
     statements: list = dataclasses.field(default_factory=list)
     note: str = ""
     table: str = "comparison"
@@ -63,6 +64,12 @@ class Row:
     run: object
     kept: object
     reason: str
+    judged: bool
+
+    @property
+    def verdict(self):
+        """The Verdict that counts: of this run where it is judged, else of the kept one; None without."""
+        return self.run if self.judged else self.kept
 
 
 class Study:
@@ -79,7 +86,7 @@ class Study:
         self.name, self.title, self.out, self.profile, self.judged = name, title, pathlib.Path(out), profile, judged
         self.digits = digits
         self.lead, self.headline, self.history, self.remarks, self.reports, self.appendices = "", "", "", [], [], []
-        self.measures, self.groups, self.checks = {}, [Group("Measured beside published")], []
+        self.measures, self.groups, self.checks = {}, [Group("Measured beside published", judged)], []
         self._figures, self._drawings, self._kept, self._reasons = {}, {}, [], {}
         self._texts, self._folder, self._values, self.pageless = None, None, {}, False
 
@@ -179,18 +186,21 @@ class Study:
         """Adds a published value or a statement of the thesis as a number; expect() reads a whole table of them."""
         self.groups[0].statements.append(Statement(name, relation, str(published), str(tolerance), unit, source, description))
 
-    def expect(self, path, heading="", note="", table="comparison"):
+    def expect(self, path, heading="", note="", table="comparison", judged=None):
         """Adds the statements of a table like expected.tsv, under a heading of their own where one is given.
 
         note: what the page says below the table. table: name of the file, less .tsv, that they are written to with what was
-        measured; without a heading it is comparison.
+        measured; without a heading it is comparison. judged: whether this run has the size for those under the heading, where
+        that is not the study's own answer; the kept ones of a run that has are read from kept/ then.
         """
-        group = Group(heading) if heading else self.groups[0]
+        group = Group(heading, self.judged if judged is None else judged) if heading else self.groups[0]
         if heading:
             group.table = table
             self.groups.append(group)
         group.statements += read_statements(path)
         group.note = note
+        if judged is False and (pathlib.Path(path).parent / "kept" / f"{table}.tsv").exists():
+            self.kept(pathlib.Path(path).parent / "kept" / f"{table}.tsv")
 
     def accept(self, name, relation, bound, unit, description, tolerance=""):
         """Adds a bound that a run of any size has to keep: it says whether the chain of tools works, not whether it agrees."""
@@ -282,7 +292,7 @@ class Study:
         for group in self.groups:
             run = {id(v.statement): v for v in compare(group.statements, self.measures)}
             kept = {id(s): v for s, v in self._kept}
-            rows = [Row(s, run.get(id(s)), kept.get(id(s)), self._reasons.get(s.name, "")) for s in group.statements]
+            rows = [Row(s, run.get(id(s)), kept.get(id(s)), self._reasons.get(s.name, ""), group.judged) for s in group.statements]
             rows = [r for r in rows if r.run or r.kept]
             if rows:
                 groups.append((group, rows))
@@ -290,21 +300,28 @@ class Study:
 
     def score(self, groups):
         """Returns the Score of this run, or of the kept one where this is not judged."""
-        parts, met, total = [], 0, 0
-        for values, words in ((True, "published values within tolerance"), (False, "statements borne out")):
-            verdicts = [r.run if self.judged else r.kept for group, rows in groups if (group is self.groups[0]) == values for r in rows]
-            verdicts = [v for v in verdicts if v]
-            if verdicts:
-                parts.append(f"{sum(v.met for v in verdicts)} of {len(verdicts)} {words}")
-                met, total = met + sum(v.met for v in verdicts), total + len(verdicts)
-        if self.judged:
+        parts, met, total = self._tally([pair for pair in groups if pair[0].judged])
+        coarse = [pair for pair in groups if not pair[0].judged]
+        if self.judged and not coarse:
             return Score(", ".join(parts), met, total)
-        said = ", ".join(parts) + " at full size" if parts else "no run at full size is kept"
+        at_full_size, of_these, of_all = self._tally(coarse)
+        kept = ", ".join(at_full_size) + " at full size" if at_full_size else "no run at full size is kept"
+        said = f"{', '.join(parts)}; {kept}" if parts else kept
         checks = compare(self.checks, self.measures)
         failed = [v.statement.description for v in checks if not v.met]
         works = "" if not checks else f"; its chain of tools fails at: {', '.join(failed)}" if failed else \
             f"; its chain of tools works ({len(checks)} of {len(checks)} checks)"
-        return Score(f"{said}; this run: {self.profile} profile, not judged{works}", met, total)
+        return Score(f"{said}; this run: {self.profile} profile, not judged{works}", met + of_these, total + of_all)
+
+    def _tally(self, groups):
+        """Returns how many values and statements of some groups are met, in words, and both numbers."""
+        parts, met, total = [], 0, 0
+        for values, words in ((True, "published values within tolerance"), (False, "statements borne out")):
+            verdicts = [r.verdict for group, rows in groups if (group is self.groups[0]) == values for r in rows if r.verdict]
+            if verdicts:
+                parts.append(f"{sum(v.met for v in verdicts)} of {len(verdicts)} {words}")
+                met, total = met + sum(v.met for v in verdicts), total + len(verdicts)
+        return parts, met, total
 
     def write(self):
         """Writes all files of the study into its folder, each at once whole."""
@@ -346,17 +363,17 @@ class Study:
             "name": list(made), "value": [m.value for m in made.values()], "unit": [m.unit for m in made.values()],
             "deviation": [m.deviation for m in made.values()]}))
         groups = self.rows()
-        for table in dict.fromkeys(["comparison", *(group.table for group, _ in groups)]):
-            self._write_comparison(table, [r.run for group, rows in groups for r in rows if r.run and group.table == table])
+        for table in dict.fromkeys(group.table for group, _ in groups) or ["comparison"]:
+            self._write_comparison(table, [r for group, rows in groups for r in rows if r.run and group.table == table])
 
-    def _write_comparison(self, table, verdicts):
-        """Writes the verdicts into a table of that name."""
-        stated = [v.statement for v in verdicts]
+    def _write_comparison(self, table, rows):
+        """Writes what this run measured into a table of that name."""
+        verdicts, stated = [r.run for r in rows], [r.statement for r in rows]
         put(self.out / f"{table}.tsv", write_table({
             "description": [s.description for s in stated], "unit": [s.unit for s in stated],
             "published": [s.bound for s in stated], "tolerance": [s.margin for s in stated],
             "measured": [v.measured for v in verdicts], "difference": [v.difference for v in verdicts],
-            "verdict": [("met" if v.met else "not met") if self.judged else "not judged" for v in verdicts],
+            "verdict": [("met" if r.run.met else "not met") if r.judged else "not judged" for r in rows],
             "source": [s.source for s in stated]}))
 
 

@@ -267,6 +267,20 @@ def test_a_quick_run_is_shown_beside_the_kept_one_and_not_judged(tmp_path, capsy
     assert "its chain of tools fails at: work left over" in capsys.readouterr().out
 
 
+def test_statements_that_need_full_size_are_judged_by_the_kept_run_beside_those_of_any_size(tmp_path, capsys):
+    text = "name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\nload\twithin\t5\t1\tkPa\tthesis\tload of the bag\n"
+    (tmp_path / "grains.tsv").write_text(text)
+    study = example(tmp_path)
+    study.expect(tmp_path / "grains.tsv", "Of grains", table="grains", judged=False)
+    study.measure("load", 9, "kPa")
+    study.write()
+    assert "1 of 1 published values within tolerance; no run at full size is kept; this run: quick" in capsys.readouterr().out
+    assert (tmp_path / "grains.tsv").read_text().splitlines()[1].split("\t")[6] == "not judged"
+    assert (tmp_path / "comparison.tsv").read_text().splitlines()[1].split("\t")[6] == "met"
+    page = (tmp_path / "page.html").read_text()
+    assert "1 of 1 met<" in page and "1 values, not judged" in page
+
+
 @pytest.mark.parametrize(("change", "message"), [
     ({"description": "greatest strain"}, "'greatest strain' is no statement of the study; did you mean 'greatest stress'"),
     ({"tolerance": "± 0.4"}, "tolerance is '± 0.4', in the statements '± 0.5'; compare the kept run anew"),
