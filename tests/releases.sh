@@ -78,12 +78,12 @@ SECONDS=0
 if [[ -n ${WHOLE:-} ]]; then
   there "make reproduce PROFILE=quick OUT=$out"
 else
-  there "make deps && make -j$jobs all && make -j$jobs PROFILE=quick OUT=$out quickstart ch5"
+  there "make deps && make -j$jobs all && make -j$jobs PROFILE=quick OUT=$out quickstart ch5-solution"
 fi
 echo "== $release: studies done after $SECONDS s"
 echo "== $here: the same"
 owner make -j"$jobs" all
-owner make -j"$jobs" PROFILE=quick OUT=$out quickstart ch5
+owner make -j"$jobs" PROFILE=quick OUT=$out quickstart ch5-solution
 
 # Packings, runs and tables are compared; figures and pages depend on the release's Matplotlib.
 kept() {

@@ -1,4 +1,6 @@
-# Chapter 5, the analytical part: soil wrapped in a geotextile, beside discrete-element series (thesis Figs. 5.2, 5.10 to 5.20).
+# Chapter 5: soil wrapped in a geotextile, by grains and by the analytical solution (thesis Figs. 5.2 to 5.20). The bags are chapter 3's
+# packing under seven geotextiles. The cells are chapter 4's wrapped packing, of which those at 10 kPa are chapter 4's own runs; they are
+# made where chapter 4 belongs to the report, or with C5_CELLS_OF=yes.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 STUDIES += ch5
@@ -11,8 +13,9 @@ C5_TRIAXIAL := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,$(C5O)/triaxial_$(g)_
 C5_LINES := $(foreach t,constants compression_line failure_line near_failure_line dilatancy_line stiffness increments,$(C5O)/$(t).tsv)
 C5_DESIGN := $(addprefix $(C5O)/,chart.tsv sensitivity.txt bands.tsv bands.txt identified.txt)
 
-.PHONY: ch5
-ch5: $(C5O)/page.html ## the analytical solution for geotextile-wrapped soil, its identification, a design chart
+.PHONY: ch5 ch5-solution
+ch5: $(C5O)/page.html ## geotextile-wrapped soil: seven bags of grains, and the analytical solution beside them
+ch5-solution: $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) ## the tables of the analytical solution alone
 
 $(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
 	@mkdir -p $(@D)
@@ -51,5 +54,78 @@ $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --geotextile PP --soil toyoura-gws --sensitivity $(call whole,$@)
 
-$(C5O)/page.html: $(C5)/study.py $(C5)/words.toml $(C5)/expected.tsv $(C5)/statements.tsv $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_DEM)
+# The bags, to the greatest load and beyond. % is the geotextile. States of PP are kept for the principal stresses of its copies.
+C5_GEOTEXTILES := PE 0.5PP PP 2PP 3PP 4PP 5PP
+C5_UC := $(C5_GEOTEXTILES:%=$(C5O)/uc_%.h5)
+# How far: by 2 % or more past the greatest load, which comes later the stiffer the geotextile. A torn bag takes most of the steps.
+C5_FAR_quick := PE=0.14 0.5PP=0.14 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
+C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
+c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
+C5_STATES := [0.04,0.08,0.12]
+C5_STATES_PP := [0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14]
+# Grains follow the plates.
+C5_FOLLOW := --set stage.1.way_unbalanced_force=0.02 --set stage.1.homogeneous_start=true --set stage.1.rest_drag=critical \
+  --set grains.mass_scaling=equal-step
+.PRECIOUS: $(C5O)/%.h5
+$(C5_UC): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(OUT)/profile
+	@mkdir -p $(@D)
+	@echo '  run   $@'
+	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)),$(C5_FOLLOW))
+$(C5_UC:%.h5=%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
+C5_VOLUMES := step,volume_of_interest,centre_x,centre_y,principal_1,principal_2,principal_3,$\
+  direction_1x,direction_1y,direction_1z,direction_2x,direction_2y,direction_2z,direction_3x,direction_3y,direction_3z
+$(C5O)/volumes_PP.tsv: $(C5O)/uc_PP.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --copies --table volumes --columns $(C5_VOLUMES) --tsv $(call whole,$@)
+
+# The cells. % is GEOTEXTILE_PRESSUREkPa.
+C5_CELLS_OF ?= $(filter ch4,$(STUDIES))
+C5_CELLS := $(if $(C5_CELLS_OF),$(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa)))
+C5_PRESSED := $(filter-out %_10kPa,$(C5_CELLS))
+c5_geotextile = $(word 1,$(subst _, ,$*))
+c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
+$(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
+	@mkdir -p $(@D)
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) --set record.snapshots=ends \
+	  --set stage.0.pressure=$(c5_pressure) --set stage.1.confining_pressure=$(c5_pressure) --threads $(C4_THREADS) --quiet --resume --force -o $@
+$(C5_PRESSED:%=$(C5O)/%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table reinforced --tsv $(call whole,$@)
+$(patsubst %,$(C5O)/%.tsv,$(filter %_10kPa,$(C5_CELLS))): $(C5O)/cell_%_10kPa.tsv: $(C4O)/wrapped_%.tsv
+	@mkdir -p $(@D)
+	@cp $< $@
+
+# What is identified from these bags, and the solution with these constants.
+C5_OWN_LINES := $(foreach t,constants compression_line near_failure_line dilatancy_line stiffness,$(C5O)/own_$(t).tsv)
+C5_OWN = $(BIN)/gws-solve identify $(C5_UC) --failure $(C5_FAILURE) --difference backward --quiet
+$(C5_OWN_LINES): $(C5O)/own_%.tsv: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
+	@$(C5_OWN) --tsv --table $* $(call whole,$@)
+$(C5O)/own_identified.txt: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
+	@$(C5_OWN) | sed 's|$(C5O)/uc_||g; s|\.h5||g' $(call whole,$@)
+$(C5O)/own_soil.toml: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
+	@$(C5_OWN) --toml $(call whole,$@)
+C5_OWN_SOLUTIONS := $(patsubst $(C5O)/%,$(C5O)/own_%,$(C5_UNIAXIAL) $(if $(C5_CELLS),$(C5_TRIAXIAL)))
+
+$(C5_UNIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_uniaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml
+	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $* --points 40 --tsv --quiet $(call whole,$@)
+$(C5_TRIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_triaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml
+	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $(c5_geotextile) --lateral-stress $(c5_pressure) --points 40 --tsv --quiet \
+	  $(call whole,$@)
+
+$(C5O)/provenance.txt: $(C5O)/uc_PP.h5 $(BIN)/to-vtk
+	@$(BIN)/to-vtk --history $< $(call whole,$@)
+
+C5_OF_RUNS := $(C5_UC:%.h5=%.tsv) $(C5O)/volumes_PP.tsv $(C5_CELLS:%=$(C5O)/%.tsv) $(C5_OWN_LINES) $(C5_OWN_SOLUTIONS)
+C5_PY := $(wildcard $(C5)/*.py $(C5)/*.tsv) $(C5)/words.toml $(C3)/bag.py $(C3)/compression.py $(C4)/cells.py \
+  $(wildcard data/geotextiles/P?.toml) $(C5_DEM)
+$(C5O)/page.html: $(C5)/study.py $(C5_PY) $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_OF_RUNS) $(C5O)/own_identified.txt \
+  $(C5O)/provenance.txt $(wildcard $(C5)/kept/*.tsv) $(OUT)/profile
 	@$(STUDY_PY) $< $(C5O) --profile $(PROFILE)
+
+KEEPING += ch5
+ENDED_ch5 := $(patsubst $(C5O)/%.h5,%,$(wildcard $(C5_UC) $(C5_PRESSED:%=$(C5O)/%.h5)))
+# Lines and solutions are those of all seven bags.
+C5_OF_ENDED := $(filter $(ENDED_ch5:%=$(C5O)/%.tsv),$(C5_OF_RUNS)) $(if $(filter uc_PP,$(ENDED_ch5)),$(C5O)/volumes_PP.tsv) \
+  $(if $(filter-out $(wildcard $(C5_UC)),$(C5_UC)),,$(C5_OWN_LINES) $(C5_OWN_SOLUTIONS))
+ch5-keep: $(C5_OF_ENDED) ## keep what the thesis-size runs of ch5 that have ended leave (PROFILE=thesis)
+ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) ## compare and draw anew what is kept of ch5

@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
-"""Chapter 5, the analytical part: soil wrapped in a geotextile, beside discrete-element series (thesis Figs. 5.2, 5.10 to 5.20)."""
+"""Chapter 5: soil wrapped in a geotextile, by the analytical solution and by grains (thesis Figs. 5.2 to 5.20)."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
 
 import numpy
-from study import Drawn, Folder, Series, Study, Table, figures, main, panel
+from ch3.bag import RECORDED
+from ch5 import measures, pictures
+from ch5.grains import PRESSURES, SHEARED, UNIAXIAL, Grains, hoop_strain
+from ch5.grains import RECORDED as ANALYSED
+from study import Drawn, Folder, NotMade, Series, Study, Table, figures, main, panel
+from study.files import put
+from study.tables import write_table
 
 HERE = pathlib.Path(__file__).parent
-RECORDED = "data/discrete_element/soilbag_uniaxial_{}.tsv"
-ANALYSED = ("PE", "PP", "3PP")  # geotextiles whose discrete-element series are public
-UNIAXIAL = ("PE", "0.5PP", "PP", "2PP", "3PP", "4PP", "5PP")  # from soft to stiff, PE aside
 DRAWN = UNIAXIAL[:-1]
-SHEARED, PRESSURES = ("PE", "PP", "5PP"), ("10", "50", "100")  # kPa
 LINES = ("compression_line", "failure_line", "near_failure_line", "dilatancy_line", "stiffness", "increments", "constants")
 COLOURS = figures.GEOTEXTILE
+CROSSES = "x"  # points of these runs of grains; circles are recorded ones
+GRAINS = "Runs of grains beside §5.2 to §5.5 and the recorded series"
 CONSTANTS = ("C_t", "p_0", "n", "p_c", "kappa", "lambda", "xi", "p_1", "p_2", "alpha", "beta")
 
 
@@ -66,12 +70,8 @@ def last(table, name, unit):
 
 
 def hoop(recorded):
-    """Returns the mean strain (%) of the recorded hoops: the horizontal ones, and the vertical ones over faces and sides.
-
-    A vertical hoop runs over both faces, 2 x 400 mm, and both sides, 2 x 80 mm.
-    """
-    face, vertical = recorded("strain_yarn_face", "%"), recorded("strain_yarn_vertical", "%")
-    return (recorded("strain_yarn_horizontal", "%") + (5 * face + vertical) / 6) / 2
+    """Returns the mean strain (%) of the recorded hoops."""
+    return hoop_strain(*(recorded(f"strain_yarn_{family}", "%") for family in ("face", "horizontal", "vertical")))
 
 
 def measure_beside_record(study, g, model, recorded):
@@ -168,21 +168,28 @@ def measure_constants(study, runs):
         study.measure(f"{c}_difference", 100 * (value / given - 1), "%")
 
 
-def compared(runs, some):
-    """Returns what is drawn of some geotextiles: solutions, and points of the discrete elements where they are public."""
+def compared(runs, grains, some):
+    """Returns what is drawn of some geotextiles: solutions, points of the recorded series that are public, and of these bags (crosses).
+
+    Solutions with the constants of Table 5.2 are solid, those with the bags' own dashed. grains: the runs of grains, or None.
+    """
+    bags = grains.bags() if grains else {}
     return [*(Drawn(g, Solution(runs.uniaxial[g]), COLOURS[g]) for g in some),
-            *(Drawn("", Recorded(runs.recorded[g]), COLOURS[g], "o") for g in some if g in runs.recorded)]
+            *(Drawn("", Solution(grains.model("own_", g)), COLOURS[g], "--") for g in some if g in bags),
+            *(Drawn("", Recorded(runs.recorded[g]), COLOURS[g], "o") for g in some if g in runs.recorded),
+            *(Drawn("", bags[g], COLOURS[g], CROSSES) for g in some if g in bags)]
 
 
-def draw_uniaxial(study, runs):
+def draw_uniaxial(study, runs, grains=None):
     """Figs. 5.2, 5.15 and 5.16."""
-    study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, some), xlim=(0, 18), ylim=(0, None))
-                                for some in (DRAWN[:3], DRAWN[3:])))
+    study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, grains, some), xlim=(0, 20), ylim=(0, None))
+                                for some in (UNIAXIAL[:3], UNIAXIAL[3:])))
     tension = [drawn for g in ("PE", "PP") for drawn in (
         Drawn(f"{g}, yarns of the discrete elements", Recorded(runs.recorded[g]), COLOURS[g], "o"),
         Drawn(f"{g}, model, to half the strength", Solution(runs.uniaxial[g]), COLOURS[g]))]
     study.curves("tension", panel("tensile_strain", "tension", tension, xlim=(0, 9), ylim=(0, 26)))
-    study.curves("internal", *(panel(x, y, compared(runs, DRAWN), legend=y == "axial_stress", xlim=(0, end), ylim=limits) for x, y, end, limits in (
+    drawn = compared(runs, grains, DRAWN)
+    study.curves("internal", *(panel(x, y, drawn, legend=y == "axial_stress", xlim=(0, end), ylim=limits) for x, y, end, limits in (
         ("strain_axial", "axial_stress", 18, None), ("strain_axial", "radial_stress", 18, None), ("hoop_strain", "reinforcing_efficiency", 9, None),
         ("strain_deviatoric", "strain_volumetric", 18, (-4, 3)))), columns=2)
 
@@ -251,12 +258,15 @@ def draw_stiffness(study, runs):
     study.figure("stiffness", figure)
 
 
-def draw_triaxial(study, runs):
-    """Figs. 5.17 to 5.20."""
+def draw_triaxial(study, runs, grains=None):
+    """Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made."""
+    cells, marks = grains.cells() if grains else {}, dict(zip(PRESSURES, ("x", "+", "."), strict=True))
     for x, y in (("strain_axial", "surcharge"), ("strain_axial", "axial_stress"), ("strain_axial", "radial_stress"),
                  ("strain_deviatoric", "strain_volumetric")):
         study.curves(f"triaxial_{y}", *(
-            panel(x, y, [Drawn(f"{g}, {p} kPa", Series(runs.triaxial[g, p]), COLOURS[g], dashes) for p, dashes in zip(PRESSURES, ("-", "--", ":"), strict=True)],
+            panel(x, y, [*(Drawn(f"{g}, {p} kPa", Series(runs.triaxial[g, p]), COLOURS[g], dashes)
+                           for p, dashes in zip(PRESSURES, ("-", "--", ":"), strict=True)),
+                         *(Drawn("", cells[g, p], COLOURS[g], marks[p]) for p in PRESSURES if (g, p) in cells)],
                   xlim=(0, None)) for g in SHEARED), height=3.6)
 
 
@@ -289,23 +299,68 @@ def draw_design(study, runs):
     study.figure("bands", figure)
 
 
-def build(arguments):
-    """Reads the tables of gws-solve in the folder OUT and writes what was measured, drawn and compared."""
+def put_misfits(study, grains):
+    """Writes how far the model is from each run of grains, and lays the table on the page."""
+    path = study.out / "misfits.tsv"
+    put(path, write_table(measures.table_of_misfits(grains)))
+    if not study.pageless:
+        study.appendix("The model beside each run of grains", path)
+
+
+def build_of_grains(study, grains):
+    """Measures and draws the runs of grains."""
+    for measure in measures.MEASURES:
+        measure(study, grains)
+    put_misfits(study, grains)
+
+
+def draw_of_grains(study, grains):
+    """Draws them; a figure of runs that are not there is left out."""
+    for draw in pictures.OF_ALL:
+        try:
+            draw(study, grains)
+        except NotMade as reason:
+            study.remark(f"Not drawn: {reason}.")
+
+
+def build_kept(arguments):
+    """Compares and draws what is kept of the runs of grains at full size, beside the solutions made last."""
     study = Study.of(HERE, arguments, digits=None)
-    runs = Runs(study.out)
+    study.groups, study.checks = [], []  # those of the solution need no run of grains
+    study.expect(HERE / "grains.tsv", GRAINS, table="grains")
+    grains = Grains(study.out, arguments.solutions, "not among the kept runs")
+    build_of_grains(study, grains)
+    draw_of_grains(study, grains)
+    return study
+
+
+def build(arguments):
+    """Reads the tables of gws-solve and of the runs in the folder OUT and writes what was measured, drawn and compared."""
+    if arguments.kept:
+        return build_kept(arguments)
+    study = Study.of(HERE, arguments, digits=None)
+    study.expect(HERE / "grains.tsv", GRAINS, table="grains", judged=arguments.profile == "thesis")
+    runs, grains = Runs(study.out), Grains(study.out, study.out)
     for g, recorded in runs.recorded.items():
         measure_beside_record(study, g, runs.uniaxial[g], recorded)
     measure_trends(study, runs.uniaxial)
     measure_triaxial(study, runs)
     measure_constants(study, runs)
-    study.tell(draws=f"{runs.bands('samples', '1').max():.0f}")
-    for draw in (draw_uniaxial, draw_lines, draw_stiffness, draw_triaxial, draw_design):
+    build_of_grains(study, grains)
+    study.tell(draws=f"{runs.bands('samples', '1').max():.0f}", bags=f"{len(grains.bags())}", cells=f"{len(grains.cells())}",
+               full=arguments.profile == "thesis")
+    study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
+    draw_of_grains(study, grains)
+    draw_uniaxial(study, runs, grains)
+    draw_triaxial(study, runs, grains)
+    for draw in (draw_lines, draw_stiffness, draw_design):
         draw(study, runs)
     study.text("Identified constants; \"given\" is Table 5.2, made from six series", study.out / "identified.txt")
+    study.text("Constants identified from these bags", study.out / "own_identified.txt")
     study.text("What capacity and settlement hang on", study.out / "sensitivity.txt")
     study.text("Bands of the identified constants", study.out / "bands.txt")
     return study
 
 
 if __name__ == "__main__":
-    main(build)
+    main(build, solutions={"default": "out/ch5", "help": "with --kept: folder of the solutions that kept runs are laid beside"})
