@@ -38,7 +38,7 @@ def vertical_hoop(face, up):
 
 
 class Pressed(Series):
-    """What a bag and a cell have in common: stresses of the soil, strains, and the load from outside."""
+    """Quantities that a bag and a cell have in common: stresses of the soil, strains, and the load from outside."""
 
     @functools.cached_property
     def peak(self):
