@@ -11,6 +11,7 @@
 #include "gws/options.h"
 #include "gws/output.h"
 #include "gws/report.h"
+#include "gws/series_options.h"
 #include "gws/tables.h"
 #include "io/table.h"
 
@@ -73,10 +74,9 @@ struct Respond {
 };
 
 struct Identify {
-  std::vector<std::filesystem::path> inputs;
-  std::vector<std::string> geotextiles, assignments;
-  std::string soil = "toyoura-gws", group, strains = "engineering", difference = "central", table = "constants";
-  std::filesystem::path failure, compression;
+  gws::SeriesOptions series;
+  std::vector<std::string> assignments;
+  std::string soil = "toyoura-gws", table = "constants";
   bool toml = false;
   gws::Output output;
 
@@ -84,14 +84,7 @@ struct Identify {
     t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
     t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -", "from a response");
     t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "for respond --soil; or of bag.h5, a run");
-    t.inputs(inputs, "SERIES", "runs of bags; TSV or fields: strain_axial, _volumetric, mean_ and deviatoric_stress");
-    t.option(geotextiles, "geotextile", "NAME|FILE",
-             "of each in turn; else the run's own, or column tensile_stiffness");
-    t.option(group, "group", "NAME", "table of a fields file; else loading, response or cell");
-    t.choice(strains, "strains", {"engineering", "natural"}, "of tables; homogenize writes natural ones of cells");
-    t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
-    t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");
-    t.option(failure, "failure", "FILE", "TSV with confining_pressure, obliquity_at_failure");
+    series.declare(t);
     t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
     t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
     t.option(table, "table", "NAME", "for --tsv: constants, increments or a line (near_failure_line)");
@@ -102,9 +95,7 @@ struct Identify {
   void validate() const {
     std::vector<std::string> wrong;
     if (toml && (output.tsv || output.file == "-")) wrong.emplace_back("--toml: print one thing at a time");
-    if (!geotextiles.empty() && geotextiles.size() != inputs.size())
-      wrong.push_back(
-          fmt::format("--geotextile: {} for {} series; give one for each", geotextiles.size(), inputs.size()));
+    series.check(wrong);
     gws::check_table(table, wrong);
     output.check(wrong);
   }
@@ -113,15 +104,13 @@ struct Identify {
     std::vector<io::Source> sources;
     std::string scenario;
     const gws::SoilFile given = gws::find_soil(soil, assignments, sources, scenario);
-    const auto series = gws::read_bags(inputs, group, geotextiles, strains == "natural", sources);
-    const auto found = gws::identify(
-        series, given, gws::read_points(compression, "mean_stress", "Pa", "strain_volumetric", "1", sources),
-        gws::read_points(failure, "confining_pressure", "Pa", "obliquity_at_failure", "1", sources),
-        difference == "central" ? gws::Difference::central : gws::Difference::backward);
+    const auto bags = series.bags(sources);
+    const auto found = series.identified(bags, given, sources);
     const Groups groups = gws::groups_of(found);
     output.put(groups, output.place_of(groups, table),
-               toml ? gws::identified_soil(found, series, invocation.command) : gws::describe(found, series), sources,
-               scenario, invocation, {});
+               toml ? gws::identified_soil(found, bags, series.method(), invocation.command)
+                    : gws::describe(found, bags, series.method()),
+               sources, scenario, invocation, {});
   }
 };
 

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <vector>
 
 #include "analysis/loading.h"
+#include "analysis/reinforced.h"
 #include "core/data.h"
 #include "core/error.h"
 #include "core/settings.h"
@@ -61,16 +63,13 @@ Stiffness by_numbers(Settings& table, const io::YarnsRecord& yarns, std::int32_t
           fmt::format("the secant to failure of its curve, over {:.3g} mm between yarns", 1e3 * apart)};
 }
 
-}  // namespace
-
-bool is_loading(const io::Series& table) {
-  return std::ranges::all_of(std::vector{"settlement", "strain_axial", "strain_volumetric", "broken_yarns"},
-                             [&](const char* name) { return table.find(name) != nullptr; });
+bool has_columns(const io::Series& table, const std::vector<const char*>& names) {
+  return std::ranges::all_of(names, [&](const char* name) { return table.find(name) != nullptr; });
 }
 
-BagSeries bag_of_loading(const io::Series& loading, const std::string& where, const Stiffness& stiffness) {
-  const std::vector<double>&settlement = loading.at("settlement").values, &broken = loading.at("broken_yarns").values;
-  const auto first = static_cast<std::size_t>(std::ranges::find(settlement, 0.0) - settlement.begin());
+/// Returns the series of the rows from `first` to the last one without a broken yarn.
+BagSeries whole_rows(const io::Series& table, std::size_t first, const std::string& where, const Stiffness& stiffness) {
+  const std::vector<double>& broken = table.at("broken_yarns").values;
   std::size_t end = first;
   while (end < broken.size() && !(broken[end] > 0)) ++end;
   const bool breaks = end < broken.size();
@@ -79,7 +78,7 @@ BagSeries bag_of_loading(const io::Series& loading, const std::string& where, co
         "{}: {} rows from the reference row up to {}; at least 3 are needed: record more of them, "
         "by a smaller stage.increment, or let a run under way go on",
         where, end - std::min(first, end), breaks ? "the first broken yarn" : "the end of what is recorded"));
-  io::Series rows = loading;
+  io::Series rows = table;
   for (io::Column& column : rows.columns) {
     column.values.resize(end);
     column.values.erase(column.values.begin(), column.values.begin() + static_cast<std::ptrdiff_t>(first));
@@ -87,9 +86,48 @@ BagSeries bag_of_loading(const io::Series& loading, const std::string& where, co
   BagSeries series = bag_series(rows, where, stiffness.value, false, first);
   series.note = fmt::format(
       "{}: rows {} to {} of {}, up to {}; tensile stiffness {:.4g} kN/m, {}", where, first + 1, first + series.size(),
-      settlement.size(),
+      table.rows(),
       series.size() < end - first ? "the greatest axial stress" : (breaks ? "the first broken yarn" : "the last"),
-      series.stiffness / 1e3, loading.find("tensile_stiffness") ? "of its column" : stiffness.source);
+      series.stiffness / 1e3, table.find("tensile_stiffness") ? "of its column" : stiffness.source);
+  return series;
+}
+
+}  // namespace
+
+bool is_loading(const io::Series& table) {
+  return has_columns(table, {"settlement", "strain_axial", "strain_volumetric", "broken_yarns"});
+}
+
+bool is_reinforced(const io::Series& table) {
+  return has_columns(table, {"strain_axial_engineering", "soil_strain_volumetric", "soil_mean_stress",
+                             "soil_deviatoric_stress", "broken_yarns"});
+}
+
+BagSeries bag_of_loading(const io::Series& loading, const std::string& where, const Stiffness& stiffness) {
+  const std::vector<double>& settlement = loading.at("settlement").values;
+  const auto first = static_cast<std::size_t>(std::ranges::find(settlement, 0.0) - settlement.begin());
+  return whole_rows(loading, first, where, stiffness);
+}
+
+BagSeries bag_of_reinforced(const io::Series& table, const std::string& where, const Stiffness& stiffness) {
+  const std::vector<double>& strain = table.at("strain_axial_engineering").values;
+  const auto last = std::ranges::find(strain.rbegin(), strain.rend(), 0.0);
+  const auto first = last == strain.rend() ? 0 : static_cast<std::size_t>(strain.rend() - last) - 1;
+  io::Series soil;
+  const auto take = [&](const char* from, const char* to) {
+    soil.columns.push_back(table.at(from));
+    soil.columns.back().name = to;
+  };
+  take("strain_axial_engineering", "strain_axial");
+  take("soil_strain_volumetric", "strain_volumetric");
+  for (double& natural : soil.columns.back().values) natural = -std::expm1(-natural);
+  take("soil_mean_stress", "mean_stress");
+  take("soil_deviatoric_stress", "deviatoric_stress");
+  take("broken_yarns", "broken_yarns");
+  if (table.find("tensile_stiffness")) take("tensile_stiffness", "tensile_stiffness");
+  BagSeries series = whole_rows(soil, first, where, stiffness);
+  series.from_rest = false;
+  series.note += "; begins under the stress of its cell: the near-failure line alone is identified from it";
   return series;
 }
 
@@ -114,10 +152,15 @@ Stiffness stiffness_in(const io::RunFile& run, const std::string& where) {
 }
 
 BagSeries bag_of_run(const io::RunFile& run, const std::string& where, const std::optional<Geotextile>& given) {
+  const auto stiffness = [&] {
+    return given ? Stiffness{given->stiffness, "of " + given->name + ", as given"} : stiffness_in(run, where);
+  };
+  if (std::ranges::count(run.snapshots.front().cell.periodic, false) == 0) {
+    const analysis::ReinforcedCell cell = analysis::reinforced_cell(run, where);
+    return bag_of_reinforced(analysis::reinforced(run.series, cell), where, stiffness());
+  }
   const io::Series loading = analysis::loading(run.series, packing::loaded_bag(run, where));
-  return bag_of_loading(
-      loading, where,
-      given ? Stiffness{given->stiffness, "of " + given->name + ", as given"} : stiffness_in(run, where));
+  return bag_of_loading(loading, where, stiffness());
 }
 
 }  // namespace soilweave::gws

@@ -45,33 +45,49 @@ Fit evaluated(const Workspace& solver, const std::vector<double>& observed) {
   const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(solver.get());
   Fit found;
   found.freedom = static_cast<double>(n - k);
-  double squares = 0, mean = 0, total = 0;
+  double squares = 0;
   for (std::size_t i = 0; i < n; ++i) squares += solver->f->data[i] * solver->f->data[i];
-  found.scatter = n > k ? std::sqrt(squares / found.freedom) : 0;
+  const double scatter = n > k ? std::sqrt(squares / found.freedom) : 0;
   const auto unscaled = [&](std::size_t i, std::size_t j) { return gsl_matrix_get(covariance.get(), i, j); };
   for (std::size_t i = 0; i < k; ++i) {
     found.estimates.push_back(gsl_vector_get(solver->x, i));
-    found.standard_errors.push_back(found.scatter * std::sqrt(unscaled(i, i)));
+    found.standard_errors.push_back(scatter * std::sqrt(unscaled(i, i)));
     for (std::size_t j = 0; j < k; ++j)
       found.correlation.push_back(unscaled(i, j) / std::sqrt(unscaled(i, i) * unscaled(j, j)));
   }
-  for (const double y : observed) mean += y / static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
     double leverage = 0;
     for (std::size_t a = 0; a < k; ++a)
       for (std::size_t b = 0; b < k; ++b)
         leverage += gsl_matrix_get(jacobian, i, a) * unscaled(a, b) * gsl_matrix_get(jacobian, i, b);
-    const double residual = -solver->f->data[i], error = found.scatter * std::sqrt(std::max(0.0, 1 - leverage));
+    const double residual = -solver->f->data[i], error = scatter * std::sqrt(std::max(0.0, 1 - leverage));
     found.residuals.push_back(residual);
-    found.fitted.push_back(observed[i] - residual);
     found.studentized.push_back(error > 0 ? residual / error : 0);
-    total += (observed[i] - mean) * (observed[i] - mean);
   }
-  found.determination = total > 0 ? 1 - squares / total : 1;
+  summarize(found, observed, k);
   return found;
 }
 
 }  // namespace
+
+void summarize(Fit& fit, const std::vector<double>& observed, std::size_t constants) {
+  const std::size_t n = observed.size();
+  double squares = 0, mean = 0, total = 0, greatest = 0;
+  for (const double r : fit.residuals) squares += r * r;
+  fit.scatter = n > constants ? std::sqrt(squares / static_cast<double>(n - constants)) : 0;
+  for (const double y : observed) {
+    mean += y / static_cast<double>(n);
+    greatest = std::max(greatest, std::abs(y));
+  }
+  const bool given = !fit.studentized.empty();
+  for (std::size_t i = 0; i < n; ++i) {
+    fit.fitted.push_back(observed[i] - fit.residuals[i]);
+    if (!given) fit.studentized.push_back(fit.scatter > 0 ? fit.residuals[i] / fit.scatter : 0);
+    if (std::abs(fit.residuals[i]) < data_accuracy * greatest) fit.studentized[i] = 0;
+    total += (observed[i] - mean) * (observed[i] - mean);
+  }
+  fit.determination = total > 0 ? 1 - squares / total : 1;
+}
 
 double Fit::half_width(std::size_t i) const {
   if (!(freedom > 0)) return std::numeric_limits<double>::infinity();

@@ -22,6 +22,14 @@ struct Fit {
   double half_width(std::size_t i) const;
 };
 
+/// Fills in scatter, determination, fitted values and studentized residuals of a fit of `constants` constants, from its
+/// residuals and what was observed; studentized by the scatter alone where there are none yet. Residuals below
+/// `data_accuracy` times the greatest observed value are no outliers, whatever their scatter.
+void summarize(Fit& fit, const std::vector<double>& observed, std::size_t constants);
+
+/// The best relative accuracy that data are taken to have: tables are written, and solutions computed, to about that.
+inline constexpr double data_accuracy = 1e-6;
+
 /// Distance in standard errors beyond which a residual is reported as an outlier.
 inline constexpr double outlier_distance = 3;
 

@@ -117,6 +117,7 @@ SoilState soil_state(const Soil& soil, double E, double p, const Plastic& plasti
   at.path_slope = eta + slope;
   at.plastic_rate = scale * (c_0 + c_1 * at.path_slope);
   if (!(at.plastic_rate >= 0)) return ended(End::stiffness);
+  at.axial_rate = elastic_rate / 3 + factor * (slope * elastic + eta * elastic_rate) + at.plastic_rate;
   return at;
 }
 

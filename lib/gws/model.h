@@ -42,6 +42,7 @@ struct SoilState {
   double plastic_ratio = 0;  // K_psi = d eps_r^p / d eps_a^p
   double path_slope = 0;     // s = dq/dp along the path
   double plastic_rate = 0;   // d eps_a^p / d ln p, percent
+  double axial_rate = 0;     // d eps_a / d ln p, percent: elastic and plastic
 
   /// Return sigma_a and sigma_r, Pa, from p and q/p.
   double axial_stress() const { return p * (3 + 2 * obliquity) / 3; }

@@ -139,7 +139,7 @@ io::Series read_series(const std::filesystem::path& path, const std::string& gro
   sources.push_back(file.source);
   std::string wanted = group;
   // The periodic cell is only the room around a bag, so its columns do not count.
-  for (const char* name : {"loading", "response", "cell"})
+  for (const char* name : {"loading", "reinforced", "response", "cell"})
     if (wanted.empty() && std::ranges::any_of(file.groups, [&](const auto& one) { return one.name == name; }))
       wanted = name;
   std::vector<std::string> names;
@@ -167,8 +167,10 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
     }
     const io::Series table = read_series(paths[i], group, sources);
     const double stiffness = given ? given->stiffness : 0;
-    bags.push_back(is_loading(table) ? bag_of_loading(table, where, {stiffness, given ? "of " + given->name : ""})
-                                     : bag_series(table, where, stiffness, natural));
+    const Stiffness of_it{stiffness, given ? "of " + given->name : ""};
+    bags.push_back(is_loading(table)      ? bag_of_loading(table, where, of_it)
+                   : is_reinforced(table) ? bag_of_reinforced(table, where, of_it)
+                                          : bag_series(table, where, stiffness, natural));
   }
   return bags;
 }

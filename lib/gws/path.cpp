@@ -3,6 +3,9 @@
 #include "gws/path.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 
@@ -12,6 +15,8 @@ namespace {
 constexpr double share_of_step = 0.01;    // share of the whole path's tolerance for one step
 constexpr double smallest_strain = 1e-2;  // percent; below it errors are absolute
 constexpr double longest_step = 0.5;      // step in ln p
+constexpr double first_step = 1e-3;       // step in axial strain, percent
+constexpr double smallest_step = 1e-9;    // step in axial strain, percent; the path ends where it is reached
 
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
 
@@ -76,6 +81,48 @@ SoilState Path::at(double x) const {
       std::upper_bound(nodes_.begin(), nodes_.end(), x, [](double value, const Node& n) { return value < n.x; });
   const Node& from = after == nodes_.begin() ? nodes_.front() : *(after - 1);
   return soil_state(soil_, E_, std::exp(x), x > from.x ? stepped(from, x) : from.plastic);
+}
+
+std::vector<SoilState> states_at(const Soil& soil, double E, const std::vector<double>& strains, double tolerance) {
+  using Unknown = std::array<double, 3>;  // ln p, plastic axial and radial strain, as functions of the axial strain
+  End cause = End::none;
+  const auto state = [&](const Unknown& y) { return soil_state(soil, E, std::exp(y[0]), {y[1], y[2]}); };
+  const auto rates = [&](const Unknown& y, Unknown& rate, double) {
+    const SoilState now = state(y);
+    if (now.end != End::none) cause = now.end;
+    rate = {};
+    if (now.end == End::none && now.axial_rate > 0)
+      rate = {1 / now.axial_rate, now.plastic_rate / now.axial_rate,
+              now.plastic_ratio * now.plastic_rate / now.axial_rate};
+  };
+  auto stepper = boost::numeric::odeint::make_controlled<boost::numeric::odeint::runge_kutta_dopri5<Unknown>>(
+      tolerance, tolerance);
+  std::vector<SoilState> states;
+  Unknown y{std::log(soil.p_0), 0, 0};
+  double strain = 0, step = first_step;
+  for (const double next : strains) {
+    while (strain < next) {
+      double tried = std::min(step, next - strain);
+      const bool last = tried < step;
+      const Unknown before = y;
+      const double from = strain;
+      cause = End::none;
+      const bool done = stepper.try_step(rates, y, strain, tried) == boost::numeric::odeint::success;
+      if (cause != End::none) {
+        y = before, strain = from, stepper.reset();
+        step = std::min(step, next - from) / 4;
+        if (step < smallest_step) return states;
+        continue;
+      }
+      if (!done || !last) step = tried;
+    }
+    states.push_back(state(y));
+    if (states.back().end != End::none) {
+      states.pop_back();
+      return states;
+    }
+  }
+  return states;
 }
 
 }  // namespace soilweave::gws

@@ -49,4 +49,8 @@ class Path {
   std::vector<Node> nodes_;
 };
 
+/// Returns the states of a path at axial strains, percent, that the bag passes one after another (below zero: the first
+/// state). Steps are controlled to `tolerance`. Fewer states than strains: the path ends before the next one.
+std::vector<SoilState> states_at(const Soil& soil, double E, const std::vector<double>& strains, double tolerance);
+
 }  // namespace soilweave::gws

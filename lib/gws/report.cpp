@@ -151,8 +151,8 @@ std::vector<io::FieldsFile::Group> groups_of(const Identification& found) {
   return groups;
 }
 
-std::string describe(const Identification& found, const std::vector<BagSeries>& series) {
-  std::string text = notes(series);
+std::string describe(const Identification& found, const std::vector<BagSeries>& series, Method method) {
+  std::string text = fmt::format("{}\n{}", explained(method), notes(series));
   for (const Line& line : found.lines) {
     text += fmt::format("{}: {} points, R2 {:.4f}, residuals {:.3g}\n", line.name, line.x.size(),
                         line.fit.determination, line.fit.scatter);
@@ -168,17 +168,19 @@ std::string describe(const Identification& found, const std::vector<BagSeries>& 
       if (std::abs(line.fit.studentized[i]) <= outlier_distance) continue;
       const BagSeries* bag = line.series[i] < series.size() ? &series[line.series[i]] : nullptr;
       text += fmt::format("  outlier, kept: row {} of {}: {:.4g} where the line has {:.4g}, {:+.1f} standard errors\n",
-                          line.row[i] + 1 + (bag ? bag->first_row : 0), bag ? bag->name : "the other test", line.y[i],
-                          line.fit.fitted[i], line.fit.studentized[i]);
+                          line.row[i] + 1 + (bag ? bag->first_row : 0), bag ? bag->name : "the other test",
+                          line.fit.fitted[i] + line.fit.residuals[i], line.fit.fitted[i], line.fit.studentized[i]);
     }
   }
   for (const std::string& why : found.left_out) text += "not identified: " + why + "\n";
   return text;
 }
 
-std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series,
+std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series, Method method,
                             const std::string& command) {
-  return soil_text(found.soil, "Identified by " + command + "\n" + notes(series));
+  std::string comment = fmt::format("Identified by {}\n{}\n{}", command, explained(method), notes(series));
+  for (const std::string& why : found.left_out) comment += "Not identified, constants as given: " + why + "\n";
+  return soil_text(found.soil, comment);
 }
 
 std::string describe(const Design& design, const Demand& demand, const Case& bag) {

@@ -39,9 +39,9 @@ void check_table(const std::string& name, std::vector<std::string>& mistakes);
 /// Returns all tables as groups of a fields file.
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
 /// Describes lines, constants, intervals, differences from the given soil, outliers, and what was left out.
-std::string describe(const Identification& found, const std::vector<BagSeries>& series);
+std::string describe(const Identification& found, const std::vector<BagSeries>& series, Method method);
 /// Returns the identified soil as TOML. Its comment names the command, and the rows and runs it rests on.
-std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series,
+std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series, Method method,
                             const std::string& command);
 
 /// Describe a design or an allowance in a paragraph.

@@ -27,7 +27,7 @@ $(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotexti
 	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $(word 1,$(subst _, ,$*)) --lateral-stress "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa" \
 	  --points 100 --tsv $(call whole,$@)
 
-C5_IDENTIFY = $(BIN)/gws-solve identify $(C5_DEM) --failure $(C5_FAILURE) --difference backward
+C5_IDENTIFY = $(BIN)/gws-solve identify $(C5_DEM) --failure $(C5_FAILURE) --fit thesis --difference backward
 $(C5_LINES): $(C5O)/%.tsv: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 	@mkdir -p $(@D)
 	@$(C5_IDENTIFY) --tsv --table $* $(call whole,$@)

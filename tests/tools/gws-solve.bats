@@ -130,7 +130,8 @@ PY
 }
 
 @test "the discrete-element points give Table 5.2 where they can, and say by how much where not" {
-  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP,3PP}.tsv --failure "$LAB/toyoura_peak_obliquity.tsv"
+  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP,3PP}.tsv --failure "$LAB/toyoura_peak_obliquity.tsv" --fit thesis
+  [[ ${lines[0]} == "Line by line, as the thesis; "* ]] || show "the way is not said"
   local constant
   for constant in kappa lambda xi C_t n p_c; do
     grep -qE "^  $constant .*: inside" <<<"$output" || show "$constant is outside its interval"
@@ -138,6 +139,16 @@ PY
   grep -qE "^  p_1 .*given 1.68: outside \(-23.1 %\)" <<<"$output" || show "p_1"
   grep -qE "^  alpha .*given 2.61e\+07: inside \(-2.4 %\)" <<<"$output" || show "alpha"
   grep -q "outlier, kept: row 1 of .*soilbag_uniaxial_PE.tsv" <<<"$output" || show "no outlier"
+}
+
+@test "a response identified again has its constants inside their intervals, whatever its rows" {
+  local rows
+  for rows in 12 20 2000; do
+    gws-solve respond --geotextile PP --points "$rows" -o - > response.h5
+    exits 0 gws-solve identify response.h5
+    [[ ${lines[0]} == *"the plastic strain is subtracted from the compression line."* ]] || show "the way is not said"
+    [[ $(grep -c ": inside" <<<"$output") -eq 7 && $output != *outside* && $output != *outlier* ]] || show "$rows rows"
+  done
 }
 
 @test "an identified soil can be used, with bands; the same seed gives the same bytes" {

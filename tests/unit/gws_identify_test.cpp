@@ -79,13 +79,13 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
   Soil off = soil, flow = soil;
   off.kappa = 1, off.lambda = 2, off.xi = 0, off.alpha *= 2, off.beta = 0.5;
   flow.p_1 *= 1.3, flow.p_2 = 0;
-  const Identification found = identify(series, {"test", off, {}}, {}, {}, Difference::central);
+  const Identification found = identify(series, {"test", off, {}}, {}, {}, Difference::central, Method::thesis);
   EXPECT_TRUE(found.left_out.empty());
   EXPECT_NEAR(found.soil.soil.kappa, soil.kappa, 1e-9);
   EXPECT_NEAR(found.soil.soil.lambda, soil.lambda, 1e-9);
   EXPECT_NEAR(found.soil.soil.xi, soil.xi, 1e-9);
   // Increments are finite, with errors of second order in their size, largest in the first of 200.
-  const Soil dilating = identify(series, {"test", flow, {}}, {}, {}, Difference::central).soil.soil;
+  const Soil dilating = identify(series, {"test", flow, {}}, {}, {}, Difference::central, Method::thesis).soil.soil;
   EXPECT_NEAR(dilating.p_1, soil.p_1, 2e-3 * soil.p_1);
   EXPECT_NEAR(dilating.p_2, soil.p_2, 2e-3 * soil.p_2);
   EXPECT_NEAR(found.soil.soil.alpha, soil.alpha, 1e-3 * soil.alpha);
@@ -108,7 +108,8 @@ TEST(GwsIdentify, intervals_hold_the_constants_in_90_of_100_noisy_repetitions) {
       failure.x.push_back(20 * p);
       failure.y.push_back(failure_obliquity(soil, 20 * p) + 0.005 * normal(random));
     }
-    const Identification found = identify(series, {"test", soil, {}}, compression, failure, Difference::central);
+    const Identification found =
+        identify(series, {"test", soil, {}}, compression, failure, Difference::central, Method::thesis);
     ASSERT_EQ(found.lines.size(), 5u);
     for (const Line& line : found.lines)
       for (std::size_t k = 0; k < line.constants.size(); ++k)
@@ -133,7 +134,7 @@ TEST(GwsIdentify, discrete_element_points_reproduce_table_5_2_as_far_as_they_can
                                      "obliquity_at_failure", "1", sources);
   const SoilFile table{"Table 5.2", {}, {}};
   for (const Difference difference : {Difference::central, Difference::backward}) {
-    const Identification found = identify(series, table, {}, failure, difference);
+    const Identification found = identify(series, table, {}, failure, difference, Method::thesis);
     ASSERT_EQ(found.lines.size(), 5u);
     for (const char* name : {"compression_line", "failure_line", "near_failure_line"}) {
       const Line& line = line_named(found, name);
@@ -159,7 +160,7 @@ TEST(GwsIdentify, the_first_points_of_the_near_failure_line_are_reported_as_outl
   std::mt19937_64 random(3);
   BagSeries series = made("PP", 30, 0.002, 0, random);
   series.deviatoric_stress[10] *= 1.2;
-  const Identification found = identify({series}, {"test", {}, {}}, {}, {}, Difference::central);
+  const Identification found = identify({series}, {"test", {}, {}}, {}, {}, Difference::central, Method::thesis);
   const Line& line = line_named(found, "near_failure_line");
   EXPECT_EQ(line.x.size(), 31u);
   EXPECT_GT(std::abs(line.fit.studentized[10]), outlier_distance);
@@ -168,7 +169,7 @@ TEST(GwsIdentify, the_first_points_of_the_near_failure_line_are_reported_as_outl
 TEST(GwsIdentify, one_geotextile_leaves_the_stiffness_unidentified_with_the_reason) {
   std::mt19937_64 random(4);
   const Identification found =
-      identify({made("PP", 30, 0.001, 0, random)}, {"test", {}, {}}, {}, {}, Difference::central);
+      identify({made("PP", 30, 0.001, 0, random)}, {"test", {}, {}}, {}, {}, Difference::central, Method::thesis);
   ASSERT_EQ(found.left_out.size(), 1u);
   EXPECT_EQ(found.left_out[0], "stiffness: 1 points for 2 constants; give more");
 }
