@@ -69,7 +69,7 @@ def _table(path, where, given, keys, optional=()):
 
 @dataclasses.dataclass
 class Inputs:
-    """What own.toml says, in SI units; paths count from its folder. fabric: stiffness, strength and failure strain by key."""
+    """Content of own.toml, in SI units; paths count from its folder. fabric: stiffness, strength and failure strain by key."""
 
     path: pathlib.Path
     values: dict

@@ -51,7 +51,7 @@ $(OWNO)/geotextile_%.toml: $(OWNO)/inputs.mk ;
 $(OWNO)/inputs.mk: $(wildcard $(SOIL)/own.toml) $(OWN_TABLES) $(OWN)/inputs.py pipelines/calibration/laboratory.py
 	@$(OWN_PY)/inputs.py $(SOIL) $(OWNO)
 
-# What packings, calibration and bags hang on; another surcharge makes none of them anew.
+# Settings on which packings, calibration and bags depend; another surcharge makes none of them anew.
 $(OWNO)/settings: always $(OWNO)/inputs.mk
 	@$(call remember,$(PROFILE) $(OWN_VOID_RATIO) $(OWN_GRAINS) $(OWN_RADIUS))
 $(OWN_CAL)/settings: always $(OWNO)/inputs.mk

@@ -63,7 +63,7 @@ def doubts(out, names):
 
 
 def measure(study, own, folder, bands, bags):
-    """What the bag carries, what the geotextile must be, and what these rest on."""
+    """Measures the capacity of the bag, the demands on its geotextile, and their basis."""
     asked = own.values["settlement"]
     at = min(asked, bands.end)
     median, low, high = bands.at(at)
