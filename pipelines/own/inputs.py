@@ -180,14 +180,14 @@ def write(own, out):
     """Writes the files of the module's docstring into a folder."""
     out.mkdir(parents=True, exist_ok=True)
     rows, rising = failures(own.tests)
-    put(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
+    _put_new(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
     for k, share in enumerate(STIFFNESSES, start=1):
         j = share * own.stiffness
         _put_new(out / f"geotextile_{k}.toml", sheet(f"A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.",
                                                 f"own_{k}", j, j * WHOLE, WHOLE) + f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
     v, factors = own.values, own.values["factors"]
     long_term = own.fabric | {"strength": own.fabric["strength"] / own.reduction}
-    put(out / "long_term.toml", sheet("The geotextile of own.toml, its strength over the reduction factors.", "own", **long_term))
+    _put_new(out / "long_term.toml", sheet("The geotextile of own.toml, its strength over the reduction factors.", "own", **long_term))
     lines = {
         "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
@@ -198,7 +198,7 @@ def write(own, out):
         "FRACTION": "--strength-fraction 0.9999" if own.reduction > 1 else "", "REDUCTION": f"{own.reduction:g}",
         "SOIL_FACTOR": f"--set failure_line.M={M / factors['soil']:g}" if factors.get("soil", 1) > 1 else "",
         "STIFFNESS": own.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
-    put(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
+    _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
 
 
 if __name__ == "__main__":

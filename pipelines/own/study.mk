@@ -42,14 +42,13 @@ own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make ow
 	@BIN=$(BIN) $(OWN_PY)/forecast.py $(SOIL) $(OWNO) --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --until $(OWN_UNTIL) \
 	  --profile $(PROFILE) --cores $(shell nproc)
 
-# Only where it is asked for: make reads what own.toml says, after it made it.
+# Only where it is asked for: own.toml is read before anything is made, and what is wrong in it ends make with its line.
 ifneq ($(filter own own-check $(OWNO)/%,$(MAKECMDGOALS)),)
+OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) 2>&1)
+$(if $(OWN_WRONG),$(error $(OWN_WRONG)))
 include $(OWNO)/inputs.mk
 endif
 OWN_TABLES := $(wildcard $(SOIL)/*.tsv)
-$(OWNO)/geotextile_%.toml: $(OWNO)/inputs.mk ;
-$(OWNO)/inputs.mk: $(wildcard $(SOIL)/own.toml) $(OWN_TABLES) $(OWN)/inputs.py pipelines/calibration/laboratory.py
-	@$(OWN_PY)/inputs.py $(SOIL) $(OWNO)
 
 # Settings on which packings, calibration and bags depend; another surcharge makes none of them anew.
 $(OWNO)/settings: always $(OWNO)/inputs.mk
