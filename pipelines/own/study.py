@@ -7,11 +7,12 @@ import re
 import numpy
 from calibration import predicted
 from own.inputs import STIFFNESSES, read
-from study import Drawn, Folder, Mean, NotMade, Series, Study, StudyError, Table, figures, main, panel
+from study import Drawn, Folder, Mean, NotMade, Series, Study, figures, main, panel
 
 HERE = pathlib.Path(__file__).parent
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives.
 DEVIATE, OF_SOLVE = 1.2816, 1.9600
+COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
 def jackknife(values):
@@ -103,8 +104,9 @@ def draw(study, own, folder, bands):
     for a in (left, right):
         a.legend()
     study.figure("answer", figure)
-    bags = [Drawn(f"{share:g} J", Series(folder(f"uc_{k}")), colour) for k, (share, colour) in enumerate(
-        zip(STIFFNESSES, figures.SERIES, strict=False), start=1)]
+    runs = [folder(f"uc_{k}") for k in range(1, len(STIFFNESSES) + 1)]
+    bags = [Drawn(f"{share:g} J", Series(run.rows(run("stage", "1") == COMPRESSION)), colour)
+            for run, share, colour in zip(runs, STIFFNESSES, figures.SERIES, strict=False)]
     study.curves("bags", panel("strain_axial", "plate_pressure", bags), panel("mean_stress", "deviatoric_stress", bags, legend=False))
     panels = []
     for test in own.tests + own.predictions:
@@ -122,14 +124,11 @@ def build(arguments):
     bands = Bands(folder, bags)
     measure(study, own, folder, bands, bags)
     said = (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines()
-    misfits = folder("calibration/misfits") if (study.out / "calibration/misfits.tsv").exists() else None
-    if misfits is None:
-        raise StudyError(f"{study.out}/calibration: has no misfits.tsv; run make own again")
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
     study.tell(name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
                short=bands.end < own.values["settlement"], reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
-               grains=int(len(bags)), doubts=doubts(study.out, ["bands_soil", "design_soil"]), soil_factor=own.values["factors"].get("soil", 1),
+               fabric=f"{own.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["bands_soil", "design_soil"]), soil_factor=own.values["factors"].get("soil", 1),
                load_factor=own.values["factors"].get("load", 1))
     draw(study, own, folder, bands)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
 import shutil
+import types
 
 import numpy
 import pytest
@@ -93,3 +94,59 @@ def test_a_forecast_reads_what_a_check_says():
     assert forecast.seconds_of(line) == (164087, 13797, 394.1)
     with pytest.raises(StudyError):
         forecast.seconds_of("nothing")
+
+
+def columns(path, **given):
+    """Writes a table of heads without their units and (unit, values)."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    rows = zip(*(values for _, values in given.values()), strict=True)
+    path.write_text("\t".join(f"{name} [{unit}]" for name, (unit, _) in given.items()) + "\n"
+                    + "".join("\t".join(map(repr, row)) + "\n" for row in rows))
+
+
+@pytest.fixture(name="out")
+def results(soil, tmp_path, monkeypatch):
+    """What the rules of own/study.mk leave, in small: a bag that bears 1000 kPa times its settlement over 10 %, to 4 or to 10 %."""
+    monkeypatch.chdir(EXAMPLE.parents[2])
+    out = tmp_path / "out"
+    inputs.write(inputs.read(soil), out)
+
+    def make(end):
+        for k, soil_name in enumerate(["soil", "soil_1", "soil_2", "soil_3", "soil_4"]):
+            load = numpy.linspace(0, 1e7 * end, 11) * (1 if k == 0 else (0.9, 0.95, 1.05, 1.1)[k - 1]) + 1
+            columns(out / f"bands_{soil_name}.tsv", settlement=("1", numpy.linspace(0, end, 11).tolist()),
+                    **{f"surcharge{e}": ("Pa", (f * load).tolist()) for e, f in (("_low", 0.9), ("", 1), ("_high", 1.1))})
+            columns(out / f"design_{soil_name}.tsv", stiffness=("N/m", [1e5 + k]), strength=("N/m", [5e3]), settlement=("1", [0.05]))
+            (out / f"bands_{soil_name}.said").write_text("gws-solve respond: doubt: it is extrapolated\n")
+            (out / f"design_{soil_name}.said").write_text("")
+        for k in range(1, 5):
+            columns(out / f"uc_{k}.tsv", stage=("1", [0, 1, 1]), strain_axial=("1", [-0.1, 0, 0.1]), plate_pressure=("Pa", [0, 1e4, 1e6]),
+                    mean_stress=("Pa", [1, 2, 3]), deviatoric_stress=("Pa", [1, 2, 3]))
+        columns(out / "chart.tsv", stiffness=("N/m", [1e4, 1e5]), allowable_surcharge=("Pa", [1e5, 2e5]), capacity=("Pa", [2e5, 4e5]))
+        for seed in (1, 2):
+            columns(out / f"check_{seed}.tsv", id=("1", [0, 0, 1, 1]), stress_ratio=("1", [2.0, 4.0, 2.0, 4.2]))
+        heads = {f"{name}{end}": (unit, [1.0, 2.0, 3.0]) for name, unit in (("stress_ratio", "1"), ("strain_volumetric", "%"))
+                 for end in ("", "_observed", "_low", "_high", "_deviation")}
+        for test in ("drained_100kPa_100kPa", "drained_400kPa_400kPa", "drained_200kPa_200kPa"):
+            columns(out / f"calibration/predicted_{test}.tsv", strain_axial=("%", [1.0, 2.0, 3.0]), **heads)
+        columns(out / "calibration/misfits.tsv", stress_ratio=("1", [0.1]))
+        for name in ("calibration/said.txt", "calibration/posterior.txt", "identified.txt", "provenance.txt"):
+            (out / name).write_text("effective sample size 20\n")
+        return page.build(types.SimpleNamespace(out=out, profile="quick", soil=soil.parent, kept=False))
+    return make
+
+
+def test_the_page_says_what_the_bag_carries_and_where_its_geotextile_ends(out):
+    study = out(0.1)
+    low, high = (study.measures[f"carried_{end}"].value for end in ("low", "high"))
+    assert study.measures["carried"].value == pytest.approx(500, rel=1e-4) and low < 450 < 550 < high
+    assert study.measures["needed_sheet"].value == pytest.approx(2.64 * 5) and study.measures["packings_apart"].value == 0
+    assert "at 5.00 % settlement." in study.headline.replace("\xa0", " ") and any("it is extrapolated" in text for text in study.remarks)
+    study.write()
+    assert (study.out / "page.html").exists()
+
+
+def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monkeypatch):
+    monkeypatch.setattr(page, "draw", lambda *_: None)
+    study = out(0.04)
+    assert study.measures["carried"].value == pytest.approx(400, rel=1e-4) and "where its geotextile ends" in study.headline
