@@ -106,7 +106,7 @@ def columns(path, **given):
 
 @pytest.fixture(name="out")
 def results(soil, tmp_path, monkeypatch):
-    """What the rules of own/study.mk leave, in small: a bag that bears 1000 kPa times its settlement over 10 %, to 4 or to 10 %."""
+    """Writes the results of own/study.mk on a small scale: a bag that bears 1000 kPa times its settlement over 10 %, to 4 or to 10 %."""
     monkeypatch.chdir(EXAMPLE.parents[2])
     out = tmp_path / "out"
     inputs.write(inputs.read(soil), out)
