@@ -7,7 +7,7 @@ import re
 import numpy
 from calibration import predicted
 from own.inputs import STIFFNESSES, read
-from study import Drawn, Folder, Mean, NotMade, Series, Study, figures, main, panel
+from study import Drawn, Folder, Mean, NotMade, Series, Study, StudyError, figures, main, panel
 
 HERE = pathlib.Path(__file__).parent
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives.
@@ -47,6 +47,16 @@ class Bands:
             return float(numpy.interp(settlement, table("settlement", "1"), table(name, "kPa")))
         median, low, high = (value(self.whole, column + end) for end in ("", "_low", "_high"))
         return median, *combined(median, low, high, [value(t, column) for t in self.parts])
+
+
+def whole_parts(out):
+    """Returns the numbers of the bags without which the others determine response and design. Raises StudyError for less than two."""
+    bags = [k for k in range(1, len(STIFFNESSES) + 1)
+            if all((out / f"{table}_soil_{k}.tsv").stat().st_size for table in ("bands", "design"))]
+    if len(bags) < 2:
+        raise StudyError(f"{out}: the constants hang on single bags (bands_soil_*.said): no interval can be told; compress the bags farther "
+                         "(OWN_STRAIN), or make them larger (PROFILE=thesis)")
+    return bags
 
 
 def reach(table, settlement):
@@ -120,12 +130,12 @@ def build(arguments):
     study = Study.of(HERE, arguments)
     own = read(pathlib.Path(arguments.soil) / "own.toml")
     folder = Folder(study.out)
-    bags = range(1, len(STIFFNESSES) + 1)
+    bags = whole_parts(study.out)
     bands = Bands(folder, bags)
     measure(study, own, folder, bands, bags)
     said = (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines()
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
-    study.tell(name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
+    study.tell(lost=len(STIFFNESSES) - len(bags), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
                short=bands.end < own.values["settlement"], reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
                fabric=f"{own.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["bands_soil", "design_soil"]), soil_factor=own.values["factors"].get("soil", 1),

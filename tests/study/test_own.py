@@ -150,3 +150,9 @@ def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monk
     monkeypatch.setattr(page, "draw", lambda *_: None)
     study = out(0.04)
     assert study.measures["carried"].value == pytest.approx(400, rel=1e-4) and "where its geotextile ends" in study.headline
+    (study.out / "bands_soil_2.tsv").write_text("")
+    assert page.whole_parts(study.out) == [1, 3, 4]
+    for k in (1, 3):
+        (study.out / f"design_soil_{k}.tsv").write_text("")
+    with pytest.raises(StudyError, match="no interval can be told"):
+        page.whole_parts(study.out)
