@@ -64,7 +64,7 @@ $(OWNO)/loading: always $(OWNO)/inputs.mk
 $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWN_GRADING) $(BIN)/pack-generate
 	@echo '  pack  $@'
 	@$(BIN)/pack-generate --grading '$(OWN_GRADING)' --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
-	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@
+	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@ 2> $(@:.h5=.said); status=$$?; cat $(@:.h5=.said) >&2; exit $$status
 
 # (a) A status of 1 says that the effective size is not reached; the page tells it.
 $(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight
