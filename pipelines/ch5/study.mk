@@ -58,7 +58,7 @@ $(C5O)/sensitivity.txt: $(BIN)/gws-solve
 C5_GEOTEXTILES := PE 0.5PP PP 2PP 3PP 4PP 5PP
 C5_UC := $(C5_GEOTEXTILES:%=$(C5O)/uc_%.h5)
 # How far: by 2 % or more past the greatest load, which comes later the stiffer the geotextile. A torn bag takes most of the steps.
-C5_FAR_quick := PE=0.14 0.5PP=0.14 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
+C5_FAR_quick := PE=0.15 0.5PP=0.15 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
 C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
 c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
 C5_STATES := [0.04,0.08,0.12]
