@@ -97,7 +97,7 @@ $(patsubst %,$(C5O)/%.tsv,$(filter %_10kPa,$(C5_CELLS))): $(C5O)/cell_%_10kPa.ts
 
 # Constants and lines that are identified from these bags, and the solution with these constants.
 C5_OWN_LINES := $(foreach t,constants compression_line near_failure_line dilatancy_line stiffness,$(C5O)/own_$(t).tsv)
-C5_OWN = $(BIN)/gws-solve identify $(C5_UC) --failure $(C5_FAILURE) --difference backward --quiet
+C5_OWN = $(BIN)/gws-solve identify $(C5_UC) --failure $(C5_FAILURE) --fit thesis --difference backward --quiet
 $(C5_OWN_LINES): $(C5O)/own_%.tsv: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
 	@$(C5_OWN) --tsv --table $* $(call whole,$@)
 $(C5O)/own_identified.txt: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
