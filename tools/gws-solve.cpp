@@ -11,6 +11,7 @@
 #include "gws/options.h"
 #include "gws/output.h"
 #include "gws/report.h"
+#include "gws/secant.h"
 #include "gws/series_options.h"
 #include "gws/tables.h"
 #include "io/table.h"
@@ -44,6 +45,7 @@ struct Respond {
 
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(true);
+    if (surcharge) gws::doubt_pressure(*surcharge, wrong);
     if (sensitivity && samples > 0) wrong.emplace_back("--sensitivity and --samples: give one of them");
     output.check(wrong);
   }
@@ -51,11 +53,15 @@ struct Respond {
   void run(const tool::Invocation& invocation) const {
     gws::ReadCase read = bag.read();
     gws::Case& c = read.the_case;
-    c.until = surcharge;
+    const std::optional<double> asked = read.asked(surcharge);
+    c.soil = read.factors.weakened(c.soil).value_or(c.soil);
+    c.until = asked;
+    c = gws::at_strain_reached(c, asked);
     const gws::Response response(c);
-    const auto states = response.points(static_cast<std::size_t>(points));
+    const auto rows_wanted = static_cast<std::size_t>(points);
+    const auto states = c.geotextile.secant_at > 0 ? gws::secant_points(c, rows_wanted) : response.points(rows_wanted);
     Groups groups{{"response", "response of the bag to surcharge", gws::response_table(states, c)}};
-    std::string text = gws::heading(c, read.soil.name, bag.chose_soil());
+    std::string text = read.soil_line() + gws::heading(c, read.soil.name);
     if (sensitivity) {
       const auto rows = gws::sensitivities(c, read.soil, share);
       groups.push_back({"sensitivity", "capacity and settlement with each constant", gws::sensitivity_table(rows)});
@@ -67,9 +73,10 @@ struct Respond {
     } else {
       text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
     }
+    text += read.conditions(c);
     output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
-               gws::doubts(read.soil, bag.chose_soil(), {c.geotextile.stiffness}, {response.start(), response.last()}));
-    gws::demand_reached(response, surcharge);
+               gws::doubts(read.soil, read.chose_soil, {c.geotextile.stiffness}, {response.start(), response.last()}));
+    gws::demand_reached(response, asked);
   }
 };
 
@@ -125,8 +132,7 @@ struct Design {
   void options(tool::Table& t) {
     t.about("gws-solve design", "the geotextile that carries a surcharge, or the surcharge that a bag carries");
     t.example("gws-solve design --surcharge \"300 kPa\" --settlement 0.05 --safety 1.5", "stiffness and strength");
-    t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3 --to 1e6",
-              "a chart over stiffnesses");
+    t.example("gws-solve design --geotextile PP --surcharge 3e5 --chart --from 50e3", "a chart over stiffnesses");
     t.option(surcharge, gws::surcharge_range);
     t.option(settlement, gws::settlement_range);
     t.option(safety, gws::safety_range);
@@ -140,6 +146,7 @@ struct Design {
 
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(chart || !surcharge);
+    if (surcharge) gws::doubt_pressure(*surcharge, wrong);
     if (!surcharge && !settlement && !chart)
       wrong.emplace_back("nothing to design for: give --surcharge or --settlement");
     if (from >= to) wrong.emplace_back("--from: must be below --to");
@@ -147,9 +154,11 @@ struct Design {
   }
 
   void run(const tool::Invocation& invocation) const {
-    gws::ReadCase read = bag.read();
-    gws::Case& c = read.the_case;
-    const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety};
+    const gws::ReadCase read = bag.read();
+    const gws::Case c = gws::at_strain_reached(read.the_case, std::nullopt);
+    const gws::Demand demand{surcharge.value_or(0), settlement.value_or(1), safety * read.factors.load,
+                             read.factors.weakened(c.soil)};
+    gws::Case answered = c;
     Groups groups;
     std::string text;
     std::vector<Doubt> doubts;
@@ -157,18 +166,20 @@ struct Design {
       const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
       groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
       text = gws::aligned(gws::readable(rows));
-      doubts = gws::doubts(read.soil, bag.chose_soil(), {from, to}, {});
+      doubts = gws::doubts(read.soil, read.chose_soil, {from, to}, {});
     } else if (surcharge) {
       const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
       groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
       text = gws::describe(found, demand, c);
-      doubts = gws::doubts(read.soil, bag.chose_soil(), {found.geotextile.stiffness}, {found.start, found.factored});
+      answered.geotextile = found.geotextile;
+      doubts = gws::doubts(read.soil, read.chose_soil, {found.geotextile.stiffness}, {found.start, found.factored});
     } else {
-      const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, safety);
+      const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, demand.safety, demand.weakened);
       groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
-      text = gws::describe(found, demand.settlement, safety, c);
-      doubts = gws::doubts(read.soil, bag.chose_soil(), {c.geotextile.stiffness}, {found.at});
+      text = gws::describe(found, demand.settlement, demand.safety, c);
+      doubts = gws::doubts(read.soil, read.chose_soil, {c.geotextile.stiffness}, {found.at});
     }
+    text = read.soil_line() + text + read.conditions(answered);
     output.put(groups, 0, text, read.sources, read.scenario, invocation, doubts);
   }
 };

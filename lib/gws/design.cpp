@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
@@ -30,12 +31,20 @@ struct Trial {
 };
 
 Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
-  const Response response(unlimited_bag(bag, J, demand.safety * demand.surcharge));
+  Case failing = bag;
+  failing.soil = demand.weakened.value_or(bag.soil);
+  const Response response(unlimited_bag(failing, J, demand.safety * demand.surcharge));
   Trial trial;
   trial.carried = !response.failed();
   trial.start = response.start();
   trial.factored = response.last();
   if (trial.carried) trial.service = response.at_surcharge(demand.surcharge);
+  if (!demand.weakened) return trial;
+  // The factored surcharge then rests on the weaker soil, the one at service on the bag's own.
+  const Response service(unlimited_bag(bag, J, demand.surcharge));
+  trial.start = service.start();
+  trial.service = service.last();
+  trial.carried = trial.carried && !service.failed();
   return trial;
 }
 
@@ -72,7 +81,7 @@ ChartRow chart_row(const Case& bag, const Demand& demand) {
     if (demand.surcharge >= response.start().surcharge && demand.surcharge <= row.capacity)
       row.service_settlement = response.at_surcharge(demand.surcharge).settlement() - compacted;
     if (row.capacity / demand.safety > response.start().surcharge)
-      row.allowable_surcharge = allowable_surcharge(bag, demand.settlement, demand.safety).surcharge;
+      row.allowable_surcharge = allowable_surcharge(bag, demand.settlement, demand.safety, demand.weakened).surcharge;
   } catch (const DataError&) {
     return row;
   }
@@ -83,6 +92,8 @@ ChartRow chart_row(const Case& bag, const Demand& demand) {
 
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range) {
   if (!(demand.safety >= 1)) throw DataError("safety: must be at least 1");
+  if (!(bag.strength_fraction > 0))
+    throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
   if (!(range.low > 0 && range.low < range.high)) throw DataError("stiffness: the range must go up from above 0 N/m");
   try_stiffness(bag, demand, range.high);
   const double limit = bag.geotextile.strength > 0 ? bag.hoop_limit() : unlimited;
@@ -115,10 +126,13 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
   return found;
 }
 
-Allowance allowable_surcharge(const Case& bag, double settlement, double safety) {
+Allowance allowable_surcharge(const Case& bag, double settlement, double safety, const std::optional<Soil>& weakened) {
   const Response response(bag);
   if (!response.failed()) throw DataError("the response ends before the capacity is known; leave out the surcharge");
-  Allowance found{response.last().surcharge / safety, Governs::strength, {}};
+  Case failing = bag;
+  failing.soil = weakened.value_or(bag.soil);
+  const double capacity = std::min(response.last().surcharge, Response(failing).last().surcharge);
+  Allowance found{capacity / safety, Governs::strength, {}};
   if (found.surcharge < response.start().surcharge)
     throw DataError(fmt::format("safety {}: leaves {:.6g} Pa, below the initial surcharge {:.6g} Pa", safety,
                                 found.surcharge, response.start().surcharge));

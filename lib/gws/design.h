@@ -14,6 +14,7 @@ struct Demand {
   double surcharge = 0;   // surcharge at service, Pa
   double settlement = 1;  // greatest admissible settlement; 1: any
   double safety = 1;      // factor on the surcharge at which the hoops may reach their stated fraction of the strength
+  std::optional<Soil> weakened = {};  // soil in the check of failure; empty: the bag's own
 };
 
 /// Range of stiffness to search, N/m.
@@ -43,7 +44,8 @@ struct Allowance {
   Point at;
 };
 /// Returns the surcharge that a bag carries within the settlement, and with the safety against its capacity.
-Allowance allowable_surcharge(const Case& bag, double settlement, double safety);
+Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
+                              const std::optional<Soil>& weakened = std::nullopt);
 
 /// One bag of a design chart. A NaN marks what the bag does not reach.
 struct ChartRow {

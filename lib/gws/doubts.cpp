@@ -37,6 +37,11 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const std::vector<d
         {"default-soil", fmt::format("the soil is {}, since none was chosen: give --soil, of data/soils or identified "
                                      "from bags of your own (gws-solve identify --toml)",
                                      soil.name)});
+  if (!soil.estimated.empty())
+    found.push_back(
+        {"estimated-soil", fmt::format("soil {}: {}; alpha, beta and the dilatancy line are Toyoura sand's; "
+                                       "identify them on bags of its own (gws-solve identify)",
+                                       soil.name, soil.estimated)});
   std::vector<double> pressures, strains;
   for (const Point& point : states) {
     if (point.soil.end != End::none) continue;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/data.h"
 #include "core/error.h"
@@ -43,11 +44,13 @@ bool is_run(const std::filesystem::path& path) {
 }  // namespace
 
 void CaseOptions::declare(tool::Table& t) {
-  t.option(geotextile, "geotextile", "NAME|FILE", "of data/geotextiles, a multiple (3PP), or a TOML");
+  t.option(geotextile, "geotextile", "NAME|FILE", "of data/geotextiles, a multiple (3PP), a TOML, or FILE.toml:NAME");
   t.option(stiffness, tensile_stiffness);
   t.option(strength, tensile_strength);
   t.option(failure_strain, failure_strain_range);
-  t.option(fraction, strength_fraction_range);
+  t.option(fraction,
+           named(strength_fraction_range, "strength_fraction", "of the strength where the bag fails; else 0.5"));
+  factors.declare(t);
   t.option(width, named(bag_extent, "width", "width of the bag, B"));
   t.option(height, named(bag_extent, "height", "height of the bag after compaction, H"));
   t.option(soil, "soil", "NAME|FILE", "constants: of data/soils, or a TOML; else toyoura-gws");
@@ -63,6 +66,14 @@ std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
   std::vector<std::string> wrong;
   if (needs_geotextile && geotextile.empty() && !(stiffness && (strength || failure_strain)))
     wrong.emplace_back("no geotextile: give --geotextile NAME, or --stiffness and one of --strength, --failure-strain");
+  if (stiffness) doubt_unit("stiffness", *stiffness, wrong);
+  if (strength) doubt_unit("strength", *strength, wrong);
+  if (geotextile.empty() && stiffness && strength && failure_strain &&
+      std::abs(*strength / (*stiffness * *failure_strain) - 1) > 0.5)
+    wrong.push_back(fmt::format(
+        "--stiffness, --strength and --failure-strain contradict each other: {:.4g} kN/m at {:.4g} % are {:.4g} kN/m; "
+        "leave one of them out",
+        *stiffness / 1e3, 100 * *failure_strain, *stiffness * *failure_strain / 1e3));
   if (!history.empty() && lateral > 0) wrong.emplace_back("--lateral-stress and --lateral-history: give one of them");
   if (initial_settlement && initial_surcharge)
     wrong.emplace_back("--initial-settlement and --initial-surcharge: give one of them");
@@ -72,6 +83,14 @@ std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
 Geotextile CaseOptions::read_geotextile() const {
   Geotextile found;
   if (!geotextile.empty()) found = find_geotextile(geotextile);
+  if (stiffness) found.curve = {};
+  if (strength || failure_strain) {
+    if (found.curve.known())
+      throw DataError(
+          fmt::format("geotextile {}: its data sheet has strength and strain at failure: leave out "
+                      "--strength and --failure-strain, or change the sheet",
+                      found.name));
+  }
   if (stiffness || strength || failure_strain) {
     found.stiffness = stiffness.value_or(found.stiffness);
     if (!geotextile.empty()) found.name += " (changed)";
@@ -95,6 +114,30 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
   return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where)};
 }
 
+std::string ReadCase::soil_line() const {
+  if (!chose_soil) return fmt::format("Soil {}, since no --soil is given\n", soil.name);
+  if (!soil.estimated.empty()) return fmt::format("Soil {}: {}\n", soil.name, soil.estimated);
+  return "";
+}
+
+std::optional<double> ReadCase::asked(const std::optional<double>& surcharge) const {
+  return surcharge ? std::optional<double>(*surcharge * factors.load) : std::nullopt;
+}
+
+std::string ReadCase::conditions(const Case& bag) const {
+  Case original = bag;
+  original.soil = soil.soil;
+  const double before = unreduced > 0 ? unreduced : bag.geotextile.strength * factors.reduction();
+  return gws::conditions(original, factors, before, chose_fraction);
+}
+
+void doubt_pressure(double surcharge, std::vector<std::string>& wrong) {
+  if (surcharge > 0 && surcharge < 1e3)
+    wrong.push_back(
+        fmt::format("--surcharge: {} Pa is less than a person standing on the bag; did you mean \"{} kPa\"?",
+                    number_text(surcharge), number_text(surcharge)));
+}
+
 ReadCase CaseOptions::read() const {
   ReadCase read;
   Case& c = read.the_case;
@@ -103,7 +146,12 @@ ReadCase CaseOptions::read() const {
   c.geotextile = read_geotextile();
   c.bag = {width, height};
   c.lateral = read_lateral(read.sources);
-  c.strength_fraction = fraction;
+  c.strength_fraction = fraction.value_or(c.strength_fraction);
+  read.factors = factors;
+  read.unreduced = c.geotextile.strength;
+  c.geotextile.strength /= factors.reduction();
+  read.chose_soil = !soil.empty();
+  read.chose_fraction = fraction.has_value();
   c.tolerance = tolerance;
   c.initial_settlement = initial_settlement;
   c.initial_surcharge = initial_surcharge;

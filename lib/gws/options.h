@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/tool.h"
+#include "gws/factors.h"
 #include "gws/identify.h"
 #include "gws/respond.h"
 #include "io/provenance.h"
@@ -28,8 +29,8 @@ inline constexpr Parameter last_surcharge{"surcharge",
                                           true,
                                           "end at this pressure; else at the ultimate one",
                                           "1 GPa is far beyond any test of soil"};
-inline constexpr Parameter settlement_range{"settlement",          "1", 0, 1, true, "axial strain, of the height",
-                                            "at 1 the bag is flat"};
+inline constexpr Parameter settlement_range{
+    "settlement", "1", 0, 1, true, "axial strain, of the height", "at 1 the bag is flat; per cent are written \"5 %\""};
 inline constexpr Parameter points_range{"points", "1", 1, 1e6, false, "rows of the table", "a table has rows"};
 inline constexpr Parameter share_range{
     "range", "1", 0, 1, true, "share varied where no interval is known", "a constant keeps its sign"};
@@ -45,12 +46,26 @@ inline constexpr Parameter highest_stiffness{
 /// Name of the soil that is used if none is chosen.
 inline constexpr const char* default_soil = "toyoura-gws";
 
+/// Adds a usage mistake where a pressure is below any that a bag begins with, as a number in kPa is.
+void doubt_pressure(double surcharge, std::vector<std::string>& wrong);
+
 /// A case, with the sources of its parts.
 struct ReadCase {
   Case the_case;
   SoilFile soil;
   std::vector<io::Source> sources;
   std::string scenario;  // the soil as TOML, for provenance
+  Factors factors;
+  double unreduced = 0;  // strength of the geotextile before its reduction, N/m
+  bool chose_soil = false, chose_fraction = false;
+
+  /// Returns the first line of an answer: a soil that nobody chose, or one that was estimated; else nothing.
+  std::string soil_line() const;
+  /// Returns the surcharge that must not bring failure: the given one, times the factor on the load.
+  std::optional<double> asked(const std::optional<double>& surcharge) const;
+  /// Returns what the answer for `bag` rests on (gws/factors.h). A geotextile that was found has no strength before its
+  /// reduction; the one that it needs is told.
+  std::string conditions(const Case& bag) const;
 };
 
 /// Options of a bag, shared by several verbs.
@@ -59,7 +74,9 @@ struct CaseOptions {
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;
   std::filesystem::path history;
-  double width = 0.4, height = 0.08, lateral = 0, fraction = 0.5, tolerance = 1e-6;
+  double width = 0.4, height = 0.08, lateral = 0, tolerance = 1e-6;
+  std::optional<double> fraction;  // of the strength; empty: the default of Case
+  Factors factors;
 
   /// Declares the options in a tool's table.
   void declare(tool::Table& table);
@@ -67,8 +84,6 @@ struct CaseOptions {
   std::vector<std::string> mistakes(bool needs_geotextile) const;
   /// Reads the files and names. Throws DataError or MissingInput.
   ReadCase read() const;
-  /// Returns whether the user named a soil.
-  bool chose_soil() const { return !soil.empty(); }
 
  private:
   Geotextile read_geotextile() const;

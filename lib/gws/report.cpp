@@ -69,6 +69,20 @@ std::vector<double> column(const std::vector<Row>& rows, const Value& value) {
   return values;
 }
 
+/// Returns sensitivities of settlement and tension at the surcharge asked for.
+std::string describe_service(const std::vector<Sensitivity>& rows) {
+  std::string text =
+      fmt::format("At the surcharge asked for:\n{:>2} {:<25} {:>9} {:>9} {:>16}\n{:>2} {:<25} {:>9} {:>9} {:>16}\n", "",
+                  "constant", "ds/dln", "dt/dln", "settlement", "", "", "%/1", "kN/m/1", "%");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += fmt::format(
+        "{:>2} {:<25} {:>9.3f} {:>9.3f} {:>16}\n", i, rows[i].key,
+        100 * rows[i].service_settlement_derivative * rows[i].value,
+        rows[i].service_tension_derivative * rows[i].value / 1e3,
+        fmt::format("{:.2f}..{:.2f}", 100 * rows[i].service_settlement_low, 100 * rows[i].service_settlement_high));
+  return text;
+}
+
 }  // namespace
 
 io::Series constants_table(const Identification& found) {
@@ -279,6 +293,15 @@ io::Series sensitivity_table(const std::vector<Sensitivity>& rows) {
       column(rows, [](R r) { return r.settlement_low; }));
   put(table, "settlement_high", "1", "final settlement at the high end",
       column(rows, [](R r) { return r.settlement_high; }));
+  if (rows.empty() || !rows.front().asked) return table;
+  put(table, "service_settlement_derivative", "1 per its own", "of the settlement at the surcharge asked for",
+      column(rows, [](R r) { return r.service_settlement_derivative; }));
+  put(table, "service_tension_derivative", "N/m per its own", "of the hoop tension at that surcharge",
+      column(rows, [](R r) { return r.service_tension_derivative; }));
+  put(table, "service_settlement_low", "1", "settlement at that surcharge, at the low end",
+      column(rows, [](R r) { return r.service_settlement_low; }));
+  put(table, "service_settlement_high", "1", "settlement at that surcharge, at the high end",
+      column(rows, [](R r) { return r.service_settlement_high; }));
   return table;
 }
 
@@ -297,7 +320,8 @@ std::string describe(const std::vector<Sensitivity>& rows) {
                     fmt::format("{:.1f}..{:.1f}", r.capacity_low / 1e3, r.capacity_high / 1e3),
                     fmt::format("{:.2f}..{:.2f}", 100 * r.settlement_low, 100 * r.settlement_high));
   }
-  return text + "* interval of 95 %; the others are varied by the share asked for\n";
+  text += "* interval of 95 %; the others are varied by the share asked for\n";
+  return rows.empty() || !rows.front().asked ? text : text + describe_service(rows);
 }
 
 io::Series bands_table(const Bands& bands) {

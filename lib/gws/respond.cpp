@@ -106,7 +106,8 @@ Response::Response(const Case& what)
   start_ = last_ = point(begin_);
   if (last_.hoop_strain >= case_.hoop_limit())
     throw DataError(
-        fmt::format("geotextile {}: fails under the first stress of the model already, at a hoop strain of {:.3g}",
+        fmt::format("geotextile {}: fails under the first stress of the model already, at a hoop strain of {:.3g}; "
+                    "take a stronger one, or a greater --strength-fraction",
                     what.geotextile.name, last_.hoop_strain));
   if (case_.until && *case_.until < start_.surcharge)
     throw DataError(fmt::format(

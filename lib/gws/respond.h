@@ -44,14 +44,20 @@ struct LateralStress {
   void check(const Bag& bag) const;
 };
 
-inline constexpr Parameter bag_extent{"extent", "m", 0, 100, true, "width or height of the bag", "a bag has an extent"};
+inline constexpr Parameter bag_extent{"extent",
+                                      "m",
+                                      0,
+                                      100,
+                                      true,
+                                      "width or height of the bag",
+                                      "a bag has an extent; millimetres are written \"400 mm\""};
 inline constexpr Parameter strength_fraction_range{"strength_fraction",
                                                    "1",
                                                    0,
                                                    1,
-                                                   true,
+                                                   false,
                                                    "of the strength where the bag fails",
-                                                   "a hoop bears no more than its strength, and some"};
+                                                   "a hoop bears no more than its strength"};
 inline constexpr Parameter tolerance_range{"tolerance",
                                            "1",
                                            1e-10,

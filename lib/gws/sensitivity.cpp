@@ -19,12 +19,20 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Outcome {
   double capacity = none, settlement = none;
+  double service_settlement = none, service_tension = none;  // at the surcharge asked for
 };
 
-Outcome outcome(const Case& bag) {
+Outcome outcome(const Case& bag, const std::optional<double>& surcharge) {
   try {
     const Response response(bag);
-    return {response.last().surcharge, response.last().settlement() - response.start().settlement()};
+    const double compacted = response.start().settlement();
+    Outcome found{response.last().surcharge, response.last().settlement() - compacted, none, none};
+    if (surcharge && *surcharge >= response.start().surcharge && *surcharge <= found.capacity) {
+      const Point at = response.at_surcharge(*surcharge);
+      found.service_settlement = at.settlement() - compacted;
+      found.service_tension = at.hoop_tension;
+    }
+    return found;
   } catch (const DataError&) {
     return {};
   }
@@ -133,10 +141,11 @@ std::vector<Sensitivity> sensitivities(const Case& given, const SoilFile& soil, 
     const auto varied = [&](double value) {
       Case other = bag;
       handle.place(other) = value;
-      return outcome(other);
+      return outcome(other, given.until);
     };
     Case copy = bag;
-    Sensitivity s{handle.key, handle.unit, handle.place(copy), 0, 0, false, 0, 0, 0, 0, 0, 0};
+    Sensitivity s;
+    s.key = handle.key, s.unit = handle.unit, s.value = handle.place(copy);
     std::size_t place = 0;
     const Scatter* scatter = scatter_of(soil, handle.key, place);
     s.interval = scatter != nullptr;
@@ -152,6 +161,11 @@ std::vector<Sensitivity> sensitivities(const Case& given, const SoilFile& soil, 
     s.capacity_high = high.capacity;
     s.settlement_low = low.settlement;
     s.settlement_high = high.settlement;
+    s.asked = given.until.has_value();
+    s.service_settlement_derivative = (above.service_settlement - below.service_settlement) / (2 * step);
+    s.service_tension_derivative = (above.service_tension - below.service_tension) / (2 * step);
+    s.service_settlement_low = low.service_settlement;
+    s.service_settlement_high = high.service_settlement;
     found.push_back(s);
   }
   return found;

@@ -19,6 +19,9 @@ struct Sensitivity {
   bool interval = false;
   double capacity_derivative = 0, settlement_derivative = 0;  // Pa and 1, per unit of the constant
   double capacity_low = 0, capacity_high = 0, settlement_low = 0, settlement_high = 0;
+  bool asked = false;  // a surcharge was asked for; at it, settlement and hoop tension (N/m) per unit of the constant
+  double service_settlement_derivative = 0, service_tension_derivative = 0;
+  double service_settlement_low = 0, service_settlement_high = 0;
 };
 
 /// Returns the sensitivities by central differences at a thousandth of each value. The response runs to its end,

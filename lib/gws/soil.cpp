@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "gws/estimate.h"
 
 namespace soilweave::gws {
 namespace {
@@ -136,6 +137,12 @@ SoilFile read_soil(Settings& document) {
   SoilFile file;
   file.name = document.text("name", "soil");
   std::vector<std::string> lines;
+  if (document.has("estimate")) {
+    Settings at = document.table("estimate");
+    const Triaxial test = read_estimate(at);
+    file.soil = estimated(test);
+    file.estimated = marked(test);
+  }
   for (const Constant& c : table) {
     Settings at = document.table(c.line);
     file.soil.*c.field = at.number(c.parameter, file.soil.*c.field);

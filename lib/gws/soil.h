@@ -84,6 +84,7 @@ struct SoilFile {
   Soil soil;
   std::vector<Scatter> scatter;
   Identified identified = {};
+  std::string estimated = {};  // how the constants were estimated where no bags were computed; empty: they were not
 };
 
 /// Reads a soil; absent keys take their defaults. Mistakes go to the document, on which the caller calls finish().

@@ -32,7 +32,10 @@ io::Series table_of(const std::vector<Point>& points, const std::vector<Quantity
 
 io::Series response_table(const std::vector<Point>& points, const Case& what) {
   using P = const Point&;
-  const double J = what.geotextile.stiffness;
+  const bool secants = what.geotextile.secant_at > 0;  // each row then has the stiffness at its own strain
+  const auto stiffness = [secants, J = what.geotextile.stiffness](const Point& p) {
+    return secants && p.hoop_strain > 0 ? p.hoop_tension / p.hoop_strain : J;
+  };
   const double compacted = points.empty() ? 0 : points.front().settlement();
   return table_of(
       points,
@@ -59,9 +62,9 @@ io::Series response_table(const std::vector<Point>& points, const Case& what) {
         [](P p) { return p.soil.plastic_ratio; }},
        {"hoop_strain", "1", "strain of the geotextile", [](P p) { return p.hoop_strain; }},
        {"hoop_tension", "N/m", "tension of the geotextile", [](P p) { return p.hoop_tension; }},
-       {"tensile_stiffness", "N/m", "stiffness of the geotextile", [=](P) { return J; }},
+       {"tensile_stiffness", "N/m", "stiffness of the geotextile", stiffness},
        {"reinforcing_efficiency", "1/m", "surcharge over stiffness of the geotextile",
-        [=](P p) { return p.surcharge / J; }}});
+        [=](P p) { return p.surcharge / stiffness(p); }}});
 }
 
 io::Series readable(const std::vector<Point>& points) {
@@ -82,12 +85,13 @@ io::Series readable(const std::vector<Point>& points) {
                            {"tension", "kN/m", "", [](P p) { return p.hoop_tension / 1e3; }}});
 }
 
-std::string heading(const Case& what, const std::string& soil, bool chosen) {
+std::string heading(const Case& what, const std::string& soil) {
   const Geotextile& g = what.geotextile;
   return fmt::format(
-      "{}Geotextile {}: stiffness {:.4g} kN/m, strength {:.4g} kN/m, strain at failure {:.4g} %\n"
+      "Geotextile {}: stiffness {:.4g} kN/m{}, strength {:.4g} kN/m, strain at failure {:.4g} %\n"
       "Bag {:.4g} x {:.4g} x {:.4g} mm; soil {}, Young's modulus {:.4g} MPa with this geotextile\n",
-      chosen ? "" : "Soil " + soil + ", since no --soil is given\n", g.name, g.stiffness / 1e3, g.strength / 1e3,
+      g.name, g.stiffness / 1e3,
+      g.secant_at > 0 ? fmt::format(" (secant at the {:.4g} % it reaches)", 100 * g.secant_at) : "", g.strength / 1e3,
       100 * g.failure_strain, 1e3 * what.bag.width, 1e3 * what.bag.width, 1e3 * what.bag.height, soil,
       what.soil.young_modulus(g.stiffness) / 1e6);
 }

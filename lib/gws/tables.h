@@ -18,10 +18,9 @@ io::Series response_table(const std::vector<Point>& points, const Case& what);
 /// Returns the main columns in kPa, kN/m and percent.
 io::Series readable(const std::vector<Point>& points);
 
-/// Describes the bag and the end of its response in a few lines. `chosen`: false if the soil is the default, which the
-/// first line then says.
-std::string heading(const Case& what, const std::string& soil, bool chosen);
-/// Returns how the response ended, in a few lines: load, settlement, reason, efficiency.
+/// Describes the bag in a few lines.
+std::string heading(const Case& what, const std::string& soil);
+/// Describes the end of its response.
 std::string verdict(const Response& response, const Case& what);
 
 /// Throws TargetNotReached if the response ended before the surcharge asked for.

@@ -195,7 +195,8 @@ TEST(GwsRespond, refuses_what_is_inadmissible_with_range_and_reason) {
       changed([](Case& c) { c.geotextile.stiffness = -1; }),
       "stiffness: -1 is out of range: must be between 0 and 1e10 N/m (without stiffness the geotextile holds nothing)");
   EXPECT_EQ(changed([](Case& c) { c.bag.height = 0; }),
-            "height: 0 is out of range: must be between 0 and 100 m (a bag has an extent)");
+            "height: 0 is out of range: must be between 0 and 100 m (a bag has an extent; millimetres are written "
+            "\"400 mm\")");
   EXPECT_EQ(
       changed([](Case& c) { c.soil.poisson_ratio = 0.5; }),
       "stiffness.poisson_ratio: 0.5 is out of range: must be between -1 and 0.5 (at 0.5 the soil is incompressible, "

@@ -1,0 +1,98 @@
+#!/usr/bin/env bats
+# gws-solve: thirty data sheets and questions as a design office types them. Each is answered, or refused in one line that tells what
+# to change.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+load common
+
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+  # The sheets: a woven one with both directions, one that is stiff at first, and some that cannot be.
+  cat > woven.toml <<'TOML'
+name = "woven"
+[machine]
+tension_at_2 = "14 kN/m"
+tension_at_5 = "35 kN/m"
+strength = "80 kN/m"
+failure_strain = "12 %"
+[cross]
+tension_at_2 = "12 kN/m"
+tension_at_5 = "30 kN/m"
+strength = "70 kN/m"
+failure_strain = "11 %"
+TOML
+  printf 'name = "PET"\ntension_at_2 = "35.7 kN/m"\ntension_at_5 = "73.9 kN/m"\nstrength = "160 kN/m"\nfailure_strain = "12 %%"\n' > pet.toml
+  printf 'name = "falls"\ntension_at_2 = "30 kN/m"\ntension_at_5 = "25 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "12 %%"\n' > falls.toml
+  printf 'name = "early"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "4 %%"\n' > early.toml
+  printf 'name = "bare"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\n' > bare.toml
+  printf 'name = "blunt"\ntension_at_5 = "35 kN/m"\nfailure_strain = "10 %%"\n' > blunt.toml
+  printf 'name = "both"\nstiffness = "400 kN/m"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "12 %%"\n' > both.toml
+  sed '/tension_at_2 = "12/d' woven.toml > half.toml
+  { sed 's/^name.*/[[product]]\nname = "W70"/; s/^\[machine\]/[product.machine]/; s/^\[cross\]/[product.cross]/' woven.toml
+    sed 's/^name.*/\n[[product]]\nname = "P160"/' pet.toml; } > catalogue.toml
+  printf 'name = "site sand"\n[estimate]\nfriction_angle = 38\ndilation_angle = 8\nE50 = "40 MPa"\nvoid_ratio = 0.6\n' > site.toml
+  sed 's/^friction_angle.*/friction_angle = 5/' site.toml > weak.toml
+  sed 's/^dilation_angle.*/dilation_angle = 29/; s/^friction_angle.*/friction_angle = 28/' site.toml > wild.toml
+}
+
+# STATUS ; words of the first line that answers (on standard output) or refuses (on standard error) ; arguments of gws-solve
+questions() {
+  cat <<'TABLE'
+0;Ends at 200.0 kPa at a settlement of;respond --soil toyoura-gws --geotextile woven.toml --surcharge "200 kPa"
+0;strength 70 kN/m, strain at failure 11 %;respond --soil toyoura-gws --geotextile woven.toml
+0;strength 80 kN/m, strain at failure 12 %;respond --soil toyoura-gws --geotextile woven.toml@machine
+0;strength 140 kN/m;respond --soil toyoura-gws --stiffness "1200 kN/m" --strength "140 kN/m"
+0;secant at the;respond --soil toyoura-gws --geotextile pet.toml --surcharge "500 kPa"
+0;Geotextile W70: ;respond --soil toyoura-gws --geotextile catalogue.toml:W70@cross
+0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --settlement "5 %" --safety 1.5
+0;Carries;design --soil toyoura-gws --geotextile catalogue.toml:P160 --settlement "5 %"
+0;leaves 14.43 kN/m;respond --soil toyoura-gws --geotextile PP --rf-creep 2 --rf-installation 1.1
+0;multiplied by 1.35, and tan phi divided by 1.25;design --soil toyoura-gws --geotextile PP --settlement "5 %" --factor-load 1.35 --factor-soil 1.25
+0;Failure is counted at 1 of the strength.;respond --soil toyoura-gws --geotextile PP --strength-fraction 1
+0;Failure is counted at 0.5 of the strength, the default: in the thesis's;respond --soil toyoura-gws --geotextile PP
+0;apparent cohesion 347.5 kPa;respond --soil toyoura-gws --geotextile PP
+0;At the surcharge asked for:;respond --soil toyoura-gws --geotextile PP --surcharge "300 kPa" --sensitivity
+0;Soil site sand: estimated from phi 38 deg, psi 8 deg, E50 40 MPa, e 0.6: no bags of it were computed;respond --soil site.toml --geotextile PP
+0;Soil toyoura-gws, since no --soil is given;design --surcharge "300 kPa"
+64;--stiffness: 400 N/m is less than any geotextile has (2000 N/m); did you mean "400 kN/m"?;respond --stiffness 400 --strength "40 kN/m"
+64;--strength: 40 N/m is less than any geotextile has (500 N/m); did you mean "40 kN/m"?;respond --stiffness "400 kN/m" --strength 40
+64;--surcharge: 300 Pa is less than a person standing on the bag; did you mean "300 kPa"?;respond --geotextile PP --surcharge 300
+64;millimetres are written "400 mm";respond --geotextile PP --width 400
+64;per cent are written "12 %";respond --geotextile PP --failure-strain 12
+64;contradict each other: 400 kN/m at 5 % are 20 kN/m;respond --stiffness "400 kN/m" --strength "80 kN/m" --failure-strain "5 %"
+64;must be from 1 to 100 (a factor below 1 would take away safety);respond --geotextile PP --rf-creep 0.5
+65;falls.toml: 25 kN/m at a strain of 5 % is not above 30 kN/m at 2 %;respond --geotextile falls.toml
+65;early.toml: it fails at a strain of 4 %, but a tension is given at 5 %;respond --geotextile early.toml
+65;bare.toml: no strain at failure: give it, as failure_strain = "10 %";respond --geotextile bare.toml
+65;blunt.toml: no strength: give the tension at failure;respond --geotextile blunt.toml
+65;both.toml: stiffness and tensions at strains both tell a stiffness: leave one of them out;respond --geotextile both.toml
+65;half.toml: [cross] has no tension_at_2, which [machine] has: give it, or choose a direction (NAME@machine);respond --geotextile half.toml
+65;catalogue.toml: has no [[product]] named W71; did you mean 'W70'?;respond --geotextile catalogue.toml:W71
+65;'along' is no direction: give @machine or @cross;respond --geotextile woven.toml@along
+65;greater --strength-fraction;respond --geotextile PP --strength-fraction 0
+65;friction_angle: 5 is out of range: must be from 15 to 60 deg;respond --soil weak.toml --geotextile PP
+65;dilation_angle: is not below the friction angle: check both, 0 is on the safe side;respond --soil wild.toml --geotextile PP
+1;300 kPa are not reached: the bag bears;respond --soil toyoura-gws --geotextile PE --rf-creep 3 --rf-durability 1.5 --surcharge "300 kPa"
+1;no stiffness up to 1e+05 kN/m carries 300 kPa within a settlement of 0.1 %; allow more;design --soil toyoura-gws --surcharge "300 kPa" --settlement "0.1 %"
+TABLE
+}
+
+@test "thirty questions are answered, or refused in one line that tells what to change" {
+  local wanted words arguments count=0
+  while IFS=';' read -r wanted words arguments; do
+    # "; did you mean" and "; allow more" belong to the words: the arguments begin with a verb.
+    while [[ $arguments != respond\ * && $arguments != design\ * ]]; do
+      words+=";${arguments%%;*}" arguments=${arguments#*;}
+    done
+    eval "exits $wanted gws-solve $arguments"
+    if [[ $wanted == 0 ]]; then
+      [[ $output == *"$words"* ]] || show "wanted in the answer of gws-solve $arguments: $words"
+      [[ $output != *nan* || $arguments == *--strength-fraction\ 1* ]] || show "no number in gws-solve $arguments"
+    else
+      # shellcheck disable=SC2154  # stderr is set by run
+      [[ $(grep -vc ': doubt: ' <<<"$stderr") -eq 1 && $stderr == *"$words"* ]] || show "wanted in one line of gws-solve $arguments: $words"
+    fi
+    count=$((count + 1))
+  done < <(questions)
+  [[ $count -ge 30 ]] || show "$count questions"
+}

@@ -1,0 +1,142 @@
+// Tests of what a design office brings: data sheets, factors, estimated soils, and Matsuoka and Liu's closed form beside.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "gws/data_sheet.h"
+#include "gws/design.h"
+#include "gws/estimate.h"
+#include "gws/factors.h"
+#include "gws/matsuoka_liu.h"
+#include "gws/secant.h"
+#include "support/gws_reference.h"
+
+namespace soilweave::gws {
+namespace {
+
+TEST(GwsMatsuokaLiu, the_closed_form_has_its_published_capacity) {
+  // PP, 0.4 x 0.08 m, phi 33.4 deg: 2584 kPa with the whole strength, in proportion with less.
+  const LongBag bag{0.4, 0.08, 31.754e3, passive_ratio(1.35)};
+  EXPECT_NEAR(friction_angle(1.35) * 180 / std::numbers::pi, 33.4, 0.05);
+  EXPECT_NEAR(capacity(bag, 0), 2584e3, 1e3);
+  EXPECT_NEAR(capacity(bag, 10e3) - capacity(bag, 0), bag.passive_ratio * 10e3, 1e-6);
+}
+
+TEST(GwsMatsuokaLiu, at_small_strain_ours_differs_by_the_hoops_along_the_bag_alone) {
+  SoilState state;
+  state.p = 200e3;
+  state.obliquity = 1.4;  // strains are zero
+  for (const double height : {0.2, 0.08, 0.0004}) {
+    const Bag bag{0.4, height};
+    const LongBag flat{bag.width, height, hoop_tension(bag, state, 0), passive_ratio(state.obliquity)};
+    const double ours = surcharge(bag, state, 0), theirs = capacity(flat, 0);
+    EXPECT_NEAR(ours - theirs, (flat.passive_ratio - 1) * 2 * flat.tension / bag.width, 1e-6 * ours);
+    EXPECT_LT(theirs, ours);
+    EXPECT_LT(ours / theirs - 1, 1.1 * height / bag.width);
+  }
+}
+
+TEST(GwsMatsuokaLiu, the_whole_response_of_a_flat_stiff_bag_agrees_with_it) {
+  Case bag = test::bag_of(1e8, 80, 1);
+  bag.bag.height = 0.004;
+  const Point last = Response(bag).last();
+  ASSERT_LT(last.settlement(), 0.02);
+  const LongBag flat{bag.bag.width, bag.bag.height, last.hoop_tension, passive_ratio(last.soil.obliquity)};
+  EXPECT_NEAR(capacity(flat, 0) / last.surcharge, 1, 0.03);
+  // They part where the bag is thick and strained and q/p is above M: PP at half its strength, 1731 and 1292 kPa.
+  const Case thick = test::bag_of("PP");
+  const LongBag by_M{0.4, 0.08, 0.5 * 31.754e3, passive_ratio(thick.soil.M)};
+  EXPECT_NEAR(Response(thick).last().surcharge / capacity(by_M, 0), 1.34, 0.01);
+}
+
+TEST(GwsDataSheet, a_straight_sheet_is_one_stiffness) {
+  const Geotextile sheet = of_sheet("straight", {4e3, 10e3, 20e3, 0.1}, "here");
+  Case one = test::bag_of(200e3, 20e3, 0.1), by_curve = one;
+  by_curve.geotextile = sheet;
+  for (const std::optional<double> asked : {std::optional<double>(), std::optional<double>(300e3)}) {
+    one.until = by_curve.until = asked;
+    const Case reached = at_strain_reached(by_curve, asked);
+    EXPECT_NEAR(reached.geotextile.stiffness, 200e3, 1e-6);
+    EXPECT_NEAR(Response(reached).last().surcharge / Response(one).last().surcharge, 1, 1e-6);
+  }
+}
+
+TEST(GwsDataSheet, the_secant_is_that_of_the_strain_reached) {
+  // Stiffer in the beginning: PET after its data sheet in the machine direction has 35.7 and 73.9 kN/m at 2 and 5 %.
+  Case bag = test::bag_of(0, 0, 0);
+  bag.geotextile = of_sheet("PET", {35.7e3, 73.9e3, 160e3, 0.12}, "here");
+  double before = 1e12;
+  for (const double asked : {200e3, 500e3, 1000e3, 2000e3}) {
+    Case reached = at_strain_reached(bag, asked);
+    reached.until = asked;
+    const Point last = Response(reached).last();
+    EXPECT_NEAR(last.surcharge, asked, 1e-6 * asked);
+    EXPECT_NEAR(last.hoop_strain, reached.geotextile.secant_at, 1e-6 * last.hoop_strain);
+    EXPECT_NEAR(last.hoop_tension, bag.geotextile.curve.tension_at(last.hoop_strain), 1e-6 * last.hoop_tension);
+    EXPECT_LE(reached.geotextile.stiffness, before * (1 + 1e-9));  // equal on the first straight piece
+    before = reached.geotextile.stiffness;
+  }
+  const Case ultimate = at_strain_reached(bag, std::nullopt);
+  EXPECT_NEAR(Response(ultimate).last().hoop_tension, 80e3, 1);
+  const auto points = secant_points(ultimate, 10);
+  EXPECT_NEAR(points.back().surcharge, Response(ultimate).last().surcharge, 1e-6 * points.back().surcharge);
+  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GT(points[i].settlement(), points[i - 1].settlement());
+}
+
+TEST(GwsDataSheet, the_lesser_of_both_directions_counts_unless_one_is_chosen) {
+  const std::string text =
+      "name = \"x\"\n[machine]\ntension_at_2 = \"20 kN/m\"\nstrength = \"100 kN/m\"\nfailure_strain = \"10 %\"\n"
+      "[cross]\ntension_at_2 = \"25 kN/m\"\nstrength = \"60 kN/m\"\nfailure_strain = \"12 %\"\n";
+  const Geotextile least = read_geotextile(text, "x.toml"), cross = read_geotextile(text, "x.toml", "cross");
+  EXPECT_DOUBLE_EQ(least.strength, 60e3);
+  EXPECT_DOUBLE_EQ(least.failure_strain, 0.10);
+  EXPECT_DOUBLE_EQ(least.curve.tension_at(0.02), 20e3);
+  EXPECT_DOUBLE_EQ(cross.curve.tension_at(0.02), 25e3);
+  EXPECT_DOUBLE_EQ(cross.layers(3).curve.tension_at(0.02), 75e3);
+}
+
+TEST(GwsFactors, a_weaker_soil_carries_less_and_settles_at_service_as_before) {
+  Factors factors;
+  EXPECT_FALSE(factors.weakened({}).has_value());
+  factors.soil = 1.25;
+  const Soil weak = *factors.weakened({});
+  EXPECT_NEAR(std::tan(friction_angle(1.35)) / std::tan(friction_angle(weak.M)), 1.25, 1e-12);
+  const Case bag = test::bag_of("PP");
+  const Allowance own = allowable_surcharge(bag, 0.3, 1.5), less = allowable_surcharge(bag, 0.3, 1.5, weak);
+  EXPECT_LT(less.surcharge, own.surcharge);
+  EXPECT_EQ(less.governs, Governs::strength);
+  const Allowance settled = allowable_surcharge(bag, 0.04, 1), same = allowable_surcharge(bag, 0.04, 1, weak);
+  EXPECT_DOUBLE_EQ(settled.surcharge, same.surcharge);
+  Case open = test::bag_of(0, 0, 0);
+  const Design strong = smallest_geotextile(open, {300e3, 0.05, 1.5}, {1e3, 1e8}),
+               weaker = smallest_geotextile(open, {300e3, 0.05, 1.5, weak}, {1e3, 1e8});
+  EXPECT_NEAR(weaker.service.settlement(), strong.service.settlement(), 1e-6);
+  EXPECT_GT(weaker.geotextile.strength, strong.geotextile.strength);
+}
+
+TEST(GwsEstimate, the_soil_has_the_strength_and_stiffness_it_is_estimated_from) {
+  Triaxial test{38, 8, 40e6, 0.6, 1e5};
+  const Soil soil = estimated(test);
+  const double sine = std::sin(38 * std::numbers::pi / 180), at_failure = 6 * sine / (3 - sine);
+  EXPECT_NEAR(failure_obliquity(soil, 3e5 / (3 - at_failure)), at_failure, 1e-12);
+  EXPECT_LT(soil.M, at_failure);
+  test.E50 *= 2;
+  EXPECT_NEAR(estimated(test).lambda, soil.lambda / 2, 1e-12);
+  test.void_ratio = 0.8;
+  EXPECT_GT(estimated(test).C_t, soil.C_t);
+  Settings laboratory = Settings::parse(
+      "[estimate]\ntriaxial = \"data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv\"\nvoid_ratio = 0.68\npressure = "
+      "\"0.2 MPa\"\n",
+      "text");
+  const SoilFile toyoura = read_soil(laboratory);
+  laboratory.finish();
+  EXPECT_NEAR(toyoura.soil.lambda, Soil{}.lambda, 0.1 * Soil{}.lambda);
+  EXPECT_NEAR(toyoura.soil.C_t, Soil{}.C_t, 1e-12);
+  EXPECT_FALSE(toyoura.estimated.empty());
+}
+
+}  // namespace
+}  // namespace soilweave::gws
