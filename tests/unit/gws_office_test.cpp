@@ -1,4 +1,4 @@
-// Tests of what a design office brings: data sheets, factors, estimated soils, and Matsuoka and Liu's closed form beside.
+// Tests what a design office brings: data sheets, factors, estimated soils, and the closed form of Matsuoka and Liu.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
