@@ -114,6 +114,27 @@ assert (joined == 120 + (ids - 1000)).all()
 PY
 }
 
+@test "volumes of interest show their principal axes where they are" {
+  homogenize --quiet --copies --state last "$IN/sheared.h5" -o volumes.h5
+  to-vtk --quiet volumes.h5 -o axes
+  "$PYTHON" - <<'PY'
+from vtk import vtkXMLPolyDataReader
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+places, axes = read("axes/volumes_000000.vtp"), read("axes/volumes_axes_000000.vtp")
+number = [axes.GetCellData().GetArray("principal").GetValue(k) for k in range(axes.GetNumberOfCells())]
+assert number == [1, 2, 3] * places.GetNumberOfPoints() and number
+for k in range(axes.GetNumberOfCells()):
+    middle = [(a + b) / 2 for a, b in zip(axes.GetPoint(2 * k), axes.GetPoint(2 * k + 1))]
+    assert max(abs(m - p) for m, p in zip(middle, places.GetPoint(k // 3))) < 1e-12
+PY
+}
+
 @test "two runs write the same bytes, whatever the number of threads" {
   to-vtk --quiet "$IN/sheared.h5" -o one
   OMP_NUM_THREADS=4 to-vtk --quiet "$IN/sheared.h5" -o two
