@@ -63,14 +63,11 @@ C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
 c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
 C5_STATES := [0.04,0.08,0.12]
 C5_STATES_PP := [0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14]
-# Grains follow the plates.
-C5_FOLLOW := --set stage.1.way_unbalanced_force=0.02 --set stage.1.homogeneous_start=true --set stage.1.rest_drag=critical \
-  --set grains.mass_scaling=equal-step
 .PRECIOUS: $(C5O)/%.h5
 $(C5_UC): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
-	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)),$(C5_FOLLOW))
+	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))
 $(C5_UC:%.h5=%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 C5_VOLUMES := step,volume_of_interest,centre_x,centre_y,principal_1,principal_2,principal_3,$\
