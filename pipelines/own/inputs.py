@@ -20,9 +20,9 @@ from study.errors import suggestion
 from study.files import put
 from study.units import factor
 
-KEYS = {"name": str, "grading": str, "void_ratio": float, "surcharge": "Pa", "settlement": float, "geotextile": (str, dict), "bag": dict,
+KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": float, "surcharge": "Pa", "settlement": float, "geotextile": (str, dict), "bag": dict,
         "factors": dict, "test": list}
-OPTIONAL = ("factors",)
+OPTIONAL = ("factors", "packing_void_ratio")
 BAG = {"width": "m", "height": "m"}
 FACTORS = ("creep", "installation", "durability", "load", "soil")
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
@@ -126,8 +126,10 @@ def read(path, catalogue="data/geotextiles"):
             raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
     if not 0 < values["settlement"] < 0.3:
         raise StudyError(f"{path}: settlement = {values['settlement']:g}: write a fraction of the height below 0.3, as 0.05 for 5 %")
-    if not 0.2 < values["void_ratio"] < 2:
-        raise StudyError(f"{path}: void_ratio = {values['void_ratio']:g}: void ratios of granular soils lie between 0.2 and 2; 0.68, not 68 %")
+    for key in ("void_ratio", "packing_void_ratio"):
+        if 0.2 < values.setdefault(key, values["void_ratio"]) < 2:
+            continue
+        raise StudyError(f"{path}: {key} = {values[key]:g}: void ratios of granular soils lie between 0.2 and 2; 0.68, not 68 %")
     grading = Table.read(path.parent / values["grading"])
     sizes, finer = grading("diameter", "mm"), grading("finer_by_mass", "1")
     if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
@@ -189,7 +191,7 @@ def write(own, out):
     long_term = own.fabric | {"strength": own.fabric["strength"] / own.reduction}
     _put_new(out / "long_term.toml", sheet("The geotextile of own.toml, its strength over the reduction factors.", "own", **long_term))
     lines = {
-        "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["void_ratio"],
+        "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["packing_void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
             ("test", own.tests), ("predict", own.predictions)) for t in some),
         "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,

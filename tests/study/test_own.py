@@ -36,7 +36,7 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
 
 @pytest.mark.parametrize(("old", "new", "said"), [
     ("void_ratio = 0.756", "void_ratio = 75.6", "void_ratio = 75.6: void ratios of granular soils"),
-    ("void_ratio", "voidratio", "voidratio is unknown; did you mean 'void_ratio'?"),
+    ("\nvoid_ratio", "\nvoidratio", "voidratio is unknown; did you mean 'void_ratio'?"),
     ('surcharge = "200 kPa"', "surcharge = 200", "surcharge = 200: write a number above 0 with its unit"),
     ('surcharge = "200 kPa"', 'surcharge = "200 mm"', "surcharge: 'mm' is a unit of length"),
     ("settlement = 0.05", "settlement = 5", "settlement = 5: write a fraction"),
