@@ -188,17 +188,17 @@ def write(own, out):
         _put_new(out / f"geotextile_{k}.toml", sheet(f"A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.",
                                                 f"own_{k}", j, j * WHOLE, WHOLE) + f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
     v, factors = own.values, own.values["factors"]
-    long_term = own.fabric | {"strength": own.fabric["strength"] / own.reduction}
-    _put_new(out / "long_term.toml", sheet("The geotextile of own.toml, its strength over the reduction factors.", "own", **long_term))
+    _put_new(out / "geotextile.toml", sheet("The geotextile of own.toml.", "own", **own.fabric))
     lines = {
         "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["packing_void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
             ("test", own.tests), ("predict", own.predictions)) for t in some),
         "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,
-        "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"] * factors.get("load", 1), "SETTLEMENT": v["settlement"],
+        "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"], "SETTLEMENT": v["settlement"],
         "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", 
-        "FRACTION": "--strength-fraction 0.9999" if own.reduction > 1 else "", "REDUCTION": f"{own.reduction:g}",
-        "SOIL_FACTOR": f"--set failure_line.M={M / factors['soil']:g}" if factors.get("soil", 1) > 1 else "",
+        "REDUCED": " ".join([*(["--strength-fraction 1"] if own.reduction > 1 else []), *(
+            f"--rf-{name} {factors[name]:g}" for name in FACTORS[:3] if name in factors)]),
+        "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
         "STIFFNESS": own.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
 

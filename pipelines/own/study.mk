@@ -101,24 +101,27 @@ $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
 
 # (d) From all bags, and from all but one each, which tells what one bag is worth. Where the others do not determine the constants, the
 # files of that part are empty, and the page says so.
-own_part = || { [ $* != soil ] && : > $@; }
+own_part = || { cat $(@:.tsv=.said) >&2; [ $* != soil ] && : > $@; }
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
 own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
+# All constants at once; line by line, where the paths do not determine all.
+own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path && ! grep -q '^\# Not identified.*near_failure_line' $@.path || fit=thesis; rm -f $@.path
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
-	@$(call own_identify,$(OWN_BAGS)) > $(OWNO)/identified.txt
-	@$(call own_identify,$(OWN_BAGS)) --toml | $(OWN_NAMED) $(call whole,$@)
+	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt; \
+	  $(call own_identify,$(OWN_BAGS)) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
 $(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
-	@$(call own_identify,$(filter-out $*,$(OWN_BAGS))) --toml --quiet | $(OWN_NAMED) $(call whole,$@) || : > $@
+	@$(call own_fit,$(filter-out $*,$(OWN_BAGS))); \
+	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || : > $@
 
-# (e) The bag of own.toml, with the long-term strength of its geotextile.
-own_case = --soil $(OWNO)/$(1).toml $(OWN_SOIL_FACTOR) --geotextile $(OWNO)/long_term.toml $(OWN_SHAPE) $(OWN_FRACTION)
+# (e) The bag of own.toml, with the long-term strength of its geotextile; where it is reduced, all of it counts.
+own_case = --soil $(OWNO)/$(1).toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
 $(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
 $(OWNO)/design_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve design $(call own_case,$*) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
+	@$(BIN)/gws-solve design $(call own_case,$*) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
 $(OWNO)/chart.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve design $(call own_case,soil) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
+	@$(BIN)/gws-solve design $(call own_case,soil) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
 	  --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') --tsv $(call whole,$@)
 
 # (f)

@@ -29,7 +29,8 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     assert "--predict '" in made and made.count("--test '") == 2
     failure = Table.read(tmp_path / "out/failure.tsv")
     assert failure("obliquity_at_failure", "1") == pytest.approx([1.6526, 1.5953], rel=1e-4)
-    assert 'strength = "12028.03' in (tmp_path / "out/long_term.toml").read_text()
+    assert "OWN_REDUCED := --strength-fraction 1 --rf-creep 2 --rf-installation 1.2 --rf-durability 1.1\n" in made
+    assert 'strength = "31754.0 N/m"' in (tmp_path / "out/geotextile.toml").read_text()
     # The page of one geotextile: yarns 5 mm apart carry the stiffness.
     assert "yarn_tension = [145.0]" in (tmp_path / "out/geotextile_1.toml").read_text()
 
