@@ -85,6 +85,13 @@ struct FilterExpand {
   }
 
  private:
+  static void demand_met(const std::vector<Doubt>& missed, const packing::Surround& how) {
+    if (missed.empty() || !how.missed_is_error) return;
+    std::vector<std::string> sentences;
+    for (const Doubt& doubt : missed) sentences.push_back(doubt.sentence);
+    throw TargetNotReached(fmt::format("{}", fmt::join(sentences, "; ")));
+  }
+
   void put_around(const io::PackingFile& reinforced, const packing::Plan& what, const io::Source& text,
                   const tool::Invocation& invocation) const {
     const packing::Surrounded cell = packing::surround(reinforced.state, *what.surround, what.density);
@@ -97,11 +104,13 @@ struct FilterExpand {
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
-    if (safe.finished(progress)) return;
+    // Its last record tells what a finished cell missed.
+    if (safe.finished(progress)) return demand_met(io::read_history(output).back().doubts, *what.surround);
     packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
                                                           {safe.part(), interval, &signals});
-    Doubts doubts;  // the error below says them
-    for (const std::string& missed : done.missed) doubts.add({"surround", missed});
+    // An error says by itself what was missed.
+    Doubts doubts = what.surround->missed_is_error ? Doubts() : Doubts(invocation.tool);
+    doubts.add_all(done.missed);
     done.result.price.output +=
         safe.write([&] { io::write_packing(output, done.result.state, io::with_doubts(past, doubts)); });
     if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
@@ -110,7 +119,7 @@ struct FilterExpand {
       progress.note("filter-expand: compacted: " + done.after.text());
       progress.note("filter-expand: " + done.result.price.line());
     }
-    if (!done.missed.empty()) throw TargetNotReached(fmt::format("{}", fmt::join(done.missed, "; ")));
+    demand_met(done.missed, *what.surround);
   }
 };
 

@@ -17,4 +17,14 @@ void keep_apart(const std::vector<std::int32_t>& grains, const Mat3& change, dem
   });
 }
 
+void hold(const std::vector<std::int32_t>& grains, dem::Simulation& simulation) {
+  const Mat3 gradient = simulation.cell().velocity_gradient();
+  simulation.change_velocities([&](dem::Bodies& bodies) {
+    for (const std::int32_t grain : grains) {
+      const auto i = static_cast<std::size_t>(grain);
+      bodies.set_velocity(i, -gradient * vector_of(bodies.grains[i].position));
+    }
+  });
+}
+
 }  // namespace soilweave::packing

@@ -12,4 +12,8 @@ namespace soilweave::packing {
 /// velocity relative to the cell's affine motion changes the other way.
 void keep_apart(const std::vector<std::int32_t>& grains, const Mat3& change, dem::Simulation& simulation);
 
+/// Stops these grains in space, whatever the cell's strain rate is. Called before every step, it leaves them the motion
+/// that their forces cause within one step: they creep.
+void hold(const std::vector<std::int32_t>& grains, dem::Simulation& simulation);
+
 }  // namespace soilweave::packing

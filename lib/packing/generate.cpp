@@ -17,6 +17,7 @@
 #include "dem/scenario.h"
 #include "packing/ahead.h"
 #include "packing/apart.h"
+#include "packing/compaction_position.h"
 
 namespace soilweave::packing {
 namespace {
@@ -29,7 +30,7 @@ constexpr std::int64_t room_interval = 8;  // steps
 constexpr double coarse_equilibrium = 10;
 
 // Lead in void ratio by which friction is restored before the target, after a slippery compression, and its limit.
-constexpr double first_lead = 0.01, largest_lead = 0.05;
+constexpr double first_lead = 0.02, largest_lead = 0.05;
 // Share of full friction above which a slippery compression becomes one at full friction.
 constexpr double nearly_full = 0.8;
 
@@ -37,35 +38,6 @@ constexpr double nearly_full = 0.8;
 constexpr double tolerances_held = 4;
 // A new attempt begins at a common multiple of all intervals at which a simulation checks itself.
 constexpr std::int64_t first_step_multiple = 512;
-
-// Present work, each until an equilibrium. `bare`: friction was lowered to nothing and is restored once more.
-enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
-
-// Progress of the work.
-struct Position {
-  Phase phase = Phase::compressing;
-  std::int64_t first = 0;            // step at which the way to the equilibrium began
-  double friction = 0;               // present angle of all materials, rad; 0 before it was first changed
-  double lowered = 0, lowest = 0;    // rad
-  double aim = 0, at_restoring = 0;  // void ratios
-  double lead = 0;                   // fall of the void ratio expected after friction is restored
-  // Results of earlier attempts: their fall below the target; friction angles (rad) at which clouds came to rest looser
-  // and denser than it; the angle at which this cloud is compressed, 0 for full friction.
-  double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
-  double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without friction
-  std::int64_t attempt = 0;
-  std::int64_t skipped = 0;        // numbers of steps that no attempt took
-  std::int64_t contact_steps = 0;  // contact steps of earlier attempts
-
-  void archive(Archive& a) {
-    a.whole("phase", phase), a.item("phase_first_step", first);
-    a.item("friction", friction), a.item("lowered", lowered), a.item("lowest", lowest);
-    a.item("aim", aim), a.item("at_restoring", at_restoring), a.item("lead", lead);
-    a.item("least_lead", least_lead), a.item("loose_angle", loose_angle), a.item("dense_angle", dense_angle);
-    a.item("cloud_angle", cloud_angle), a.item("loosest", loosest), a.item("frictionless", frictionless);
-    a.item("attempt", attempt), a.item("skipped_steps", skipped), a.item("contact_steps_before", contact_steps);
-  }
-};
 
 class Compaction {
  public:
@@ -139,11 +111,11 @@ class Compaction {
         if (!settle("friction lowered", at_.aim, coarse_equilibrium)) return enter(Phase::choosing);
         return restore();
       case Phase::restoring:
-        settle("friction restored", 0);
+        if (settle("friction restored", too_dense())) return restore_earlier();
         at_.lead = std::max(0.0, at_.at_restoring - simulation_.void_ratio());
         return enter(Phase::choosing);
       case Phase::ending:
-        settle("friction restored", 0);
+        if (settle("friction restored", too_dense())) return restore_earlier();
         return conclude();
       case Phase::bare:
         settle("friction restored", 0);
@@ -210,6 +182,12 @@ class Compaction {
   // Returns whether the cloud is compressed at little friction, and at more only if that makes it too dense.
   bool slippery() const { return recipe_.first_friction > 0; }
 
+  // Returns whether the grains that are apart stand still, lest the others carry them along. They do until the grains
+  // of a slippery compression begin to bear.
+  bool holding() const {
+    return slippery() && at_.phase == Phase::compressing && !at_.let_go && !recipe_.apart.empty();
+  }
+
   void slip() {
     at_.lowest = at_.cloud_angle, at_.lowered = angle_;
     if (settle("compression", end_of_compression(), recipe_.void_ratio ? coarse_equilibrium : 1)) return restore();
@@ -223,6 +201,20 @@ class Compaction {
     if (slippery()) return at_.cloud_angle == angle_ ? 0 : *recipe_.void_ratio + std::max(first_lead, at_.least_lead);
     if (at_.attempt == 0 || at_.attempt + 1 == recipe_.most_attempts) return 0;
     return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
+  }
+
+  // Returns the void ratio below which a slippery compression has failed, however long its slow fall to rest takes; 0:
+  // there is none.
+  double too_dense() const {
+    if (!slippery() || !recipe_.void_ratio || at_.attempt + 1 == recipe_.most_attempts) return 0;
+    return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
+  }
+
+  // Begins a new attempt that restores friction twice as early: how far this one would have fallen is not known.
+  void restore_earlier() {
+    at_.least_lead = 2 * std::max(first_lead, at_.least_lead);
+    at_.dense_angle = at_.cloud_angle;
+    begin_again();
   }
 
   // Goes on after compression of the cloud, which in the first attempt was at full friction.
@@ -248,8 +240,8 @@ class Compaction {
     if (is_held()) return enter(Phase::done);
     if (fallen < 0) return enter(Phase::choosing);
     if (at_.attempt + 1 == recipe_.most_attempts) return enter(Phase::done);
-    at_.least_lead = fallen + (slippery() ? std::max(first_lead, at_.least_lead) : at_.least_lead);
-    (slippery() ? at_.dense_angle : at_.loose_angle) = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
+    at_.least_lead += fallen;
+    at_.loose_angle = at_.cloud_angle > 0 ? at_.cloud_angle : angle_;
     begin_again();
   }
 
@@ -333,7 +325,9 @@ class Compaction {
       const Mat3 before = simulation_.cell().velocity_gradient();
       servo_.drive(goals_, dimension_, simulation_);
       keep_apart(recipe_.apart, simulation_.cell().velocity_gradient() - before, simulation_);
+      if (holding()) hold(recipe_.apart, simulation_);
       simulation_.step();
+      at_.let_go = at_.let_go || mean(simulation_.measures().stress, dimension_) >= recipe_.pressure;
       if (simulation_.steps() % room_interval == 0) demand_room(simulation_.void_ratio());
       if (aim > 0 && simulation_.void_ratio() <= aim) return true;
       if (dem::Servo::settled(goals_, dimension_, tolerances, simulation_)) return false;

@@ -23,7 +23,7 @@ namespace {
 
 // Additions to the requested void ratio in which the fill is placed; larger ones follow if it finds no room.
 constexpr double first_looseness = 0.35, next_looseness = 0.15, last_looseness = 5;
-constexpr int most_tries_of_a_grain = 1000;
+constexpr int most_tries_of_a_grain = 10'000;
 // Void ratio below which fill of a narrow grading cannot be.
 constexpr double densest = 0.35;
 
@@ -91,6 +91,22 @@ Vec3 lengths(const Vec3& block, const Vec3& least, double volume) {
   return at(high);
 }
 
+// Returns the volume that the reinforced part takes, m3.
+double taken_by(const io::Snapshot& part) {
+  io::Snapshot open = part;
+  open.cell.periodic = {false, false, false};
+  return analysis::delaunay_volume(open);
+}
+
+// Returns the lengths of a loose cell that has the volume and becomes `dense` by compression. The room above the part,
+// `height` high, and the room beside it shrink by one factor, so that equally loose fill becomes equally dense.
+Vec3 loose_lengths(const Vec3& dense, double height, double taken, double volume) {
+  const double opened = (volume - taken) / (dense.prod() - taken);
+  const double z = height + (dense.z() - height) * opened;
+  const double wider = 0.5 * (std::sqrt(std::pow(dense.x() - dense.y(), 2) + 4 * volume / z) - dense.x() - dense.y());
+  return {dense.x() + wider, dense.y() + wider, z};
+}
+
 // Refuses a void ratio that is too small for the content of the cell, before anything is placed.
 void demand_room(const io::Snapshot& part, double e, double all_solids) {
   const Vec3 size = extent(part);
@@ -101,9 +117,7 @@ void demand_room(const io::Snapshot& part, double e, double all_solids) {
                     "that it and its "
                     "fill make at surround.void_ratio {:.4g}: raise surround.void_ratio, or give more surround.copies",
                     size.x(), size.y(), size.z(), volume, e));
-  io::Snapshot open = part;
-  open.cell.periodic = {false, false, false};
-  const double taken = analysis::delaunay_volume(open), fill = all_solids - solids(part.grains);
+  const double taken = taken_by(part), fill = all_solids - solids(part.grains);
   if (volume - taken >= (1 + densest) * fill) return;
   throw DataError(fmt::format(
       "the fill has no room: at surround.void_ratio {:.4g} the cell leaves {:.3g} m3 around the reinforced part for "
@@ -111,7 +125,8 @@ void demand_room(const io::Snapshot& part, double e, double all_solids) {
       e, std::max(0.0, volume - taken), fill, (taken + (1 + densest) * fill) / all_solids - 1));
 }
 
-// Finds a place for every grain of the fill near where it was, at a share of its size.
+// Finds places for the fill, at random all over the room that is left. Fill that is as dense beside the reinforced part
+// as above it bears the pressure on all sides: where it lay in the block, most of it would be above.
 class Placing {
  public:
   Placing(const io::Snapshot& part, const Vec3& size, double largest)
@@ -120,14 +135,11 @@ class Placing {
       placed_.add(home(part.grains.position[i]), part.grains.radius[i]);
   }
 
-  // Returns a place for a grain, nearest tries first; none after many tries.
-  std::optional<Vec3> find(const Vec3& wanted, double radius) {
+  // Returns a place for a grain; none after many tries.
+  std::optional<Vec3> find(double radius) {
     for (int k = 0; k < most_tries_of_a_grain; ++k) {
-      const double wide = static_cast<double>(k) / most_tries_of_a_grain;
-      Vec3 at = wanted;
-      // Tries spread from the place itself over the whole cell.
-      for (int a = 0; a < 3; ++a) at[a] += (uniform() - 0.5) * (size_[a] * wide * wide + radius * std::min(k, 8));
-      for (int a = 0; a < 3; ++a) at[a] -= size_[a] * std::floor(at[a] / size_[a] + 0.5);
+      Vec3 at;
+      for (int a = 0; a < 3; ++a) at[a] = (uniform() - 0.5) * size_[a];
       if (!placed_.fits(home(at), radius) || inside_(at)) continue;
       placed_.add(home(at), radius);
       return at;
@@ -234,27 +246,31 @@ Surrounded surround(const io::Snapshot& reinforced, const Surround& how, double 
   const Vec3 least = extent(part) + Vec3::Constant(how.gap.value_or(2 * mean));
   const double e = how.recipe.void_ratio.value_or(0.7);
   if (how.recipe.void_ratio) demand_room(part, e, all_solids);
-  const std::vector<Vec3> wanted(state.grains.position.begin() + static_cast<std::ptrdiff_t>(first),
-                                 state.grains.position.end());
+  // Small grains find places between large ones, large ones none between small ones.
+  std::vector<std::size_t> order(n - first);
+  std::iota(order.begin(), order.end(), first);
+  const std::vector<double>& radius = state.grains.radius;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return radius[i] > radius[j]; });
+  const Vec3 dense = lengths(block_size, least, (1 + e) * all_solids);
+  const double height = extent(part).z(), taken = taken_by(part);
   for (double looser = first_looseness;; looser += next_looseness) {
     if (looser > last_looseness)
       throw DataError(
           fmt::format("{} grains of fill find no place in a cell of void ratio {:.3g} around the reinforced "
                       "part: give finer grains (surround.scale) or fewer surround.copies",
-                      wanted.size(), e + looser));
-    const Vec3 size = lengths(block_size, least, (1 + e + looser) * all_solids);
-    Placing placing(part, size, *std::max_element(state.grains.radius.begin(), state.grains.radius.end()));
-    std::size_t placed = 0;
-    for (; placed < wanted.size(); ++placed) {
-      const std::optional<Vec3> at = placing.find(wanted[placed].cwiseProduct(size.cwiseQuotient(block_size)),
-                                                  state.grains.radius[first + placed]);
-      if (!at) break;
-      state.grains.position[first + placed] = *at;
-    }
-    if (placed < wanted.size()) continue;
+                      order.size(), e + looser));
+    const Vec3 size = loose_lengths(dense, height, taken, dense.prod() + looser * all_solids);
+    Placing placing(part, size, *std::max_element(radius.begin(), radius.end()));
+    const bool all = std::all_of(order.begin(), order.end(), [&](std::size_t i) {
+      const std::optional<Vec3> at = placing.find(radius[i]);
+      if (at) state.grains.position[i] = *at;
+      return at.has_value();
+    });
+    if (!all) continue;
     state.cell = {};
     state.cell.matrix = size.asDiagonal();
-    result.shares = size.cwiseInverse() * size.minCoeff();
+    const Vec3 way = size - dense;
+    result.shares = way.cwiseQuotient(size) * (size.minCoeff() / way.maxCoeff());
     return result;
   }
 }

@@ -29,7 +29,8 @@ struct Surround {
   std::optional<double> gap;  // distance between the reinforced part and its image, m; none: from the fill's grains
   std::optional<double> max_rate;  // strain rate, 1/s; none: so slow that the fill strikes nothing
   double height_tolerance = 0.02, stress_tolerance = 0.2;
-  io::Snapshot volume;  // the representative volume
+  bool missed_is_error = true;  // false: a cell that misses a criterion is a result with doubts
+  io::Snapshot volume;          // the representative volume
   Recipe recipe;
 
   /// Reads the table, and the representative volume that it names.
@@ -41,10 +42,10 @@ struct Surrounded {
   io::Snapshot state;          // periodic, with loose fill
   std::vector<bool> fill;      // whether a body is fill
   bool cut_away = false;       // whether the fill grains were cut from the same block
-  Vec3 shares = Vec3::Ones();  // shares of the strain rate by axis, with which all gaps close at one speed
+  Vec3 shares = Vec3::Ones();  // shares of the strain rate by axis, with which all fill becomes equally dense
 };
 
-/// Puts the grains of the block of copies that surround the reinforced part into a loose cell, near their places.
+/// Puts the grains of the block of copies that surround the reinforced part into a loose cell, at random places.
 /// copy_id: -1 for fill, as for nodes. density: of the fill, kg/m3; 0: the representative volume's. Throws DataError if
 /// the file has no geotextile, the block is smaller than the reinforced part, or the cell has no room for it or for the
 /// fill.

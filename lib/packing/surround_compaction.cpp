@@ -85,22 +85,26 @@ double accepting(double deviation) { return std::ceil(1e3 * std::abs(deviation) 
 void judge(const Surround& how, CompactedCell& cell) {
   const Shape &a = cell.before, &b = cell.after;
   const double p = how.recipe.pressure;
-  if (cell.result.unheld) cell.missed.push_back(*cell.result.unheld);
-  if (a.height > 0 && std::abs(b.height / a.height - 1) > how.height_tolerance)
-    cell.missed.push_back(
-        fmt::format("the reinforced part is {:.4g} m high, {:+.2g} % from the {:.4g} m that it had, more than "
-                    "surround.height_tolerance: lower surround.pressure, or set the tolerance to {:.3f} to accept it",
-                    b.height, 100 * (b.height / a.height - 1), a.height, accepting(b.height / a.height - 1)));
-  if (b.yarn_length < (1 - how.height_tolerance) * a.yarn_length)
-    cell.missed.push_back(fmt::format(
-        "the geotextile is crumpled: the ends of its yarns are {:.3g} of their length apart, {:.3g} before: lower "
-        "surround.pressure, or set surround.height_tolerance to {:.3f} to accept it",
-        b.yarn_length, a.yarn_length, accepting(b.yarn_length / a.yarn_length - 1)));
-  if (std::abs(b.fill_stress / p - 1) > how.stress_tolerance)
-    cell.missed.push_back(fmt::format(
-        "the fill bears {:.4g} Pa of {:.4g} Pa, {:+.2g} %, more than surround.stress_tolerance, the reinforced soil "
-        "{:.4g} Pa: ask for another surround.void_ratio, or set the tolerance to {:.3f} to accept it",
-        b.fill_stress, p, 100 * (b.fill_stress / p - 1), b.soil_stress, accepting(b.fill_stress / p - 1)));
+  const auto miss = [&](const char* key, const std::string& sentence) { cell.missed.push_back({key, sentence}); };
+  if (cell.result.unheld) miss("void-ratio", *cell.result.unheld);
+  // A number that is none is a miss.
+  if (a.height > 0 && !(std::abs(b.height / a.height - 1) <= how.height_tolerance))
+    miss("height",
+         fmt::format("the reinforced part is {:.4g} m high, {:+.2g} % from the {:.4g} m that it had, more than "
+                     "surround.height_tolerance: lower surround.pressure, or set the tolerance to {:.3f} to accept it",
+                     b.height, 100 * (b.height / a.height - 1), a.height, accepting(b.height / a.height - 1)));
+  if (!(b.yarn_length >= (1 - how.height_tolerance) * a.yarn_length))
+    miss("crumpled",
+         fmt::format(
+             "the geotextile is crumpled: the ends of its yarns are {:.3g} of their length apart, {:.3g} before: lower "
+             "surround.pressure, or set surround.height_tolerance to {:.3f} to accept it",
+             b.yarn_length, a.yarn_length, accepting(b.yarn_length / a.yarn_length - 1)));
+  if (!(std::abs(b.fill_stress / p - 1) <= how.stress_tolerance))
+    miss("fill-stress",
+         fmt::format("the fill bears {:.4g} Pa of {:.4g} Pa, {:+.2g} %, more than surround.stress_tolerance, the "
+                     "reinforced soil "
+                     "{:.4g} Pa: ask for another surround.void_ratio, or set the tolerance to {:.3f} to accept it",
+                     b.fill_stress, p, 100 * (b.fill_stress / p - 1), b.soil_stress, accepting(b.fill_stress / p - 1)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/doubts.h"
 #include "dem/keeper.h"
 #include "packing/surround.h"
 
@@ -30,14 +31,14 @@ Shape shape(const io::Snapshot& state, const std::vector<bool>& fill);
 struct CompactedCell {
   Result result;
   Shape before, after;
-  std::vector<std::string> missed;  // one sentence per missed criterion: its value, and what to change
+  std::vector<Doubt> missed;  // one per missed criterion: its value, and what to change
 };
 
 /// Returns one row for the cell as placed, and one for it at rest.
 io::Series table(const CompactedCell& cell);
 
 /// Compacts the cell at the pressure while the fill slides (Recipe::first_friction), slowly, so that the fill moves and
-/// not the reinforced part. The axes' rates close all gaps at one speed. Then the fill's friction is lowered and
+/// not the reinforced part. The axes' rates make all fill equally dense. Then the fill's friction is lowered and
 /// restored until the void ratio holds (compact), and the result is judged. Throws what compact() throws.
 CompactedCell compact_around(const Surrounded& cell, const Surround& how, const dem::Model& model,
                              const dem::Numerics& numerics, const Report& report, const dem::Safekeeping& safekeeping);

@@ -50,6 +50,7 @@ void read_compaction(Settings& table, Surround& to) {
   r.first_friction = table.number(first, 0.5) * std::numbers::pi / 180;
   to.height_tolerance = table.number(height, to.height_tolerance);
   to.stress_tolerance = table.number(stress, to.stress_tolerance);
+  to.missed_is_error = table.choice("missed", {"error", "doubt"}, "error") == "error";
   r.largest_stage = table.integer(steps, r.largest_stage);
   r.remedies = {"surround.max_rate", "surround.unbalanced_force", "in the plan", "grains.density"};
 }

@@ -104,6 +104,11 @@ class Runs:
         """Returns the Cell of a form with a geotextile."""
         return Cell(self.folder(f"{form}_{geotextile}"))
 
+    def shape(self, form):
+        """Returns the height and the yarns' length of a form, as it was placed and after it was compacted."""
+        table = self.folder(f"{form}_shape")
+        return {"height": table("height", "m"), "yarns": table("yarn_length", "1")}
+
     @functools.cached_property
     def soil(self):
         """Soil alone."""

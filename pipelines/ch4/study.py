@@ -16,6 +16,8 @@ def measure_start(study, runs):
         study.measure(f"e_{form}", cell["e"][0], "1")
         study.measure(f"e_inside_{form}", cell["e_inside"][0], "1")
         study.measure(f"fill_{form}", 100 * cell["fill"][0], "%")
+        for name, (before, after) in runs.shape(form).items():
+            study.measure(f"{name}_{form}", 100 * (after / before - 1), "%")
     roses = [runs.folder(f"{form}_rose")["density"] for form in FORMS]
     study.measure("orientation", abs(roses[0] - roses[1]).max(), "1")
     study.measure("denser", min(layered["e_inside"][0] - wrapped["e_inside"][0] for wrapped, layered in runs.pairs), "1")

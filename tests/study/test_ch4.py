@@ -16,7 +16,7 @@ UNITS = {"axial_stress": "Pa", "lateral_stress": "Pa", "stress_zz": "Pa", "mean_
          "soil_mean_stress": "Pa", "soil_deviatoric_stress": "Pa",
          **{f"group_{k}_{name}_stress": "Pa" for k in "123" for name in ("mean", "deviatoric")},
          **dict.fromkeys(("boundary_work", "energy_error"), "J"),
-         **dict.fromkeys(("position_x", "position_y", "position_z", "x", "z", "radius"), "m")}
+         **dict.fromkeys(("position_x", "position_y", "position_z", "x", "z", "radius", "height"), "m")}
 STRAIN = numpy.array([0, 0.01, 0.02, 0.03, 0.04])
 
 
@@ -50,6 +50,7 @@ def all_tables(tmp_path):
     for form, times in zip(FORMS, (2, 1), strict=True):
         for k, g in enumerate(GEOTEXTILES):
             cell(tmp_path / f"{form}_{g}.tsv", axial=times * (1 + k) * numpy.array([1, 3, 5, 6, 5]))
+        write(tmp_path / f"{form}_shape.tsv", height=[0.08, 0.0792], yarn_length=[1, 0.99])
         write(tmp_path / f"{form}_rose.tsv", density=[1, 1 + 0.05 * times])
         place = [0, 0.1, 0.2]
         write(tmp_path / f"grains_{form}.tsv", position_x=place, position_y=place, position_z=place, radius=0.01, part=[0, 1, 2])
@@ -114,6 +115,7 @@ def test_measures_of_cells_by_hand(study):
     assert value["orientation"] == pytest.approx(0.05)
     assert value["unreinforced"] == pytest.approx(5 / 12, rel=1e-5)
     assert (value["widening_y"], value["fill_wrapped"]) == (2, 80)
+    assert (value["height_layered"], value["yarns_wrapped"]) == (pytest.approx(-1), pytest.approx(-1))
     assert value["slow"] is None
 
 

@@ -57,6 +57,15 @@ setup() {
   [[ $(wc -l < missed) -eq 1 ]] || show "$(cat missed)"
 }
 
+@test "a finished cell that missed something says so again, and is a result with doubts where the plan accepts it" {
+  run filter-expand --quiet --resume bag.h5 around.toml "${around[@]}" -o cell.h5
+  [[ $status -eq 1 && "$output" == "$(cat missed)" ]] || show "$output"
+  filter-expand --quiet bag.h5 around.toml "${around[@]}" --set surround.missed=doubt -o accepted.h5 2> said
+  grep -q "^filter-expand: doubt: the reinforced part is .* more than surround.height_tolerance" said
+  grep -q "^filter-expand: doubt: the geotextile is crumpled" said
+  to-vtk --history accepted.h5 | grep -q "the geotextile is crumpled"
+}
+
 @test "plans that put nothing around anything are refused in a line, with nothing written" {
   local plan=(bag.h5 around.toml "${around[@]}" -o out.h5)
   refuses 65 filter-expand "has no geotextile" --quiet packing.h5 "${plan[@]:1}"

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analysis/bag.h"
+#include "analysis/tessellation.h"
 #include "core/error.h"
 #include "dem/scenario.h"
 #include "packing/apart.h"
@@ -172,6 +173,40 @@ TEST(Surround, WhatIsApartStandsWhileTheCellStrains) {
   };
   EXPECT_LT(moved({1}), 1e-15);
   EXPECT_GT(moved({0}), 1e-9);
+}
+
+TEST(Surround, WhatIsHeldStandsWhateverItsVelocity) {
+  io::Snapshot cloud = packing::cloud({0.003, 0.003, 0.003}, 40, {1, 1, 1}, 3, 2650, 1);
+  for (Vec3& velocity : cloud.grains.velocity) velocity = Vec3(1e-3, 0, 0);
+  dem::Simulation simulation(cloud, testing::sand(), {});
+  simulation.set_velocity_gradient(-1e-3 * Mat3::Identity());
+  for (int k = 0; k < 20; ++k) {
+    hold({1}, simulation);
+    simulation.step();
+  }
+  const std::vector<Vec3> now = simulation.snapshot().grains.position;
+  EXPECT_LT((now[1] - cloud.grains.position[1]).norm(), 1e-12);
+  EXPECT_GT((now[0] - cloud.grains.position[0]).norm(), 1e-9);
+}
+
+// Fill that is equally loose all over is equally dense in the end where the room above the reinforced part and all of
+// it become smaller by one factor.
+TEST(Surround, TheRoomAboveAndBesideTheBagCloseByOneFactor) {
+  const io::Snapshot one = bag();
+  const Surrounded cell = surround(one, around(), 0);
+  double solids = 0;
+  for (const double r : cell.state.grains.radius) solids += dem::grain_volume(3, r);
+  const Vec3 loose = cell.state.cell.matrix.diagonal(), way = cell.shares.cwiseProduct(loose);
+  const double volume = 1.8 * solids, taken = analysis::delaunay_volume(one), height = extent(one).z();
+  double low = 0, high = 1 / cell.shares.maxCoeff();
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    ((loose - middle * way).prod() > volume ? low : high) = middle;
+  }
+  const Vec3 dense = loose - low * way;
+  EXPECT_GT(loose.prod(), 1.1 * volume);
+  EXPECT_NEAR((loose.z() - height) / (dense.z() - height), (loose.prod() - taken) / (volume - taken), 1e-9);
+  EXPECT_NEAR(loose.x() - dense.x(), loose.y() - dense.y(), 1e-12);
 }
 
 TEST(Surround, LowersTheFrictionOfItsOwnMaterialAlone) {
