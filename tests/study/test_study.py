@@ -160,7 +160,7 @@ def test_tables_of_statements_name_line_and_column(tmp_path):
 
 
 def test_every_table_of_statements_in_the_tree_is_read():
-    for study in ("quickstart", "packings", "ch2", "ch3", "ch5", "ch6"):
+    for study in ("quickstart", "packings", "ch2", "ch3", "ch4", "ch5", "ch6"):
         tables = [ROOT / "pipelines" / study / name for name in ("expected.tsv", "statements.tsv")]
         assert all(read_statements(path) for path in tables if path.exists())
 
@@ -377,7 +377,7 @@ def test_a_measure_without_its_run_is_not_made_and_says_why(tmp_path):
     assert study.measures["strain"] == Measure(0.02, "1")
 
 
-@pytest.mark.parametrize("name", ["quickstart", "packings", "ch3", "ch5", "ch6"])
+@pytest.mark.parametrize("name", ["quickstart", "packings", "ch3", "ch4", "ch5", "ch6"])
 def test_a_study_without_its_tables_ends_in_one_line(tmp_path, name):
     run = subprocess.run([sys.executable, "-P", ROOT / f"pipelines/{name}/study.py", tmp_path], capture_output=True, text=True,
                          check=False, env={"PYTHONPATH": str(ROOT / "pipelines"), "PYTHONDONTWRITEBYTECODE": "1"})
