@@ -155,7 +155,8 @@ BagSeries bag_of_run(const io::RunFile& run, const std::string& where, const std
   const auto stiffness = [&] {
     return given ? Stiffness{given->stiffness, "of " + given->name + ", as given"} : stiffness_in(run, where);
   };
-  if (std::ranges::count(run.snapshots.front().cell.periodic, false) == 0) {
+  const io::Snapshot& start = run.snapshots.front();
+  if (start.planes.point.empty() && std::ranges::count(start.cell.periodic, false) == 0) {
     const analysis::ReinforcedCell cell = analysis::reinforced_cell(run, where);
     return bag_of_reinforced(analysis::reinforced(run.series, cell), where, stiffness());
   }
