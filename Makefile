@@ -305,11 +305,12 @@ test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
 
 # Tests that read, compare and write run again in a locale with a decimal comma, if there is one.
+PYTEST = $(STUDY_PY) -m pytest -q -p no:cacheprovider
 .PHONY: test-study
 test-study: ## the studies' Python package, on small tables
 	@echo "== tests/study"
-	@$(STUDY_PY) -m pytest -q -p no:cacheprovider tests/study
-	@LC_ALL=de_DE.UTF-8 $(STUDY_PY) -m pytest -q -p no:cacheprovider tests/study/test_study.py
+	@{ for test in tests/study/test_*.py; do echo "$(PYTEST) $$test"; done; echo "LC_ALL=de_DE.UTF-8 $(PYTEST) tests/study/test_study.py"; } | \
+	  parallel --will-cite --jobs $(JOBS) --halt soon,fail=1
 
 # ParaView's pvpython cannot be installed beside libvtk9-dev, which needs python3-vtk9. Unpacked beside it, it needs no
 # root.
