@@ -3,7 +3,7 @@
 # as strong, and a representative volume half as high, so that the cell has its height.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# This study runs only by its name; the report of all studies leaves it out.
+STUDIES += ch4
 C4 := pipelines/ch4
 C4O := $(OUT)/ch4
 C4_FORMS := wrapped layered

@@ -1,6 +1,5 @@
 # Chapter 5: soil wrapped in a geotextile, by grains and by the analytical solution (thesis Figs. 5.2 to 5.20). The bags are chapter 3's
-# packing under seven geotextiles. The cells are chapter 4's wrapped packing, of which those at 10 kPa are chapter 4's own runs; they are
-# made where chapter 4 belongs to the report, or with C5_CELLS_OF=yes.
+# packing under seven geotextiles. The cells are chapter 4's wrapped packing, of which those at 10 kPa are chapter 4's own runs.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 STUDIES += ch5
@@ -76,8 +75,7 @@ $(C5O)/volumes_PP.tsv: $(C5O)/uc_PP.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --copies --table volumes --columns $(C5_VOLUMES) --tsv $(call whole,$@)
 
 # The cells. % is GEOTEXTILE_PRESSUREkPa.
-C5_CELLS_OF ?= $(filter ch4,$(STUDIES))
-C5_CELLS := $(if $(C5_CELLS_OF),$(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa)))
+C5_CELLS := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa))
 C5_PRESSED := $(filter-out %_10kPa,$(C5_CELLS))
 c5_geotextile = $(word 1,$(subst _, ,$*))
 c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
@@ -101,7 +99,7 @@ $(C5O)/own_identified.txt: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
 	@$(C5_OWN) | sed 's|$(C5O)/uc_||g; s|\.h5||g' $(call whole,$@)
 $(C5O)/own_soil.toml: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
 	@$(C5_OWN) --toml $(call whole,$@)
-C5_OWN_SOLUTIONS := $(patsubst $(C5O)/%,$(C5O)/own_%,$(C5_UNIAXIAL) $(if $(C5_CELLS),$(C5_TRIAXIAL)))
+C5_OWN_SOLUTIONS := $(patsubst $(C5O)/%,$(C5O)/own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
 
 $(C5_UNIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_uniaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml
 	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $* --points 40 --tsv --quiet $(call whole,$@)
