@@ -53,10 +53,12 @@ $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter
 # $(call compress,GEOTEXTILE,HOW FAR,OPTIONS): the bag that is named first, between plates
 compress = $(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(2) --set geotextile.0.curve=$(1) $(3) \
   --threads $(C3_THREADS) --quiet --resume --force -o $@
+# Chapter 5 takes the full-size bags of PE and PP for its own, and draws more states of that of PP.
+C3_RECORD_thesis_PP := --set record.strains=[0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14,0.16]
 # % is the geotextile.
 $(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(call compress,$*,$(C3_UC_$(PROFILE)))
+	@$(call compress,$*,$(C3_UC_$(PROFILE)) $(C3_RECORD_$(PROFILE)_$*))
 # Rough plates instead of smooth ones.
 $(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'

@@ -60,10 +60,16 @@ C5_UC := $(C5_GEOTEXTILES:%=$(C5O)/uc_%.h5)
 C5_FAR_quick := PE=0.15 0.5PP=0.15 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
 C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
 c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
+# At full size chapter 3 has compressed two of them as far, and recorded their states.
+C5_OF_C3_thesis := PE PP
+C5_OF_C3 := $(C5_OF_C3_$(PROFILE):%=$(C5O)/uc_%.h5)
 C5_STATES := [0.04,0.08,0.12]
 C5_STATES_PP := [0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14]
 .PRECIOUS: $(C5O)/%.h5
-$(C5_UC): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(OUT)/profile
+$(C5_OF_C3): $(C5O)/uc_%.h5: $(C3O)/uc_%.h5
+	@mkdir -p $(@D)
+	@cat $< $(call whole,$@)
+$(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))

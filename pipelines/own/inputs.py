@@ -9,104 +9,45 @@ import argparse
 import dataclasses
 import math
 import pathlib
-import re
 import sys
 import tomllib
 
 import numpy
 from calibration.laboratory import Test, observed, pressure
+from own import fabric
+from own.keys import table_of, value_of
 from study import StudyError, Table
 from study.errors import suggestion
 from study.files import put
-from study.units import factor
 
-KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": float, "surcharge": "Pa", "settlement": float, "geotextile": (str, dict), "bag": dict,
+KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": float, "surcharge": "Pa", "settlement": "1", "geotextile": (str, dict), "bag": dict,
         "factors": dict, "test": list}
 OPTIONAL = ("factors", "packing_void_ratio")
 BAG = {"width": "m", "height": "m"}
 FACTORS = ("creep", "installation", "durability", "load", "soil")
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
-FABRIC = {"stiffness": "N/m", "strength": "N/m", "failure_strain": float}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
 # Strain up to which the yarns of these bags are whole: identification ends at the first broken one.
 WHOLE = 0.5
 # Exponent, constant and reference pressure of Toyoura's failure line (thesis Table 5.2), whose exponent a single test cannot give.
 M, EXPONENT = 1.35, 0.0723
-_WORDS = {dict: "table", list: "list of tables", bool: "true or false"}
-
-
-def _value(path, where, key, given, kind):
-    """Returns a value in its kind or unit. Raises StudyError with file, key and remedy."""
-    if isinstance(kind, str):
-        match = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\S+)\s*", given) if isinstance(given, str) else None
-        try:
-            number = float(match[1]) * factor(match[2], kind) if match else 0
-        except (StudyError, ValueError) as error:
-            raise StudyError(f"{path}: {where}{key}: {error}") from error
-        if not number > 0:
-            raise StudyError(f'{path}: {where}{key} = {given!r}: write a number above 0 with its unit, as "{"300 kPa" if kind == "Pa" else "50 kN/m" if kind == "N/m" else "400 mm"}"')
-        return number
-    if kind is float:
-        if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0:
-            raise StudyError(f"{path}: {where}{key} = {given!r}: write a number above 0")
-        return float(given)
-    if not isinstance(given, kind):
-        raise StudyError(f"{path}: {where}{key} = {given!r} is no {_WORDS.get(kind, 'text')}")
-    return given
-
-
-def _table(path, where, given, keys, optional=()):
-    """Returns the values of a table by key. Raises StudyError for an unknown or a missing one."""
-    for key in given:
-        if key not in keys:
-            raise StudyError(f"{path}: {where}{key} is unknown{suggestion(key, keys)}")
-    for key in keys:
-        if key not in given and key not in optional:
-            raise StudyError(f"{path}: {where}{key} is missing; pipelines/own/README.md tells all keys")
-    return {key: _value(path, where, key, value, keys[key]) for key, value in given.items()}
 
 
 @dataclasses.dataclass
 class Inputs:
-    """Content of own.toml, in SI units; paths count from its folder. fabric: stiffness, strength and failure strain by key."""
+    """Content of own.toml, in SI units; paths count from its folder."""
 
     path: pathlib.Path
     values: dict
     tests: list
     predictions: list
-    stiffness: float
-    fabric: dict
+    fabric: fabric.Fabric
 
     @property
     def reduction(self):
         """The product of the reduction factors of the geotextile's strength."""
         return math.prod(self.values["factors"].get(name, 1) for name in FACTORS[:3])
-
-
-def _fabric(path, given, catalogue):
-    """Returns the stiffness and the three properties of the geotextile. Raises StudyError for one that is unknown or contradictory."""
-    if isinstance(given, str):
-        known = {file.stem: file for file in sorted(pathlib.Path(catalogue).glob("*.toml"))}
-        if given not in known:
-            raise StudyError(f'{path}: geotextile = "{given}" is not in {catalogue}{suggestion(given, known)}; or write [geotextile] with '
-                             "stiffness, strength and failure_strain of its data sheet")
-        text = known[given].read_text(encoding="utf-8")
-        given = {key: value for key, value in tomllib.loads(text).items() if key in FABRIC}
-    values = _table(path, "geotextile.", given, FABRIC, ("stiffness",))
-    secant = values["strength"] / values["failure_strain"]
-    stiffness = values.get("stiffness", secant)
-    if values["failure_strain"] >= 1:
-        raise StudyError(f"{path}: geotextile.failure_strain = {given['failure_strain']}: write a fraction, as 0.15 for 15 %")
-    if not 0.2 < stiffness / secant < 5:
-        raise StudyError(f"{path}: geotextile.stiffness is {stiffness / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
-                         "they contradict each other; correct one of the three")
-    return stiffness, {"stiffness": stiffness, "strength": values["strength"], "failure_strain": values["failure_strain"]}
-
-
-def sheet(comment, name, stiffness, strength, failure_strain):
-    """Returns the text of a geotextile's file, in SI units."""
-    return f'# {comment}\nname = "{name}"\nstiffness = "{stiffness!r} N/m"\nstrength = "{strength!r} N/m"\nfailure_strain = {failure_strain!r}\n'
 
 
 def read(path, catalogue="data/geotextiles"):
@@ -118,9 +59,9 @@ def read(path, catalogue="data/geotextiles"):
         raise StudyError(f"{path}: cannot be read: {error.strerror}; begin with a copy of data/own/example/own.toml") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise StudyError(f"{path}: {error}") from error
-    values = _table(path, "", given, KEYS, OPTIONAL)
-    values["bag"] = _table(path, "bag.", values["bag"], BAG)
-    values["factors"] = _table(path, "factors.", values.get("factors", {}), dict.fromkeys(FACTORS, float), FACTORS)
+    values = table_of(path, "", given, KEYS, OPTIONAL)
+    values["bag"] = table_of(path, "bag.", values["bag"], BAG)
+    values["factors"] = table_of(path, "factors.", values.get("factors", {}), dict.fromkeys(FACTORS, float), FACTORS)
     for key, value in values["factors"].items():
         if value < 1:
             raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
@@ -138,7 +79,7 @@ def read(path, catalogue="data/geotextiles"):
         raise StudyError(f"{path}: [[test]] is missing: one drained triaxial test at least; pipelines/own/README.md tells its keys")
     tests, predictions = [], []
     for k, entry in enumerate(values["test"], start=1):
-        one = _table(path, f"test {k}: ", _value(path, "", f"test {k}", entry, dict), TEST, ("predict",))
+        one = table_of(path, f"test {k}: ", value_of(path, "", f"test {k}", entry, dict), TEST, ("predict",))
         if one["strains"] not in ("engineering", "natural"):
             raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
         test = Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], "")
@@ -146,7 +87,7 @@ def read(path, catalogue="data/geotextiles"):
         (predictions if one.get("predict") else tests).append(test)
     if not tests:
         raise StudyError(f"{path}: every test has predict = true: leave one to calibrate to without it")
-    return Inputs(path, values, tests, predictions, *_fabric(path, values["geotextile"], catalogue))
+    return Inputs(path, values, tests, predictions, fabric.read(path, values["geotextile"], catalogue))
 
 
 def failures(tests):
@@ -184,11 +125,12 @@ def write(own, out):
     rows, rising = failures(own.tests)
     _put_new(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
     for k, share in enumerate(STIFFNESSES, start=1):
-        j = share * own.stiffness
-        _put_new(out / f"geotextile_{k}.toml", sheet(f"A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.",
-                                                f"own_{k}", j, j * WHOLE, WHOLE) + f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
+        j = share * own.fabric.stiffness
+        _put_new(out / f"geotextile_{k}.toml", fabric.sheet(
+            f"A linear geotextile of {share:g} times the stiffness of own.toml's; whole up to {WHOLE:.0%}.", f"own_{k}", stiffness=j,
+            strength=j * WHOLE, failure_strain=WHOLE) + f"yarn_strain = [{WHOLE}]\nyarn_tension = [{j * WHOLE * YARN!r}]\n")
     v, factors = own.values, own.values["factors"]
-    _put_new(out / "geotextile.toml", sheet("The geotextile of own.toml.", "own", **own.fabric))
+    _put_new(out / "geotextile.toml", own.fabric.file())
     lines = {
         "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["packing_void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
@@ -199,7 +141,7 @@ def write(own, out):
         "REDUCED": " ".join([*(["--strength-fraction 1"] if own.reduction > 1 else []), *(
             f"--rf-{name} {factors[name]:g}" for name in FACTORS[:3] if name in factors)]),
         "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
-        "STIFFNESS": own.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
+        "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
 
 

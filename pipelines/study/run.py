@@ -340,7 +340,7 @@ class Study:
             "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening,
             "width": shown[0].width},
             ensure_ascii=False, indent=1) + "\n")
-        print(f"{self.name}: {score} (make report)")
+        print(f"{self.name}: {score} ({self.out}/page.html)")
 
     def _shown(self):
         """Returns the figures in the order of words.toml, those that it does not have after them as they were added."""

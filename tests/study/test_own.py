@@ -21,7 +21,7 @@ def example(tmp_path):
 
 def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     own = inputs.read(soil, CATALOGUE)
-    assert len(own.tests) == 2 and len(own.predictions) == 1 and own.stiffness == 232e3
+    assert len(own.tests) == 2 and len(own.predictions) == 1 and own.fabric.stiffness == 232e3
     assert own.reduction == pytest.approx(2.64)
     inputs.write(own, tmp_path / "out")
     made = (tmp_path / "out/inputs.mk").read_text()
@@ -44,6 +44,20 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     ('geotextile = "PP"', 'geotextile = "PQ"', 'geotextile = "PQ" is not in'),
     ('geotextile = "PP"', 'geotextile = {strength = "30 kN/m", failure_strain = 15}', "failure_strain = 15: write a fraction"),
     ('geotextile = "PP"', 'geotextile = {strength = "30 kN/m", failure_strain = 0.15, stiffness = "9 kN/m"}', "contradict each other"),
+    ('geotextile = "PP"', 'geotextile = "3PQ"', '"3PQ" is not in'),
+    ('geotextile = "PP"', 'geotextile = "PP@across"', "'across' is no direction"),
+    ('geotextile = "PP"', 'geotextile = "sheets.toml:A"', "sheets.toml: cannot be read"),
+    ('geotextile = "PP"', 'geotextile = {tension_at_2 = "9 kN/m", strength = "30 kN/m", failure_strain = "15 %", stiffness = "200 kN/m"}',
+     "geotextile.stiffness stands beside tension_at_2"),
+    ('geotextile = "PP"', 'geotextile = {tension_at_5 = "31 kN/m", strength = "30 kN/m", failure_strain = "15 %"}', "is not above tension_at_5"),
+    ('geotextile = "PP"', 'geotextile = {tension_at_5 = "9 kN/m", strength = "30 kN/m", failure_strain = "4 %"}', "but tension_at_5 is given"),
+    ('geotextile = "PP"', 'geotextile = {strength = "30 kN/m", machine = {strength = "30 kN/m", failure_strain = 0.1}}', "stands beside the tables"),
+    ('geotextile = "PP"', 'geotextile = {machine = {strength = "30 kN/m"}, cross = {strength = "30 kN/m", failure_strain = 0.1}}',
+     "geotextile.machine has no failure_strain"),
+    ('geotextile = "PP"', 'geotextile = {strength = "30 kN/m"}', "geotextile.failure_strain is missing"),
+    ('width = "400 mm"', 'width = "400"', "bag.width = '400': write a number above 0 with its unit, as \"400 mm\""),
+    ('width = "400 mm"', 'width = "400 kPa"', "bag.width: 'kPa' is a unit of"),
+    ('width = "400 mm"', 'widht = "400 mm"', "bag.widht is unknown; did you mean 'width'?"),
     ("creep = 2.0", "creep = 0.5", "factors.creep = 0.5: a factor is 1 or more"),
     ("creep = 2.0", "crep = 2.0", "factors.crep is unknown; did you mean 'creep'?"),
     ('"engineering"', '"enginering"', "test 1: strains = \"enginering\"; did you mean 'engineering'?"),
@@ -62,10 +76,30 @@ def test_what_is_wrong_is_one_line_with_file_and_key(soil, old, new, said):
 
 def test_a_data_sheet_without_stiffness_gives_a_secant_and_one_test_a_failure_line(soil):
     soil.write_text(soil.read_text().replace('"PP"', '{strength = "30 kN/m", failure_strain = 0.15}', 1))
-    assert inputs.read(soil, CATALOGUE).stiffness == pytest.approx(200e3)
+    assert inputs.read(soil, CATALOGUE).fabric.stiffness == pytest.approx(200e3)
+    assert 'stiffness = "200000.0 N/m"' in inputs.read(soil, CATALOGUE).fabric.file()
     option = inputs.failure_options([(100, 1.6526)], "failure.tsv")
     p_c = float(option.removeprefix("--set failure_line.p_c="))
     assert inputs.M * (300e3 / (3 - 1.6526) / p_c)**-inputs.EXPONENT == pytest.approx(1.6526, rel=1e-5)
+
+
+def test_a_geotextile_is_a_sheet_a_multiple_or_a_product(soil):
+    text = soil.read_text()
+
+    def read(given):
+        soil.write_text(text.replace('"PP"', given, 1))
+        return inputs.read(soil, CATALOGUE).fabric
+    assert read('"3PP"').stiffness == 3 * 232e3 and read('"0.5PP"').points["strength"] == 0.5 * 31754
+    sides = 'name = "A"\n{}machine = {{tension_at_5 = "20 kN/m", strength = "60 kN/m", failure_strain = "10 %"}}\n' \
+            'cross = {{tension_at_5 = "15 kN/m", strength = "70 kN/m", failure_strain = 0.12}}\n'
+    (soil.parent / "sheets.toml").write_text(f"[[product]]\n{sides.format('')}")
+    (soil.parent / "A.toml").write_text(sides.format(""))
+    lesser = {"tension_at_5": 15e3, "strength": 60e3, "failure_strain": 0.1}
+    assert read('"sheets.toml:A"').points == read('"A.toml"').points == pytest.approx(lesser)
+    machine = read('"sheets.toml:A@machine"')
+    assert machine.stiffness == pytest.approx(600e3) and machine.points["tension_at_5"] == pytest.approx(20e3)
+    # The solution refuses a stiffness beside the points of a curve.
+    assert "stiffness" not in machine.file() and 'tension_at_5 = "20000.0 N/m"' in machine.file()
 
 
 def test_draws_stand_for_the_weights(tmp_path):

@@ -257,7 +257,7 @@ def test_a_quick_run_is_shown_beside_the_kept_one_and_not_judged(tmp_path, capsy
     study.figure("stress", drawing(), "Stress rises.", measures=["peak"])
     study.write()
     assert capsys.readouterr().out == ("example: 1 of 1 published values within tolerance at full size; this run: quick profile, not judged; "
-                                       "its chain of tools works (1 of 1 checks) (make report)\n")
+                                       f"its chain of tools works (1 of 1 checks) ({tmp_path}/page.html)\n")
     page = (tmp_path / "page.html").read_text()
     assert "At full size 2.3\u00a0kPa, in this run 9.00\u00a0kPa." in page
     assert "2.3 kPa</b> at full size" in page and "quick run: 9 kPa" in page and 'class="unmet"' not in page

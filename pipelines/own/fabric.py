@@ -1,0 +1,131 @@
+"""The geotextile of own.toml: a name, a data sheet or a product of a catalogue, as the numbers that bags and the solution need.
+
+Keys, and the curve through a sheet's points, are those of gws-solve (lib/gws/data_sheet.h), which judges the file that is written here.
+"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import dataclasses
+import pathlib
+import re
+import tomllib
+
+from own.keys import table_of
+from study import StudyError
+from study.errors import suggestion
+
+POINTS = {"tension_at_2": "N/m", "tension_at_5": "N/m", "strength": "N/m", "failure_strain": "1"}
+STRAINS = {"tension_at_2": 0.02, "tension_at_5": 0.05}
+KEYS = {"stiffness": "N/m", **POINTS, "machine": dict, "cross": dict}
+# Keys of files of geotextiles that the solution does not need.
+ASIDE = ("name", "yarn_strain", "yarn_tension", "unloading_slope")
+DIRECTIONS = ("machine", "cross")
+
+
+@dataclasses.dataclass
+class Fabric:
+    """A geotextile: stiffness, the secant to failure where none is given (N/m), and the points of its sheet by key."""
+
+    stiffness: float
+    points: dict
+
+    def file(self):
+        """Returns the text of its file for gws-solve, which refuses a stiffness beside tensions at strains."""
+        return sheet("The geotextile of own.toml.", "own", **({"stiffness": self.stiffness} if not STRAINS.keys() & self.points else {}), **self.points)
+
+
+def sheet(comment, name, **values):
+    """Returns the text of a geotextile's file from values in SI units."""
+    lines = [f"{key} = {value!r}" if key == "failure_strain" else f'{key} = "{value!r} N/m"' for key, value in values.items()]
+    return "\n".join([f"# {comment}", f'name = "{name}"', *lines]) + "\n"
+
+
+def _lesser(path, machine, cross):
+    """Returns the lesser value of each point, as gws-solve does. Raises StudyError where one direction lacks a point."""
+    for key in POINTS:
+        if (key in machine) != (key in cross):
+            without, other = ("cross", "machine") if key in machine else ("machine", "cross")
+            raise StudyError(f"{path}: geotextile.{without} has no {key}, which geotextile.{other} has: give it, or leave out one direction")
+    return {key: min(machine[key], cross[key]) for key in POINTS if key in machine}
+
+
+def _points(path, given, direction):
+    """Returns the values of a table of a geotextile in one direction."""
+    values = table_of(path, "geotextile.", {key: value for key, value in given.items() if key not in ASIDE}, KEYS, KEYS)
+    sides = {side: table_of(path, f"geotextile.{side}.", values.pop(side), POINTS, POINTS) for side in DIRECTIONS if side in values}
+    if direction and direction not in sides:
+        raise StudyError(f"{path}: geotextile: it has no table {direction}: leave out @{direction}")
+    if sides and values:
+        raise StudyError(f"{path}: geotextile.{next(iter(values))} stands beside the tables of its directions: move it into them")
+    if direction:
+        return sides[direction]
+    return _lesser(path, *(sides[s] for s in DIRECTIONS)) if len(sides) == 2 else next(iter(sides.values()), values)
+
+
+def _judge(path, values):
+    """Raises StudyError for points of a sheet that are missing or contradict each other."""
+    for key in ("strength", "failure_strain"):
+        if key not in values:
+            raise StudyError(f"{path}: geotextile.{key} is missing; pipelines/own/README.md tells all keys")
+    if values["failure_strain"] >= 1:
+        raise StudyError(f"{path}: geotextile.failure_strain = {values['failure_strain']:g}: write a fraction, as 0.15 for 15 %")
+    at = [(STRAINS[key], values[key], key) for key in STRAINS if key in values] + [(values["failure_strain"], values["strength"], "strength")]
+    for (strain, tension, key), (next_strain, next_tension, next_key) in zip(at, at[1:], strict=False):
+        if next_strain <= strain:
+            raise StudyError(f"{path}: geotextile.failure_strain = {values['failure_strain']:g}, but {key} is given: correct it, or leave {key} out")
+        if next_tension <= tension:
+            raise StudyError(f"{path}: geotextile.{next_key} = {next_tension / 1e3:.4g} kN/m is not above {key} = {tension / 1e3:.4g} kN/m: "
+                             "correct one of them, or its unit")
+    if "stiffness" in values and len(at) > 1:
+        raise StudyError(f"{path}: geotextile.stiffness stands beside {at[0][2]}, which tells a stiffness too: leave one of them out")
+    secant = values["strength"] / values["failure_strain"]
+    if not 0.2 < values.get("stiffness", secant) / secant < 5:
+        raise StudyError(f"{path}: geotextile.stiffness is {values['stiffness'] / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
+                         "they contradict each other; correct one of the three")
+
+
+def _open(path, name):
+    """Returns the content of a TOML file beside own.toml, or of the catalogue of geotextiles."""
+    try:
+        return tomllib.loads(name.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise StudyError(f"{path}: geotextile: {name}: cannot be read: {error.strerror}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise StudyError(f"{path}: geotextile: {name}: {error}") from error
+
+
+def _named(path, word, catalogue):
+    """Returns the table that a word names, and by how much it is multiplied: NAME, 3NAME, FILE.toml or FILE.toml:PRODUCT."""
+    if ".toml" in word:
+        name, _, product = word.partition(".toml")
+        content = _open(path, path.parent / f"{name}.toml")
+        if not product:
+            return content, 1
+        products = {entry.get("name", ""): entry for entry in content.get("product", [])}
+        if product[1:] not in products:
+            raise StudyError(f"{path}: geotextile: {name}.toml has no [[product]] named {product[1:]}{suggestion(product[1:], products)}")
+        return products[product[1:]], 1
+    known = {entry.stem: entry for entry in sorted(pathlib.Path(catalogue).glob("*.toml"))}
+    layers, base = re.fullmatch(r"([0-9.]*)(.*)", word).groups()
+    if base not in known:
+        raise StudyError(f'{path}: geotextile = "{word}" is not in {catalogue}{suggestion(base, known)}; or write [geotextile] with strength and '
+                         "failure_strain of its data sheet")
+    try:
+        times = float(layers or 1)
+    except ValueError:
+        times = 0
+    if not 0 < times <= 1000:
+        raise StudyError(f'{path}: geotextile = "{word}": {layers} layers; write a number above 0 and at most 1000')
+    return _open(path, known[base]), times
+
+
+def read(path, given, catalogue):
+    """Returns the Fabric that own.toml gives: a table, or a word with @machine or @cross. Raises StudyError for what is wrong."""
+    layers, direction = 1, ""
+    if isinstance(given, str):
+        word, _, direction = given.partition("@")
+        if direction not in ("", *DIRECTIONS):
+            raise StudyError(f"{path}: geotextile: '{direction}' is no direction{suggestion(direction, DIRECTIONS)}; write @machine or @cross")
+        given, layers = _named(path, word, catalogue)
+    values = _points(path, given, direction)
+    _judge(path, values)
+    values = {key: value if key == "failure_strain" else layers * value for key, value in values.items()}
+    return Fabric(values.pop("stiffness", values["strength"] / values["failure_strain"]), values)
