@@ -25,7 +25,7 @@ VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz
 B := build$(addprefix /,$(VARIANT))
 
 # ---- Flags ----------------------------------------------------------------------------------------------------------
-# -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/lanes.h).
+# -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/simd/lanes.h).
 OPTIMISE_ := -O3 -DNDEBUG
 # Null pointers, overruns and wrong types show as address errors; a second check would double the compile time.
 OPTIMISE_sanitize := -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr,alignment \
@@ -70,8 +70,8 @@ remedy_clang++ := run: apt-get install clang libomp-dev
 
 # ---- Sources --------------------------------------------------------------------------------------------------------
 LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
-VTK_ONLY := lib/io/vtk.cpp lib/io/vtk_read.cpp
-MPI_ONLY := lib/fem/ranks_mpi.cpp
+VTK_ONLY := lib/display/vtk.cpp lib/files/exchange/triangles_vtk.cpp
+MPI_ONLY := lib/fem/model/ranks_mpi.cpp
 LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
 TOOL := $(sort $(wildcard tools/*.cpp))
 TOOL := $(if $(NO_VTK),$(filter-out tools/to-vtk.cpp,$(TOOL)),$(TOOL))
@@ -123,36 +123,38 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
 	@$(call compile,$(CPPFLAGS) -include $(PRECOMPILED) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(B)/obj/lib/analysis/tessellation.o $(B)/obj/lib/packing/surface.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
+$(call object,lib/analysis/measure/tessellation.cpp lib/packing/container/surface.cpp): private CXXFLAGS += -frounding-math \
+  $(if $(SANITIZE),-fno-sanitize=undefined)
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
 # GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds the sources.
 # A precompiled header would bring its own optimisation back.
-UNPACKED := $(call object,lib/fem/soil.cpp lib/fem/continuum_laws.cpp lib/io/display.cpp lib/analysis/strain.cpp lib/analysis/stress.cpp \
-  lib/packing/reinforced.cpp)
+UNPACKED := $(call object,lib/fem/model/soil.cpp lib/fem/material/continuum_laws.cpp lib/display/display.cpp \
+  lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp)
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
-HOT := $(call object,lib/dem/contact_sweep.cpp lib/dem/grain_motion.cpp lib/dem/motion.cpp lib/dem/contacts.cpp)
-# The loops over contacts and grains once more, eight at a time, for processors with AVX-512 (lib/dem/vector_width.cpp
-# chooses). What these objects share with others, inline functions, must stay their own: the linker would hand them to all.
-WIDE := contact_sweep grain_motion
-EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/lib/dem/%.avx512.o))
+HOT := $(call object,lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp \
+  lib/dem/contact/contacts.cpp)
+# The loops over contacts and grains once more, eight at a time, for processors with AVX-512; vector_width.cpp beside them
+# chooses. Inline functions of these objects must stay their own: the linker would hand them to all.
+WIDE := lib/dem/sweep/contact_sweep lib/dem/sweep/grain_motion
+EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/%.avx512.o))
 $(HOT) $(EIGHT): private CXXFLAGS += $(if $(CLANG),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
 # AVX-512 roots: GCC's headers leave a register unset on purpose (bug 105593).
 $(EIGHT): private CXXFLAGS += -Wno-uninitialized
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
-$(if $(EIGHT),$(call object,lib/dem/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
-$(B)/obj/lib/dem/%.avx512.o: lib/dem/%.cpp $(B)/flags
+$(if $(EIGHT),$(call object,lib/dem/sweep/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
+$(EIGHT): $(B)/obj/%.avx512.o: %.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (AVX-512)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) $(AVX512) -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@.all)
 	@ld -r --force-group-allocation $@.all -o $@.one
-	@objcopy --wildcard --keep-global-symbol='*$*_of_eight*' $@.one $@ && rm $@.all $@.one
+	@objcopy --wildcard --keep-global-symbol='*$(*F)_of_eight*' $@.one $@ && rm $@.all $@.one
 # Objects of eight lanes lowered to the baseline, so that tests can compare bits on any processor.
-LOWERED := $(WIDE:%=$(B)/obj/lib/dem/%.eight.o)
-$(LOWERED): $(B)/obj/lib/dem/%.eight.o: lib/dem/%.cpp $(B)/flags
+LOWERED := $(WIDE:%=$(B)/obj/%.eight.o)
+$(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
@@ -187,8 +189,8 @@ $(B)/bin/plot: tools/plot
 
 # A weak symbol does not make the linker take a member of the archive.
 VTK_TOOLS := $(if $(NO_VTK),,to-vtk filter-expand)
-$(B)/bin/to-vtk: $(call object,lib/io/vtk.cpp)
-$(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/io/vtk_read.cpp))
+$(B)/bin/to-vtk: $(call object,lib/display/vtk.cpp)
+$(if $(NO_VTK),,$(B)/bin/filter-expand: $(call object,lib/files/exchange/triangles_vtk.cpp))
 $(VTK_TOOLS:%=$(B)/bin/%): LDLIBS += -Wl,--as-needed $(VTK_LIBS)
 
 # Linked before the archive, so that its ranks replace those of the single process.
@@ -347,7 +349,7 @@ fuzz: $(TOOLS) hostile ## every reader under libFuzzer, FUZZ_TIME=600 s each (ne
 	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
 
 .PHONY: golden
-golden: $(B)/tests/unit ## print the tables of lib/io/FORMAT.md anew from the schema; review them with git diff
+golden: $(B)/tests/unit ## print the tables of lib/files/FORMAT.md anew from the schema; review them with git diff
 	@SOILWEAVE_GOLDEN=write $< --gtest_brief=1 --gtest_filter=Schema.is_what_the_page_says
 
 .PHONY: bench
@@ -387,12 +389,13 @@ format-check:
 	@$(if $(CLANG_FORMAT),$(CLANG_FORMAT) --dry-run --Werror $(SOURCES) $(HEADERS) && echo "== format: clean",\
 	  $(call skip,format,layout of the sources,clang-format $(LAYOUT) decides it$(comma) and is not installed))
 
-# clang-tidy reads the sources of a folder as one, because most of its time goes into headers, and leaves a stamp per
-# folder.
+# clang-tidy reads the sources of a folder and its rooms as one, because most of its time goes into headers, and leaves a
+# stamp per folder.
 # It runs without OpenMP, because neither clang-tidy nor all versions of the compiler have an omp.h that it reads.
 TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -Wall -Wextra -Wpedantic -Wno-unknown-pragmas -Wno-unknown-warning-option $(CLANG_ONLY)
 TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL)
-TIDY := $(patsubst %/,build/lint/%.tidy,$(sort $(dir $(TIDY_SOURCES))))
+tidied_with = build/lint/$(if $(filter lib/%,$(1)),lib/$(word 2,$(subst /, ,$(1))),tools).tidy
+TIDY := $(sort $(foreach f,$(TIDY_SOURCES),$(call tidied_with,$(f))))
 build/lint/%.tidy: .clang-tidy
 	@mkdir -p $(@D)
 	@echo '  tidy  $*'
@@ -400,7 +403,7 @@ build/lint/%.tidy: .clang-tidy
 	  printf '#define main %s_main\n#include "%s"\n#undef main\n' "$${n//-/_}" "$$f"; done > build/lint/$*.cpp
 	@clang-tidy --quiet build/lint/$*.cpp -- -I. $(CPPFLAGS) $(VTK_CPPFLAGS) $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
 	@$(CXX) -std=c++20 -march=x86-64-v3 -fopenmp -I. $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
-$(foreach f,$(TIDY_SOURCES),$(eval $(patsubst %/,build/lint/%.tidy,$(dir $(f))): $(f)))
+$(foreach f,$(TIDY_SOURCES),$(eval $(call tidied_with,$(f)): $(f)))
 -include $(addsuffix .d,$(TIDY))
 
 .PHONY: lint
@@ -409,7 +412,7 @@ lint: $(TIDY) build/lint/shellcheck warnings ## clang-tidy, shellcheck, warnings
 
 # Each header as the only one of a source. columns8.h and lanes8.h are halves of the headers that include them.
 # No check runs it: it takes some minutes on two cores, and most mistakes of this kind stop a source from compiling.
-ALONE := $(patsubst %,$(B)/headers/%.alone,$(filter-out lib/core/columns8.h lib/core/lanes8.h,$(HEADERS)))
+ALONE := $(patsubst %,$(B)/headers/%.alone,$(filter-out lib/core/simd/columns8.h lib/core/simd/lanes8.h,$(HEADERS)))
 .PHONY: headers
 headers: $(ALONE) ## compile each header of the library and the tests alone (minutes)
 	@echo "== headers: clean"

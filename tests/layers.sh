@@ -11,19 +11,38 @@ fault() {
   faults=$((faults + 1))
 }
 
-# Folders from the lowest up. Each may include itself and those before it.
-layers=(core io dem analysis packing calibration gws fem)
-allowed=""
-for layer in "${layers[@]}"; do
-  allowed+="${allowed:+|}$layer"
-  [[ -d lib/$layer ]] || continue
-  while IFS= read -r line; do
-    fault "$line: lib/$layer may include only $allowed"
-  done < <(grep -rnE '^#include "' "lib/$layer" | grep -vE "#include \"($allowed)/")
-done
-for folder in lib/*/; do
-  [[ " ${layers[*]} " == *" $(basename "$folder") "* ]] || fault "$folder: not a layer; add it to tests/layers.sh"
-done
+# Rooms from the lowest up. Each may include itself, the folders within it that are no rooms (dem/contact/laws), and the
+# rooms before it.
+rooms=(
+  core core/simd core/text core/cli
+  store files files/exchange display
+  dem/state dem/contact dem/sweep dem/engine dem/loading dem/run
+  analysis/measure analysis/tables
+  packing/generate packing/container packing/expand
+  calibration
+  gws/solution gws/identification gws/design gws/output
+  fem/mesh fem/material fem/model fem/run
+)
+largest=2500 # lines of sources and headers in one room
+room_of='
+  # Returns the room of a path within lib: the longest one that it begins with; 0 if none.
+  function room_of(path) { while (sub(/\/[^\/]*$/, "", path)) if (path in rank) return path; return 0 }
+  BEGIN { count = split(rooms, room, " "); for (r = 1; r <= count; ++r) rank[room[r]] = r }'
+while IFS= read -r line; do fault "$line"; done < <(
+  grep -rnE '^#include "' lib --include='*.cpp' --include='*.h' | sed 's,^lib/,,' | awk -F '[:"]' -v rooms="${rooms[*]}" "$room_of"'
+    { from = room_of($1); to = room_of($4) }
+    from && to == 0 { printf "lib/%s:%s: includes \"%s\", which lies in no room\n", $1, $2, $4 }
+    from && to && rank[to] > rank[from] {
+      printf "lib/%s:%s: includes \"%s\", but %s stands above %s: move the declaration down, or this file up\n", $1, $2, $4, to, from
+    }')
+while IFS= read -r line; do fault "$line"; done < <(
+  find lib \( -name '*.cpp' -o -name '*.h' \) -exec grep -c '' {} + | sed 's,^lib/,,' |
+    awk -F : -v rooms="${rooms[*]}" -v largest="$largest" "$room_of"'
+    !room_of($1) { printf "lib/%s: lies in no room; list its folder in tests/layers.sh\n", $1 }
+    { lines[room_of($1)] += $2 }
+    END { for (r = 1; r <= count; ++r) {
+      if (!lines[room[r]]) printf "lib/%s: a room without sources; tests/layers.sh lists it\n", room[r]
+      if (lines[room[r]] > largest) printf "lib/%s: %d lines in one room; at most %d\n", room[r], lines[room[r]], largest } }')
 
 # only PATTERN FOLDERS FILES: demands that only these files in the folders include the pattern.
 only() {
@@ -33,14 +52,14 @@ only() {
     [[ " $files " == *" ${line%%:*} "* ]] || fault "$line: only ${files:-the library} may include this"
   done < <(grep -rnE "^ *#include [<\"]$pattern" "${folders[@]}" --include='*.cpp' --include='*.h' 2>/dev/null)
 }
-only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/io/hdf5_id.h'
-only 'io/hdf5_' 'lib tools' \
-  'lib/io/hdf5_memory.h lib/io/hdf5_memory.cpp lib/io/hdf5_guard.h lib/io/hdf5_guard.cpp lib/io/store_read.cpp lib/io/store_write.cpp'
-only 'CGAL/' 'lib tools' 'lib/analysis/tessellation.cpp lib/packing/surface.cpp'
-only 'vtk' 'lib tools' 'lib/io/vtk.cpp lib/io/vtk_read.cpp'
-only 'mpi' 'lib tools' 'lib/fem/ranks_mpi.cpp'
-only 'CLI/' 'lib tools' 'lib/core/tool_parse.cpp'
-only 'toml' 'lib tools' 'lib/core/settings.cpp'
+only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/store/hdf5_id.h'
+only 'store/hdf5_' 'lib tools' \
+  'lib/store/hdf5_memory.h lib/store/hdf5_memory.cpp lib/store/hdf5_guard.h lib/store/hdf5_guard.cpp lib/store/store_read.cpp lib/store/store_write.cpp'
+only 'CGAL/' 'lib tools' 'lib/analysis/measure/tessellation.cpp lib/packing/container/surface.cpp'
+only 'vtk' 'lib tools' 'lib/display/vtk.cpp lib/files/exchange/triangles_vtk.cpp'
+only 'mpi' 'lib tools' 'lib/fem/model/ranks_mpi.cpp'
+only 'CLI/' 'lib tools' 'lib/core/cli/tool_parse.cpp'
+only 'toml' 'lib tools' 'lib/core/text/settings.cpp'
 only '(Eigen/|unsupported/)' 'tools' ''
 
 # limit LINES FILE...: demands that no file is longer.
@@ -92,11 +111,11 @@ while IFS= read -r line; do
 done < <(grep -rnwE 'T[O]DO|F[I]XME|X[X]X|H[A]CK|N[O]LINT' lib tools tests pipelines Makefile .ci 2>/dev/null \
   | grep -v '^Binary')
 
-# The library neither ends the process nor writes to standard error; core/tool and core/terminal do.
+# The library neither ends the process nor writes to standard error; core/cli/tool and core/terminal do.
 while IFS= read -r line; do
   fault "$line: throw an error of core/error.h instead"
 done < <(grep -rnE 'std::cerr|std::exit|[^_a-z.]exit\(|std::abort|stderr' lib --include='*.cpp' --include='*.h' \
-  | grep -vE '^lib/core/tool\.cpp:')
+  | grep -vE '^lib/core/cli/tool\.cpp:')
 
 if ((faults > 0)); then
   echo "tests/layers.sh: $faults faults" >&2

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/bag.h"
-#include "analysis/tables.h"
+#include "analysis/tables/bag.h"
+#include "analysis/tables/tables.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
-#include "core/tool.h"
-#include "io/files.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
+#include "files/files.h"
 
 namespace {
 

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "analysis/tables.h"
+#include "analysis/tables/tables.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
-#include "core/number_word.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
-#include "core/tool.h"
-#include "fem/record.h"
-#include "fem/run.h"
-#include "fem/tables.h"
-#include "io/bytes.h"
-#include "io/files.h"
-#include "io/safe_output.h"
-#include "io/table.h"
+#include "core/text/number_word.h"
+#include "fem/run/record.h"
+#include "fem/run/run.h"
+#include "fem/run/tables.h"
+#include "files/exchange/table.h"
+#include "files/files.h"
+#include "files/safe_output.h"
+#include "store/bytes.h"
 
 namespace {
 

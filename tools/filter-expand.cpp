@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "analysis/doubts.h"
-#include "analysis/volume_of_interest.h"
+#include "analysis/measure/volume_of_interest.h"
+#include "analysis/tables/doubts.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
-#include "core/tool.h"
-#include "dem/described.h"
-#include "io/bytes.h"
-#include "io/files.h"
-#include "io/safe_output.h"
-#include "io/table.h"
-#include "packing/expand.h"
-#include "packing/plan.h"
-#include "packing/surround_compaction.h"
+#include "dem/engine/described.h"
+#include "files/exchange/table.h"
+#include "files/files.h"
+#include "files/safe_output.h"
+#include "packing/expand/expand.h"
+#include "packing/expand/plan.h"
+#include "packing/expand/surround_compaction.h"
+#include "store/bytes.h"
 
 namespace {
 

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "core/cli/tool.h"
 #include "core/error.h"
-#include "core/tool.h"
-#include "gws/doubts.h"
-#include "gws/options.h"
-#include "gws/output.h"
-#include "gws/report.h"
-#include "gws/secant.h"
-#include "gws/series_options.h"
-#include "gws/tables.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
+#include "gws/output/options.h"
+#include "gws/output/output.h"
+#include "gws/output/report.h"
+#include "gws/output/series_options.h"
+#include "gws/output/tables.h"
+#include "gws/solution/doubts.h"
+#include "gws/solution/secant.h"
 
 namespace {
 

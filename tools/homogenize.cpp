@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/bag.h"
-#include "analysis/tables.h"
+#include "analysis/tables/bag.h"
+#include "analysis/tables/tables.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
-#include "core/tool.h"
-#include "io/files.h"
-#include "io/table.h"
-#include "packing/run_tables.h"
+#include "files/exchange/table.h"
+#include "files/files.h"
+#include "packing/expand/run_tables.h"
 
 namespace {
 
@@ -31,7 +31,7 @@ struct Tables {
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
-  std::vector<Group> of_run;  // packing/run_tables.h
+  std::vector<Group> of_run;  // packing/expand/run_tables.h
 
   std::vector<Group*> all() {
     std::vector<Group*> groups = {&cell, &volumes, &grains, &bag, &yarns, &broken, &series};

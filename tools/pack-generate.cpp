@@ -4,20 +4,20 @@
 #include <optional>
 #include <string>
 
+#include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
-#include "core/tool.h"
-#include "dem/scenario.h"
-#include "io/files.h"
-#include "io/safe_output.h"
-#include "io/spheres_text.h"
-#include "packing/cloud.h"
-#include "packing/doubtful.h"
-#include "packing/generate.h"
-#include "packing/grading.h"
-#include "packing/spatial_order.h"
-#include "packing/standard.h"
+#include "dem/run/scenario.h"
+#include "files/exchange/spheres_text.h"
+#include "files/files.h"
+#include "files/safe_output.h"
+#include "packing/generate/cloud.h"
+#include "packing/generate/doubtful.h"
+#include "packing/generate/generate.h"
+#include "packing/generate/grading.h"
+#include "packing/generate/spatial_order.h"
+#include "packing/generate/standard.h"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include "calibration/options.h"
 #include "calibration/proposal.h"
 #include "calibration/sampling.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
-#include "core/tool.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
 
 namespace {
 

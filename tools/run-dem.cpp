@@ -3,17 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "analysis/bag.h"
-#include "analysis/doubts.h"
+#include "analysis/tables/bag.h"
+#include "analysis/tables/doubts.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
-#include "core/tool.h"
-#include "dem/forecast.h"
-#include "dem/run.h"
-#include "io/bytes.h"
-#include "io/files.h"
-#include "io/safe_output.h"
+#include "dem/run/forecast.h"
+#include "dem/run/run.h"
+#include "files/files.h"
+#include "files/safe_output.h"
+#include "store/bytes.h"
 
 namespace {
 

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "analysis/parts.h"
-#include "analysis/stress.h"
+#include "analysis/measure/parts.h"
+#include "analysis/measure/stress.h"
+#include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
-#include "core/tool.h"
-#include "io/bytes.h"
-#include "io/display.h"
-#include "io/display_multiscale.h"
-#include "io/display_table.h"
-#include "io/files.h"
-#include "io/paraview.h"
-#include "io/provenance.h"
-#include "io/spheres_text.h"
+#include "display/display.h"
+#include "display/display_multiscale.h"
+#include "display/display_table.h"
+#include "display/paraview.h"
+#include "files/exchange/spheres_text.h"
+#include "files/files.h"
+#include "files/provenance.h"
+#include "store/bytes.h"
 
 namespace soilweave {
 namespace {

@@ -10,7 +10,7 @@
 #include "calibration/ensemble.h"
 #include "calibration/observations.h"
 #include "calibration/particle_filter.h"
-#include "io/files.h"
+#include "files/files.h"
 
 namespace soilweave::calibration {
 

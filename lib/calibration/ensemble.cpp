@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/text.h"
-#include "io/bytes.h"
-#include "io/table.h"
+#include "core/text/text.h"
+#include "files/exchange/table.h"
+#include "store/bytes.h"
 
 namespace soilweave::calibration {
 namespace {

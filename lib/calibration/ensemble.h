@@ -9,7 +9,7 @@
 
 #include "calibration/prior.h"
 #include "calibration/rounds.h"
-#include "io/files.h"
+#include "files/files.h"
 
 namespace soilweave::calibration {
 

@@ -9,9 +9,9 @@
 #include <map>
 
 #include "core/error.h"
-#include "core/units.h"
-#include "io/provenance.h"
-#include "io/table.h"
+#include "core/text/units.h"
+#include "files/exchange/table.h"
+#include "files/provenance.h"
 
 namespace soilweave::calibration {
 namespace {

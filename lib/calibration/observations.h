@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "calibration/prior.h"
-#include "io/files.h"
+#include "files/files.h"
 
 namespace soilweave::calibration {
 

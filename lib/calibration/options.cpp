@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
 
 namespace soilweave::calibration {
 namespace {

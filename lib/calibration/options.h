@@ -9,8 +9,8 @@
 
 #include "calibration/observations.h"
 #include "calibration/particle_filter.h"
-#include "core/tool.h"
-#include "io/files.h"
+#include "core/cli/tool.h"
+#include "files/files.h"
 
 namespace soilweave::calibration {
 

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/text.h"
-#include "core/units.h"
+#include "core/text/text.h"
+#include "core/text/units.h"
 
 namespace soilweave::calibration {
 namespace {

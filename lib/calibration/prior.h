@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/settings.h"
+#include "core/text/settings.h"
 
 namespace soilweave::calibration {
 

@@ -4,8 +4,8 @@
 
 #include "calibration/assimilation.h"
 #include "calibration/sampling.h"
-#include "dem/run.h"
-#include "dem/scenario.h"
+#include "dem/run/run.h"
+#include "dem/run/scenario.h"
 #include "support/assemblies.h"
 
 namespace soilweave::calibration {

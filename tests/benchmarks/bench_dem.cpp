@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "dem/scenario.h"
-#include "packing/tile.h"
+#include "dem/run/scenario.h"
+#include "packing/expand/tile.h"
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <vector>
 
-#include "dem/scenario.h"
-#include "dem/simulation.h"
-#include "packing/tile.h"
+#include "dem/engine/simulation.h"
+#include "dem/run/scenario.h"
+#include "packing/expand/tile.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {

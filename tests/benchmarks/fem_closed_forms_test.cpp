@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "fem/model.h"
+#include "fem/model/model.h"
 
 namespace soilweave::fem {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/error.h"
-#include "gws/respond.h"
+#include "gws/solution/respond.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "gws/bag_runs.h"
-#include "gws/identify.h"
-#include "gws/respond.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
+#include "gws/identification/bag_runs.h"
+#include "gws/identification/identify.h"
+#include "gws/solution/respond.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

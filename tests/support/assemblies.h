@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dem/control.h"
-#include "packing/cloud.h"
-#include "packing/generate.h"
-#include "packing/grading.h"
+#include "dem/loading/control.h"
+#include "packing/generate/cloud.h"
+#include "packing/generate/generate.h"
+#include "packing/generate/grading.h"
 
 namespace soilweave::testing {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "io/records.h"
+#include "files/records.h"
 
 namespace soilweave::analysis::test {
 

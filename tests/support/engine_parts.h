@@ -5,8 +5,8 @@
 #include <cstring>
 #include <memory>
 
-#include "dem/neighbours.h"
-#include "dem/step_passes.h"
+#include "dem/engine/step_passes.h"
+#include "dem/sweep/neighbours.h"
 
 namespace soilweave::testing {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gws/respond.h"
+#include "gws/solution/respond.h"
 #include "support/reference.h"
 
 namespace soilweave::test {

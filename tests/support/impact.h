@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dem/simulation.h"
+#include "dem/engine/simulation.h"
 
 namespace soilweave::dem::test {
 

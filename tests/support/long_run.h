@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "dem/simulation.h"
+#include "dem/engine/simulation.h"
 #include "support/assemblies.h"
 #include "support/worse.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dem/contact_kinematics.h"
-#include "dem/laws.h"
-#include "dem/transport.h"
+#include "dem/contact/contact_kinematics.h"
+#include "dem/contact/laws.h"
+#include "dem/contact/transport.h"
 
 namespace soilweave::dem::test {
 

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "io/files.h"
+#include "files/files.h"
 
 namespace soilweave::io::test {
 

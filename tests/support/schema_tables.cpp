@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "io/schema.h"
+#include "store/schema.h"
 
 namespace soilweave::io::test {
 namespace {

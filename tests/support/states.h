@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-#include "io/files.h"
+#include "files/files.h"
 
 namespace soilweave::io::test {
 

@@ -1,4 +1,4 @@
-# Writes small files with plain h5py, as lib/io/FORMAT.md specifies them: inputs for to-vtk that no tool of ours made.
+# Writes small files with plain h5py, as lib/files/FORMAT.md specifies them: inputs for to-vtk that no tool of ours made.
 # SPDX-License-Identifier: GPL-3.0-or-later
 """usage: vtk_states.py sheared|disks|box|bare|fields|one-step OUT.h5"""
 import sys

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/bag.h"
-#include "analysis/interface.h"
-#include "analysis/loading.h"
+#include "analysis/tables/bag.h"
+#include "analysis/tables/interface.h"
+#include "analysis/tables/loading.h"
 #include "core/error.h"
-#include "core/text.h"
-#include "gws/bag_runs.h"
-#include "packing/geotextile.h"
-#include "packing/loaded_bag.h"
+#include "core/text/text.h"
+#include "gws/identification/bag_runs.h"
+#include "packing/container/geotextile.h"
+#include "packing/expand/loaded_bag.h"
 #include "support/states.h"
 
 namespace soilweave {
@@ -270,7 +270,7 @@ TEST(Interface, IsWhatTheWallsPushAlongTheirWayUnderTheLid) {
 }
 
 TEST(BagLoading, IsListedColumnByColumnOnThePage) {
-  const std::string page = io::test::bytes_of("lib/io/FORMAT.md");
+  const std::string page = io::test::bytes_of("lib/files/FORMAT.md");
   if (page.empty()) GTEST_SKIP() << "not run in the root of the source tree";
   const std::size_t begin = page.find("## A bag between plates"), end = page.find("## Text", begin);
   ASSERT_TRUE(begin != std::string::npos);

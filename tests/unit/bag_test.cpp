@@ -11,9 +11,9 @@
 #include <random>
 
 #include "core/error.h"
-#include "dem/simulation.h"
-#include "packing/plan.h"
-#include "packing/tile.h"
+#include "dem/engine/simulation.h"
+#include "packing/expand/plan.h"
+#include "packing/expand/tile.h"
 #include "support/assemblies.h"
 #include "support/assembly.h"
 #include "support/bags.h"

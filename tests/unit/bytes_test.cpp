@@ -1,6 +1,6 @@
 // Written files: links, permissions, leftovers of earlier attempts, limits.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/bytes.h"
+#include "store/bytes.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 #include "core/error.h"
 #include "core/output_path.h"
-#include "io/temporary.h"
+#include "store/temporary.h"
 #include "support/same_state.h"
 #include "support/states.h"
 

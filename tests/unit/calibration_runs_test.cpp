@@ -7,7 +7,7 @@
 #include "calibration/assimilation.h"
 #include "calibration/sampling.h"
 #include "core/error.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
 #include "support/same_state.h"
 #include "support/states.h"
 

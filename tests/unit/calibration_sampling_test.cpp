@@ -8,7 +8,7 @@
 #include "calibration/ensemble.h"
 #include "calibration/sampling.h"
 #include "core/error.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
 #include "support/calibration_reference.h"
 #include "support/reference.h"
 

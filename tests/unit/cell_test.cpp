@@ -1,13 +1,13 @@
 // Order and dimension: gradients and spins do not commute, and the thickness of a cell of disks has no effect.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/cell.h"
+#include "dem/state/cell.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "analysis/stress.h"
-#include "dem/simulation.h"
+#include "analysis/measure/stress.h"
+#include "dem/engine/simulation.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
 

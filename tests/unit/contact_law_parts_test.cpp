@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "dem/laws.h"
+#include "dem/contact/laws.h"
 
 namespace soilweave::dem {
 namespace {

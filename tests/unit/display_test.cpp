@@ -1,6 +1,6 @@
 // Pictures of to-vtk: wrapping, contacts through periodic faces, grain stress, cell and planes, tables as points.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/display.h"
+#include "display/display.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/stress.h"
+#include "analysis/measure/stress.h"
 #include "core/error.h"
-#include "io/display_multiscale.h"
-#include "io/display_table.h"
+#include "display/display_multiscale.h"
+#include "display/display_table.h"
 
 namespace soilweave::io {
 namespace {

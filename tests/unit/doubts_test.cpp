@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/doubts.h"
-#include "dem/price.h"
-#include "gws/doubts.h"
-#include "io/files.h"
+#include "analysis/tables/doubts.h"
+#include "dem/run/price.h"
+#include "files/files.h"
+#include "gws/solution/doubts.h"
 #include "support/assembly.h"
 #include "support/states.h"
 

@@ -1,13 +1,13 @@
 // Fabric of ensembles drawn from known distributions, coordination of lattices and chains, roses, force chains.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/fabric.h"
+#include "analysis/measure/fabric.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "analysis/bag.h"
-#include "analysis/stress.h"
+#include "analysis/measure/stress.h"
+#include "analysis/tables/bag.h"
 #include "support/assembly.h"
 
 namespace soilweave::analysis {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "fem/bars.h"
+#include "fem/model/bars.h"
 #include "support/same_state.h"
 
 namespace soilweave::fem {

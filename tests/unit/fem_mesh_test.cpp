@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "fem/mesh.h"
+#include "fem/mesh/mesh.h"
 #include "support/reference.h"
 #include "support/same_state.h"
 

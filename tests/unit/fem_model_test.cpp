@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "dem/run.h"
-#include "fem/model.h"
-#include "fem/record.h"
+#include "dem/run/run.h"
+#include "fem/model/model.h"
+#include "fem/run/record.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
 #include "support/states.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "fem/continuum_laws.h"
-#include "fem/soil.h"
+#include "fem/material/continuum_laws.h"
+#include "fem/model/soil.h"
 #include "support/same_state.h"
 #include "support/states.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "fem/tables.h"
+#include "fem/run/tables.h"
 
 namespace soilweave::fem {
 namespace {

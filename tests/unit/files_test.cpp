@@ -1,6 +1,6 @@
 // Packings, runs and fields come back bit by bit, and every fault of a file is reported in one line.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/files.h"
+#include "files/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/error.h"
-#include "io/store.h"
+#include "store/store.h"
 #include "support/same_state.h"
 #include "support/states.h"
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <numbers>
 
-#include "packing/chart.h"
-#include "packing/cushion.h"
-#include "packing/plan.h"
+#include "packing/container/chart.h"
+#include "packing/container/cushion.h"
+#include "packing/expand/plan.h"
 #include "support/assemblies.h"
 #include "support/bags.h"
 

@@ -1,6 +1,6 @@
 // Global heaps of HDF5 files: objects that overrun their place are found before HDF5 copies them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/global_heap.h"
+#include "store/global_heap.h"
 
 #include <gtest/gtest.h>
 

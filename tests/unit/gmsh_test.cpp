@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/error.h"
-#include "fem/mesh.h"
-#include "fem/scenario.h"
+#include "fem/mesh/mesh.h"
+#include "fem/run/scenario.h"
 #include "support/same_state.h"
 
 namespace soilweave::fem {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "dem/forecast.h"
-#include "dem/run.h"
+#include "dem/run/forecast.h"
+#include "dem/run/run.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
 

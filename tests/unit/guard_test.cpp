@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/error.h"
-#include "dem/control.h"
-#include "dem/simulation.h"
+#include "dem/engine/simulation.h"
+#include "dem/loading/control.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
 

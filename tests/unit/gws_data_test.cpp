@@ -6,8 +6,8 @@
 
 #include "core/data.h"
 #include "core/error.h"
-#include "gws/geotextile.h"
-#include "gws/options.h"
+#include "gws/output/options.h"
+#include "gws/solution/geotextile.h"
 
 namespace soilweave::gws {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "gws/design.h"
-#include "gws/sensitivity.h"
+#include "gws/design/design.h"
+#include "gws/design/sensitivity.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

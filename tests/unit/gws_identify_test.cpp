@@ -9,12 +9,12 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "gws/identify.h"
-#include "gws/options.h"
-#include "gws/respond.h"
-#include "gws/tables.h"
-#include "io/files.h"
-#include "io/table.h"
+#include "files/exchange/table.h"
+#include "files/files.h"
+#include "gws/identification/identify.h"
+#include "gws/output/options.h"
+#include "gws/output/tables.h"
+#include "gws/solution/respond.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "gws/model.h"
-#include "gws/path.h"
-#include "gws/respond.h"
+#include "gws/solution/model.h"
+#include "gws/solution/path.h"
+#include "gws/solution/respond.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

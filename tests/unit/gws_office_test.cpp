@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "gws/data_sheet.h"
-#include "gws/design.h"
-#include "gws/estimate.h"
-#include "gws/factors.h"
-#include "gws/matsuoka_liu.h"
-#include "gws/secant.h"
+#include "gws/design/design.h"
+#include "gws/design/factors.h"
+#include "gws/solution/data_sheet.h"
+#include "gws/solution/estimate.h"
+#include "gws/solution/matsuoka_liu.h"
+#include "gws/solution/secant.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

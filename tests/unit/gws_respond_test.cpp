@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "gws/respond.h"
+#include "gws/solution/respond.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {

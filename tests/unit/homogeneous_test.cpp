@@ -1,6 +1,6 @@
 // The homogeneous field of velocity: recovered as added, without momentum, in the ledger, and in a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/homogeneous.h"
+#include "dem/engine/homogeneous.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <numeric>
 #include <random>
 
-#include "dem/mass_scaling.h"
-#include "dem/prepare.h"
-#include "dem/rig.h"
-#include "dem/run.h"
-#include "dem/way.h"
+#include "dem/engine/mass_scaling.h"
+#include "dem/loading/rig.h"
+#include "dem/run/prepare.h"
+#include "dem/run/run.h"
+#include "dem/run/way.h"
 #include "support/assemblies.h"
 #include "support/assembly.h"
 #include "support/same_state.h"

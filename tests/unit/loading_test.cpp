@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "dem/run.h"
+#include "dem/run/run.h"
 #include "support/assemblies.h"
 #include "support/worse.h"
 

@@ -1,12 +1,12 @@
 // One step of a few grains against closed forms: their new positions, the lost energy, and the length of the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/motion.h"
+#include "dem/engine/motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dem/pair_geometry.h"
+#include "dem/contact/pair_geometry.h"
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
 #include "support/impact.h"

@@ -1,6 +1,6 @@
 // No touching pair is missing in the lists, however grains, cell and planes move, and lists last.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/neighbours.h"
+#include "dem/sweep/neighbours.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "dem/motion.h"
-#include "dem/pair_search.h"
+#include "dem/engine/motion.h"
+#include "dem/sweep/pair_search.h"
 #include "support/assemblies.h"
 #include "support/distance.h"
 

@@ -1,6 +1,6 @@
 // The loading speed: found from the response of the grains, and never above the prescribed speed.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/pace.h"
+#include "dem/loading/pace.h"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "core/error.h"
-#include "dem/bodies.h"
-#include "dem/step_bound.h"
-#include "packing/ahead.h"
-#include "packing/doubtful.h"
+#include "dem/state/bodies.h"
+#include "dem/sweep/step_bound.h"
+#include "packing/generate/ahead.h"
+#include "packing/generate/doubtful.h"
 #include "support/assemblies.h"
 
 namespace soilweave::packing {

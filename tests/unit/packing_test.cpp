@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "dem/bodies.h"
-#include "packing/spatial_order.h"
+#include "dem/state/bodies.h"
+#include "packing/generate/spatial_order.h"
 #include "support/assemblies.h"
 #include "support/distance.h"
 #include "support/reference.h"

@@ -1,6 +1,6 @@
 // Files as lines of text, and bytes that are no text.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/plain_text.h"
+#include "core/text/plain_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Digests against published vectors; merged histories with every record once.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/provenance.h"
+#include "files/provenance.h"
 
 #include <gtest/gtest.h>
 

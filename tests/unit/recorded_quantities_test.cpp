@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "dem/guard.h"
-#include "dem/price.h"
-#include "dem/record.h"
+#include "dem/engine/guard.h"
+#include "dem/run/price.h"
+#include "dem/run/record.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
 

@@ -1,19 +1,19 @@
 // Reinforced soil within fill: a periodic lattice of soil, the nodes around it and the fill around them gives every
 // number in closed form.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/reinforced.h"
+#include "analysis/tables/reinforced.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "analysis/bag.h"
-#include "analysis/fabric.h"
-#include "analysis/stress.h"
-#include "analysis/tables.h"
+#include "analysis/measure/fabric.h"
+#include "analysis/measure/stress.h"
+#include "analysis/tables/bag.h"
+#include "analysis/tables/tables.h"
 #include "core/error.h"
-#include "packing/run_tables.h"
+#include "packing/expand/run_tables.h"
 #include "support/assembly.h"
 #include "support/same_state.h"
 

@@ -1,6 +1,6 @@
 // The schema is the only table: FORMAT.md prints it, and every written dataset is in it with its shape and unit.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/schema.h"
+#include "store/schema.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "io/part.h"
-#include "io/store.h"
+#include "files/part.h"
+#include "store/store.h"
 #include "support/schema_tables.h"
 #include "support/states.h"
 
@@ -21,7 +21,7 @@ const std::string begin_mark = "<!-- tables: printed from schema.cpp -->\n", end
 
 /// Compares FORMAT.md with the schema. SOILWEAVE_GOLDEN=write (make golden) writes the tables into the page instead.
 TEST(Schema, is_what_the_page_says) {
-  const std::filesystem::path page = "lib/io/FORMAT.md";
+  const std::filesystem::path page = "lib/files/FORMAT.md";
   if (!std::filesystem::exists(page)) GTEST_SKIP() << "not run in the root of the source tree";
   const std::string text = test::bytes_of(page);
   const std::size_t begin = text.find(begin_mark), end = text.find(end_mark);

@@ -1,6 +1,6 @@
 // Scenario documents: conversion of units, and every mistake with its line and remedy.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/settings.h"
+#include "core/text/settings.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/archive.h"
-#include "dem/run.h"
+#include "dem/run/run.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
 

@@ -1,6 +1,6 @@
 // Promises of the engine: equal bits however it is run, energy accounted for, stress that does the work it claims.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/simulation.h"
+#include "dem/engine/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "dem/path.h"
-#include "packing/tile.h"
+#include "dem/loading/path.h"
+#include "packing/expand/tile.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {

@@ -1,6 +1,6 @@
 // Sphere packings as text: YADE's form, comma-separated tables, and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/spheres_text.h"
+#include "files/exchange/spheres_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dem/simulation.h"
+#include "dem/engine/simulation.h"
 #include "support/assemblies.h"
 
 namespace soilweave::dem {

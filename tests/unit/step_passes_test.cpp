@@ -1,6 +1,6 @@
 // Grains that move while their pairs are swept, chunk by chunk, give the bits of separate passes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/step_passes.h"
+#include "dem/engine/step_passes.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -12,8 +12,8 @@
 #include <numeric>
 #include <random>
 
-#include "dem/chunk_plan.h"
-#include "packing/tile.h"
+#include "dem/state/chunk_plan.h"
+#include "packing/expand/tile.h"
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
 

@@ -1,7 +1,5 @@
 // Surfaces from STL files, binary and text, whole and truncated; memory is checked before it is taken.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/stl.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "files/exchange/triangles.h"
 #include "support/same_state.h"
 
 namespace soilweave::io {

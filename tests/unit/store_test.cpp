@@ -1,13 +1,13 @@
 // HDF5 in memory: written data are read back, and missing or unfit data are reported by path.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/store.h"
+#include "store/store.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 #include "core/error.h"
-#include "io/superblock.h"
+#include "store/superblock.h"
 #include "support/same_state.h"
 
 namespace soilweave::io {

@@ -1,15 +1,15 @@
 // Stress of lattices with closed forms from their contact forces; sums, rotations, parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/stress.h"
+#include "analysis/measure/stress.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <tuple>
 
-#include "analysis/tables.h"
-#include "analysis/tessellation.h"
-#include "analysis/volume_of_interest.h"
+#include "analysis/measure/tessellation.h"
+#include "analysis/measure/volume_of_interest.h"
+#include "analysis/tables/tables.h"
 #include "support/assembly.h"
 
 namespace soilweave::analysis {

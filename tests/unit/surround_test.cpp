@@ -6,16 +6,16 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/bag.h"
-#include "analysis/tessellation.h"
+#include "analysis/measure/tessellation.h"
+#include "analysis/tables/bag.h"
 #include "core/error.h"
-#include "dem/scenario.h"
-#include "packing/apart.h"
-#include "packing/cloud.h"
-#include "packing/plan.h"
-#include "packing/reinforced.h"
-#include "packing/surround_compaction.h"
-#include "packing/tile.h"
+#include "dem/run/scenario.h"
+#include "packing/expand/plan.h"
+#include "packing/expand/reinforced.h"
+#include "packing/expand/surround_compaction.h"
+#include "packing/expand/tile.h"
+#include "packing/generate/apart.h"
+#include "packing/generate/cloud.h"
 #include "support/assemblies.h"
 #include "support/pair.h"
 

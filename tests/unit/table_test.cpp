@@ -1,6 +1,6 @@
 // Tables come back unchanged, and errors name line and column.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/table.h"
+#include "files/exchange/table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Power cells and tetrahedra fill the cell; lattices have equal ones; affine motions give exact strains.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/tessellation.h"
+#include "analysis/measure/tessellation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/strain.h"
-#include "analysis/volume_of_interest.h"
+#include "analysis/measure/strain.h"
+#include "analysis/measure/volume_of_interest.h"
 #include "core/error.h"
 #include "support/assembly.h"
 

@@ -1,6 +1,6 @@
 // Numbers, names and units as text.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text.h"
+#include "core/text/text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "core/error.h"
-#include "core/number_word.h"
-#include "core/units.h"
+#include "core/text/number_word.h"
+#include "core/text/units.h"
 
 namespace soilweave {
 namespace {

@@ -1,6 +1,6 @@
 // The interface of a tool: arguments, help, manual page, errors and exit statuses.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tool.h"
+#include "core/cli/tool.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

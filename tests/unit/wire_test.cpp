@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "dem/geotextile.h"
-#include "dem/run.h"
-#include "packing/plan.h"
+#include "dem/run/geotextile.h"
+#include "dem/run/run.h"
+#include "packing/expand/plan.h"
 
 namespace soilweave::dem {
 namespace {

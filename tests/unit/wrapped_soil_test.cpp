@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/bag.h"
-#include "io/display.h"
+#include "analysis/tables/bag.h"
+#include "display/display.h"
 #include "support/assembly.h"
 
 namespace soilweave::analysis {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/stress.h"
+#include "analysis/measure/stress.h"
 #include "core/archive.h"
 #include "core/error.h"
-#include "dem/run.h"
-#include "packing/plan.h"
+#include "dem/run/run.h"
+#include "packing/expand/plan.h"
 #include "support/assemblies.h"
 #include "support/same_state.h"
 #include "support/states.h"

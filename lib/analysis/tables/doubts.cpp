@@ -1,0 +1,270 @@
+// Doubts about packings, bags and runs.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/tables/doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "analysis/measure/fabric.h"
+#include "analysis/measure/stress.h"
+#include "analysis/tables/bag.h"
+#include "dem/state/bodies.h"
+
+namespace soilweave::analysis {
+namespace {
+
+// Narrowest cell, in diameters of its largest grain. Six packings of 1000 grains of the thesis are 4.8 wide and agree
+// within their scatter.
+constexpr double narrowest_cell = 4;
+// Largest share of rattlers; the six packings have 10 to 15 % at 1 kPa.
+constexpr double most_rattlers = 0.25;
+// Largest q/p of an isotropic state, since an upright cell cannot relieve shear stress. Five of the six packings are
+// below.
+constexpr double largest_obliquity = 0.1;
+// Least mean number of contacts in a bag; soil grown into a bag has 2.5 (packing::Growth).
+constexpr double loosest_bag = 2;
+// Largest inertial number. Linear springs at 10 %/s and 3e-3 are up to 6 % off the answer at rest.
+constexpr double largest_inertia = 1e-4;
+
+// Loading of one stage: its axial rate, and its mean stress.
+struct Loading {
+  std::size_t stage;
+  double rate, pressure;  // 1/s, Pa
+};
+
+dem::AxisGoals goals_at(const dem::Stage& stage, std::size_t station, int dimension, double pressure) {
+  return stage.path->goals(station, {dimension, pressure * Mat3::Identity(), Vec3::Zero()});
+}
+
+// Returns the mean of the stresses that a stage demands at a station; none if it demands strains alone.
+std::optional<double> asked_pressure(const dem::AxisGoals& goals, int dimension) {
+  double sum = 0, count = 0;
+  for (int a = 0; a < dimension; ++a)
+    if (const dem::AxisGoal& goal = goals[static_cast<std::size_t>(a)]; goal.kind == dem::AxisGoal::Kind::stress)
+      sum += goal.value, count += 1;
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+// Returns the largest prescribed strain rate of a stage, 1/s; 0 if stresses control it, or if the rate follows the
+// unbalanced force.
+double given_rate(const dem::Stage& stage, int dimension) {
+  if (stage.way_unbalanced_force > 0) return 0;
+  double rate = 0;
+  std::array<double, 3> before = {0, 0, 0};
+  for (std::size_t station = 0; station < stage.path->stations(); ++station) {
+    const dem::AxisGoals goals = goals_at(stage, station, dimension, 1);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+      if (goals[a].kind != dem::AxisGoal::Kind::strain || goals[a].value == before[a]) continue;
+      rate = std::max(rate, goals[a].max_rate), before[a] = goals[a].value;
+    }
+  }
+  return rate;
+}
+
+bool is_isotropic(const dem::Stage& stage, int dimension) {
+  const dem::AxisGoals goals = goals_at(stage, stage.path->stations() - 1, dimension, 1);
+  return std::all_of(goals.begin(), goals.begin() + dimension, [&](const dem::AxisGoal& goal) {
+    return goal.kind == dem::AxisGoal::Kind::stress && goal.value == goals[0].value;
+  });
+}
+
+// Returns the rate that would suffice, rounded down to one digit.
+double slower(double rate, double inertia) {
+  const double exact = rate * largest_inertia / inertia, digit = std::pow(10, std::floor(std::log10(exact)));
+  return std::floor(exact / digit) * digit;
+}
+
+std::vector<Doubt> inertia_doubts(const io::Snapshot& start, const dem::Scenario& scenario,
+                                  const std::vector<Loading>& loadings) {
+  double diameter = 0, mass = 0, solid = 0;
+  const std::vector<bool> node = nodes(start);
+  double grains = 0;
+  for (std::size_t i = 0; i < start.grains.size(); ++i) {
+    if (node[i]) continue;
+    diameter += 2 * start.grains.radius[i], grains += 1;
+    mass += start.grains.mass[i];
+    solid += dem::grain_volume(start.grains.dimension, start.grains.radius[i]);
+  }
+  if (grains == 0) return {};
+  diameter /= grains;
+  const double density = mass / solid;
+  const Loading* worst = nullptr;
+  double largest = largest_inertia;
+  for (const Loading& l : loadings)
+    if (const double i = inertial_number(l.rate, diameter, density, l.pressure); i > largest) largest = i, worst = &l;
+  if (!worst) return {};
+  return {
+      {"inertia",
+       fmt::format("stage \"{}\" at {:.3g} 1/s: inertial number {:.1e} (grains of {:.3g} m and {:.3g} kg/m3, scaling "
+                   "included, at {:.3g} Pa): above {:.0e} the response depends on the rate; a rate of {:.1g} 1/s "
+                   "would do",
+                   scenario.stages[worst->stage].name, worst->rate, largest, diameter, density, worst->pressure,
+                   largest_inertia, slower(worst->rate, largest))}};
+}
+
+std::vector<Loading> planned(const io::Snapshot& start, const dem::Scenario& scenario) {
+  const int dimension = start.grains.dimension;
+  double pressure = mean(cell_stress(start), dimension);
+  std::vector<Loading> loadings;
+  for (std::size_t s = 0; s < scenario.stages.size(); ++s) {
+    const dem::Stage& stage = scenario.stages[s];
+    pressure = asked_pressure(goals_at(stage, 0, dimension, pressure), dimension).value_or(pressure);
+    if (const double rate = given_rate(stage, dimension); rate > 0 && pressure > 0)
+      loadings.push_back({s, rate, pressure});
+    pressure =
+        asked_pressure(goals_at(stage, stage.path->stations() - 1, dimension, pressure), dimension).value_or(pressure);
+  }
+  return loadings;
+}
+
+std::vector<Loading> carried_out(const io::Snapshot& start, const dem::Scenario& scenario, const io::Series& series) {
+  const std::vector<double>&stages = series.at("stage").values, &pressures = series.at("mean_stress").values;
+  std::vector<Loading> loadings;
+  for (std::size_t s = 0; s < scenario.stages.size(); ++s) {
+    const double rate = given_rate(scenario.stages[s], start.grains.dimension);
+    double least = INFINITY;
+    // Row 0 is the packing before its first stage.
+    for (std::size_t row = 1; row < stages.size(); ++row)
+      if (stages[row] == static_cast<double>(s) && pressures[row] > 0) least = std::min(least, pressures[row]);
+    if (rate > 0 && std::isfinite(least)) loadings.push_back({s, rate, least});
+  }
+  return loadings;
+}
+
+// Returns the recorded state at the end of the last isotropic stage, or nullptr.
+const io::Snapshot* last_compacted(const dem::Scenario& scenario, const io::RunFile& run, int dimension) {
+  const std::vector<double>&stages = run.series.at("stage").values, &steps = run.series.at("step").values;
+  for (std::size_t s = scenario.stages.size(); s-- > 0;) {
+    if (!is_isotropic(scenario.stages[s], dimension)) continue;
+    const auto end = std::find(stages.rbegin(), stages.rend(), static_cast<double>(s));
+    if (end == stages.rend()) return nullptr;
+    const auto row = static_cast<std::size_t>(stages.rend() - end) - 1;
+    for (const io::Snapshot& state : run.snapshots)
+      if (static_cast<double>(state.step) == steps[row]) return &state;
+  }
+  return nullptr;
+}
+
+void append(std::vector<Doubt>& to, std::vector<Doubt> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
+// Returns directions spread evenly over the sphere (Fibonacci's spiral).
+std::vector<Vec3> directions() {
+  constexpr int count = 300;
+  std::vector<Vec3> all;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), turn = k * 2.39996322972865332;
+    all.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  return all;
+}
+
+// Returns the number of soil grains whose centres are beyond the nodes of the geotextile in some direction.
+std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
+  std::vector<bool> out(state.grains.size(), false);
+  for (const Vec3& u : directions()) {
+    double reach = -INFINITY;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (part[i] == Part::node) reach = std::max(reach, u.dot(state.grains.position[i]));
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (part[i] == Part::soil && u.dot(state.grains.position[i]) > reach) out[i] = true;
+  }
+  return static_cast<std::size_t>(std::count(out.begin(), out.end(), true));
+}
+
+}  // namespace
+
+std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
+  const double largest = 2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end());
+  // The distance of opposite faces is the volume over the area that the other two vectors span.
+  for (int a = 0; a < state.grains.dimension; ++a) {
+    if (!state.cell.periodic[static_cast<std::size_t>(a)]) continue;
+    const Mat3& h = state.cell.matrix;
+    const Vec3 across = h.col((a + 1) % 3).cross(h.col((a + 2) % 3));
+    const double width = std::abs(h.col(a).dot(across)) / across.norm();
+    if (width < narrowest_cell * largest)
+      return {
+          {"cell-over-grain",
+           fmt::format("the cell is {:.2g} diameters of the largest grain ({:.3g} m) wide along {}, below {:.0f}: its "
+                       "faces shape the answer; take {:.0f} times the grains, or leave out the largest",
+                       width / largest, largest, "xyz"[a], narrowest_cell,
+                       std::ceil(std::pow(narrowest_cell * largest / width, state.grains.dimension)))}};
+  }
+  return {};
+}
+
+std::vector<Doubt> compaction_doubts(const io::Snapshot& state) {
+  std::vector<Doubt> doubts;
+  if (state.contacts.size() == 0) return doubts;
+  const int dimension = state.grains.dimension;
+  const Coordination z = coordination(state);
+  const double rattlers = static_cast<double>(z.rattlers) / static_cast<double>(state.grains.size());
+  if (rattlers > most_rattlers)
+    doubts.push_back(
+        {"rattlers", fmt::format("{:.0f} % of the grains bear nothing, more than {:.0f} %: void ratio and fabric count "
+                                 "them all the same; take a denser packing, or leave out the finest grains",
+                                 100 * rattlers, 100 * most_rattlers)});
+  if (z.all < dimension)
+    doubts.push_back({"coordination",
+                      fmt::format("2 Nc/N is {:.2f} after an isotropic compression, below {}: the packing hardly holds "
+                                  "itself; take a denser one",
+                                  z.all, dimension)});
+  const Mat3 stress = cell_stress(state);
+  const double p = mean(stress, dimension), obliquity = p > 0 ? deviatoric_stress(stress, dimension) / p : 0;
+  if (obliquity > largest_obliquity)
+    doubts.push_back(
+        {"isotropy", fmt::format("q/p is {:.2g} in a state that should be isotropic, more than {:.2g}: an upright cell "
+                                 "leaves its shear stress; take more grains, or another seed",
+                                 obliquity, largest_obliquity)});
+  return doubts;
+}
+
+std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
+  const std::vector<Part> part = parts(state);
+  const auto soil = static_cast<std::size_t>(std::count(part.begin(), part.end(), Part::soil));
+  if (state.yarns.size() == 0 || soil == 0) return {};
+  std::vector<Doubt> doubts;
+  // Most grains are beyond a sheet within soil, which is no bag.
+  if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
+    doubts.push_back({"outside", fmt::format("{} of {} grains are outside the bag: they bear nothing of it, and soil "
+                                             "stresses and void ratio count them; a finer mesh holds them",
+                                             out, soil)});
+  if (const double z = coordination(state, those(part, Part::soil)).all; z < loosest_bag)
+    doubts.push_back(
+        {"preload",
+         fmt::format("2 Nc/N of the soil in the bag is {:.2g}, below {:.0f}: it bears nothing yet, and plates "
+                     "compress air first; let filter-expand grow it ([growth]), or load it first",
+                     z, loosest_bag)});
+  return doubts;
+}
+
+double inertial_number(double rate, double diameter, double density, double pressure) {
+  return rate * diameter * std::sqrt(density / pressure);
+}
+
+std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario) {
+  std::vector<Doubt> doubts = cell_doubts(start);
+  append(doubts, bag_doubts(start));
+  append(doubts, inertia_doubts(start, scenario, planned(start, scenario)));
+  return doubts;
+}
+
+std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run) {
+  std::vector<Doubt> doubts = cell_doubts(run.snapshots.back());
+  // A bag that bore nothing at the start may bear much at the end.
+  for (const Doubt& d : bag_doubts(start))
+    if (d.key == "preload") doubts.push_back(d);
+  for (const Doubt& d : bag_doubts(run.snapshots.back()))
+    if (d.key == "outside") doubts.push_back(d);
+  if (const io::Snapshot* compacted = last_compacted(scenario, run, start.grains.dimension))
+    append(doubts, compaction_doubts(*compacted));
+  append(doubts, inertia_doubts(start, scenario, carried_out(start, scenario, run.series)));
+  return doubts;
+}
+
+}  // namespace soilweave::analysis

@@ -1,0 +1,142 @@
+// Parses the arguments of a tool. CLI11 splits them, and the table's entries judge them, so that all mistakes are
+// reported.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+
+#include "core/cli/tool_table.h"
+#include "core/text/text.h"
+
+namespace soilweave::tool {
+namespace {
+
+std::string cli_name(const Entry& entry) {
+  if (entry.name.empty()) return "-" + entry.letter;
+  return entry.letter.empty() ? "--" + entry.name : fmt::format("-{},--{}", entry.letter, entry.name);
+}
+
+struct Asked {
+  bool help = false, version = false, man = false, completion = false;
+};
+
+/// Declares the options to CLI11; every value stays text here.
+void declare(CLI::App& app, Table::Impl& table, std::vector<std::string>& files, Asked& asked) {
+  app.set_help_flag();
+  app.allow_extras();
+  app.add_flag("-h,--help", asked.help);
+  app.add_flag("--version", asked.version);
+  app.add_flag("--man", asked.man);
+  app.add_flag("--completion", asked.completion);
+  for (Entry& entry : table.options) {
+    if (entry.kind == Kind::flag)
+      app.add_flag_callback(cli_name(entry), [&entry] { entry.given.emplace_back(); });
+    else
+      app.add_option(cli_name(entry), entry.given)->allow_extra_args(false);
+  }
+  app.add_option("files", files);
+}
+
+void assign_options(Table::Impl& table, std::vector<std::string>& mistakes) {
+  for (Entry& entry : table.options)
+    for (const std::string& text : entry.given)
+      if (const auto mistake = entry.assign(text)) mistakes.push_back(fmt::format("{}: {}", entry.written(), *mistake));
+}
+
+void report_unknown(const Table::Impl& table, const std::vector<std::string>& extras,
+                    std::vector<std::string>& mistakes) {
+  std::vector<std::string> known = table.names();
+  known.insert(known.end(), {"--help", "--version", "--man", "--completion"});
+  for (const std::string& extra : extras) {
+    const std::string name = extra.substr(0, extra.find('='));
+    const std::string near = nearest(name, known);
+    const std::string remedy =
+        near.empty() ? fmt::format("see '{} --help'", table.name) : fmt::format("did you mean '{}'?", near);
+    mistakes.push_back(fmt::format("unknown option '{}'; {}", name, remedy));
+  }
+}
+
+/// Assigns files to inputs. An input of many files takes all that the inputs after it do not need.
+void assign_inputs(Table::Impl& table, const std::vector<std::string>& files, std::vector<std::string>& mistakes) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < table.inputs.size(); ++i) {
+    Positional& place = table.inputs[i];
+    const std::size_t left = files.size() - at;
+    const std::size_t after = table.inputs.size() - i - 1;
+    const std::size_t take = place.many ? (left > after ? left - after : 0) : std::min<std::size_t>(left, 1);
+    for (std::size_t k = 0; k < take; ++k) place.given.push_back(files[at + k]);
+    for (const std::string& file : place.given) place.assign(file);
+    at += take;
+    if (take == 0 && place.required) mistakes.push_back(fmt::format("{} is missing: {}", place.name, place.sentence));
+  }
+  for (; at < files.size(); ++at) mistakes.push_back(fmt::format("'{}' is one file too many", files[at]));
+}
+
+void check_standard_input(const Table::Impl& table, std::vector<std::string>& mistakes) {
+  std::size_t dashes = 0;
+  for (const Positional& place : table.inputs) dashes += std::count(place.given.begin(), place.given.end(), "-");
+  if (dashes > 1) mistakes.emplace_back("'-' (standard input) can be read once only");
+}
+
+std::string quoted(const std::string& text) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("-_.,:=/+@%").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
+Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes) {
+  CLI::App app;
+  std::vector<std::string> files;
+  Asked asked;
+  declare(app, table, files, asked);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ArgumentMismatch&) {
+    // Every option with a value takes exactly one, so only the last argument can lack it.
+    mistakes.push_back(fmt::format("{}: a value is missing; see '{} --help'", argv[argc - 1], table.name));
+    return Ask::nothing;
+  } catch (const CLI::ParseError& error) {
+    mistakes.push_back(fmt::format("{}; see '{} --help'", error.what(), table.name));
+    return Ask::nothing;
+  }
+  if (asked.help) return Ask::help;
+  if (asked.version) return Ask::version;
+  if (asked.man) return Ask::man;
+  if (asked.completion) return Ask::completion;
+  const std::vector<std::string> extras = app.remaining();
+  report_unknown(table, extras, mistakes);
+  assign_options(table, mistakes);
+  // The word after an unknown option may be its value, so files are not counted then.
+  table.understood = extras.empty();
+  if (table.understood) {
+    assign_inputs(table, files, mistakes);
+    check_standard_input(table, mistakes);
+    if (table.output_required && table.writes() && table.output->empty())
+      mistakes.emplace_back("--output is missing: give '-o FILE', or '-o -' for standard output");
+  }
+  return Ask::nothing;
+}
+
+std::string canonical_command(const Table::Impl& table) {
+  std::string command = table.name;
+  for (const Entry& entry : table.options) {
+    if (!entry.recorded) continue;
+    if (entry.kind == Kind::list) {
+      for (const std::string& text : entry.given) command += fmt::format(" {} {}", entry.written(), quoted(text));
+    } else if (const std::string value = entry.value(); value != entry.standard) {
+      command += " " + entry.written();
+      if (entry.kind != Kind::flag) command += " " + quoted(value);
+    }
+  }
+  return command;
+}
+
+}  // namespace soilweave::tool

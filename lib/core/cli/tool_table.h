@@ -1,0 +1,104 @@
+// Entries of tool::Table, from which parsing, help, man page, completion and provenance are made.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/cli/tool.h"
+
+namespace soilweave::tool {
+
+enum class Kind { value, flag, choice, file, list };
+
+/// One option of a table.
+struct Entry {
+  Kind kind = Kind::value;
+  std::string name;      // long name with hyphens ("void-ratio"); empty if there is only a letter
+  std::string letter;    // "n" for -n
+  std::string metavar;   // stands for the value in help: the unit, or the kind of text
+  std::string sentence;  // sentence without a full stop
+  std::string standard;  // default as text; empty: none
+  std::string range;     // "from 0 to 1", with unit
+  std::string why;       // reason for the range
+  std::vector<std::string> choices;
+  bool general = false;                                                  // listed after the tool's own options
+  bool recorded = true;                                                  // part of Invocation::command
+  bool writes = false;                                                   // names an output file
+  std::vector<std::string> given;                                        // raw values, in order
+  std::function<std::optional<std::string>(const std::string&)> assign;  // returns the mistake, if any
+  std::function<std::string()> value;                                    // canonical text of the field's present value
+
+  /// Returns the option as a user writes it, for messages.
+  std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
+};
+
+/// One positional input, for a single file or for many.
+struct Positional {
+  std::string name, sentence;
+  bool required = true, many = false;
+  std::function<void(const std::string&)> assign;
+  std::vector<std::string> given;
+};
+
+/// Everything declared about a tool, and the values read from its arguments.
+struct Table::Impl {
+  std::string name, sentence, description;
+  std::vector<std::pair<std::string, std::string>> examples;
+  std::vector<Positional> inputs;
+  std::deque<Entry> options;  // a deque, so that references stay valid while options are added
+  std::filesystem::path* output = nullptr;
+  bool output_required = false, output_is_folder = false;
+  const bool* no_output = nullptr;  // flag with which nothing is written
+  bool understood = true;           // false: an option is unknown, so the rest may be misread
+  std::deque<Table> verbs;          // option tables of a tool's verbs, for its help
+  Invocation invocation;
+
+  /// Adds an option. A name such as "pressure,p" gives it a letter too.
+  Entry& add(std::string_view name, Kind kind, std::string_view sentence);
+  /// Returns whether the table has an option of this name.
+  bool has(std::string_view name) const;
+  /// Returns whether this run writes a file.
+  bool writes() const { return output != nullptr && !(no_output && *no_output); }
+  std::vector<std::string> names() const;  // names as typed, --long or -l
+};
+
+/// Option that asks for information; the tool then does nothing else.
+enum class Ask { nothing, help, version, man, completion };
+
+/// Returns the last word of a table's name, which the user types.
+std::string verb_name(Table& verb);
+
+/// Reads the arguments into the fields and returns the information asked for. Appends every mistake to `mistakes`.
+Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
+
+/// Checks files as far as possible before the work. Throws MissingInput or DataError for inputs. Throws CannotCreate
+/// for an output that has no place, that exists without --force, or that is an input or another output.
+void check_files(const Table::Impl& table);
+
+/// Returns the tool and its result-relevant options that differ from their defaults, in table order, quoted for a
+/// shell.
+std::string canonical_command(const Table::Impl& table);
+
+/// Return the texts of --help and --version.
+std::string help_text(Table::Impl& table);
+std::string version_text(const Table::Impl& table);
+/// Returns man(7) source. Equal tables give equal bytes.
+std::string man_text(Table::Impl& table);
+/// Returns bash source that completes option names, choices and files.
+std::string completion_text(Table::Impl& table);
+
+/// One exit status, as help and manual page describe it.
+struct Status {
+  int code;
+  const char* meaning;
+};
+/// Returns the exit statuses of every tool, in ascending order.
+const std::vector<Status>& exit_statuses();
+
+}  // namespace soilweave::tool

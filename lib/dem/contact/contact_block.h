@@ -1,0 +1,108 @@
+// Pairs of grains in blocks of eight: data that a lane of the sweep reads and writes lie side by side.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "core/simd/v3.h"
+#include "dem/contact/laws/contact.h"
+#include "dem/state/bodies.h"
+#include "dem/state/cell_offset.h"
+
+namespace soilweave::dem {
+
+/// Grains per chunk, whose pairs one thread sweeps at a time. So many fit the second cache. A representative volume has
+/// as many, and large packings often repeat its copies.
+inline constexpr std::size_t grains_per_chunk = 1000;
+/// Returns the number of chunks of so many grains.
+inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
+/// Index of the first grain of `chunk`; the number of grains if there is no such chunk.
+inline std::size_t first_grain(std::size_t chunk, const Bodies& bodies) {
+  return std::min(bodies.size(), chunk * grains_per_chunk);
+}
+/// Returns the chunk of a grain.
+inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t>(grain) / grains_per_chunk; }
+
+/// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
+struct alignas(64) ContactBlock {
+  static constexpr int size = 8, arrays = 8;  // pairs per block; arrays of numbers, which lie one after the other
+  double shear[3][size];                      // N
+  double rolling[3][size];                    // N m
+  double twisting[size];                      // N m
+  double normal_force[size];                  // N
+  // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain. A pair
+  // with a plane uses it for its only grain.
+  std::uint32_t first[size], second[size], load_second[size];
+  std::uint16_t image[size];  // cell offset of the second grain, as an index into Contacts::images
+  // Masks, bit k for pair k. folded: the pair reaches across the cell's faces.
+  std::uint8_t touching = 0, sliding = 0, folded = 0;
+  std::uint8_t count = 0;
+  bool far = false;  // whether a second grain is in another chunk
+
+  /// Returns a mask with bit k set or cleared.
+  static std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
+    return static_cast<std::uint8_t>((bits & ~(1u << k)) | (static_cast<unsigned>(on) << k));
+  }
+
+  /// Returns the index of a grain from its byte offset.
+  static std::int32_t index(std::uint32_t distance) { return static_cast<std::int32_t>(distance / sizeof(Grain)); }
+};
+
+/// A pair as the neighbour search lists it.
+struct Pair {
+  std::int32_t first, second;
+  CellOffset image;
+};
+/// Returns whether pair a precedes pair b in the order of grains.
+inline bool before(const Pair& a, const Pair& b) {
+  if (a.first != b.first) return a.first < b.first;
+  return a.second != b.second ? a.second < b.second : a.image < b.image;
+}
+
+/// Returns the pairs of one chunk. `pairs` must be sorted by chunk.
+template <class SomePair>
+std::span<SomePair> of_chunk(std::span<SomePair> pairs, std::size_t chunk) {
+  const auto from = [&](std::size_t c) {
+    return std::partition_point(pairs.begin(), pairs.end(), [c](const Pair& p) { return chunk_of(p.first) < c; });
+  };
+  return {from(chunk), from(chunk + 1)};
+}
+
+/// Order of pairs in a list: by chunk, then by pair of materials, then by grains.
+class PairOrder {
+ public:
+  explicit PairOrder(const Bodies& bodies) : material_(bodies.of_one_material ? nullptr : bodies.material.data()) {}
+  /// True if the order by grains is this order already, because all grains have one material.
+  bool is_that_of_grains() const { return !material_; }
+  /// Returns whether two pairs have the same pair of materials.
+  bool same_couple(const Pair& a, const Pair& b) const {
+    return !material_ || (material_[a.first] == material_[b.first] && material_[a.second] == material_[b.second]);
+  }
+  /// Returns whether pair a comes before pair b.
+  bool operator()(const Pair& a, const Pair& b) const {
+    if (same_couple(a, b) || chunk_of(a.first) != chunk_of(b.first)) return before(a, b);
+    return std::pair(material_[a.first], material_[a.second]) < std::pair(material_[b.first], material_[b.second]);
+  }
+
+ private:
+  const std::int32_t* material_;  // nullptr if all grains have one material
+};
+
+/// History of one pair from step to step.
+struct History {
+  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+  double normal_force = 0;  // N
+  bool touching = false, sliding = false;
+};
+
+/// Returns the history in a lane.
+History history_of(const ContactBlock& block, int lane);
+/// Stores a history in a lane.
+void set_history(ContactBlock& block, int lane, const History& history);
+/// Copies the history of a lane into a lane that holds zeros.
+void copy_history(const ContactBlock& from, int lane, ContactBlock& to, int to_lane);
+
+}  // namespace soilweave::dem

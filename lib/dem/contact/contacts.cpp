@@ -1,0 +1,222 @@
+// Candidate pairs and the contacts among them, in blocks of eight.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/contact/contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/error.h"
+#include "core/in_parallel.h"
+
+namespace soilweave::dem {
+namespace {
+
+// Offset of empty lanes: so far away that they never touch.
+const CellOffset far_away = cell_offset({1 << 20, 0, 0});
+
+std::vector<CellOffset> images_of(const std::vector<Pair>& pairs) {
+  std::vector<CellOffset> found;
+  for (const Pair& p : pairs)
+    if (p.image != 0 && std::find(found.begin(), found.end(), p.image) == found.end()) found.push_back(p.image);
+  std::sort(found.begin(), found.end());
+  found.insert(found.begin(), 0);
+  found.push_back(far_away);
+  return found;
+}
+
+std::uint16_t place(CellOffset image, const std::vector<CellOffset>& images) {
+  if (image == 0) return 0;
+  return static_cast<std::uint16_t>(std::lower_bound(images.begin() + 1, images.end() - 1, image) - images.begin());
+}
+
+Pair pair_of(const ContactBlock& b, int k, const std::vector<CellOffset>& images) {
+  return {ContactBlock::index(b.first[k]), ContactBlock::index(b.second[k]), images[b.image[k]]};
+}
+
+// Returns whether the second grain of a pair of this chunk is in another chunk, which is then a higher one.
+bool is_far(const Pair& pair, std::size_t chunk) {
+  return static_cast<std::size_t>(pair.second) >= (chunk + 1) * grains_per_chunk;
+}
+
+// Pairs that a chunk had before, in order.
+class Known {
+ public:
+  Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images, const PairOrder& before)
+      : block_(chunk.data()), end_(block_ + chunk.size()), images_(images), before_(before) {
+    settle();
+  }
+  /// Copies the history of a pair into a lane. Pairs must be asked for in order.
+  void pass_on(const Pair& pair, ContactBlock& to, int lane) {
+    while (block_ != end_ && before_(pair_, pair)) next();
+    if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, lane_, to, lane);
+  }
+
+ private:
+  void next() {
+    if (++lane_ == block_->count) ++block_, lane_ = 0;
+    settle();
+  }
+  void settle() {
+    if (block_ != end_) pair_ = pair_of(*block_, lane_, images_);
+  }
+
+  const ContactBlock *block_, *end_;
+  int lane_ = 0;
+  const std::vector<CellOffset>& images_;
+  PairOrder before_;
+  Pair pair_{};
+};
+
+// Lets the lanes from k on name a grain and itself, far away.
+void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far) {
+  std::fill(block.first + k, block.first + ContactBlock::size, grain_distance(grain));
+  std::fill(block.second + k, block.second + ContactBlock::size, grain_distance(grain));
+  std::fill(block.load_second + k, block.load_second + ContactBlock::size, load_distance(grain));
+  std::fill(block.image + k, block.image + ContactBlock::size, static_cast<std::uint16_t>(far));
+  block.folded = static_cast<std::uint8_t>(block.folded | (~0u << k));
+}
+
+// Fills the blocks of a chunk with pairs and their history. Pairs with grains of other chunks get loads from `load` on.
+void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs, std::size_t load,
+          const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
+  const std::size_t begin = chunk * grains_per_chunk;
+  blocks.clear();
+  for (auto at = pairs.begin(); at != pairs.end();) {
+    ContactBlock& block = blocks.emplace_back();
+    const Pair& like = *at;
+    for (; block.count < ContactBlock::size && at != pairs.end() && order.same_couple(*at, like); ++at, ++block.count) {
+      const int k = block.count;
+      const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
+      block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);
+      const bool far = is_far(*at, chunk);
+      block.load_second[k] = load_distance(far ? load++ : second);
+      block.image[k] = place(at->image, images);
+      block.folded = ContactBlock::with_bit(block.folded, k, block.image[k] != 0);
+      block.far = block.far || far;
+      known.pass_on(*at, block, k);
+    }
+    if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
+  }
+}
+
+}  // namespace
+
+void Contacts::look_across(const std::vector<Pair>& pairs) {
+  reached_.resize(chunks.size()), across_.resize(chunks.size()), work_.resize(chunks.size());
+  in_parallel(chunks.size(), threads, [&](std::size_t chunk) {
+    std::vector<std::uint32_t>& reached = reached_[chunk];
+    std::vector<std::int32_t>& grains = across_[chunk];
+    reached.clear(), grains.clear();
+    const std::span<const Pair> own = of_chunk(std::span(pairs), chunk);
+    work_[chunk] = own.size() + grains_per_chunk;
+    for (const Pair& p : own) {
+      if (!is_far(p, chunk)) continue;
+      grains.push_back(p.second);
+      const auto other = static_cast<std::uint32_t>(chunk_of(p.second));
+      if (std::find(reached.begin(), reached.end(), other) == reached.end()) reached.push_back(other);
+    }
+  });
+}
+
+void Contacts::name_singles(Bodies& bodies) {
+  const std::size_t grains = bodies.size();
+  const auto each = [this](const auto& visit) {
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+      for (const std::int32_t grain : across_[chunk]) visit(static_cast<std::size_t>(grain));
+    for (const PlaneBlock& block : planes.blocks())
+      for (int k = 0; k < block.pairs.count; ++k)
+        visit(static_cast<std::size_t>(ContactBlock::index(block.pairs.first[k])));
+  };
+  singles_start.assign(grains + 1, 0);
+  each([this](std::size_t grain) { ++singles_start[grain + 1]; });
+  std::partial_sum(singles_start.begin(), singles_start.end(), singles_start.begin());
+  singles.resize(singles_start.back());
+  const std::size_t loads = grains + singles.size();
+  constexpr std::size_t farthest = std::numeric_limits<std::uint32_t>::max();
+  if (grains > farthest / sizeof(Grain) || loads > farthest / sizeof(Load))
+    throw DataError(fmt::format("{} grains are more than one simulation can hold: {} million", grains,
+                                farthest / sizeof(Grain) / 1'000'000));
+  bodies.loads.resize(loads);
+  bodies.stiffness.resize(loads);
+  next_.assign(singles_start.begin(), singles_start.end() - 1);
+  const std::size_t first_of_planes = std::transform_reduce(across_.begin(), across_.end(), grains, std::plus<>(),
+                                                            [](const auto& across) { return across.size(); });
+  auto load = static_cast<std::uint32_t>(grains);
+  each([&](std::size_t grain) { singles[next_[grain]++] = {load++, static_cast<std::int32_t>(grain)}; });
+  planes.set_loads(first_of_planes);
+}
+
+void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies) {
+  const std::vector<CellOffset> known_images = std::exchange(images, images_of(pairs));
+  if (images.size() > std::numeric_limits<std::uint16_t>::max())
+    throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
+  planes.list(std::move(with_planes), bodies);
+  chunks.resize(chunks_of(bodies.size()));
+  look_across(pairs);
+  name_singles(bodies);
+  plan = ChunkPlan(reached_, work_, threads);
+  std::vector<std::size_t> first_load(chunks.size());
+  std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),
+                                [](const auto& grains) { return grains.size(); });
+  known_.resize(static_cast<std::size_t>(threads));
+  const PairOrder order(bodies);
+  in_parallel(known_.size(), threads, [&](std::size_t share) {
+    LargeVector<ContactBlock>& known = known_[share];
+    const std::size_t end = (share + 1) * chunks.size() / known_.size();
+    for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
+      known.swap(chunks[chunk]);
+      fill(chunks[chunk], chunk, of_chunk(std::span(pairs), chunk), first_load[chunk], images, order,
+           Known(known, known_images, order));
+    }
+  });
+}
+
+Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }
+
+std::vector<double> shear_forces_of_disks(const Contacts& contacts) {
+  std::vector<double> forces;
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k)
+        if ((block.touching >> k) & 1) forces.push_back(block.shear[2][k]);
+  return forces;
+}
+
+void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts) {
+  auto next = forces.begin();
+  for (auto& chunk : contacts.chunks)
+    for (ContactBlock& block : chunk)
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        if (next == forces.end()) throw DataError("shear_force: is of fewer contacts; begin anew");
+        block.shear[2][k] = *next++;
+      }
+  if (next != forces.end()) throw DataError("shear_force: is of more contacts; begin anew");
+}
+
+double force_sum(const Contacts& contacts) {
+  double sum = 0;
+  // Pairs that do not touch hold zeros, so they may be added too.
+  const auto add = [&sum](const ContactBlock& block) {
+    for (int k = 0; k < ContactBlock::size; k += width<Lane4>) {
+      const V3<Lane4> shear{load<Lane4>(block.shear[0] + k), load<Lane4>(block.shear[1] + k),
+                            load<Lane4>(block.shear[2] + k)};
+      const Lane4 normal = load<Lane4>(block.normal_force + k);
+      const Lane4 force = square_root(fused(normal, normal, norm2(shear)));
+      for (int lane = 0; lane < width<Lane4>; ++lane) sum += force[lane];
+    }
+  };
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk) add(block);
+  for (const PlaneBlock& block : contacts.planes.blocks()) add(block.pairs);
+  return sum;
+}
+
+}  // namespace soilweave::dem

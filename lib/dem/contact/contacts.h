@@ -1,0 +1,69 @@
+// Candidate pairs and the contacts among them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pairs lie in blocks of eight: data that a lane of the sweep reads and writes lie side by side. A pair whose grains do
+// not touch holds zeros.
+//
+// Grains are cut into chunks by their index, and a pair belongs to the chunk of its first grain. Within a chunk, pairs
+// of one pair of materials follow one another, sorted by (first, second, image). Each chunk, and each pair of
+// materials, begins a new block, so that one set of law parameters serves a block. Hence the sums over a chunk, and
+// their order, do not depend on pairs that do not touch, on the width of a register, or on the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/contact/contact_block.h"
+#include "dem/contact/plane_contacts.h"
+#include "dem/state/bodies.h"
+#include "dem/state/chunk_plan.h"
+
+namespace soilweave::dem {
+
+/// All pairs of a simulation, in chunks of blocks, with the history of those that touch.
+struct Contacts {
+  std::vector<LargeVector<ContactBlock>> chunks;
+  PlaneContacts planes;
+  // Cell offsets that occur. Zero is first, the others are sorted, and the last is so large that no pair touches across
+  // it.
+  std::vector<CellOffset> images;
+  // Loads of single pairs: from pairs with grains of other chunks, and from planes. Pairs within a chunk add to the
+  // grain's own load instead. They follow the loads of the grains in Bodies::loads, in the order of the blocks, planes
+  // last. Grain b has singles[singles_start[b]] up to singles[singles_start[b + 1]], in the order of its pairs, planes
+  // last.
+  struct Single {
+    std::uint32_t load;  // index into Bodies::loads
+    std::int32_t grain;
+  };
+  std::vector<Single> singles;
+  std::vector<std::uint32_t> singles_start;
+  int threads = 1;  // number that share the chunks
+  ChunkPlan plan;
+
+  /// Lists these pairs, in the order of lists, and pairs with planes. A pair that was listed before keeps its history.
+  /// Resizes the loads, which must be zero. Throws DataError beyond 65,000 cell offsets or 33 million grains.
+  void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
+
+  /// Returns the pair in a lane of a block.
+  Pair pair(const ContactBlock& block, int lane) const;
+
+ private:
+  void look_across(const std::vector<Pair>& pairs);
+  void name_singles(Bodies& bodies);
+
+  std::vector<LargeVector<ContactBlock>> known_;     // blocks of one chunk while it is listed anew, by thread
+  std::vector<std::vector<std::uint32_t>> reached_;  // other chunks that a chunk's pairs reach
+  std::vector<std::vector<std::int32_t>> across_;    // second grains in other chunks, pair by pair, by chunk
+  std::vector<std::size_t> work_;                    // cost of a chunk in a step; 1 for a pair or a grain
+  std::vector<std::uint32_t> next_;                  // next free place in `singles` of each grain
+};
+
+/// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.
+std::vector<double> shear_forces_of_disks(const Contacts& contacts);
+/// Restores these shear forces. Throws DataError if their number differs.
+void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts);
+
+/// Returns the sum of the magnitudes of all contact forces, N, summed contact by contact.
+double force_sum(const Contacts& contacts);
+
+}  // namespace soilweave::dem

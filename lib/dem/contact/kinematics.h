@@ -1,0 +1,27 @@
+// Motion of one contact over one step, the input of every contact law. Geometry only, no forces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/state/space.h"
+
+namespace soilweave::dem {
+
+/// All vectors point from body 1 to body 2; increments are those of body 2 relative to body 1 over the step that led to
+/// the present positions. T is double or a vector of doubles, one contact per lane.
+template <class T, class Space = Spatial>
+struct Kinematics {
+  Vector<T, Space> normal;  // unit vector from body 1 to body 2
+  T overlap;                // m, > 0 in contact
+  T approach_speed;         // rate of the overlap, m/s
+  Along<T, Space> slip;     // shear displacement increment, m
+  Turn<T, Space> roll;      // increment of the relative rotation normal to `normal`, rad
+  T twist;                  // increment of the relative rotation about `normal`, rad; absent in the plane
+  T r1, r2;                 // radii, m; r2 = r1 against a plane
+  T R_star;                 // r1 r2/(r1 + r2), m; r1 against a plane
+  T per_reach;              // 1/(r1 + r2), 1/m
+  T m1, m2;                 // masses, kg; a plane's is infinite
+
+  T m_star() const { return m1 / (1.0 + m1 / m2); }  // reduced mass, kg
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,110 @@
+// History, response and energies of a contact, as every law has them. Forces and moments act on body 2. T is double or
+// lanes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/state/space.h"
+
+namespace soilweave::dem {
+
+/// History of one contact, already carried to the present normal.
+template <class T, class Space = Spatial>
+struct Memory {
+  Along<T, Space> shear;   // N
+  Turn<T, Space> rolling;  // N m, normal to the contact normal
+  T twisting;              // N m, about the contact normal
+};
+
+/// Response of a law. Shear force and moments are in Memory after the call.
+template <class T>
+struct Response {
+  T normal_force;                           // N, compression positive, viscous part included
+  T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
+  T rolling_stiffness, twisting_stiffness;  // N m/rad
+  Mask<T> sliding;                          // whether the Coulomb limit holds the shear force
+};
+
+/// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.
+template <class T>
+struct Books {
+  T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
+  T frictional, rolling_plastic, viscous;
+};
+
+using soilweave::keep;
+using soilweave::select;
+
+/// One spring of a contact, a vector (shear, rolling) or a scalar (twisting): force -= stiffness * increment, cut back
+/// to the limit. Returns stored energies and dissipation, which by the trapezoidal rule is the energy that the cut
+/// removes.
+template <class T, class Quantity>
+struct SpringStep {
+  Quantity force;
+  T stored, dissipated;
+  Mask<T> limited;
+};
+
+/// Return the square, the magnitude, and the product of two quantities, each a scalar or a vector.
+template <class T>
+T squared(const T& a) {
+  return a * a;
+}
+template <class T>
+T squared(const V3<T>& a) {
+  return norm2(a);
+}
+template <class T>
+T magnitude(const T& a) {
+  return absolute(a);
+}
+template <class T>
+T magnitude(const V3<T>& a) {
+  return norm(a);
+}
+template <class T>
+T product(const T& a, const T& b) {
+  return a * b;
+}
+template <class T>
+T product(const V3<T>& a, const V3<T>& b) {
+  return dot(a, b);
+}
+
+/// limit: the largest magnitude, not negative; 0 if there is no stiffness.
+template <class T, class Quantity>
+SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
+                                            const T& limit) {
+  SpringStep<T, Quantity> s;
+  const Quantity trial = fused_less(stiffness, increment, old);
+  const T force2 = squared(trial), force = magnitude(trial);
+  s.limited = force > limit;
+  // One division serves the scale of the force and the compliance; beside the root it is faster than after it. No
+  // branch: a wrong prediction costs more than both.
+  const T inverse = 1.0 / maximum(T(force2 * stiffness), all<T>(1e-300)), compliance = force2 * inverse;
+  const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
+  s.force = scale * trial;
+  // Trapezoidal work minus the change of energy, with increment = (old - trial)/stiffness inserted.
+  s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
+  s.stored = half * squared(s.force);
+  return s;
+}
+
+/// Applies a spring without a limit.
+template <class T, class Quantity>
+SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, const T& compliance,
+                                    const Quantity& increment) {
+  SpringStep<T, Quantity> s;
+  s.force = fused_less(stiffness, increment, old);
+  s.limited = all<T>(0) > all<T>(0);
+  s.dissipated = all<T>(0);
+  s.stored = 0.5 * compliance * squared(s.force);
+  return s;
+}
+
+/// Returns 1/stiffness; 0 for no stiffness.
+template <class T>
+T compliance_of(const T& stiffness) {
+  return select<T>(stiffness > all<T>(0), T(1.0 / maximum(stiffness, all<T>(1e-300))), all<T>(0));
+}
+
+}  // namespace soilweave::dem

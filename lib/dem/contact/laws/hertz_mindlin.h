@@ -1,0 +1,96 @@
+// Hertz-Mindlin law: elastic spheres without slip, with Coulomb's limit, rolling and twisting resistance (LAWS.md §2).
+// The shear force is incremental with the present stiffness and is not rescaled when the overlap falls, so a cycle of
+// shear at varying overlap can create energy (Elata & Berryman 1996). The energy balance has a term for it, and
+// tests/property/laws_test.cpp measures it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "core/parameter.h"
+#include "dem/contact/laws/damping.h"
+#include "dem/contact/laws/read.h"
+#include "dem/contact/laws/tangential.h"
+
+namespace soilweave::dem {
+
+/// The law. Its members are those that laws.h demands.
+struct HertzMindlin {
+  static constexpr std::string_view name = "hertz-mindlin";
+
+  /// Parameters of one material.
+  struct Material {
+    using Law = HertzMindlin;
+    double young_modulus;  // Pa
+    double poisson_ratio;
+    double friction_angle;              // rad
+    std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
+    Resistance rolling, twisting;
+    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
+    bool friction_decides = false;  // whether its friction angle holds against any other material
+  };
+  /// A pair of materials.
+  struct Couple {
+    double E_star, G_star;  // Pa
+    Damping damping;
+    Tangential tangential;
+  };
+
+  static constexpr Parameter young_modulus{"young_modulus",
+                                           "Pa",
+                                           1e3,
+                                           1e13,
+                                           false,
+                                           "Young's modulus of the grains",
+                                           "the contacts of stiffer grains cannot be resolved in double precision"};
+  static constexpr Parameter poisson_ratio{"poisson_ratio",
+                                           "1",
+                                           0,
+                                           0.5,
+                                           false,
+                                           "Poisson's ratio of the grains",
+                                           "isotropic elastic solids of this field lie between 0 and 0.5"};
+
+  /// Reads a material from [contact] or a [[material]] table.
+  static Material read(Settings& table) {
+    return {table.number(young_modulus), table.number(poisson_ratio),       read_friction_angle(table),
+            read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+            read_attraction(table)};
+  }
+
+  /// Mixes two materials: 1/E* = sum (1 - nu^2)/E; thesis Eq. 3.3: 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
+  static Couple mix(const Material& a, const Material& b) {
+    const auto compliance = [](const Material& m) { return (1 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
+    const auto shear = [](const Material& m) {
+      return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / m.young_modulus;
+    };
+    return {1 / (compliance(a) + compliance(b)), 1 / (shear(a) + shear(b)),
+            Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction), mix_tangential(a, b)};
+  }
+
+  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
+
+  /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2, whose kn is the
+  /// tangent 2 E* sqrt(R* delta).
+  template <class T, class Space>
+  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
+                             Books<T>& books) {
+    const T a = square_root(k.R_star * k.overlap);  // contact radius, m
+    const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
+    const T elastic = (2.0 / 3.0) * kn * k.overlap;
+    // Tsuji, Tanaka & Ishida (1992): a critical fraction beta gives a restitution independent of speed.
+    const double ratio = std::sqrt(5.0 / 6.0) * c.damping.ratio;
+    Response<T> r;
+    r.normal_force = c.damping.force(elastic, ratio, kn, k);
+    r.normal_stiffness = kn;
+    r.shear_stiffness = ks;
+    books.elastic_normal = 0.4 * elastic * k.overlap;
+    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
+    tangential_step(c.tangential, k, memory, r, books);
+    return r;
+  }
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,100 @@
+// Cundall's linear springs: stiffness from moduli and radii, Coulomb's limit, rolling and twisting resistance (LAWS.md
+// §3).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/parameter.h"
+#include "dem/contact/laws/damping.h"
+#include "dem/contact/laws/read.h"
+#include "dem/contact/laws/tangential.h"
+
+namespace soilweave::dem {
+
+/// The law. Its members are those that laws.h demands.
+struct Linear {
+  static constexpr std::string_view name = "linear";
+
+  /// Parameters of one material.
+  struct Material {
+    using Law = Linear;
+    double young_modulus;               // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
+    double stiffness_ratio;             // ks/kn of two equal grains
+    double friction_angle;              // rad
+    std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
+    Resistance rolling, twisting;
+    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
+    bool friction_decides = false;  // whether its friction angle holds against any other material
+  };
+  /// A pair of materials.
+  struct Couple {
+    double E1, E2;  // Pa
+    double S1, S2;  // modulus times stiffness ratio, Pa
+    Damping damping;
+    Tangential tangential;
+  };
+
+  static constexpr Parameter young_modulus{"young_modulus",
+                                           "Pa",
+                                           1e2,
+                                           1e13,
+                                           false,
+                                           "contact modulus of the grains",
+                                           "the contacts of stiffer grains cannot be resolved in double precision"};
+  static constexpr Parameter stiffness_ratio{"stiffness_ratio",
+                                             "1",
+                                             0,
+                                             10,
+                                             false,
+                                             "shear stiffness over normal stiffness of a contact",
+                                             "a contact much stiffer in shear than in compression is not a grain's"};
+
+  /// Reads a material from [contact] or a [[material]] table.
+  static Material read(Settings& table) {
+    return {table.number(young_modulus), table.number(stiffness_ratio),     read_friction_angle(table),
+            read_restitution(table),     read_resistance(table, "rolling"), read_resistance(table, "twisting"),
+            read_attraction(table)};
+  }
+
+  static Couple mix(const Material& a, const Material& b) {
+    return {a.young_modulus,
+            b.young_modulus,
+            a.young_modulus * a.stiffness_ratio,
+            b.young_modulus * b.stiffness_ratio,
+            Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction),
+            mix_tangential(a, b)};
+  }
+
+  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
+
+  /// Returns the response of two springs in series (LAWS.md §3): kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn =
+  /// kn delta.
+  template <class T, class Space>
+  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
+                             Books<T>& books) {
+    Response<T> r;
+    if (c.E1 == c.E2 && c.S1 == c.S2) {
+      const T twice = 2.0 * k.r1 * k.r2 * k.per_reach;
+      r.normal_stiffness = c.E1 * twice, r.shear_stiffness = c.S1 * twice;
+    } else {
+      const T tiny = all<T>(1e-300);
+      const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
+      // One division serves both.
+      const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);
+      r.normal_stiffness = 2.0 * n1 * n2 * (s * inverse);
+      r.shear_stiffness = 2.0 * s1 * s2 * (n * inverse);
+    }
+    const T elastic = r.normal_stiffness * k.overlap;
+    r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
+    books.elastic_normal = 0.5 * elastic * k.overlap;
+    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
+    // Without shear stiffness there is no shear force and no moment scaled by it, even if the initial state has one.
+    if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(memory);
+    tangential_step(c.tangential, k, memory, r, books);
+    return r;
+  }
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,88 @@
+// Resistance to rolling and twisting: an elastic spring with an optional plastic limit. Any law may hold it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "core/error.h"
+#include "dem/contact/kinematics.h"
+#include "dem/contact/laws/contact.h"
+
+namespace soilweave::dem {
+
+/// Resistance of one material to rolling or twisting.
+struct Resistance {
+  enum class Scale { absolute, contact };  // stiffness in N m/rad, or a factor on ks r1 r2
+  enum class Arm { mean_radius, smaller_radius };
+  double stiffness = 0;
+  Scale scale = Scale::absolute;
+  std::optional<double> limit;  // greatest moment over (arm * normal force); none: elastic; 0: no moment at all
+  Arm arm = Arm::mean_radius;
+};
+
+/// Resistance of two materials in contact. Each side keeps its own limit, since the linear law caps at min(eta1 r1,
+/// eta2 r2) (LAWS.md §3).
+struct PairResistance {
+  double stiffness = 0;
+  Resistance::Scale scale = Resistance::Scale::absolute;
+  Resistance::Arm arm = Resistance::Arm::mean_radius;
+  bool limited = false;
+  double limit_1 = 0, limit_2 = 0;  // infinite on a side without a limit
+};
+
+/// Mixes two resistances. Stiffnesses scaled by the contact are in series (harmonic mean, LAWS.md §3). The smaller
+/// absolute stiffness counts, since a moment passes through both grains. A limit of 0 removes the stiffness. Throws
+/// DataError if the kinds differ: N m/rad and a factor have no mean.
+inline PairResistance mix(const Resistance& a, const Resistance& b) {
+  if (a.stiffness > 0 && b.stiffness > 0 && (a.scale != b.scale || a.arm != b.arm))
+    throw DataError("rolling or twisting resistance: two materials in contact must have the same scale and arm");
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  PairResistance m;
+  m.scale = a.scale, m.arm = a.arm;
+  m.limited = a.limit || b.limit;
+  m.limit_1 = a.limit.value_or(unlimited), m.limit_2 = b.limit.value_or(unlimited);
+  if (std::min(a.stiffness, b.stiffness) == 0 || std::min(m.limit_1, m.limit_2) == 0) return m;
+  m.stiffness = a.scale == Resistance::Scale::absolute ? std::min(a.stiffness, b.stiffness)
+                                                       : 2 / (1 / a.stiffness + 1 / b.stiffness);
+  return m;
+}
+
+/// Returns the stiffness, N m/rad. shear_stiffness: tangent ks of the law, N/m.
+template <class T, class Space>
+T resistance_stiffness(const PairResistance& r, const Kinematics<T, Space>& k, const T& shear_stiffness) {
+  if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness);
+  return r.stiffness * shear_stiffness * k.r1 * k.r2;
+}
+
+/// Returns the compliance of resistance_stiffness, rad/(N m); 0 without stiffness.
+template <class T>
+T resistance_compliance(const PairResistance& r, const T& stiffness) {
+  if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness > 0 ? 1 / r.stiffness : 0);
+  return compliance_of(stiffness);
+}
+
+/// Returns the greatest moment of a limited resistance, N m. normal_force: N, not negative.
+template <class T, class Space>
+T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const T& normal_force) {
+  const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
+                                                      : minimum(T(r.limit_1 * k.r1), T(r.limit_2 * k.r2));
+  return arm * normal_force;
+}
+
+/// Applies rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness the moment is zero,
+/// even if the initial state has one, which would otherwise rotate the grains for ever at no cost of energy.
+template <class T, class Quantity, class Space>
+SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T, Space>& k, const Quantity& old,
+                                        const T& stiffness, const Quantity& increment, const T& normal_force) {
+  if (!(r.stiffness > 0)) {
+    SpringStep<T, Quantity> none{};
+    none.limited = all<T>(0) > all<T>(0);
+    return none;
+  }
+  if (!r.limited) return spring_step<T, Quantity>(old, stiffness, resistance_compliance(r, stiffness), increment);
+  return limited_spring_step<T, Quantity>(old, stiffness, increment, resistance_limit(r, k, normal_force));
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,64 @@
+// Parts that laws share beside the normal force: incremental shear with Coulomb's limit, rolling and twisting
+// resistance.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/contact/laws/contact.h"
+#include "dem/contact/laws/resistance.h"
+
+namespace soilweave::dem {
+
+/// Tangential parameters of a pair of materials.
+struct Tangential {
+  double mu;  // tangent of the friction angle
+  PairResistance rolling, twisting;
+
+  bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
+
+  /// Removes shear force and the moments scaled by it, if there is no shear stiffness.
+  template <class T, class Space>
+  void let_go(Memory<T, Space>& memory) const {
+    memory.shear = Along<T, Space>{};
+    if (rolling.scale == Resistance::Scale::contact) memory.rolling = Turn<T, Space>{};
+    if (twisting.scale == Resistance::Scale::contact) memory.twisting = T{};
+  }
+};
+
+/// Returns the smaller friction angle, rad, unless a material's friction holds against any other.
+template <class Material>
+double mix_friction(const Material& a, const Material& b) {
+  if (a.friction_decides != b.friction_decides) return a.friction_decides ? a.friction_angle : b.friction_angle;
+  return std::min(a.friction_angle, b.friction_angle);
+}
+
+/// Mixes the tangential parts of two materials.
+template <class Material>
+Tangential mix_tangential(const Material& a, const Material& b) {
+  return {std::tan(mix_friction(a, b)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
+}
+
+/// Completes a response with known normal force and shear stiffness: Fs <- Fs - ks slip, |Fs| <= mu Fn (LAWS.md §2,
+/// §3). `memory` becomes the present shear force and moments, `books` the energies of the three springs.
+template <class T, class Space>
+void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<T, Space>& memory, Response<T>& r,
+                     Books<T>& books) {
+  const T pressing = maximum(r.normal_force, all<T>(0));
+  r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
+  r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
+  const auto shear = limited_spring_step<T, Along<T, Space>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
+  const auto roll =
+      resistance_step<T, Turn<T, Space>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
+  SpringStep<T, T> twist{};
+  if constexpr (Space::twists)
+    twist = resistance_step<T, T>(c.twisting, k, memory.twisting, r.twisting_stiffness, k.twist, pressing);
+  memory = {shear.force, roll.force, twist.force};
+  r.sliding = shear.limited;
+  books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;
+  books.frictional = shear.dissipated;
+  books.rolling_plastic = roll.dissipated + twist.dissipated;
+}
+
+}  // namespace soilweave::dem

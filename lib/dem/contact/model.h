@@ -1,0 +1,43 @@
+// Input of a simulation: materials, and the numerical settings of the steps.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/tensor.h"
+#include "dem/contact/laws.h"
+#include "dem/contact/wire.h"
+
+namespace soilweave::dem {
+
+/// Contact law with its materials, indexed by material_id, planes included. One alternative per registered law
+/// (laws.h).
+struct Model {
+  AnyMaterials materials;                   // vector of one law's materials, as std::vector<HertzMindlin::Material>
+  std::vector<WireCurve> geotextiles = {};  // curves by geotextile_id
+};
+
+/// Limits beyond which a simulation counts as broken.
+struct Limits {
+  double overlap = 0.5;       // overlap of two grains over the smaller radius
+  double energy_error = 0.1;  // error of the balance over the turned-over energy
+  double escape =
+      2;  // distance beyond the extent of grains and planes at the start, over that extent, along an open axis
+};
+
+/// Numerical settings of the steps.
+struct Numerics {
+  double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
+  double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness
+  std::optional<double> time_step;  // s, fixed; replaces the estimate
+  bool watch_stiffness = true;      // may be false if the time step is fixed and no servo drives the cell
+  Vec3 gravity = Vec3::Zero();      // m/s2
+  Limits limits;
+  std::vector<std::vector<std::int32_t>> clamps = {};  // grains of each clamp; they move at its velocity
+  int threads = 1;
+};
+
+}  // namespace soilweave::dem

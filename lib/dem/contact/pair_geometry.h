@@ -1,0 +1,108 @@
+// Geometry and motion of a pair of grains, or of a grain and a plane, from their rows. T is double or lanes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "dem/contact/contact_kinematics.h"
+#include "dem/contact/transport.h"
+
+namespace soilweave::dem {
+
+/// Input of contact law and sums for a pair. If the bodies do not touch, overlap and all increments are zero.
+template <class T, class Space = Spatial>
+struct PairGeometry {
+  Kinematics<T, Space> kinematics;
+  Along<T, Space> surface_slip;  // m, contact_kinematics.h
+  // Gibbs vector of the rotation of the history (transport.h). In the plane the history along a contact needs none.
+  Turn<T, Space> turn;
+  Mask<T> touching;
+};
+
+/// Velocity that the deforming cell adds to a pair: the affine closing over the step, at the branch before the cell
+/// moved, to first order in the step: (L - dt L^2) d.
+struct AffineMotion {
+  Mat3 gradient;
+  bool deforming, diagonal;
+
+  AffineMotion(const Mat3& L, bool moving, double dt)
+      : gradient(L - dt * (L * L)), deforming(moving), diagonal(Mat3(gradient.diagonal().asDiagonal()) == gradient) {}
+
+  template <class T>
+  V3<T> operator()(const V3<T>& d) const {
+    const Mat3& g = gradient;
+    if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y, g(2, 2) * d.z};  // adding zeros would change no bit
+    const auto component = [&](int i) {
+      return fused(all<T>(g(i, 2)), d.z, fused(all<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)));
+    };
+    return {component(0), component(1), component(2)};
+  }
+  template <class T>
+  V2<T> operator()(const V2<T>& d) const {
+    const Mat3& g = gradient;
+    if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y};
+    const auto component = [&](int i) { return fused(all<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)); };
+    return {component(0), component(1)};
+  }
+};
+
+/// Relative position of two grains.
+template <class T, class Space>
+struct Place {
+  Vector<T, Space> normal;
+  T overlap, R_star, per_reach, inverse_distance;
+  Mask<T> touching;
+};
+
+/// Returns the position from branch vector and radii.
+template <class T, class Space>
+Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r2) {
+  const T reach = r1 + r2, distance_squared = norm2(branch);
+  const Mask<T> touching = distance_squared <= reach * reach;
+  // Dividing beside the root is faster than dividing after it.
+  const T distance = square_root(distance_squared), inverse = 1.0 / (distance_squared * reach);
+  const T inverse_distance = distance * (reach * inverse), per_reach = distance_squared * inverse;
+  return {inverse_distance * branch, keep(touching, reach - distance),
+          r1 * r2 * per_reach,       per_reach,
+          inverse_distance,          touching};
+}
+
+/// Sets the motion over a step dt that led to the position. The caller sets the masses.
+template <class T, class Space>
+void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
+  Kinematics<T, Space>& k = g.kinematics;
+  const T time = keep(g.touching, all<T>(dt));
+  set_increments(motion, time, k);
+  g.surface_slip = surface_slip(motion, k, time);
+  if constexpr (Space::twists) {
+    const auto turn = between(motion.velocity, T(-k.approach_speed), motion.inverse_distance, k.normal, time);
+    g.turn = then_spin(turn, k.normal, T(0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2)));
+  }
+  k.approach_speed = keep(g.touching, k.approach_speed);
+}
+
+/// Returns the geometry of a grain and a plane with a constant inward normal. velocity: the plane's, relative to the
+/// grain. Levers are the full radius for slip and torque alike, hence work-conjugate and exact in the rigid limit.
+/// listed: mask of the pairs that exist.
+template <class T>
+PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
+                               const T& height, const V3<T>& inward, const Mask<T>& listed, double dt) {
+  const V3<T> zero{};
+  const PairMotion<T> motion{velocity, spin, zero, radius, T{}, 1.0 / radius};
+  PairGeometry<T> g;
+  Kinematics<T>& k = g.kinematics;
+  g.touching = listed & (radius >= height);
+  const T time = keep(g.touching, all<T>(dt));
+  k.normal = -inward;
+  set_increments(motion, time, k);
+  k.approach_speed = keep(g.touching, k.approach_speed);
+  k.overlap = keep(g.touching, radius - height);
+  k.r1 = k.r2 = k.R_star = radius;
+  k.per_reach = 0.5 / radius;
+  k.m1 = mass, k.m2 = all<T>(std::numeric_limits<double>::infinity());
+  g.surface_slip = k.slip;
+  g.turn = then_spin(zero, k.normal, T(0.5 * time * dot(k.normal, spin)));
+  return g;
+}
+
+}  // namespace soilweave::dem

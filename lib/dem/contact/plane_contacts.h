@@ -1,0 +1,44 @@
+// Pairs of grains and planes, in blocks of eight.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/contact/contact_block.h"
+
+namespace soilweave::dem {
+
+/// A grain and a plane closer than the skin, with their history.
+struct PlanePair {
+  std::int32_t grain, plane;
+  History history = {};
+};
+
+/// Pairs of one plane with grains of one material. They have no second grains, and each pair has a load of its own.
+struct PlaneBlock {
+  ContactBlock pairs;
+  std::int32_t plane;
+};
+
+/// All pairs of grains and planes of a simulation.
+class PlaneContacts {
+ public:
+  /// Returns whether no pair is listed.
+  bool empty() const { return blocks_.empty(); }
+  /// Returns the blocks, plane by plane, sorted by material and grain.
+  LargeVector<PlaneBlock>& blocks() { return blocks_; }
+  const LargeVector<PlaneBlock>& blocks() const { return blocks_; }
+  /// Returns all listed pairs, in the order of the blocks.
+  std::vector<PlanePair> pairs() const;
+
+  /// Replaces the list. A pair that was listed before keeps its history.
+  void list(std::vector<PlanePair> pairs, const Bodies& bodies);
+  /// Assigns loads to the pairs from `first` on, in the order of the blocks.
+  void set_loads(std::size_t first);
+
+ private:
+  LargeVector<PlaneBlock> blocks_;
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,73 @@
+// Yarns as tension-only springs along a piecewise-linear curve: they yield, unload and break. Only strains and tensions
+// here; nodes and lists are elsewhere.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/simd/lanes.h"
+
+namespace soilweave::dem {
+
+/// Tension against strain of a yarn, linear between points from the origin on. Beyond the last point it breaks. Below
+/// its largest strain so far it unloads and reloads with slope `unloading` from the plastic strain (LAWS.md §9).
+struct WireCurve {
+  std::string name;
+  std::vector<double> strain;   // ascending, 1
+  std::vector<double> tension;  // N, not negative
+  double unloading = 0;         // N per unit of strain
+
+  /// Returns the strain at which a yarn breaks.
+  double breaking_strain() const { return strain.back(); }
+  /// Returns the tension on the curve of first loading, N, from 0 to breaking_strain(). T is double or lanes.
+  template <class T>
+  T loading(const T& e) const {
+    std::size_t k = strain.size() - 1;
+    T t = on_piece(k, e);
+    while (k-- > 0) t = select<T>(e < all<T>(strain[k]), on_piece(k, e), t);
+    return t;
+  }
+  /// Returns the steepest slope that the curve ever has, N per unit of strain.
+  double stiffest() const {
+    double most = unloading;
+    for (std::size_t k = 0; k < strain.size(); ++k) most = std::max(most, piece(k).slope);
+    return most;
+  }
+
+ private:
+  /// One linear piece of the curve.
+  struct Piece {
+    double strain, tension, slope;  // values at its beginning
+  };
+  /// Returns the piece that ends at point k.
+  Piece piece(std::size_t k) const {
+    const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
+    return {e0, t0, (tension[k] - t0) / (strain[k] - e0)};
+  }
+  template <class T>
+  T on_piece(std::size_t k, const T& e) const {
+    const Piece p = piece(k);
+    return p.tension + (e - p.strain) * p.slope;
+  }
+};
+
+/// History of yarns.
+template <class T = double>
+struct WireMemory {
+  T largest_strain{};
+  Mask<T> broken{};
+};
+
+/// Returns the tension at a strain, N, and updates the history. A yarn carries no compression.
+template <class T>
+T pull(const WireCurve& curve, const T& strain, WireMemory<T>& memory) {
+  memory.broken = memory.broken | (strain > all<T>(curve.breaking_strain()));
+  const Mask<T> whole = !memory.broken;
+  memory.largest_strain = select<T>(whole & (strain > memory.largest_strain), strain, memory.largest_strain);
+  const T tension = curve.loading(memory.largest_strain) - curve.unloading * (memory.largest_strain - strain);
+  return keep(whole, maximum(all<T>(0), tension));
+}
+
+}  // namespace soilweave::dem

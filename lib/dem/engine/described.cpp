@@ -1,0 +1,69 @@
+// Checks that a state and a model belong together.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/engine/described.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "dem/state/cell.h"
+
+namespace soilweave::dem {
+namespace {
+
+void demand_known(const std::vector<std::int32_t>& ids, std::size_t known, const char* has, const char* table) {
+  for (const std::int32_t id : ids)
+    if (id < 0 || static_cast<std::size_t>(id) >= known)
+      throw DataError(
+          fmt::format("the packing has {} {}, the scenario describes {}: add {} tables", has, id, known, table));
+}
+
+// Throws DataError for an unbroken yarn that is longer than it can be, while its nodes are nearer through a face.
+void demand_inside(const io::Snapshot& state, const Model& model) {
+  const Cell cell(state.cell, state.grains.dimension);
+  if (!cell.any_periodic()) return;
+  const io::YarnsRecord& y = state.yarns;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (y.broken[k]) continue;
+    const auto [one, two] = y.nodes[k];
+    const Vec3 &from = state.grains.position[static_cast<std::size_t>(one)],
+               &to = state.grains.position[static_cast<std::size_t>(two)];
+    const double length = (to - from).norm(), strain = length / y.rest_length[k] - 1;
+    if (strain <= model.geotextiles[static_cast<std::size_t>(y.geotextile_id[k])].breaking_strain()) continue;
+    const Vec3i image = cell.nearest_image(from, to);
+    if (image.isZero()) continue;
+    const int axis = image[0] != 0 ? 0 : image[1] != 0 ? 1 : 2;
+    throw DataError(fmt::format(
+        "yarn {} of {:.4g} m passes through the periodic face along {}: its nodes {} and {} are {:.4g} m apart in the "
+        "cell, {:.4g} m through the face, and yarns have no images; end the fabric inside the cell with free edges, "
+        "and do not wrap the positions of its nodes",
+        k, y.rest_length[k], "xyz"[axis], one, two, length, (to + cell.matrix() * image.cast<double>() - from).norm()));
+  }
+}
+
+}  // namespace
+
+const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
+  const auto materials = std::visit([](const auto& m) { return m.size(); }, model.materials);
+  demand_known(state.grains.material_id, materials, "grains of material", "[[material]]");
+  demand_known(state.planes.material_id, materials, "planes of material", "[[material]]");
+  demand_known(state.yarns.geotextile_id, model.geotextiles.size(), "yarns of geotextile", "[[geotextile]]");
+  demand_inside(state, model);
+  return state;
+}
+
+void demand_footing(const io::Snapshot& state, const Vec3& gravity) {
+  for (int a = 0; a < state.grains.dimension; ++a) {
+    if (gravity[a] == 0) continue;
+    if (!state.cell.periodic[static_cast<std::size_t>(a)]) return;
+    for (const Vec3& normal : state.planes.normal)
+      if (normal.dot(gravity) < 0) return;
+  }
+  for (int a = 0; a < state.grains.dimension; ++a)
+    if (gravity[a] != 0)
+      throw DataError(
+          fmt::format("numerics.gravity acts along {}, along which the cell is periodic: the grains would fall for "
+                      "ever; leave it out, or take a packing in a cell that is open along {} and give a [[plane]]",
+                      "xyz"[a], "xyz"[a]));
+}
+
+}  // namespace soilweave::dem

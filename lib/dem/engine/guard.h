@@ -1,0 +1,52 @@
+// Notices when physics breaks, and says where and why: cheap things at every step, what takes a pass over the grains
+// now and then.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/archive.h"
+#include "dem/contact/model.h"
+#include "dem/engine/simulation.h"
+#include "dem/state/bodies.h"
+#include "dem/state/cell.h"
+#include "dem/state/plane.h"
+
+namespace soilweave::dem {
+
+/// Guards of one simulation, with the limits of its numerics.
+class Guard {
+ public:
+  /// Takes the limits, and the extent of grains and planes at the start.
+  Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes);
+
+  // All functions throw PhysicsError with step, body or axis, numbers, and likely cause.
+
+  /// Checks that every number of the state is finite. `force`: a sum over all contact forces. `spent`: the energy taken
+  /// by damping. A NaN in any velocity makes `spent` a NaN, so that two sums stand for all grains.
+  void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
+  /// Throws for a contact that is too deep. deepest: its name, "grains 3 and 5 overlap by ..."
+  [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
+                             const Measures& measures) const;
+  /// Checks that no grain spans half the cell along a periodic axis.
+  void room(std::int64_t step, const Cell& cell) const;
+  /// Checks the energy balance; the kinetic energy must be the present one.
+  void balance(std::int64_t step, const Energies& energies) const;
+  /// Checks that no grain left through an open side. Planes hold grains back only where they are.
+  void escape(std::int64_t step, const Bodies& bodies) const;
+
+  /// Keeps or restores the positions that grains may reach.
+  void archive(Archive& archive) { archive.item("guard_low", low_), archive.item("guard_high", high_); }
+
+ private:
+  std::string lower_step() const;
+
+  Limits limits_;
+  bool fixed_step_;
+  double largest_;                                 // largest diameter, m
+  std::array<bool, 3> open_{};                     // axes along which a grain may leave
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // farthest allowed positions, m
+  int dimension_;
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,70 @@
+// Lists of all numbers that a checkpoint keeps beyond the state of the grains. A member added to SweepSums, Measures or
+// Energies must be added here.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "core/archive.h"
+#include "core/error.h"
+#include "core/simd/v3.h"
+#include "dem/engine/simulation.h"
+#include "dem/sweep/contact_sweep.h"
+
+namespace soilweave::dem {
+
+static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
+                  sizeof(Energies) == 17 * sizeof(double),
+              "a number was added that is not in the lists below");
+
+/// Keep or restore sums of a sweep, measurements and energies.
+inline void archive(Archive& a, SweepSums& s) {
+  a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
+  a.item("sum_tangential_work", s.tangential_work), a.item("sum_frictional", s.frictional);
+  a.item("sum_rolling_plastic", s.rolling_plastic), a.item("sum_viscous", s.viscous);
+  a.item("sum_plane_work", s.plane_work), a.item("sum_largest_overlap", s.largest_overlap);
+}
+
+inline void archive(Archive& a, Measures& m) {
+  a.item("stress", m.stress), a.item("axial_stiffness", m.axial_stiffness), a.item("contacts", m.contacts);
+}
+
+inline void archive(Archive& a, Energies& e) {
+  a.item("energy_elastic_yarns", e.elastic_yarns), a.item("energy_yarn_dissipation", e.yarn_dissipation);
+  a.item("energy_kinetic", e.kinetic), a.item("energy_elastic_normal", e.elastic_normal);
+  a.item("energy_elastic_shear", e.elastic_shear), a.item("energy_elastic_rolling", e.elastic_rolling);
+  a.item("energy_elastic_twisting", e.elastic_twisting), a.item("energy_frictional", e.frictional);
+  a.item("energy_rolling_plastic", e.rolling_plastic), a.item("energy_viscous", e.viscous);
+  a.item("energy_damping", e.damping), a.item("energy_boundary_work", e.boundary_work);
+  a.item("energy_gravity_work", e.gravity_work), a.item("energy_law", e.law);
+  a.item("energy_tangential_work", e.tangential_work);
+  a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
+}
+
+/// Keeps forces and torques of the grains from their loads, and for disks their rotation.
+inline void archive(Archive& a, Bodies& bodies) {
+  const auto of_as_many = [&bodies](const std::string& name, std::size_t numbers, std::size_t of_each) {
+    if (numbers != of_each * bodies.size()) throw DataError(name + ": is of another number of grains; begin anew");
+  };
+  if (bodies.dimension == 2) {
+    std::vector<double> angle(bodies.angle.begin(), bodies.angle.end());
+    a.item("angle", angle);
+    of_as_many("angle", angle.size(), 1);
+    bodies.angle.assign(angle.begin(), angle.end());
+  }
+  for (const auto& [name, part] : {std::pair("force", &Load::force), std::pair("torque", &Load::torque)}) {
+    std::vector<double> flat;
+    if (!a.giving_back())
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Lane4& r = bodies.loads[i].*part;
+        flat.insert(flat.end(), {r[0], r[1], r[2]});
+      }
+    a.item(name, flat);
+    if (!a.giving_back()) continue;
+    of_as_many(name, flat.size(), 3);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      bodies.loads[i].*part = Lane4{flat[3 * i], flat[3 * i + 1], flat[3 * i + 2], 0};
+  }
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,85 @@
+// From forces to motion: sums per grain in fixed order, leap-frog with local damping, the stable time step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/contact/contacts.h"
+#include "dem/state/bodies.h"
+#include "dem/state/cell.h"
+#include "dem/sweep/grain_motion.h"
+
+namespace soilweave::dem {
+
+/// Sums of a pass over the grains.
+struct MotionSums {
+  double damping = 0;       // energy taken by local damping in this step, J
+  double gravity_work = 0;  // work in this step, J
+  double fastest = 0;       // largest fluctuation speed, m/s
+  double haste = 0;         // largest speed over skin distance (Neighbours), 1/s
+};
+
+/// Passes over the grains, chunk by chunk (contacts.h). It keeps the sums of the chunks from call to call, so that
+/// stepping allocates nothing. Different threads may work on different chunks.
+class Motion {
+ public:
+  /// Prepares passes over so many grains. `how`: loops of one width.
+  Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
+
+  /// Sets what the next step moves the grains by.
+  void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
+  /// Moves the grains of a chunk. Leaves their loads zero.
+  void advance(std::size_t chunk, Bodies& bodies);
+  /// Moves all grains, chunk by chunk.
+  void advance_all(Bodies& bodies);
+  /// Returns the sums over all chunks since set_out().
+  MotionSums advanced() const;
+  /// Returns a bound on the speed that any grain can gain in the coming step, m/s, from the collected forces; infinite
+  /// before forces were collected. Call it before anything moves.
+  double gain_bound(double smallest_mass) const;
+
+  /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.
+  void collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
+  /// Returns the sum of force (x) position over the grains, N m.
+  Mat3 collected() const;
+
+  /// Returns the sum over the grains of |resultant|, gravity included, N.
+  double resultants(const Vec3& gravity, const Bodies& bodies);
+
+  /// Returns the stability limit, s, from the grains' stiffnesses (ContactSweep::stiffen), which are left zero: sqrt(2)
+  /// times the least sqrt(m/k) over grains and axes, for translation and rotation (Chareyre & Villard 2005, Eq. 2.9;
+  /// LAWS.md §8). Infinite without contacts.
+  double stable_time_step(const Contacts& contacts, Bodies& bodies);
+
+ private:
+  /// Sums of one chunk over its collected loads.
+  struct Collected {
+    Lane4 virial[3] = {};  // rows: force times x, y, z of the position
+    Lane4 force{};         // largest of each component, squared, N2
+  };
+  template <int dimension>
+  static Collected collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
+  template <class Pass>
+  void pass(const Pass& over) const;
+
+  GrainMotion how_;
+  int threads_;
+  Push push_{};
+  std::vector<MotionTally> moved_;
+  std::vector<Collected> collected_;
+  std::vector<double> partial_;  // sums of other passes, by chunk
+};
+
+/// Kinetic energies around a change of all velocities.
+struct Slowed {
+  double energy_before = 0, energy_after = 0;  // kinetic energy, J, as defined below
+
+  void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }
+};
+/// Multiplies all fluctuation velocities and spins by `share`. Returns the kinetic energy before and after.
+Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads);
+/// Returns the kinetic energy of the fluctuation at the time of the forces, J: velocities are advanced by half a step.
+double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
+/// Returns the kinetic energy of the grains under some force. A grain that floats free without gravity is never slowed
+/// and bears nothing; an assembly at rest may hold any number of such grains.
+double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
+
+}  // namespace soilweave::dem

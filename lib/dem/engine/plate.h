@@ -1,0 +1,23 @@
+// Loads of the grains on the rigid planes that they touch.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "dem/contact/contacts.h"
+#include "dem/state/bodies.h"
+#include "dem/state/plane.h"
+
+namespace soilweave::dem {
+
+/// Load on one plane.
+struct PlateLoad {
+  Vec3 force = Vec3::Zero();  // force of the grains on the plane, N
+  double stiffness = 0;       // lower bound of the stiffness of its contacts along the normal, N/m
+  std::size_t contacts = 0;
+};
+
+/// Returns one entry per plane, from the last sweep.
+std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodies, const Planes& planes);
+
+}  // namespace soilweave::dem

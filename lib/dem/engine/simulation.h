@@ -1,0 +1,145 @@
+// A granular assembly in motion: grains, their contacts, the cell and the clock. A plain object; no global state.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The discrete element method follows every grain. Grains are rigid; where two of them overlap, a contact law answers
+// the overlap and the slip of their surfaces with a force. Newton's law moves each grain by the sum of its forces:
+//
+//   m dv/dt = sum of f + m g,   I dw/dt = sum of torques,   and the stress is (1/V) sum of f (x) l   (Love-Weber)
+//
+// Central differences integrate it. Velocities live half a step before the positions (leap-frog). One step(), in order:
+//
+//   1  grains     velocities from forces (with local damping), then positions from velocities      grain_motion.h
+//   2  cell       shape and deformation gradient from the velocity gradient                        cell.h
+//   3  pairs      listed anew if a grain may have used up its skin                                 neighbours.h
+//   4  contacts   overlap, slip, carried history -> law -> force and torques, per pair             contact_sweep.h
+//   5  yarns      tension from their strain, on their nodes                                        yarns.h
+//   6  sums       stress, work and dissipation; guards look for broken physics                     guard.h
+//   7  clock      the step stays below sqrt(2 m/k) of the stiffest grain, evaluated now and then   motion.h
+//
+// A periodic cell deforms with L: each grain moves at L x plus a fluctuation, and only fluctuations are stored. Whoever
+// drives a test sets L (control.h, the servo), plane velocities or clamp velocities (rig.h) between steps:
+//
+//   Simulation simulation(packing, model, numerics);
+//   for (Servo servo; !Servo::settled(goals, 3, tolerances, simulation); simulation.step())
+//     servo.drive(goals, 3, simulation);
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/archive.h"
+#include "dem/contact/model.h"
+#include "dem/engine/clamp.h"
+#include "dem/engine/plate.h"
+#include "dem/engine/step_times.h"
+#include "dem/engine/yarns.h"
+#include "dem/state/cell.h"
+#include "files/records.h"
+
+namespace soilweave::dem {
+
+/// Measurements of every step. Stress is compression positive.
+struct Measures {
+  // Love-Weber stress over the cell, Pa (2D: N/m over the unit thickness): contacts and, in a periodic cell, yarns.
+  Mat3 stress = Mat3::Zero();
+  // Affine stiffness of these contacts and yarns along each axis, when last evaluated, Pa.
+  Vec3 axial_stiffness = Vec3::Zero();
+  std::int64_t contacts = 0;
+};
+
+/// Work and energy since the start, J. Balance: initial + boundary_work + gravity_work = kinetic + elastic + dissipated
+/// parts + law (with its sign) + error.
+struct Energies {
+  double kinetic = 0, elastic_normal = 0, elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;
+  double frictional = 0;       // dissipated by sliding
+  double rolling_plastic = 0;  // dissipated at the rolling and twisting limits
+  double viscous = 0;          // dissipated by contact damping
+  double damping = 0;          // dissipated by local non-viscous damping
+  double boundary_work = 0;    // work of the deforming cell, moving planes and clamps on the assembly
+  double gravity_work = 0;
+  double elastic_yarns = 0, yarn_dissipation = 0;  // stored in yarns; taken by their yielding and breaking
+  double law = 0;                                  // taken out (+) or created (-) by the incremental contact law itself
+  double tangential_work = 0;                      // work on the tangential springs, plus their energy at the start
+  double initial = 0;                              // kinetic and elastic at the start
+  double turned_over = 0;                          // sum of |work| and |dissipation| of every step
+  double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
+  double error() const {
+    return initial + boundary_work + gravity_work -
+           (kinetic + elastic() + frictional + rolling_plastic + viscous + damping + yarn_dissipation + law);
+  }
+};
+
+/// One assembly in motion.
+class Simulation {
+ public:
+  /// Takes over the state with its contacts and their history. Contacts missing in the record begin at zero shear.
+  /// Throws DataError if grains overlap by more than half a radius, or have a material that the model lacks.
+  Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
+  /// Goes on bit by bit from a snapshot between two steps and the numbers that archive() kept then.
+  Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// Advances one time step with the cell's present velocity gradient. Throws PhysicsError when physics breaks.
+  void step();
+
+  const Measures& measures() const;  // measurements of the last step
+  /// Returns the mean resultant on grains over the mean force of contacts and taut yarns, at least over `least`, N; 0/0
+  /// is 0.
+  double unbalanced_force(double least = 0) const;
+  double kinetic_energy() const;              // J
+  double kinetic_energy_of_acted_on() const;  // J, without grains that float free
+  double largest_overlap() const;             // over the smaller radius
+  Energies energies() const;
+  double time_step() const;  // s, of the next step
+  double stability_limit();  // s, from the present stiffness
+  double time() const;
+  std::int64_t steps() const;
+
+  const Cell& cell() const;
+  const Mat3& cell_matrix() const { return cell().matrix(); }
+  const Mat3& deformation_gradient() const { return cell().deformation_gradient(); }
+  double volume() const { return cell().volume(); }  // m3 (2D: m2)
+  std::size_t grains() const { return bodies().size(); }
+  const Bodies& bodies() const;
+  double mass() const { return bodies().total_mass(); }            // kg (2D: kg/m), of all grains
+  double solid_volume() const { return bodies().solid_volume(); }  // m3 (2D: m2), overlaps counted twice
+  double void_ratio() const { return volume() / solid_volume() - 1; }
+  /// Returns the natural strains since the reference, compression positive: -ln F_ii.
+  Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
+  void set_reference();                              // makes the present cell the reference of the strains
+  void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
+
+  void set_plane_velocity(std::size_t plane, const Vec3& velocity);  // m/s
+  const Planes& planes() const;
+  std::vector<PlateLoad> plate_loads() const;
+  void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);  // m/s
+  const std::vector<Clamp>& clamps() const;
+  const YarnSums& yarns() const;
+
+  void set_model(const Model& model);  // between stages: friction or law parameters change, history stays
+  void set_damping(double damping);
+  /// Scales the radii of soil at constant density. stretch: multiplies the coordinates of soil, from the origin.
+  void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
+  /// Multiplies all fluctuation velocities and spins by `share`. The lost energy counts as damped.
+  void slow_motion(double share);
+  /// Changes velocities. A gain of kinetic energy counts as work of the boundary, a loss as damped.
+  void change_velocities(const std::function<void(Bodies&)>& change);
+
+  /// Returns state and history. A Simulation made from it alone starts its energies anew, and evaluates the stiffness
+  /// at once.
+  io::Snapshot snapshot() const;
+  /// Keeps what a snapshot leaves out.
+  void archive(Archive& archive) const;
+  std::int64_t contact_steps() const;  // number of contacts, summed over the steps
+  const StepTimes& step_times() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace soilweave::dem

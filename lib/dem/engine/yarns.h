@@ -1,0 +1,99 @@
+// The yarns of all geotextiles: their tensions, and the forces on their nodes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/contact/contacts.h"
+#include "dem/contact/wire.h"
+#include "dem/state/bodies.h"
+#include "dem/state/cell.h"
+
+namespace soilweave::dem {
+
+/// Sums over the yarns. elastic: the energy that unloading returns.
+struct YarnSums {
+  double elastic = 0;     // J
+  double dissipated = 0;  // J, by yielding and breaking in the last step
+  double tension = 0;     // N, sum of the tensions
+  std::int64_t taut = 0;  // yarns under tension
+  std::int64_t broken = 0;
+  // Sum of -T l n (x) n over tension, length and direction of each yarn, N m; SweepSums has the contacts' f (x) l.
+  Mat3 force_branch = Mat3::Zero();
+
+  YarnSums& operator+=(const YarnSums& s) {
+    elastic += s.elastic, dissipated += s.dissipated, tension += s.tension;
+    taut += s.taut, broken += s.broken, force_branch += s.force_branch;
+    return *this;
+  }
+};
+
+/// All yarns of a simulation, in blocks that a register can take.
+class Yarns {
+ public:
+  Yarns() = default;
+  /// curves: by geotextile_id. Throws DataError if the record names one that does not exist, or if a yarn of a fabric
+  /// shares a node with another fabric.
+  Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
+
+  /// Returns whether there are yarns.
+  bool any() const { return !blocks_.empty(); }
+  /// Returns the fabric of every grain, -1 for soil; empty without yarns.
+  std::vector<std::int32_t> fabric_of() const;
+  /// Replaces the curves between stages; the history stays.
+  void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
+
+  /// Stretches all yarns to the present positions and adds their tension to the forces on their nodes, for each node in
+  /// the order of its yarns. Bits do not depend on the number of threads.
+  void run(double time, int threads, Bodies& bodies);
+  const YarnSums& sums() const { return sums_; }
+
+  /// Returns the largest stiffness over mass of the nodes, 1/s2, from their yarns, and from contacts as
+  /// ContactSweep::stiffen leaves them. 0 without yarns.
+  double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
+  /// Returns the affine stiffness of the taut yarns times their squared lengths along the axes, N m, as
+  /// ContactSweep::stiffen does for contacts. A yarn is stiff along itself, and sideways as a taut string.
+  Vec3 affine_stiffness(int threads) const;
+  /// Returns the yarns as files hold them.
+  io::YarnsRecord record() const;
+
+ private:
+  /// Yarns of one geotextile. Lanes from `count` on are empty: broken from the start.
+  struct Block {
+    static constexpr std::size_t size = width<Lane4>;
+    std::uint32_t first[size]{}, second[size]{};  // byte offsets of the nodes from the first grain
+    Lane4 rest_length = all<Lane4>(1);            // m
+    Lane4 tension{}, length{};                    // N and m, at the last evaluation; 0: none yet
+    WireMemory<Lane4> memory{{}, ~Mask<Lane4>{}};
+    std::int32_t geotextile, count = 0;
+
+    explicit Block(std::int32_t of) : geotextile(of) {}
+  };
+  /// Time and place of a break.
+  struct Breakage {
+    double time = 0;               // s
+    Vec3 position = Vec3::Zero();  // m
+  };
+  void lay_out(const io::YarnsRecord& record);
+  void list_ends(const io::YarnsRecord& record);
+  std::vector<double> stiffest() const;  // N per unit of strain, by geotextile
+  YarnSums stretch(double time, const Bodies& bodies, std::size_t block);
+  void note_breakage(double time, const Bodies& bodies, std::size_t slot);
+
+  LargeVector<Block> blocks_;
+  // For each lane of each block, a slot: unit vector from first to second node, and tension, N.
+  LargeVector<Lane4> pulls_;
+  std::vector<std::size_t> slot_;   // slot of each yarn of the record
+  std::vector<Breakage> breakage_;  // breaks by slot
+  std::vector<WireCurve> curves_;
+  std::vector<std::int32_t> node_;  // grains that are nodes, ascending
+  std::vector<std::uint32_t> start_,
+      ends_;  // ends at node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
+  std::vector<YarnSums> partial_;
+  YarnSums sums_;
+  io::YarnsRecord identity_;  // data that never change
+  std::size_t grains_ = 0;
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,66 @@
+// The servo of the periodic cell. It turns stress or strain goals on each axis into the velocity gradient of the next
+// step.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "dem/engine/simulation.h"
+
+namespace soilweave::dem {
+
+/// Goal of one cell axis. Compression positive.
+struct AxisGoal {
+  enum class Kind { stress, strain };
+  Kind kind = Kind::strain;
+  double value = 0;     // stress, Pa, or natural strain since the reference
+  double max_rate = 0;  // greatest strain rate, 1/s
+};
+using AxisGoals = std::array<AxisGoal, 3>;
+
+/// Tolerances of an equilibrium.
+struct Tolerances {
+  double stress = 1e-3;                                             // relative to the goal
+  double unbalanced_force = 1e-3;                                   // mean resultant over mean contact force
+  double kinetic_energy = std::numeric_limits<double>::infinity();  // J, of grains under load
+};
+
+/// Rule by which an axis follows its stress goal.
+struct ServoRule {
+  /// stiffness: for all new work. inertia: to repeat the thesis's runs.
+  enum class Kind {
+    // Proportional-integral and critically damped. Gains follow the stiffness of the contact network, so that the
+    // response takes as many steps for any number of grains, stiffness and pressure.
+    stiffness,
+    // The strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2, as in the thesis's
+    // runs), damped like a grain. It oscillates, and it slows down as the packing grows. Use it to repeat those runs.
+    inertia
+  };
+  Kind kind = Kind::stiffness;
+  double damping = 0.25;  // damping of `inertia`
+};
+
+/// A controller of all cell axes. One object serves one run, since it keeps an integral part.
+class Servo {
+ public:
+  explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}
+  /// Sets the velocity gradient of the next step. Strain goals are approached at the share `pace` of their greatest
+  /// rate. Axes beyond the dimension stay at rest.
+  void drive(const AxisGoals& goals, int dimension, Simulation& simulation, double pace = 1);
+  /// Returns whether all strain goals are met.
+  static bool strained(const AxisGoals& goals, int dimension, const Simulation& simulation);
+  /// Returns whether all goals are met within the tolerances, and the unbalanced force is below its own.
+  static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances,
+                      const Simulation& simulation);
+  /// Keeps or restores the state of the servo.
+  void archive(Archive& archive) { archive.item("servo_rate", rate_); }
+
+ private:
+  double stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation);
+
+  ServoRule rule_;
+  Vec3 rate_ = Vec3::Zero();  // 1/s, integral part, compression positive
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,62 @@
+// A loading path: a sequence of stations, and the goals of each axis on the way. A new path is one file in paths/ and
+// one line in the list of path.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text/settings.h"
+#include "dem/loading/control.h"
+#include "dem/loading/rig.h"
+
+namespace soilweave::dem {
+
+/// State that a path may use to set goals.
+struct PathState {
+  int dimension;
+  Mat3 stress;  // Pa, compression positive
+  Vec3 strain;  // natural, since the start of the stage
+};
+
+/// A loading path. Objects are immutable: goals depend only on the station and the state.
+class Path {
+ public:
+  virtual ~Path() = default;
+  /// Returns the number of stations.
+  virtual std::size_t stations() const = 0;
+  /// Returns the goals on the way to a station (0 to stations() - 1). Strains count from the start of the stage.
+  virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
+  /// Returns the goals of plates and clamps on the way to a station.
+  virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
+  /// Returns the strain that names a station, if the cell's own does not.
+  virtual double nominal_strain(std::size_t) const { return std::numeric_limits<double>::quiet_NaN(); }
+};
+
+/// Returns the loading axis: the last axis of the space.
+inline int loading_axis(int dimension) { return dimension - 1; }
+
+/// Keys that most paths share.
+struct StrainStations {
+  std::vector<double> strain;  // natural, compression positive, monotonic in the loading direction
+  double rate;                 // greatest rate, 1/s
+};
+
+/// Reads axial_strain and increment, or an explicit list `stations`, and rate.
+StrainStations read_strain_stations(Settings& table);
+/// Returns strains `step` apart from `step` to `end`. More than a million are a mistake of the table's key `increment`.
+std::vector<double> stations_every(double step, double end, Settings& table);
+/// Reads max_rate of the stress-controlled axes, 1/s.
+double read_max_rate(Settings& table);
+/// Reads a stress, Pa.
+double read_stress(Settings& table, std::string_view key, std::string_view sentence);
+
+/// Returns the names of all paths, for scenarios.
+std::vector<std::string> path_names();
+/// Reads the path `name`. Mistakes are collected in the table's document.
+std::unique_ptr<Path> read_path(const std::string& name, Settings& table);
+
+}  // namespace soilweave::dem

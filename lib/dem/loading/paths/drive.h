@@ -1,0 +1,60 @@
+// Free motion and loading of plates and clamps: [[stage.move]] and [[stage.load]], approached in equal parts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem/loading/path.h"
+
+namespace soilweave::dem {
+
+/// Moves and loads of named parts. Goals of the stations are equal parts of the way.
+class Drive final : public Path {
+ public:
+  static constexpr std::string_view name = "drive";
+  static Drive read(Settings& table) {
+    static constexpr Parameter parts{"parts", "1", 1, 1e6, false, "equal parts that moves and loads are cut into"};
+    static constexpr Parameter along{"along", "1", -1, 1, false, "direction"};
+    static constexpr Parameter distance{"distance", "m", -1e3, 1e3, false, "displacement over the stage"};
+    static constexpr Parameter force{"force", "N", 0, 1e15, false, "load on the grains along the direction"};
+    static constexpr Parameter from{"force_from", "N", 0, 1e15, false, "load at the start, approached from there"};
+    static constexpr Parameter speed{"speed", "m/s", 0, 1e3, true, "largest speed"};
+    Drive path;
+    path.parts_ = static_cast<std::size_t>(table.integer(parts, 1));
+    const auto take = [&](Settings& entry, DriveGoal::Kind kind, const Parameter& value) {
+      Goal goal;
+      goal.end.part = entry.text("part");
+      goal.end.kind = kind;
+      const Vec3 direction = entry.vector(along);
+      if (direction.norm() == 0) entry.mistake("along", "is zero: give a direction");
+      goal.end.direction = direction.normalized();
+      goal.end.value = entry.number(value);
+      goal.end.speed = entry.number(speed);
+      goal.start = kind == DriveGoal::Kind::load ? entry.number(from, goal.end.value) : 0.0;
+      path.goals_.push_back(goal);
+    };
+    for (Settings entry : table.tables("load")) take(entry, DriveGoal::Kind::load, force);
+    for (Settings entry : table.tables("move")) take(entry, DriveGoal::Kind::displacement, distance);
+    return path;
+  }
+
+  std::size_t stations() const override { return parts_; }
+  AxisGoals goals(std::size_t, const PathState&) const override { return {}; }
+  std::vector<DriveGoal> drives(std::size_t station) const override {
+    const double share = static_cast<double>(station + 1) / static_cast<double>(parts_);
+    std::vector<DriveGoal> now;
+    for (const Goal& goal : goals_) {
+      now.push_back(goal.end);
+      if (station + 1 < parts_) now.back().value = goal.start + share * (goal.end.value - goal.start);
+    }
+    return now;
+  }
+
+ private:
+  struct Goal {
+    DriveGoal end;
+    double start = 0;
+  };
+  std::size_t parts_ = 1;
+  std::vector<Goal> goals_;
+};
+
+}  // namespace soilweave::dem

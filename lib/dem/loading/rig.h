@@ -1,0 +1,93 @@
+// Drives the named plates and clamps of a run: displacements at a speed, and loads, which stay until changed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/archive.h"
+#include "dem/engine/simulation.h"
+
+namespace soilweave::dem {
+
+/// Goal of one part along one direction. The velocities of several goals of one part add up.
+struct DriveGoal {
+  enum class Kind { displacement, load };
+  std::string part;
+  Kind kind = Kind::displacement;
+  Vec3 direction = Vec3::UnitZ();  // unit vector; a load pushes the grains along it
+  double value = 0;                // displacement since the start of the stage, m, or load, N
+  double speed = 0;                // greatest speed, m/s
+};
+
+/// A plate or clamp that can be driven.
+struct RigPart {
+  std::string name;
+  bool is_clamp = false;
+  std::size_t number = 0;  // index of the plane or clamp
+  double mass = 0;         // kg; 0: massless, carried by its contacts
+};
+
+/// All named plates and clamps of a run.
+class Rig {
+ public:
+  Rig() = default;
+  /// Takes the parts of a scenario, all at rest.
+  explicit Rig(std::vector<RigPart> parts) : parts_(std::move(parts)), states_(parts_.size()) {}
+
+  /// Returns whether there are any parts.
+  bool any() const { return !parts_.empty(); }
+  /// Makes displacements count from here.
+  void begin_stage();
+  /// Sets the velocities of all parts for the next step. Goals are followed, displacements at the share `pace` of their
+  /// speed. Loads of earlier stages are held. Other parts rest.
+  void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace = 1);
+  /// Returns the velocity gradient, 1/s, that the displacements demand of the grains between facing parts: two planes,
+  /// or two clamps. The relative velocity of a pair is spread evenly. Elements that no pair determines stay as in
+  /// `before`.
+  Mat3 gradient_of_way(const std::vector<DriveGoal>& goals, double pace, const Mat3& before,
+                       const Simulation& simulation) const;
+  /// Returns whether all displacements are reached.
+  bool moved(const std::vector<DriveGoal>& goals) const;
+  /// Returns whether all displacements are reached, and all loads, earlier ones included, are met to the tolerance.
+  bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
+  /// Appends displacement and force of every part to the series.
+  void record(const Simulation& simulation, io::Series& series) const;
+  /// Returns displacement and force of every part in brief, for progress.
+  std::string text(const Simulation& simulation) const;
+  /// Keeps or restores displacements, loads and velocities.
+  void archive(Archive& archive);
+
+ private:
+  /// Present state of one part.
+  struct State {
+    Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();  // m
+    bool loaded = false;
+    Vec3 direction = Vec3::Zero();
+    double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load
+  };
+  /// Two facing parts, and the distance from first to second along the unit vector between them, m.
+  struct Facing {
+    std::size_t first, second;
+    Vec3 across;
+    double distance;
+  };
+  std::vector<Facing> facing(const Simulation& simulation) const;
+  std::size_t index(const std::string& name) const;
+  bool loaded() const;  // whether a part carries a load
+  Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
+  double load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
+                       const Simulation& simulation);
+
+  std::vector<RigPart> parts_;
+  std::vector<State> states_;
+};
+
+/// Returns whether planes with these normals face each other.
+bool face_each_other(const Vec3& one, const Vec3& other);
+
+/// Appends a value to the named column, and makes a missing column.
+void append(io::Series& series, const std::string& name, const std::string& unit, const std::string& long_name,
+            double value);
+
+}  // namespace soilweave::dem

@@ -1,0 +1,37 @@
+// Forecast of a run from its input: steps, time, memory, file size. A few steps are tried and timed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem/run/price.h"
+#include "dem/run/scenario.h"
+
+namespace soilweave::dem {
+
+/// Forecast of a whole run, by stages and in total.
+struct Forecast {
+  /// Steps of one stage.
+  struct OfStage {
+    std::string name;
+    std::size_t stations = 0;
+    double steps = 0;    // estimate: the time to rest is known only afterwards
+    double waiting = 0;  // number of them that wait for rest
+    bool paced = false;  // true: the loading may slow down, which shortens the waits and is not foreseen
+  };
+  std::vector<OfStage> stages;
+  double stability_limit = 0, time_step = 0;  // s, at the start
+  double unbalanced_force = 0, largest_overlap = 0;
+  std::size_t states = 0;  // recorded states
+  double file_bytes = 0, memory_bytes = 0;
+  Price price;
+
+  /// Returns the lines for the user.
+  std::string text() const;
+};
+
+/// start: as for run(). Throws what the first steps of a run throw.
+Forecast forecast(const io::Snapshot& start, const Scenario& scenario);
+
+}  // namespace soilweave::dem

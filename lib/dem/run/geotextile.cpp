@@ -1,0 +1,97 @@
+// Geotextiles of a scenario.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/run/geotextile.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "core/data.h"
+#include "core/error.h"
+#include "core/text/text.h"
+#include "files/files.h"
+
+namespace soilweave::dem {
+namespace {
+
+constexpr Parameter strains{
+    "yarn_strain", "1", 0, 10, true, "strains of the curve's points, ascending, from the origin on"};
+constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
+constexpr Parameter slope{"unloading_slope", "N", 0, 1e15, true, "tension per unit of strain when unloading"};
+constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
+
+void check(const WireCurve& curve, Settings& table) {
+  if (curve.strain.empty() || curve.strain.size() != curve.tension.size())
+    return table.mistake("yarn_tension", fmt::format("has {} points, yarn_strain {}: give one for each",
+                                                     curve.tension.size(), curve.strain.size()));
+  for (std::size_t k = 1; k < curve.strain.size(); ++k)
+    if (curve.strain[k] <= curve.strain[k - 1])
+      return table.mistake("yarn_strain", fmt::format("falls from {} to {}: a curve goes from point to point with "
+                                                      "growing strain",
+                                                      curve.strain[k - 1], curve.strain[k]));
+  for (std::size_t k = 0; k < curve.strain.size(); ++k)
+    if (curve.tension[k] > curve.unloading * curve.strain[k] * (1 + 1e-12))
+      return table.mistake("unloading_slope",
+                           fmt::format("{} N is flatter than the curve, {} N at a strain of {}: unloading would end in "
+                                       "compression; give the steepest slope at least",
+                                       curve.unloading, curve.tension[k], curve.strain[k]));
+}
+
+WireCurve read_points(Settings& table) {
+  WireCurve curve;
+  curve.strain = table.numbers(strains);
+  curve.tension = table.numbers(tensions);
+  const double first = curve.strain.empty() || curve.tension.empty() ? 1 : curve.tension[0] / curve.strain[0];
+  curve.unloading = table.number(slope, first);
+  check(curve, table);
+  return curve;
+}
+
+WireCurve from_file(const std::filesystem::path& path, std::vector<io::Source>& sources) {
+  const io::TextFile file = io::read_text(path, "geotextile");
+  sources.push_back(file.source);
+  Settings document = Settings::parse(file.text, path.string());
+  WireCurve curve = read_points(document);
+  curve.name = document.text("name", path.stem().string());
+  // Numbers of the analytical model, beside the curve, are only checked.
+  for (const char* key : {"stiffness", "strength"})
+    if (document.has(key)) document.text(key);
+  static constexpr Parameter failure{"failure_strain", "1", 0, 10, true, "strain at which it breaks"};
+  if (document.has("failure_strain")) document.number(failure);
+  document.finish();
+  return curve;
+}
+
+}  // namespace
+
+WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFiles& files,
+                          std::vector<io::Source>& sources) {
+  const double factor = table.number(multiple, 1.0);
+  WireCurve curve;
+  double layers = 1;
+  if (table.has("curve")) {
+    const std::string name = table.text("curve");
+    if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
+      curve = from_file(files.path(key + ".curve", name), sources);
+    } else {
+      const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), layers);
+      if (failure != std::errc()) layers = 1;
+      const std::string base = failure == std::errc() ? std::string(end, name.data() + name.size()) : name;
+      const std::vector<std::string> known = data_names("geotextiles", ".toml");
+      if (std::find(known.begin(), known.end(), base) == known.end() || !(layers > 0)) {
+        table.mistake("curve", fmt::format("\"{}\" is unknown; multiples such as 3PP and paths of TOML files are taken "
+                                           "too{}",
+                                           name, suggestion(base, known)));
+        return {name, {1}, {1}, 1};
+      }
+      curve = from_file(data_file("geotextiles", base + ".toml"), sources);
+    }
+  } else {
+    curve = read_points(table);
+  }
+  for (double& t : curve.tension) t *= factor * layers;
+  curve.unloading *= factor * layers;
+  return curve;
+}
+
+}  // namespace soilweave::dem

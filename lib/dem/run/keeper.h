@@ -1,0 +1,78 @@
+// Writes checkpoints of an unfinished run: at intervals of the clock, and when a signal asks for its end.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <new>
+
+#include "core/error.h"
+#include "core/stop_signals.h"
+#include "files/part.h"
+
+namespace soilweave::dem {
+
+/// Steps between two reports, and between two checks whether the grains are at rest.
+inline constexpr std::int64_t report_interval = 512, look_interval = 16;
+
+/// Place and times of checkpoints.
+struct Safekeeping {
+  io::Part* part = nullptr;              // nullptr: no checkpoints; a signal then ends the program as usual
+  double interval = 300;                 // s of the clock between checkpoints; 0: recorded states only
+  const StopSignals* signals = nullptr;  // nullptr: signals are ignored here
+};
+
+/// Keeper of checkpoints for one run.
+class Keeper {
+ public:
+  /// Prepares the keeping of a run with so many grains.
+  Keeper(const Safekeeping& how, std::size_t grains);
+
+  /// Returns whether checkpoints are written at all.
+  bool keeps() const { return how_.part != nullptr; }
+  /// Returns the folder; only if keeps().
+  io::Part& part() const { return *how_.part; }
+  /// Call it after every step. Writes the checkpoint that make() returns when it is due. Throws Stopped after a signal.
+  template <class Make>
+  void after_step(const Make& make) {
+    if (!keeps() || ++steps_ % look_interval_ != 0) return;
+    const char* signal = how_.signals ? how_.signals->asked() : nullptr;
+    if (!signal && Clock::now() < due_) return;
+    keep(make(), false);
+    if (signal) stop(signal);
+  }
+  /// Writes a checkpoint and counts the time.
+  void keep(io::Moment moment, bool recorded);
+  /// Returns the time spent in checkpoints so far, s.
+  double seconds() const { return seconds_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[noreturn]] void stop(const char* signal) const;
+
+  Safekeeping how_;
+  std::int64_t steps_ = 0, look_interval_;
+  Clock::time_point due_;
+  double seconds_ = 0;
+};
+
+/// Calls work.run(). If the work is kept, errors say what is whole and how to go on. A guard then leaves
+/// work.snapshot() for inspection; so does an unreached target if show_unreached.
+template <bool show_unreached, class Work>
+auto carry_out(Work& work, const io::Part* part) {
+  if (!part) return work.run();
+  try {
+    return work.run();
+  } catch (const PhysicsError& error) {
+    throw part->stopped(error, work.snapshot());
+  } catch (const TargetNotReached& error) {
+    if (!show_unreached) throw;
+    throw part->stopped(error, work.snapshot());
+  } catch (const Error& error) {
+    throw part->explained(error);
+  } catch (const std::bad_alloc&) {
+    throw part->explained(Error(Exit::internal, "not enough memory; use fewer grains or a machine with more"));
+  }
+}
+
+}  // namespace soilweave::dem

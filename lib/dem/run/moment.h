@@ -1,0 +1,32 @@
+// A checkpoint of a simulation, from which the run goes on bit by bit.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+#include "dem/engine/simulation.h"
+#include "dem/run/price.h"
+#include "files/part.h"
+
+namespace soilweave::dem {
+
+/// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive(). keeping: s spent
+/// in checkpoints.
+template <class... Parts>
+io::Moment moment_of(const Simulation& simulation, PriceClock& clock, double keeping, const io::Series& table,
+                     Parts&... parts) {
+  Archive archive;
+  simulation.archive(archive);
+  (parts.archive(archive), ...);
+  clock.archive(simulation, keeping, archive);
+  return {simulation.snapshot(), table, archive.numbers()};
+}
+
+/// Throws DataError unless a number from a checkpoint is possible in this run (the file was edited). file: the
+/// checkpoint. what: name of the number.
+inline void demand_kept(bool possible, const std::filesystem::path& file, const char* what) {
+  if (!possible)
+    throw DataError(file.string() + ": keeps a " + what +
+                    " that this run cannot have; it was changed: give --force without --resume to begin anew");
+}
+
+}  // namespace soilweave::dem

@@ -1,0 +1,26 @@
+// Prepares a packing for a scenario, and checks that the two agree.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "dem/engine/simulation.h"
+#include "dem/run/scenario.h"
+#include "files/records.h"
+
+namespace soilweave::dem {
+
+/// Returns the packing with the scenario's density (masses follow), mass scaling, and planes; planes that are to touch
+/// are put in place. Throws DataError if the packing names materials or geotextiles that the scenario lacks, a stage
+/// loads an aperiodic axis, a yarn passes through a periodic face, gravity has nothing to press on, a plane starts
+/// inside the grains, a clamp holds nothing, a strain to record is no station, a homogeneous start has no parts that
+/// face each other, a critical drag has no axis to swing along, or scaled masses would fall.
+io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
+
+/// Throws DataError if a fixed time step exceeds the stability limit of the present contacts.
+void demand_stable(Simulation& simulation, const Numerics& numerics);
+
+/// Returns the nodes of geotextiles in an upright box (m), ascending.
+std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high);
+
+}  // namespace soilweave::dem

@@ -1,0 +1,47 @@
+// Cost of a run: counts, which equal runs share, and seconds, which they do not.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "core/archive.h"
+#include "dem/engine/simulation.h"
+
+namespace soilweave::dem {
+
+/// Cost of a run.
+struct Price {
+  std::size_t grains = 0;
+  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
+  std::int64_t waiting = 0;                   // number of steps in which stations waited for rest; 0: no waits
+  double stepping = 0, output = 0;            // s
+  StepTimes times;
+
+  /// Returns the mean number of contacts per step.
+  double contacts() const { return steps > 0 ? static_cast<double>(contact_steps) / static_cast<double>(steps) : 0; }
+  /// Returns the time of a whole step per contact, ns.
+  double per_contact() const { return contact_steps > 0 ? 1e9 * stepping / static_cast<double>(contact_steps) : 0; }
+  /// Returns the share of a phase in the total time, from the sampled steps. The shares sum to at most 1.
+  double share(Phase phase) const;
+  /// Returns the cost as one line.
+  std::string line() const;
+};
+
+/// Measures the cost of work that may be interrupted and resumed.
+class PriceClock {
+ public:
+  /// Returns the cost over all sessions; the simulation counts its steps from 0. keeping: s spent in checkpoints in
+  /// this session.
+  Price price(const Simulation& simulation, double keeping) const;
+  /// Keeps the seconds of all sessions, or restores those of earlier sessions.
+  void archive(const Simulation& simulation, double keeping, Archive& archive);
+
+ private:
+  double stepping_ = 0, output_ = 0;  // s, of earlier sessions
+  StepTimes times_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,136 @@
+// One row of a run's series.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/run/record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace soilweave::dem {
+namespace {
+
+struct Coordination {
+  double all = 0;         // 2 Nc/N
+  double mechanical = 0;  // Thornton (2000): (2 Nc - N1)/(N - N0 - N1)
+  double sliding = 0;     // share of the contacts
+};
+
+// Quantities of a row, gathered once.
+struct Moment {
+  const Simulation& simulation;
+  int dimension, stage;
+  Measures measures;
+  Energies energies;
+  Vec3 strain;
+  Coordination coordination;
+
+  double lateral_stress() const {
+    const int last = dimension - 1;
+    return (measures.stress.diagonal().head(dimension).sum() - measures.stress(last, last)) / last;
+  }
+};
+
+struct Quantity {
+  const char *name, *unit, *long_name;
+  double (*value)(const Moment&);
+};
+
+Coordination coordination(const io::Snapshot& s) {
+  std::vector<int> count(s.grains.size(), 0);
+  double sliding = 0;
+  for (std::size_t c = 0; c < s.contacts.size(); ++c) {
+    for (const std::int32_t b : s.contacts.bodies[c])
+      if (b >= 0) ++count[static_cast<std::size_t>(b)];
+    sliding += s.contacts.sliding[c];
+  }
+  const double n = static_cast<double>(count.size());
+  const auto n0 = static_cast<double>(std::count(count.begin(), count.end(), 0));
+  const auto n1 = static_cast<double>(std::count(count.begin(), count.end(), 1));
+  double ends = 0;
+  for (const int k : count) ends += k;
+  const double m = static_cast<double>(s.contacts.size());
+  return {ends / n, n > n0 + n1 ? (ends - n1) / (n - n0 - n1) : 0, m > 0 ? sliding / m : 0};
+}
+
+double deviatoric_strain(const Vec3& strain, int dimension) {
+  const Mat3 e = strain.asDiagonal();
+  return (dimension == 3 ? 2.0 / 3.0 : 2.0) * deviatoric_stress(e, dimension);
+}
+
+using M = Moment;
+constexpr std::array quantities = {
+    Quantity{"step", "1", "time steps since the start", [](const M& m) { return double(m.simulation.steps()); }},
+    Quantity{"time", "s", "time since the start", [](const M& m) { return m.simulation.time(); }},
+    Quantity{"stage", "1", "number of the loading stage, from 0", [](const M& m) { return double(m.stage); }},
+    Quantity{"strain_xx", "1", "natural strain along x, compression positive", [](const M& m) { return m.strain.x(); }},
+    Quantity{"strain_yy", "1", "natural strain along y, compression positive", [](const M& m) { return m.strain.y(); }},
+    Quantity{"strain_zz", "1", "natural strain along z, compression positive", [](const M& m) { return m.strain.z(); }},
+    Quantity{"strain_axial", "1", "natural strain along the loading axis",
+             [](const M& m) { return m.strain[m.dimension - 1]; }},
+    Quantity{"strain_volumetric", "1", "sum of the natural strains, contraction positive",
+             [](const M& m) { return m.strain.sum(); }},
+    Quantity{"strain_deviatoric", "1", "deviatoric strain, sqrt(2/3 e:e) in 3D",
+             [](const M& m) { return deviatoric_strain(m.strain, m.dimension); }},
+    Quantity{"stress_xx", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(0, 0); }},
+    Quantity{"stress_yy", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(1, 1); }},
+    Quantity{"stress_zz", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(2, 2); }},
+    Quantity{"stress_xy", "Pa", "shear stress", [](const M& m) { return m.measures.stress(0, 1); }},
+    Quantity{"stress_yz", "Pa", "shear stress", [](const M& m) { return m.measures.stress(1, 2); }},
+    Quantity{"stress_zx", "Pa", "shear stress", [](const M& m) { return m.measures.stress(2, 0); }},
+    Quantity{"mean_stress", "Pa", "mean stress p", [](const M& m) { return mean(m.measures.stress, m.dimension); }},
+    Quantity{"deviatoric_stress", "Pa", "deviatoric stress q",
+             [](const M& m) { return deviatoric_stress(m.measures.stress, m.dimension); }},
+    Quantity{"stress_ratio", "1", "axial stress over mean lateral stress",
+             [](const M& m) {
+               const double lateral = m.lateral_stress();
+               return lateral > 0 ? m.measures.stress(m.dimension - 1, m.dimension - 1) / lateral : 0.0;
+             }},
+    Quantity{"void_ratio", "1", "void ratio of the cell, overlaps counted twice",
+             [](const M& m) { return m.simulation.void_ratio(); }},
+    Quantity{"coordination_number", "1", "2 Nc/N", [](const M& m) { return m.coordination.all; }},
+    Quantity{"mechanical_coordination_number", "1", "(2 Nc - N1)/(N - N0 - N1), Thornton (2000)",
+             [](const M& m) { return m.coordination.mechanical; }},
+    Quantity{"sliding_fraction", "1", "share of contacts at the Coulomb limit",
+             [](const M& m) { return m.coordination.sliding; }},
+    Quantity{"unbalanced_force", "1", "mean resultant on grains over mean contact force",
+             [](const M& m) { return m.simulation.unbalanced_force(); }},
+    Quantity{"largest_overlap", "1", "largest overlap over the smaller radius",
+             [](const M& m) { return m.simulation.largest_overlap(); }},
+    Quantity{"time_step", "s", "time step", [](const M& m) { return m.simulation.time_step(); }},
+    Quantity{"kinetic_energy", "J", "kinetic energy of the fluctuation", [](const M& m) { return m.energies.kinetic; }},
+    Quantity{"elastic_energy", "J", "elastic energy of the contacts",
+             [](const M& m) { return m.energies.elastic() - m.energies.elastic_yarns; }},
+    Quantity{"frictional_dissipation", "J", "dissipated by sliding", [](const M& m) { return m.energies.frictional; }},
+    Quantity{"rolling_dissipation", "J", "dissipated at the rolling and twisting limits",
+             [](const M& m) { return m.energies.rolling_plastic; }},
+    Quantity{"viscous_dissipation", "J", "dissipated by contact damping",
+             [](const M& m) { return m.energies.viscous; }},
+    Quantity{"damping_dissipation", "J", "dissipated by local damping", [](const M& m) { return m.energies.damping; }},
+    Quantity{"boundary_work", "J", "work done on the grains by the cell and moving planes",
+             [](const M& m) { return m.energies.boundary_work; }},
+    Quantity{"gravity_work", "J", "work of gravity", [](const M& m) { return m.energies.gravity_work; }},
+    Quantity{"law_energy", "J", "taken out (+) or created (-) by the incremental contact law itself",
+             [](const M& m) { return m.energies.law; }},
+    Quantity{"energy_error", "J", "what the energy balance leaves over", [](const M& m) { return m.energies.error(); }},
+};
+
+}  // namespace
+
+io::Series empty_series() {
+  io::Series series;
+  for (const Quantity& q : quantities) series.columns.push_back({q.name, q.unit, q.long_name, {}});
+  return series;
+}
+
+void record(const Simulation& simulation, int dimension, int stage, io::Series& series) {
+  const Moment moment{simulation,
+                      dimension,
+                      stage,
+                      simulation.measures(),
+                      simulation.energies(),
+                      simulation.strain(),
+                      coordination(simulation.snapshot())};
+  for (std::size_t c = 0; c < quantities.size(); ++c) series.columns[c].values.push_back(quantities[c].value(moment));
+}
+
+}  // namespace soilweave::dem

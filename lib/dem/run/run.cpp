@@ -1,0 +1,349 @@
+// Carries out a scenario.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem/run/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "core/error.h"
+#include "dem/loading/pace.h"
+#include "dem/run/moment.h"
+#include "dem/run/prepare.h"
+#include "dem/run/record.h"
+#include "dem/run/way.h"
+
+namespace soilweave::dem {
+namespace {
+
+// Returns a uniform number in [-1, 1) from the engine's bits alone, because standard distributions differ between
+// libraries.
+double symmetric_uniform(std::mt19937_64& engine) {
+  return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;
+}
+
+bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int axis, double nominal) {
+  if (rule.which == SnapshotRule::Which::stations) return true;
+  if (rule.which == SnapshotRule::Which::ends) return false;
+  const double strain = std::isnan(nominal) ? simulation.strain()[axis] : nominal;
+  return std::any_of(rule.strains.begin(), rule.strains.end(),
+                     [&](double s) { return std::abs(s - strain) < station_tolerance; });
+}
+
+std::vector<RigPart> parts_of(const Scenario& scenario) {
+  std::vector<RigPart> parts;
+  for (const PartSetting& p : scenario.parts) parts.push_back(p.part);
+  return parts;
+}
+
+Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
+  Numerics numerics = scenario.numerics;
+  for (const PartSetting& p : scenario.parts)
+    if (p.part.is_clamp) numerics.clamps.push_back(nodes_within(start, p.low, p.high));
+  return numerics;
+}
+
+// Progress of a run.
+struct Position {
+  std::size_t stage = 0, station = 0;  // station: the next one to reach
+  bool begun = false;                  // whether the stage has begun
+  std::int64_t first = 0;              // step at which the loading to the station began
+  std::size_t done = 0;                // number of stations done, in all stages
+  Vec3 start_of_stage = Vec3::Zero();  // strain
+
+  void archive(Archive& a) {
+    a.whole("stage", stage), a.whole("station", station), a.whole("stage_begun", begun);
+    a.item("station_first_step", first), a.whole("stations_done", done);
+    a.item("start_of_stage", start_of_stage);
+  }
+};
+
+class Runner {
+ public:
+  Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
+         const Observe& observe, std::optional<io::Moment> last)
+      : scenario_(scenario),
+        report_(report),
+        observe_(observe),
+        has_yarns_(start.yarns.size() > 0),
+        dimension_(start.grains.dimension),
+        model_(scenario.model),
+        keeper_(safekeeping, start.grains.size()),
+        kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
+        simulation_(last ? Simulation(last->state, scenario.model, with_clamps(scenario, start), kept_)
+                         : Simulation(start, scenario.model, with_clamps(scenario, start))),
+        servo_(scenario.servo),
+        rig_(parts_of(scenario)),
+        pace_(start.grains.size(), dimension_) {
+    result_.series = last ? std::move(last->series) : empty_series();
+    result_.scenario = scenario.resolved;
+    for (const Stage& stage : scenario.stages) total_ += stage.path->stations();
+    if (last)
+      go_on();
+    else
+      demand_stable(simulation_, scenario.numerics);
+  }
+
+  Outcome run() {
+    if (result_.series.rows() == 0) {
+      row(0);
+      keep_state();
+    }
+    for (; at_.stage < scenario_.stages.size(); ++at_.stage, at_.station = 0, at_.begun = false) {
+      const Stage& stage = scenario_.stages[at_.stage];
+      if (!at_.begun) begin(stage);
+      while (at_.station < stage.path->stations()) {
+        travel(stage, at_.station);
+        row(at_.stage);
+        ++at_.done;
+        const bool last_of_stage = ++at_.station == stage.path->stations();
+        at_.first = simulation_.steps();
+        const double nominal = stage.path->nominal_strain(at_.station - 1);
+        if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1, nominal)) keep_state();
+      }
+    }
+    Price price = clock_.price(simulation_, keeper_.seconds());
+    price.waiting = way_.waited();
+    result_.work = {price.steps, price.contact_steps};
+    if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
+    return {std::move(result_), price};
+  }
+
+  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+
+ private:
+  void go_on() {
+    servo_.archive(kept_), rig_.archive(kept_), pace_.archive(kept_), way_.archive(kept_);
+    at_.archive(kept_);
+    clock_.archive(simulation_, keeper_.seconds(), kept_);
+    demand_place();
+    for (std::size_t n = 0; n < at_.stage + (at_.begun ? 1 : 0); ++n) apply(scenario_.stages[n]);
+  }
+
+  void demand_place() const {
+    const std::vector<Stage>& stages = scenario_.stages;
+    const bool among = at_.stage < stages.size();
+    demand_kept(among || (at_.stage == stages.size() && !at_.begun), keeper_.part().last(), "stage");
+    demand_kept(at_.station <= (among ? stages[at_.stage].path->stations() : 0), keeper_.part().last(), "station");
+    demand_kept(at_.done <= total_, keeper_.part().last(), "number of stations done");
+    demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
+    const std::vector<io::Column>&found = result_.series.columns, wanted = empty_series().columns;
+    const bool same_table =
+        found.size() >= wanted.size() &&
+        std::equal(wanted.begin(), wanted.end(), found.begin(), [](auto& a, auto& b) { return a.name == b.name; });
+    demand_kept(same_table && result_.series.rows() > 0, keeper_.part().last(), "table");
+  }
+
+  io::Moment moment() {
+    return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
+  }
+
+  // Applies a stage's changes to the grains.
+  void apply(const Stage& stage) {
+    if (!stage.friction && !stage.plate_friction) return;
+    if (stage.friction) model_ = with_friction(model_, *stage.friction);
+    if (stage.plate_friction)
+      model_ = with_friction_against(model_, *stage.plate_friction, scenario_.planes.material_id);
+    simulation_.set_model(model_);
+  }
+
+  void begin(const Stage& stage) {
+    apply(stage);
+    if (stage.reset_strain) {
+      simulation_.set_reference();
+      if (at_.stage > 0) row(at_.stage);  // strains start at zero in the table too
+    }
+    at_.start_of_stage = simulation_.strain();
+    rig_.begin_stage();
+    pace_.begin_stage();
+    way_.begin_stage();
+    at_.first = simulation_.steps();
+    at_.begun = true;
+  }
+
+  // Returns the goals with strains since the simulation's reference; a path counts them from the start of its stage.
+  AxisGoals goals_of(const Stage& stage, std::size_t station) const {
+    AxisGoals goals = stage.path->goals(
+        station, {dimension_, simulation_.measures().stress, simulation_.strain() - at_.start_of_stage});
+    for (int a = 0; a < 3; ++a) {
+      AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      if (goal.kind == AxisGoal::Kind::strain) goal.value += at_.start_of_stage[a];
+    }
+    return goals;
+  }
+
+  void travel(const Stage& stage, std::size_t station) {
+    const std::vector<DriveGoal> drives = stage.path->drives(station);
+    const double on_the_way = stage.damping.value_or(scenario_.numerics.damping);
+    for (;;) {
+      const AxisGoals goals = goals_of(stage, station);
+      const bool waiting = waits(goals, drives);
+      const double damping = stage.rest_damping && waiting ? *stage.rest_damping : on_the_way;
+      simulation_.set_damping(damping);
+      const double pace = waiting ? 1 : pace_on_the_way(stage);
+      servo_.drive(goals, dimension_, simulation_, pace);
+      rig_.drive(drives, damping, simulation_, pace);
+      way_.before_step(stage, waiting, drives, pace, rig_, simulation_);
+      simulation_.step();
+      way_.after_step(simulation_);
+      if (settled(goals, drives)) break;
+      const std::int64_t steps = simulation_.steps() - at_.first;
+      if (steps % report_interval == 0) tell(stage, station);
+      if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
+      keeper_.after_step([this] { return moment(); });
+    }
+    tell(stage, station);
+  }
+
+  // Returns the share of the prescribed speeds and rates.
+  double pace_on_the_way(const Stage& stage) {
+    if (stage.way_unbalanced_force == 0) return 1;
+    if (simulation_.steps() % look_interval == 0)
+      pace_.follow(simulation_.unbalanced_force(), stage.way_unbalanced_force, look_interval);
+    return pace_.share();
+  }
+
+  // Returns whether all prescribed motion has arrived, so that only rest is waited for.
+  bool waits(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
+    return rig_.moved(drives) && Servo::strained(goals, dimension_, simulation_);
+  }
+
+  bool settled(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
+    if (rig_.any()) {
+      if (simulation_.steps() % look_interval != 0) return false;
+      if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
+    }
+    // Both checks pass over all grains, so the rarer one is first. Between plates, where drag acts, the energy is last
+    // to fall.
+    return rig_.any() ? still() && servo_settled(goals) : servo_settled(goals) && still();
+  }
+
+  bool servo_settled(const AxisGoals& goals) const {
+    return Servo::settled(goals, dimension_, scenario_.tolerances, simulation_);
+  }
+
+  bool still() const {
+    return std::isinf(scenario_.tolerances.kinetic_energy) ||
+           simulation_.kinetic_energy_of_acted_on() <= scenario_.tolerances.kinetic_energy;
+  }
+
+  void tell(const Stage& stage, std::size_t station) const {
+    if (!report_) return;
+    report_(static_cast<double>(at_.done) / static_cast<double>(total_),
+            fmt::format("{} {}/{}, step {}, {}{}, unbalanced {:.1e}{}", stage.name, station + 1, stage.path->stations(),
+                        simulation_.steps(), state(), pace(stage), simulation_.unbalanced_force(), motion()));
+  }
+
+  std::string motion() const {
+    if (std::isinf(scenario_.tolerances.kinetic_energy)) return {};
+    return fmt::format(", kinetic energy {:.1e} J", simulation_.kinetic_energy_of_acted_on());
+  }
+
+  std::string pace(const Stage& stage) const {
+    if (stage.way_unbalanced_force == 0) return {};
+    return fmt::format(", at {:.2g} % of its speed", 100 * pace_.share());
+  }
+
+  // Between plates the cell tells nothing about the grains.
+  std::string state() const {
+    if (rig_.any()) return rig_.text(simulation_);
+    return fmt::format("p {:.4g} Pa, e {:.4f}", mean(simulation_.measures().stress, dimension_),
+                       simulation_.void_ratio());
+  }
+
+  [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {
+    std::string where;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      const bool stress = goal.kind == AxisGoal::Kind::stress;
+      where += fmt::format("{}{} {:.6g} of {:.6g}{}", a ? ", " : "", "xyz"[a],
+                           stress ? simulation_.measures().stress(a, a) : simulation_.strain()[a], goal.value,
+                           stress ? " Pa" : "");
+    }
+    throw TargetNotReached(fmt::format(
+        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
+        stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
+        scenario_.tolerances.unbalanced_force, likely_cause(stage, goals)));
+  }
+
+  std::string likely_cause(const Stage& stage, const AxisGoals& goals) const {
+    const Measures& m = simulation_.measures();
+    const Mat3 gradient = simulation_.snapshot().cell.velocity_gradient;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      if (goal.kind != AxisGoal::Kind::stress) continue;
+      if (std::abs(goal.value - m.stress(a, a)) <= scenario_.tolerances.stress * std::abs(goal.value)) continue;
+      const char* held = std::abs(gradient(a, a)) > 0.999 * goal.max_rate ? "raise max_rate or equilibrium.steps" : "";
+      if (m.axial_stiffness[a] == 0)
+        return fmt::format("axis {} meets no resistance, the grains do not touch yet: {}", "xyz"[a],
+                           *held ? held : "raise equilibrium.steps, or start from a denser packing");
+      if (*held) return fmt::format("axis {} is held back by its largest rate: {}", "xyz"[a], held);
+    }
+    if (simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
+        stage.damping.value_or(scenario_.numerics.damping) < 0.05)
+      return fmt::format("the grains do not come to rest: raise {}",
+                         stage.damping ? "the stage's damping" : "numerics.damping");
+    return "raise equilibrium.steps, loosen the tolerances or lower the rate";
+  }
+
+  void row(std::size_t stage) {
+    record(simulation_, dimension_, static_cast<int>(stage), result_.series);
+    rig_.record(simulation_, result_.series);
+    append(result_.series, "steps_waiting", "1", "time steps in which stations waited for rest, since the start",
+           static_cast<double>(way_.waited()));
+    if (has_yarns_) {
+      const Energies e = simulation_.energies();
+      append(result_.series, "yarn_elastic_energy", "J", "stored in yarns", e.elastic_yarns);
+      append(result_.series, "yarn_dissipation", "J", "dissipated by yielding and breaking yarns", e.yarn_dissipation);
+    }
+    if (observe_) observe_(simulation_.snapshot(), result_.series);
+  }
+
+  void keep_state() {
+    if (keeper_.keeps())
+      keeper_.keep(moment(), true);
+    else
+      result_.snapshots.push_back(simulation_.snapshot());
+  }
+
+  const Scenario& scenario_;
+  const Report& report_;
+  const Observe& observe_;
+  bool has_yarns_;
+  int dimension_;
+  Model model_;
+  Keeper keeper_;
+  Archive kept_;
+  Simulation simulation_;
+  Servo servo_;
+  Rig rig_;
+  Pace pace_;
+  Way way_;
+  Position at_;
+  io::RunFile result_;
+  std::size_t total_ = 0;
+  PriceClock clock_;
+};
+
+}  // namespace
+
+io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed) {
+  io::Snapshot twin = packing;
+  std::mt19937_64 engine(seed);
+  for (std::size_t i = 0; i < twin.grains.size(); ++i)
+    for (int a = 0; a < twin.grains.dimension; ++a)
+      twin.grains.position[i][a] += fraction * twin.grains.radius[i] * symmetric_uniform(engine);
+  return twin;
+}
+
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
+            const Observe& observe) {
+  io::Part* part = safekeeping.part;
+  Runner runner(start, scenario, report, safekeeping, observe, part ? part->take_last() : std::nullopt);
+  return carry_out<true>(runner, part);
+}
+
+}  // namespace soilweave::dem

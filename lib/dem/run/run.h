@@ -1,0 +1,39 @@
+// Carries out a scenario stage by stage and station by station, and records it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "dem/run/keeper.h"
+#include "dem/run/prepare.h"
+#include "dem/run/price.h"
+#include "dem/run/scenario.h"
+#include "files/files.h"
+
+namespace soilweave::dem {
+
+/// Progress callback: fraction done (0 to 1), and a line on the present state.
+using Report = std::function<void(double fraction, const std::string& detail)>;
+
+/// Returns the packing with positions moved at random by at most `fraction` of the radius along each axis: a twin that
+/// shows the scatter of a chaotic system. One seed gives the same twin everywhere. Contacts keep their history.
+io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
+
+/// Appends further columns on a recorded state to the series, the same columns each time.
+using Observe = std::function<void(const io::Snapshot& state, io::Series& series)>;
+
+/// Result of a run.
+struct Outcome {
+  io::RunFile file;
+  Price price;
+};
+
+/// Runs all stages. The file holds the series (one row at the start and one per station), the requested snapshots with
+/// the first and last, and the resolved scenario. With a folder to keep it in, the run goes on from what is there and
+/// ends in the same bytes. Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks,
+/// Stopped after a signal. The message says what is kept.
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report,
+            const Safekeeping& safekeeping = {}, const Observe& observe = {});
+
+}  // namespace soilweave::dem

@@ -1,0 +1,87 @@
+// A scenario: contact law and materials, numerics, and the stages of loading, read from TOML and checked as a whole.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/text/settings.h"
+#include "dem/loading/path.h"
+#include "files/provenance.h"
+
+namespace soilweave::dem {
+
+/// One stage of loading.
+struct Stage {
+  std::string name;
+  std::unique_ptr<Path> path;
+  bool reset_strain = false;             // whether the state at its start becomes the reference of the strains
+  std::optional<double> friction;        // rad, of all materials from here on
+  std::optional<double> plate_friction;  // rad, of the planes' materials against any other
+  std::optional<double> damping;         // local damping during this stage
+  std::optional<double> rest_damping;    // local damping while a station waits for rest
+  double way_unbalanced_force =
+      0;                       // limit of the unbalanced force, to which the loading slows down; 0: never slows down
+  double rest_drag = 0;        // drag on all motion, over the mass, 1/s, while a station waits for rest
+  bool critical_drag = false;  // rest_drag from the slowest homogeneous swing, at the start of each wait
+  bool homogeneous_start = false;  // loading begins and ends with a homogeneous field of velocity (homogeneous.h)
+};
+
+/// Rule that selects which recorded stations get a full snapshot beside their row in the series.
+struct SnapshotRule {
+  enum class Which { ends, stations, list };
+  Which which = Which::ends;
+  std::vector<double> strains;  // strains along the loading axis, for `list`
+};
+/// Distance below which a strain to record belongs to a station.
+inline constexpr double station_tolerance = 1e-7;
+
+/// A plate or clamp that can be driven. box: an upright box around the nodes that a clamp holds, m.
+struct PartSetting {
+  RigPart part;
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+};
+
+/// A whole scenario.
+struct Scenario {
+  Model model;
+  Numerics numerics;
+  /// Density by material_id, kg/m3, scaled. Positive values replace the packing's masses.
+  std::vector<double> density;
+  bool equal_steps = false;  // masses with which all grains admit the same step (mass_scaling.h)
+  Tolerances tolerances;
+  ServoRule servo;
+  std::int64_t largest_station = 0;  // number of steps after which a station counts as unreachable
+  SnapshotRule snapshots;
+  std::vector<Stage> stages;
+  io::PlanesRecord planes;
+  std::vector<std::size_t> touching;  // planes that prepare() moves until they touch the grains
+  std::vector<PartSetting> parts;
+  std::vector<io::Source> sources;  // files that the scenario names
+  std::string resolved;             // TOML with overrides applied, for provenance
+};
+
+/// Reads [contact] and [[material]]: the law and its materials. Every tool that steps grains uses it.
+Model read_model(Settings& document);
+/// Reads the density of [grains], kg/m3; 0 if absent.
+double read_density(Settings& document);
+/// Reads [numerics] and [guards].
+Numerics read_numerics(Settings& document);
+
+/// Reads and checks everything; all mistakes are reported at once. Throws DataError.
+Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+
+/// Returns the model with another friction angle, rad, of these materials (empty: of all).
+Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
+/// Returns the model with these materials' friction angle, rad, against any other material: for rough or smooth plates.
+Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials);
+/// Returns the model with every friction angle multiplied.
+Model with_friction_times(double factor, const Model& model);
+/// Returns the smallest friction angle of these materials (empty: of all), rad.
+double friction(const Model& model, const std::vector<std::int32_t>& materials = {});
+/// rad; friction below it makes a packing no denser.
+inline constexpr double lowest_friction = 0.05 * std::numbers::pi / 180;
+
+}  // namespace soilweave::dem

@@ -1,0 +1,42 @@
+// Frequency of the swing of an assembly that waits for rest, and the drag that stops it soonest.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A mode of frequency w under a drag c (over the mass) decays soonest for c = 2 w. With less it swings on, with more it
+// creeps. The slowest swing of an assembly with scaled density is that of the whole. Its frequency follows from samples
+// of the velocity gradient L that fits the grains best: L'' + c L' + w^2 L = 0 gives by least squares
+//   w^2 = -sum M L (L'' + c L') / sum M L^2,
+// with the second moments of mass M as weights, so that the swing with most energy counts. Dynamic relaxation estimates
+// its damping in this way (Underwood, 1983). Contacts that strain affinely are stiffer than others. Their frequency
+// bounds the estimate from above, and serves before the first estimate.
+#pragma once
+
+#include <array>
+
+#include "core/archive.h"
+#include "dem/engine/simulation.h"
+
+namespace soilweave::dem {
+
+/// Estimator of the swing of one run.
+class Swing {
+ public:
+  /// Starts anew when the loading stops, because the grains then swing about another state.
+  void begin(const Simulation& simulation);
+  /// Samples the grains after a step, at intervals.
+  void look(const Simulation& simulation);
+  /// Returns twice the frequency of the swing, 1/s.
+  double critical_drag() const { return 2 * frequency_; }
+  /// Keeps or restores samples and sums.
+  void archive(Archive& archive);
+
+ private:
+  void estimate(const Vec3& moments, double interval);
+
+  double bound_ = 0, frequency_ = 0;  // 1/s; bound_: of contacts that strain affinely; 0: no contacts
+  /// Diagonal of L at the last three samples, latest last, 1/s.
+  std::array<Vec3, 3> gradient_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::int64_t looks_ = 0;             // number since it began
+  double products_ = 0, squares_ = 0;  // sums in which older samples count less
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,41 @@
+// Changes of the grains' motion at the start and end of the loading to a station, and while a station waits for rest.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/archive.h"
+#include "dem/loading/rig.h"
+#include "dem/run/scenario.h"
+#include "dem/run/swing.h"
+
+namespace soilweave::dem {
+
+/// Changes of the grains' velocities in one run.
+class Way {
+ public:
+  /// Begins a stage, whose first loading has no earlier one.
+  void begin_stage();
+  /// Call it before each step. If the stage asks for it, a homogeneous field of velocity is added when the loading
+  /// begins, and the mean field is removed when it ends.
+  void before_step(const Stage& stage, bool waiting, const std::vector<DriveGoal>& goals, double pace, const Rig& rig,
+                   Simulation& simulation);
+  /// Call it after that step. Slows the grains by a drag while a station waits.
+  void after_step(Simulation& simulation);
+  /// Returns the number of steps in which stations waited for rest, since the run began.
+  std::int64_t waited() const { return waited_; }
+  /// Keeps or restores the state between steps.
+  void archive(Archive& archive);
+
+ private:
+  bool waiting_ = false;
+  bool laid_ = false;             // whether the field of the present loading is in the grains
+  Mat3 gradient_ = Mat3::Zero();  // 1/s, of the grains when the last loading of this stage ended
+  double drag_ = 0;               // 1/s, while this station waits, if prescribed
+  bool critical_ = false;         // true: the drag follows the swing instead
+  Swing swing_;
+  std::int64_t waited_ = 0;
+};
+
+}  // namespace soilweave::dem

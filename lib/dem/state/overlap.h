@@ -1,0 +1,23 @@
+// The deepest overlap of an assembly.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "dem/state/bodies.h"
+
+namespace soilweave::dem {
+
+/// The contact of the largest overlap over the smaller radius; zeros without contacts.
+struct DeepestContact {
+  std::int32_t first = 0, second = 0;  // bodies as in io::ContactsRecord::bodies
+  double overlap = 0;                  // m
+  double relative = 0;                 // overlap over the smaller radius, 1
+};
+/// Finds the deepest contact of a state.
+DeepestContact deepest_of(const io::ContactsRecord& contacts, const Bodies& bodies);
+
+/// Returns the contact in words, for messages.
+std::string description(const DeepestContact& contact);
+
+}  // namespace soilweave::dem

@@ -1,0 +1,44 @@
+// Rigid planes as contact partners: a point, a unit normal towards the grains, a constant velocity.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/tensor.h"
+#include "files/records.h"
+
+namespace soilweave::dem {
+
+/// Grains that touch a plane; numbers as in files.
+enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
+
+/// One plane.
+struct Plane {
+  Vec3 point, normal, velocity;
+  std::int32_t material;
+  Partners partners = Partners::all;
+
+  /// Returns whether the plane acts on a node, or on a grain of soil.
+  bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
+};
+
+/// All planes of a simulation, which move at constant velocities.
+struct Planes {
+  std::vector<Plane> all;
+
+  Planes() = default;
+  /// Takes the planes of a record.
+  explicit Planes(const io::PlanesRecord& record);
+  /// Moves all planes over a step.
+  void advance(double dt) {
+    for (Plane& p : all) p.point += dt * p.velocity;
+  }
+  /// Returns the planes as files hold them.
+  io::PlanesRecord record() const;
+};
+
+/// Returns the plane that a contact's negative second index names.
+inline std::size_t plane_number(std::int32_t second) { return static_cast<std::size_t>(-1 - second); }
+
+}  // namespace soilweave::dem

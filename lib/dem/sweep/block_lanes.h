@@ -1,0 +1,111 @@
+// Access to the lanes of a block of pairs that one register holds.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "dem/contact/contacts.h"
+#include "dem/contact/pair_geometry.h"
+#include "dem/state/bodies.h"
+#include "dem/sweep/pair_rows.h"
+
+namespace soilweave::dem {
+
+/// Lanes of a block from lane k on.
+template <class T>
+struct BlockLanes {
+  ContactBlock* block;
+  std::size_t lane;
+  double* numbers;  // first array of the block, from the lane on
+
+  BlockLanes() = default;
+  BlockLanes(ContactBlock& of, std::size_t from) : block(&of), lane(from), numbers(of.shear[0] + from) {}
+
+  static constexpr unsigned full = (1u << width<T>)-1;
+  /// Returns the mask of touching pairs, bit i for lane i.
+  unsigned touching() const { return (unsigned{block->touching} >> lane) & full; }
+  /// Returns the mask of pairs that reach across the cell's faces.
+  unsigned folded() const { return (unsigned{block->folded} >> lane) & full; }
+  /// Stores the masks of touching and sliding pairs.
+  void set_masks(unsigned touching, unsigned sliding) const {
+    const unsigned others = ~(full << lane);
+    block->touching = static_cast<std::uint8_t>((block->touching & others) | (touching << lane));
+    block->sliding = static_cast<std::uint8_t>((block->sliding & others) | (sliding << lane));
+  }
+  /// Return the byte offsets of the grains of pair k from the first grain.
+  std::size_t first(std::size_t k) const { return block->first[lane + k]; }
+  std::size_t second(std::size_t k) const { return block->second[lane + k]; }
+  /// Return the loads that take the force on the first and on the second grain of pair k.
+  double* load_first(std::size_t k, double* loads) const {
+    constexpr std::size_t grain_over_load = sizeof(Grain) / sizeof(Load);
+    return at_bytes(loads, first(k) / grain_over_load);
+  }
+  double* load_second(std::size_t k, double* loads) const { return at_bytes(loads, block->load_second[lane + k]); }
+  std::size_t image(std::size_t k) const { return block->image[lane + k]; }
+
+  /// Return the history in these lanes.
+  template <class Space>
+  Along<T, Space> shear() const {
+    return read(at(shear_force), Along<T, Space>());
+  }
+  template <class Space>
+  Turn<T, Space> rolling() const {
+    return read(at(rolling_moment), Turn<T, Space>());
+  }
+  T twisting() const { return load<T>(at(twisting_moment)); }
+  T normal_force() const { return load<T>(at(normal)); }
+  /// Store the history of these lanes.
+  template <class V>
+  void remember_shear(const V& shear) const {
+    put(shear, at(shear_force));
+  }
+  template <class Space>
+  void remember_moments(const Memory<T, Space>& memory) const {
+    put(memory.rolling, at(rolling_moment));
+    if constexpr (Space::twists) store(at(twisting_moment), memory.twisting);
+  }
+  void forget_moments() const { remember_moments(Memory<T, Spatial>{}); }
+  void remember_normal_force(const T& force) const { store(at(normal), force); }
+
+  /// Return the grains on either side of the pairs.
+  Side first_side(const std::byte* grains) const { return {grains, block->first + lane}; }
+  Side second_side(const std::byte* grains) const { return {grains, block->second + lane}; }
+  /// Reads the rows of both grains. The cell offset of a pair is added from `shifts`, a row for each of
+  /// Contacts::images.
+  template <class Space, bool moving>
+  PairRows<T, Space> read(const std::byte* grains, const Lane4* shifts) const {
+    const auto shift = [&](int k) -> const Lane4& { return shifts[image(static_cast<std::size_t>(k))]; };
+    return read_rows<T, moving>(first_side(grains), second_side(grains), block->folded != 0, shift, Space());
+  }
+  /// Reads the masses of both grains, which only some laws need.
+  template <class Space>
+  void masses(const std::byte* grains, Kinematics<T, Space>& kinematics) const {
+    double one[width<T>], two[width<T>];
+    for (int k = 0; k < width<T>; ++k)
+      one[k] = first_side(grains)[k].velocity[3], two[k] = second_side(grains)[k].velocity[3];
+    kinematics.m1 = load<T>(one), kinematics.m2 = load<T>(two);
+  }
+
+ private:
+  static double* at_bytes(double* from, std::size_t distance) {
+    return reinterpret_cast<double*>(reinterpret_cast<std::byte*>(from) + distance);
+  }
+  // Arrays of numbers in a block, which lie one after the other.
+  enum Array : std::size_t { shear_force = 0, rolling_moment = 3, twisting_moment = 6, normal = 7 };
+  static_assert(offsetof(ContactBlock, normal_force) == normal * ContactBlock::size * sizeof(double));
+  double* at(Array array) const { return numbers + array * ContactBlock::size; }
+
+  // The last argument only selects the type. A quantity that is a number in the plane lies in the place of the third
+  // component.
+  static V3<T> read(const double* from, const V3<T>&) {
+    return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};
+  }
+  static T read(const double* from, const T&) { return load<T>(from + 2 * ContactBlock::size); }
+  static void put(const V3<T>& v, double* to) {
+    store(to, v.x), store(to + ContactBlock::size, v.y);
+    put(v.z, to);
+  }
+  static void put(const T& number, double* to) { store(to + 2 * ContactBlock::size, number); }
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,353 @@
+// One sweep over all candidate pairs, a vector register of contacts at a time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums over contacts are made contact by contact within a chunk of grains, and the chunks are summed in order. Every
+// bit is independent of the width of the register, of pairs that do not touch, and of the number of threads.
+//
+// A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
+// of registers through one stage after the other: where the pairs lie (approach), how they move (move), what the law
+// answers (answer), and what that does to the grains (act). Within a stage the processor works on several registers at
+// once, and a batch stays in its first cache. Forces are added at once to the loads of the grains, in the order of the
+// pairs. Grains of other chunks, on which another thread may work, have loads of single pairs for that (contacts.h).
+// Disks go through the same stages with the vectors and rotations of the plane (space.h).
+//
+// This file is compiled once per width (vector_width.cpp). The order of operations on every contact is the same, and so
+// are the bits.
+//
+// No old normal is kept: the rotation of a pair follows from its velocity (transport.h).
+//
+// The stress needs no product of force and branch per contact. The sum of f (x) l equals the sum of F (x) x over the
+// grains, F being their resultants (motion.h), plus f (x) cell offset over the pairs across the cell's faces.
+#include "dem/sweep/contact_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "dem/contact/couples.h"
+#include "dem/contact/transport.h"
+#include "dem/sweep/memory_ahead.h"
+#include "dem/sweep/plane_sweep.h"
+#include "dem/sweep/sweep_groups.h"
+
+namespace soilweave::dem {
+namespace {
+
+constexpr auto nothing = [](std::size_t) {};
+
+template <class Law>
+class LawSweep final : public ContactSweep {
+ public:
+  explicit LawSweep(const std::vector<typename Law::Material>& materials)
+      : couples_(materials),
+        planes_(couples_),
+        use_masses_(couples_.use_masses()),
+        use_moments_(couples_.use_moments()) {}
+
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
+                Vec3* affine_stiffness) override {
+    const Cell& cell = scene.cell;
+    set_shifts(cell, contacts);
+    across_.assign(chunks_of(scene.bodies.size()) * shifts_.size(), Lane4{});
+    const AffineMotion affine(cell.velocity_gradient(), cell.deforming(), dt);
+    if (!use_moments_ && dt > 0) let_moments_go(contacts);
+    Lane4 stiffness{};
+    // Planes come first, because the sweep over grains collects the loads of each chunk.
+    SweepSums total = planes_.run(scene, dt, contacts, affine_stiffness ? &stiffness : nullptr);
+    scene.bodies.dimension == 2 ? step<Planar>(scene, affine, dt, affine_stiffness != nullptr, contacts, around)
+                                : step<Spatial>(scene, affine, dt, affine_stiffness != nullptr, contacts, around);
+    for (const StepSums<Lanes>& s : step_sums_) s.put_into(total);
+    total.force_branch += force_branch_across();
+    if (affine_stiffness) {
+      for (const StepSums<Lanes>& s : step_sums_) stiffness += s.affine_stiffness;
+      *affine_stiffness = vector_of(stiffness);
+    }
+    return total;
+  }
+
+  Vec3 stiffen(const Scene& scene, Contacts& contacts) override {
+    set_shifts(scene.cell, contacts);
+    scene.bodies.dimension == 2 ? look<Planar>(scene, contacts) : look<Spatial>(scene, contacts);
+    Lane4 total = planes_.stiffen(scene, contacts);
+    for (const Lane4& sum : row_sums_) total += sum;
+    return vector_of(total);
+  }
+
+  StoredEnergies stored(const Scene& scene, Contacts& contacts) override {
+    set_shifts(scene.cell, contacts);
+    sweep<Spatial, false>(
+        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
+        [this](Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) { store_up(batch, s, sum); });
+    Lane4 total = planes_.stored(scene, contacts);
+    for (const Lane4& sum : row_sums_) total += sum;
+    return {total[0], total[1], total[2], total[3]};
+  }
+
+  PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const override {
+    Kinematics<double> kinematics{};
+    kinematics.normal = {1, 0, 0};
+    kinematics.overlap = overlap;
+    kinematics.r1 = kinematics.r2 = radius;
+    kinematics.R_star = radius / 2, kinematics.per_reach = 0.5 / radius;
+    kinematics.m1 = kinematics.m2 = 1;
+    PairStiffness largest;
+    for (const auto& couple : couples_.of_first(materials)) {
+      Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+      Books<double> books;
+      const Response<double> r = Law::respond(couple, kinematics, 0.0, memory, books);
+      largest.normal = std::max(largest.normal, r.normal_stiffness);
+      largest.rotational =
+          std::max({largest.rotational, r.rolling_stiffness, dimension == 3 ? r.twisting_stiffness : 0});
+    }
+    return largest;
+  }
+
+ private:
+  void set_shifts(const Cell& cell, const Contacts& contacts) {
+    shifts_.clear();
+    for (const CellOffset image : contacts.images) shifts_.push_back(row(shift_of(image, cell.matrix()), 0));
+  }
+
+  // Moments of a state from another law must go: under this law they would rotate the grains for ever.
+  void let_moments_go(Contacts& contacts) {
+    if (std::exchange(moments_gone_, true)) return;
+    for (auto& chunk : contacts.chunks)
+      for (ContactBlock& block : chunk)
+        for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) BlockLanes<Lanes>(block, k).forget_moments();
+  }
+
+  template <class Space>
+  void step(const Scene& scene, const AffineMotion& affine, double dt, bool with_stiffness, Contacts& contacts,
+            AroundChunk& around) {
+    const auto through = [=, this](Batch<Lanes, Space> batch, const Surroundings& s, StepSums<Lanes>& sums) {
+      move<Space>(batch, s.dt);
+      if (use_moments_)
+        answer<Space, true>(batch, s, sums), act<Space, true>(batch, s, sums.work);
+      else
+        answer<Space, false>(batch, s, sums), act<Space, false>(batch, s, sums.work);
+      if (with_stiffness) stiffen<Space>(batch, s, sums.affine_stiffness);
+    };
+    sweep<Space, true>(
+        scene, affine, dt, contacts, step_sums_, [&around](std::size_t chunk) { around.before(chunk); },
+        [&around](std::size_t chunk) { around.after(chunk); }, through);
+  }
+
+  template <class Space>
+  void look(const Scene& scene, Contacts& contacts) {
+    sweep<Space, false>(
+        scene, AffineMotion(Mat3::Zero(), false, 0), 0, contacts, row_sums_, nothing, nothing,
+        [this](Batch<Lanes, Space> batch, const Surroundings& s, Lane4& sum) { stiffen<Space>(batch, s, sum); });
+  }
+
+  // Passes the pairs that touch, or touched in the last step, through `stage`, chunk by chunk and batch by batch.
+  template <class Space, bool moving, class Sums, class Before, class After, class Stage>
+  void sweep(const Scene& scene, const AffineMotion& affine, double dt, Contacts& contacts, std::vector<Sums>& sums,
+             const Before& before, const After& after, const Stage& stage) {
+    sums.assign(contacts.chunks.size(), Sums{});
+    const auto one = [&](std::size_t chunk) {
+      const Surroundings s{scene.bodies,
+                           shifts_,
+                           affine,
+                           dt,
+                           contacts.chunks.size() == 1,
+                           reinterpret_cast<double*>(scene.bodies.loads.data()),
+                           reinterpret_cast<double*>(scene.bodies.stiffness.data()),
+                           reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
+      std::array<Group<Lanes, Space>, batch_size> groups;
+      ContactBlock* next = contacts.chunks[chunk].data();
+      ContactBlock* const end = next + contacts.chunks[chunk].size();
+      while (next != end) {
+        const std::size_t n = approach<Space, moving>(next, end, s, groups);
+        if (n) stage(Batch<Lanes, Space>(groups.data(), n), s, sums[chunk]);
+      }
+    };
+    contacts.plan.run(before, one, after);
+  }
+
+  // Fills the batch from `next` on, which becomes the first unvisited block. Returns the number of filled groups.
+  // Results are held as values and stored at the end, because after every store the compiler reads references again.
+  template <class Space, bool moving>
+  [[gnu::noinline, gnu::flatten]] std::size_t approach(ContactBlock*& next, ContactBlock* end, const Surroundings& s,
+                                                       std::array<Group<Lanes, Space>, batch_size>& groups) const {
+    constexpr std::size_t per_block = ContactBlock::size / width<Lanes>;
+    const std::byte* const grains = s.grains();
+    const Lane4* const shifts = s.shifts.data();
+    const bool deforming = moving && s.affine.deforming, use_masses = use_masses_;
+    Group<Lanes, Space>* group = groups.data();
+    ContactBlock* block = next;
+    for (; block != end && group + per_block <= groups.data() + batch_size; ++block) {
+      if (!s.in_cache) call_for(block, end, grains);
+      for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
+        const BlockLanes<Lanes> lanes(*block, k);
+        const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
+        const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
+        const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
+        const unsigned touching = bits(place.touching);
+        // A rarely taken branch: the place of the next group must not wait for the result of this one.
+        if ((touching | lanes.touching()) == 0) [[unlikely]]
+          continue;
+        // Copied member by member: a copy of the whole would be read from the two halves just stored, and wait for
+        // them.
+        group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
+        group->touching = touching;
+        group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, place.inverse_distance};
+        PairGeometry<Lanes, Space>& g = group->geometry;
+        g.touching = place.touching;
+        Kinematics<Lanes, Space>& kinematics = g.kinematics;
+        kinematics.normal = place.normal, kinematics.overlap = place.overlap;
+        kinematics.R_star = place.R_star, kinematics.per_reach = place.per_reach;
+        kinematics.r1 = rows.radius_1, kinematics.r2 = rows.radius_2;
+        if (use_masses) lanes.masses(grains, kinematics);
+        ++group;
+      }
+    }
+    next = block;
+    return static_cast<std::size_t>(group - groups.data());
+  }
+
+  template <class Space>
+  [[gnu::noinline, gnu::flatten]] static void move(Batch<Lanes, Space> batch, double dt) {
+    for (Group<Lanes, Space>& group : batch) set_motion(group.motion, dt, group.geometry);
+  }
+
+  template <class Space, bool moments>
+  [[gnu::noinline, gnu::flatten]] void answer(Batch<Lanes, Space> batch, const Surroundings& s,
+                                              StepSums<Lanes>& sums) const {
+    // Copies keep the parameters in registers; references would be read and spread over the lanes after every store.
+    const std::optional<typename Law::Couple> lone = couples_.lone();
+    const Lanes dt = all<Lanes>(s.dt);
+    const bool at_rest = s.dt == 0;
+    Lanes overlap = sums.overlap;
+    std::int64_t contacts = sums.contacts;
+    for (Group<Lanes, Space>& group : batch) {
+      const BlockLanes<Lanes> lanes = group.lanes;
+      const PairGeometry<Lanes, Space>& g = group.geometry;
+      // Pairs that have parted have no history. Their overlap and increments are zero and give no force.
+      const auto carried = carry(g);
+      Memory<Lanes, Space> before{};
+      before.shear = carried(keep(g.touching, lanes.template shear<Space>()));
+      if (moments) {
+        before.rolling = carried(keep(g.touching, lanes.template rolling<Space>()));
+        if (Space::twists) before.twisting = keep(g.touching, lanes.twisting());
+      }
+      Memory<Lanes, Space> memory = before;
+      Books<Lanes> books;
+      const auto response = lone ? Law::respond(*lone, g.kinematics, dt, memory, books)
+                                 : Law::respond(couples_.of(*lanes.block, s.bodies), g.kinematics, dt, memory, books);
+      if (at_rest) memory = before;  // the first sweep of a restored state changes no history
+      lanes.remember_shear(memory.shear);
+      if (moments) lanes.remember_moments(memory);
+      lanes.remember_normal_force(response.normal_force);
+      lanes.set_masks(group.touching, group.touching & bits(response.sliding));
+      group.work = work_of(g, before, memory, moments, books);
+      overlap = maximum(overlap, g.kinematics.overlap);
+      contacts += std::popcount(group.touching);
+    }
+    sums.overlap = overlap, sums.contacts = contacts;
+  }
+  // Return the map that carries history from the old contact plane to the present one.
+  static Rotation<Lanes> carry(const PairGeometry<Lanes, Spatial>& g) { return Rotation<Lanes>::by_small(g.turn); }
+  static std::identity carry(const PairGeometry<Lanes, Planar>&) { return {}; }
+
+  template <class Space, bool moments>
+  [[gnu::noinline, gnu::flatten]] static void act(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& work) {
+    Lane4 all_work = work;  // in a register: in memory each addition would wait until the one before is stored
+    for (const Group<Lanes, Space>& group : batch) {
+      const BlockLanes<Lanes> lanes = group.lanes;
+      const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
+      Memory<Lanes, Space> memory{};
+      memory.shear = lanes.template shear<Space>();
+      if (moments) {
+        memory.rolling = lanes.template rolling<Space>();
+        if (Space::twists) memory.twisting = lanes.twisting();
+      }
+      const Lanes depth = 0.5 * k.overlap;
+      add_to_loads(action(k.normal, Lanes(k.r1 - depth), Lanes(k.r2 - depth), memory, lanes.normal_force()), lanes, s);
+      add_to(all_work, group.work);
+    }
+    work = all_work;
+  }
+
+  // Returns the part of f (x) l from pairs across the cell's faces.
+  Mat3 force_branch_across() const {
+    const std::size_t images = shifts_.size();
+    Mat3 force_branch = Mat3::Zero();
+    for (std::size_t image = 1; image + 1 < images; ++image) {
+      Lane4 force{};
+      for (std::size_t at = image; at < across_.size(); at += images) force += across_[at];
+      for (int a = 0; a < 3; ++a) force_branch.col(a) += shifts_[image][a] * vector_of(force);
+    }
+    return force_branch;
+  }
+
+  template <class Space>
+  [[gnu::noinline, gnu::flatten]] void stiffen(Batch<Lanes, Space> batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group<Lanes, Space>& group : batch) {
+      const PairGeometry<Lanes, Space>& g = group.geometry;
+      const Kinematics<Lanes, Space>& k = g.kinematics;
+      const auto r = response<Space>(group, s, Memory<Lanes, Space>{}).first;
+      add_to(sum, keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
+      const auto put = [&](const Lanes& radius, const auto& place) {
+        const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
+        add_stiffness(keep(g.touching, translation), keep(g.touching, rotation), place);
+      };
+      const BlockLanes<Lanes>& lanes = group.lanes;
+      put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.stiffness); });
+      put(k.r2, [&](int lane) { return lanes.load_second(static_cast<std::size_t>(lane), s.stiffness); });
+    }
+  }
+
+  [[gnu::noinline, gnu::flatten]] void store_up(Batch<Lanes, Spatial> batch, const Surroundings& s, Lane4& sum) const {
+    for (const Group<Lanes, Spatial>& group : batch) {
+      const BlockLanes<Lanes>& lanes = group.lanes;
+      const Mask<Lanes>& touching = group.geometry.touching;
+      const Memory<Lanes> memory{keep(touching, lanes.shear<Spatial>()), keep(touching, lanes.rolling<Spatial>()),
+                                 keep(touching, lanes.twisting())};
+      const Books<Lanes> b = response<Spatial>(group, s, memory).second;
+      add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
+    }
+  }
+
+  // Returns the response of pairs at rest.
+  template <class Space>
+  std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
+                                                    Memory<Lanes, Space> memory) const {
+    Kinematics<Lanes, Space> k = group.geometry.kinematics;
+    k.approach_speed = k.twist = Lanes{};
+    k.slip = Along<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
+    Books<Lanes> books;
+    const auto r = Law::respond(couples_.of(*group.lanes.block, s.bodies), k, Lanes{}, memory, books);
+    return {r, books};
+  }
+
+  Couples<Law> couples_;
+  PlaneSweep<Law, Lanes> planes_;
+  bool use_masses_, use_moments_, moments_gone_ = false;
+  std::vector<Lane4> shifts_, across_;
+  std::vector<StepSums<Lanes>> step_sums_;
+  std::vector<Lane4> row_sums_;
+};
+
+template <class Law>
+std::unique_ptr<ContactSweep> make(const std::vector<typename Law::Material>& materials) {
+  return std::make_unique<LawSweep<Law>>(materials);
+}
+
+}  // namespace
+
+#ifdef SOILWEAVE_EIGHT_LANES
+std::unique_ptr<ContactSweep> make_contact_sweep_of_eight(const Model& model) {
+#else
+std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model) {
+#endif
+  return std::visit(
+      []<class Material>(const std::vector<Material>& materials) { return make<typename Material::Law>(materials); },
+      model.materials);
+}
+
+}  // namespace soilweave::dem

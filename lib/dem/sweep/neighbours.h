@@ -1,0 +1,82 @@
+// Lists of the pairs that may touch soon.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Testing all pairs of N grains would cost N^2. So pairs are listed, and the list is used until it may be incomplete.
+// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it. Contacts keep
+// their history when lists change.
+//
+// Each grain has a skin distance, its leeway: how far it may move relative to the cell before pairs are listed anew. A
+// pair is listed if it may close within both skins and that of the cell. In a sheared packing only few grains are fast,
+// mostly rattlers in their cages. Only these get a wide skin, so the list lasts long and has few pairs that never
+// touch.
+#pragma once
+
+#include <vector>
+
+#include "dem/contact/contacts.h"
+#include "dem/state/bodies.h"
+#include "dem/state/cell.h"
+#include "dem/state/plane.h"
+
+namespace soilweave::dem {
+
+/// Neighbour lists of one simulation.
+class Neighbours {
+ public:
+  /// Skins are fractions of the largest radius, m.
+  explicit Neighbours(double largest_radius);
+
+  /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have truly moved
+  /// since the list was made. Returns true if the list is no longer safe. haste: largest speed over skin of a grain in
+  /// the step, 1/s (Motion). fastest_plane: m/s.
+  bool outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient, double dt);
+  /// Returns whether the list surely outlasts one more step without planes, if no grain gains more speed than `gain`,
+  /// m/s.
+  bool outlast(double gain, const Mat3& velocity_gradient, double dt) const;
+  /// Lists all pairs of grains, and of grains and planes, that may touch within their skins. Skins are set anew from
+  /// the present speeds and from the last call of outdated(). Contacts keep the history of their pairs. Leaves the
+  /// loads zero.
+  void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
+
+ private:
+  // The state in which pairs were searched, and the deformation of the cell since.
+  struct Since {
+    std::vector<Vec3> position;
+    Mat3 deformation = Mat3::Identity();
+
+    void begin(const Bodies& bodies, int threads);
+    void step(const Mat3& velocity_gradient, double dt) { deformation += dt * velocity_gradient * deformation; }
+    double strain() const { return (deformation - Mat3::Identity()).norm(); }
+    /// Returns the squared distance that a grain has moved relative to the cell, m2.
+    double moved2(const Bodies& bodies, std::size_t i) const;
+  };
+  // The last counted step.
+  struct Pace {
+    double dt = 0, plane = 0;  // s, m/s
+    Mat3 velocity_gradient = Mat3::Zero();
+  };
+
+  void set_leeways(const Bodies& bodies);
+  bool fit_outer_list(const Bodies& bodies);
+  void filter(const Bodies& bodies, const Cell& cell);
+  bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
+  std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
+  void begin_list(Bodies& bodies);
+  double longest() const { return 2 * radius_ + outer_skin_; }  // longest branch in a list, m
+
+  double radius_, outer_skin_;  // m
+  Pace pace_;
+  std::vector<double> leeway_;                 // m
+  double least_leeway_ = 0, cell_leeway_ = 0;  // m; least skin of all grains; closing of a pair by the cell
+  double plane_leeway_ = 0;                    // m, for the motion of planes, and of grains with the cell
+  double haste_ = 0, worn_ = 0;                // 1/s; largest used share of a skin, so far
+  double planes_moved_ = 0, extent_ = 0;       // m; largest distance of a grain from the origin
+  bool planes_ = false;
+  int threads_ = 1;
+  Since filtered_, searched_;
+  std::vector<Pair> outer_, listed_;        // sorted
+  std::vector<char> near_;                  // whether a pair of the outer list is in the swept list
+  std::vector<std::size_t> listed_before_;  // number of listed pairs in the shares before each share of the outer list
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,134 @@
+// Sweep over pairs of grains and planes, a register of them at a time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
+#include "core/in_parallel.h"
+#include "dem/contact/couples.h"
+#include "dem/contact/transport.h"
+#include "dem/sweep/plane_lanes.h"
+
+namespace soilweave::dem {
+
+/// Sweep over pairs with planes for one law.
+template <class Law, class T>
+class PlaneSweep {
+ public:
+  explicit PlaneSweep(const Couples<Law>& couples) : couples_(couples), moments_(couples.use_moments()) {}
+
+  /// Updates the contacts over a step dt and sets their loads. Sets their stiffness too if affine_stiffness is given
+  /// (ContactSweep).
+  SweepSums run(const Scene& scene, double dt, Contacts& contacts, Lane4* affine_stiffness) {
+    over(scene, contacts, sums_, [&](const PlaneLanes<T>& lanes, PlaneSums<T>& sums) {
+      act(lanes, dt, scene.bodies.loads, sums);
+      if (affine_stiffness) stiffen(lanes, scene.bodies.stiffness, sums.step.affine_stiffness);
+    });
+    SweepSums total;
+    for (const PlaneSums<T>& s : sums_) {
+      s.put_into(total);
+      if (affine_stiffness) *affine_stiffness += s.step.affine_stiffness;
+    }
+    return total;
+  }
+
+  /// Sets the stiffness of the pairs and returns the affine one (ContactSweep).
+  Lane4 stiffen(const Scene& scene, Contacts& contacts) {
+    return total(scene, contacts,
+                 [&](const PlaneLanes<T>& lanes, Lane4& sum) { stiffen(lanes, scene.bodies.stiffness, sum); });
+  }
+
+  /// Returns normal, shear, rolling and twisting energy, J.
+  Lane4 stored(const Scene& scene, Contacts& contacts) {
+    return total(scene, contacts, [this](const PlaneLanes<T>& lanes, Lane4& sum) {
+      const PairGeometry<T> g = lanes.geometry(0);
+      const Books<T> b = at_rest(lanes, g, lanes.memory(g.touching)).second;
+      add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
+    });
+  }
+
+ private:
+  // Number of blocks that one thread takes at a time.
+  static constexpr std::size_t blocks_per_chunk = 64;
+
+  template <class Sum, class Use>
+  static void over(const Scene& scene, Contacts& contacts, std::vector<Sum>& sums, const Use& use) {
+    LargeVector<PlaneBlock>& blocks = contacts.planes.blocks();
+    sums.assign((blocks.size() + blocks_per_chunk - 1) / blocks_per_chunk, Sum{});
+    if (blocks.empty()) return;
+    in_parallel(sums.size(), contacts.threads, [&](std::size_t chunk) {
+      const std::size_t end = std::min(blocks.size(), (chunk + 1) * blocks_per_chunk);
+      for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
+        for (std::size_t k = 0; k < blocks[b].pairs.count; k += width<T>)
+          use(PlaneLanes<T>(scene, blocks[b], k), sums[chunk]);
+    });
+  }
+  template <class Use>
+  Lane4 total(const Scene& scene, Contacts& contacts, const Use& use) {
+    over(scene, contacts, row_sums_, use);
+    Lane4 sum{};
+    for (const Lane4& s : row_sums_) sum += s;
+    return sum;
+  }
+
+  void act(const PlaneLanes<T>& lanes, double dt, LargeVector<Load>& loads, PlaneSums<T>& sums) const {
+    const PairGeometry<T> g = lanes.geometry(dt);
+    const Kinematics<T>& k = g.kinematics;
+    const unsigned touching = bits(g.touching);
+    if (!(touching | lanes.pairs.touching())) return;
+    const Memory<T> known = lanes.memory(g.touching);
+    const V3<T> force_before = fused(lanes.pairs.normal_force(), k.normal, known.shear);
+    const Rotation<T> turn(g.turn);
+    const Memory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
+    Memory<T> memory = before;
+    Books<T> books;
+    const Response<T> response = Law::respond(couple(lanes), k, all<T>(dt), memory, books);
+    if (dt == 0) memory = before;  // as in the sweep over grains
+    lanes.pairs.remember_shear(memory.shear);
+    lanes.pairs.remember_moments(memory);
+    lanes.pairs.remember_normal_force(response.normal_force);
+    lanes.pairs.set_masks(touching, touching & bits(response.sliding));
+
+    const Action<T> act = action(k.normal, k.r1, T{}, memory, response.normal_force);
+    lanes.put(-act.force, -act.torque_first, loads);
+    add_to(sums.step.work, work_of(g, before, memory, moments_, books));
+    sums.step.overlap = maximum(sums.step.overlap, k.overlap);
+    sums.step.contacts += std::popcount(touching);
+    // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
+    const V3<T> moved = T(all<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
+    sums.add(act.force, keep(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
+  }
+
+  void stiffen(const PlaneLanes<T>& lanes, LargeVector<Load>& stiffness, Lane4& sum) const {
+    const PairGeometry<T> g = lanes.geometry(0);
+    if (!any(g.touching)) return;
+    const Kinematics<T>& k = g.kinematics;
+    const Response<T> r = at_rest(lanes, g, Memory<T>{}).first;
+    add_to(sum, keep(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
+    const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
+    lanes.put(keep(g.touching, translation), keep(g.touching, rotation), stiffness);
+  }
+
+  std::pair<Response<T>, Books<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,
+                                           Memory<T> memory) const {
+    Kinematics<T> k = g.kinematics;
+    k.approach_speed = T{};
+    Books<T> books;
+    const Response<T> r = Law::respond(couple(lanes), k, T{}, memory, books);
+    return {r, books};
+  }
+
+  const typename Law::Couple& couple(const PlaneLanes<T>& lanes) const {
+    return couples_.of(lanes.material_of_grains(), lanes.plane.material);
+  }
+
+  const Couples<Law>& couples_;
+  bool moments_;
+  std::vector<PlaneSums<T>> sums_;
+  std::vector<Lane4> row_sums_;
+};
+
+}  // namespace soilweave::dem

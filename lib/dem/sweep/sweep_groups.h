@@ -1,0 +1,125 @@
+// Data between the stages of a sweep, and the addition of forces to the grains.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
+#include <vector>
+
+#include "core/simd/columns.h"
+#include "dem/contact/contact_action.h"
+#include "dem/sweep/block_lanes.h"
+#include "dem/sweep/contact_sweep.h"
+#include "dem/sweep/contact_work.h"
+
+namespace soilweave::dem {
+
+/// Sums of a step over the contacts of a chunk.
+template <class Lanes>
+struct StepSums {
+  Lane4 work{};              // contact_work.h
+  Lanes overlap{};           // largest overlap, per lane
+  Lane4 affine_stiffness{};  // if requested
+  std::int64_t contacts = 0;
+
+  void put_into(SweepSums& s) const {
+    s.tangential_work -= 0.5 * work[0];
+    s.frictional += work[1], s.rolling_plastic += work[2], s.viscous += work[3];
+    for (int lane = 0; lane < width<Lanes>; ++lane) s.largest_overlap = std::max(s.largest_overlap, overlap[lane]);
+    s.contacts += contacts;
+  }
+};
+
+/// Input of a sweep beside the pairs.
+struct Surroundings {
+  const Bodies& bodies;
+  const std::vector<Lane4>& shifts;  // vectors of Contacts::images, m
+  AffineMotion affine;
+  double dt;
+  bool in_cache;  // whether all pairs and grains stay in the cache from step to step
+  double* loads;
+  double* stiffness;
+  double* across;  // forces of this chunk, summed by image
+
+  const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
+};
+
+/// Pairs of one register on their way through the stages.
+template <class Lanes, class Space>
+struct Group {
+  BlockLanes<Lanes> lanes;
+  unsigned touching;
+  PairMotion<Lanes, Space> motion;
+  PairGeometry<Lanes, Space> geometry;
+  Work<Lanes> work;
+};
+inline constexpr std::size_t batch_size = 8;  // so many fit the first cache
+template <class Lanes, class Space>
+using Batch = std::span<Group<Lanes, Space>>;
+
+inline void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
+inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
+
+/// Adds the forces of pairs across the cell's faces to the sums by image. Only these, because each addition waits until
+/// the one before it is stored.
+template <class Lanes>
+void add_across(const V3<Lanes>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  unsigned folded = lanes.folded();
+  if (!folded) return;
+  double x[width<Lanes>], y[width<Lanes>], z[width<Lanes>];
+  store(x, force.x), store(y, force.y), store(z, force.z);
+  for (; folded; folded &= folded - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(folded));
+    add(s.across + width<Lane4> * lanes.image(lane), Lane4{x[lane], y[lane], z[lane], 0});
+  }
+}
+
+/// Adds forces and torques to the loads of the grains, pair by pair.
+template <class Lanes>
+void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  double* const loads = s.loads;  // a reference would be read again after every store
+  std::array<Lane4, width<Lanes>> force, torque;
+  const auto& f = act.force;
+  const auto &t1 = act.torque_first, &t2 = act.torque_second;
+  const Lanes zero{};
+  to_rows(f.x, f.y, f.z, zero, [&](int lane, const Lane4& row) { force[static_cast<std::size_t>(lane)] = row; });
+  to_rows(t1.x, t1.y, t1.z, zero, [&](int lane, const Lane4& row) { torque[static_cast<std::size_t>(lane)] = row; });
+  to_rows(t2.x, t2.y, t2.z, zero, [&](int lane, const Lane4& row) {
+    const auto k = static_cast<std::size_t>(lane);
+    double *one = lanes.load_first(k, loads), *two = lanes.load_second(k, loads);
+    take(one, force[k]), take(one + width<Lane4>, torque[k]);
+    add(two, force[k]), add(two + width<Lane4>, row);
+  });
+  add_across(f, lanes, s);
+}
+/// In the plane the torque is the third component of the force.
+template <class Lanes>
+void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
+  double* const loads = s.loads;
+  const auto& f = act.force;
+  std::array<Lane4, width<Lanes>> first;
+  to_rows(f.x, f.y, act.torque_first, Lanes{},
+          [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
+  to_rows(f.x, f.y, act.torque_second, Lanes{}, [&](int lane, const Lane4& row) {
+    const auto k = static_cast<std::size_t>(lane);
+    take(lanes.load_first(k, loads), first[k]);
+    add(lanes.load_second(k, loads), row);
+  });
+  add_across(V3<Lanes>{f.x, f.y, Lanes{}}, lanes, s);
+}
+
+/// Adds stiffness for translation and rotation at place(lane), laid out like the loads.
+template <class Lanes, class Place>
+void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const Place& place) {
+  const V3<Lanes>&t = translation, &r = rotation;
+  to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
+  to_rows(r.x, r.y, r.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane) + width<Lane4>, row); });
+}
+template <class Lanes, class Place>
+void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation, const Place& place) {
+  to_rows(translation.x, translation.y, rotation, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
+}
+
+}  // namespace soilweave::dem

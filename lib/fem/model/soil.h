@@ -1,0 +1,135 @@
+// The finite elements: lumped mass, internal forces on the present geometry, central differences.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/material/material_point.h"
+#include "fem/mesh/mesh.h"
+
+namespace soilweave::fem {
+
+/// Prescribed motion of the nodes of a boundary ("all": every node) along the given axes, m/s.
+struct Support {
+  std::string boundary;
+  std::optional<double> x, y;
+  std::optional<Mat2> gradient;  // 1/s: velocity = gradient times position, on both axes
+};
+
+/// Force per present area of the boundary, Pa.
+struct Traction {
+  std::string boundary;
+  Vec2 value = Vec2::Zero();
+};
+
+/// Input of the finite elements.
+struct SoilSetup {
+  Mesh mesh;
+  Integration integration = Integration::reduced;
+  double density = 0;  // kg/m3
+  double damping = 0;  // c of thesis Eq. 6.2, 1/s
+  std::vector<Support> supports;
+  std::vector<Traction> tractions;
+};
+
+/// Place of an integration point.
+struct Place {
+  Index element;
+  Vec2 position;  // m
+  double area;    // part of the element's area, m2
+};
+
+/// Work and energy since the start, J per metre of thickness.
+struct SoilEnergies {
+  double kinetic = 0, internal_work = 0, viscous = 0;
+  double traction_work = 0, support_work = 0, interface_work = 0;
+  /// Returns the work of tractions, supports and interface.
+  double external() const { return traction_work + support_work + interface_work; }
+  /// Returns the energy that the balance lacks.
+  double error() const { return external() - kinetic - internal_work - viscous; }
+};
+
+using Points = std::vector<std::unique_ptr<MaterialPoint>>;
+
+/// The finite elements in motion.
+class Soil {
+ public:
+  /// Checks the mesh and lumps masses (HRZ: Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
+  /// matrix is scaled to the element's mass. Throws DataError for an unknown boundary.
+  explicit Soil(SoilSetup setup);
+  /// Return the number of points, in total and per element.
+  Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
+  Index points_of_element() const { return rule_.size(); }
+
+  /// Returns an upper bound of the largest eigenvalue of M^-1 K, 1/s2: that of the stiffest single element (Irons &
+  /// Treharne 1971). The stable step is 2/sqrt of it. tangent: of a point, as MaterialPoint::tangent.
+  double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
+
+  /// Takes one step of central differences (thesis Eqs. 6.1 to 6.3). Stresses of all points (Pa, tension positive),
+  /// tractions, and forces of the interface (N/m per node) move the nodes. Sets gradients() of the displacement
+  /// increment on the geometry before the step. Throws PhysicsError naming a degenerate element.
+  void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
+
+  /// Returns the gradients of the last displacement increment, one per point.
+  const std::vector<Mat2>& gradients() const { return gradients_; }
+  const std::vector<Mat2>& strains() const { return strains_; }  // plain sums of the gradients
+  /// Return positions and displacements (m), velocities (m/s) and masses (kg/m) of the nodes.
+  const std::vector<Vec2>& positions() const { return positions_; }
+  const std::vector<Vec2>& displacements() const { return displacements_; }
+  const std::vector<Vec2>& velocities() const { return velocities_; }
+  const std::vector<double>& masses() const { return masses_; }
+  const Mesh& mesh() const { return setup_.mesh; }
+  /// Return energies since the start, and the present kinetic energy, J/m.
+  SoilEnergies energies() const;
+  double kinetic_energy() const;
+  /// Returns element, position and area of a point.
+  Place place(Index point) const;
+  /// Returns point values averaged at the nodes, weighted by area.
+  std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
+  /// Returns the resultant of the internal forces at a boundary's nodes, N/m; at rest supports and interface exert it.
+  Vec2 reaction(const std::string& boundary) const;
+  /// Returns the internal forces of the present stresses, N/m per node. Throws PhysicsError naming a degenerate
+  /// element.
+  std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
+
+  /// Holds supports still, or releases them. damping: replaces the scenario's viscous coefficient.
+  void hold(bool held, std::optional<double> damping = std::nullopt);
+  /// Sets the velocities of all nodes, m/s.
+  void set_velocities(std::vector<Vec2> velocities) { velocities_ = std::move(velocities); }
+  /// Keeps or restores everything that steps change.
+  void archive(Archive& archive);
+
+ private:
+  std::vector<Vec2> traction_forces() const;
+  void lump();
+  void support(Index node, Vec2& velocity, bool* fixed) const;
+  void collect_supports();
+
+  SoilSetup setup_;
+  std::vector<IntegrationPoint> rule_;
+  std::vector<double> masses_;  // kg/m
+  std::vector<Vec2> positions_, displacements_, velocities_, increments_;
+  std::vector<Mat2> gradients_, strains_;
+  std::vector<Vec2> internal_;  // N/m, at the start of the step
+  /// Nodes of one support.
+  struct Held {
+    std::array<bool, 2> axis{};
+    Vec2 velocity = Vec2::Zero();
+    std::optional<Mat2> gradient;
+  };
+  std::vector<Held> held_;
+  bool standing_ = false;
+  std::optional<double> damping_;
+  SoilEnergies energies_;
+};
+
+/// Returns the gradient rounded to multiples of 2^-60. Equal strains of unequal elements differ by rounding, and grains
+/// would amplify that chaotically.
+Mat2 rounded_gradient(const Mat2& gradient);
+
+}  // namespace soilweave::fem

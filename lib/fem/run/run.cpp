@@ -1,0 +1,296 @@
+// Carries out a two-scale scenario.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fem/run/run.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "dem/run/moment.h"
+#include "fem/run/record.h"
+
+namespace soilweave::fem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+ModelSetup with_packings(const Scenario& scenario, const std::vector<io::Snapshot>& packings) {
+  ModelSetup setup = scenario.model;
+  setup.packings = packings;
+  return setup;
+}
+
+struct GrainWork {
+  std::int64_t steps = 0, contact_steps = 0;
+};
+
+GrainWork grain_work(const Model& model) {
+  GrainWork w;
+  for (const auto& p : model.points()) w.steps += p->steps(), w.contact_steps += p->contact_steps();
+  return w;
+}
+
+std::int64_t steps_of_output(const Scenario& scenario, double dt) {
+  return std::max<std::int64_t>(1, std::llround(scenario.model.interval / dt));
+}
+std::int64_t outputs_of(const Scenario& scenario) {
+  return std::max<std::int64_t>(1, std::llround(std::ceil(scenario.duration / scenario.model.interval * (1 - 1e-9))));
+}
+
+class Runner {
+ public:
+  Runner(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
+         const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks)
+      : scenario_(scenario),
+        ranks_(ranks),
+        report_(report),
+        history_(history),
+        keeper_(safekeeping, 1 << 20),
+        model_(with_packings(scenario, packings), &ranks),
+        every_(steps_of_output(scenario, model_.time_step())),
+        outputs_(outputs_of(scenario)) {
+    file_.scenario = scenario.resolved;
+    std::optional<io::Moment> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
+    go_on(std::move(last));
+    start_steps_ = grain_work(model_).steps;
+  }
+
+  Outcome run() {
+    if (!going_on_) note();
+    while (done_ < outputs_) {
+      if (resting_) {
+        rest();
+      } else {
+        model_.step();
+        if (++since_output_ == every_) reached();
+      }
+      if (model_.steps() % 16 == 0) tell();
+      keep();
+    }
+    model_.collect();
+    const GrainWork work = grain_work(model_);
+    file_.work = {work.steps, work.contact_steps};
+    return {std::move(file_), price()};
+  }
+
+  /// Leaves the present state as a file for inspection.
+  void leave(const std::filesystem::path& path) {
+    try {
+      record(model_, scenario_.recorded, file_);
+    } catch (const Error&) {
+      // A state that can no longer be measured is left out; the outputs so far are inspected instead.
+    }
+    std::erase_if(file_.frames, [](const io::Snapshot& s) {
+      return std::any_of(s.grains.position.begin(), s.grains.position.end(),
+                         [](const Vec3& x) { return !x.allFinite(); });
+    });
+    io::write_multiscale(path, file_, history_);
+  }
+
+ private:
+  void reached() {
+    since_output_ = 0;
+    if (!scenario_.quasi_static) return output();
+    resting_ = true;
+    rested_ = 0;
+    model_.relax(scenario_.quasi_static->damping);
+  }
+
+  void rest() {
+    model_.step();
+    const QuasiStatic& q = *scenario_.quasi_static;
+    if (++rested_ > q.largest_rest)
+      throw TargetNotReached(fmt::format(
+          "step {}, {:.4g} s: not at rest after {} steps, the kinetic energy is {:.3g} J/m of {:.3g}: raise "
+          "quasi_static.steps or kinetic_energy, or change soil_damping",
+          model_.steps(), model_.time(), q.largest_rest, model_.soil().kinetic_energy(), q.kinetic_energy));
+    if (model_.soil().kinetic_energy() > q.kinetic_energy) return;
+    resting_ = false;
+    model_.relax(std::nullopt);
+    output();
+  }
+
+  void output() {
+    note();
+    ++done_;
+    std::string failure;
+    try {
+      if (ranks_.first()) model_.check_steps();
+    } catch (const PhysicsError& error) {
+      failure = error.what();
+    }
+    if (failure = ranks_.told(failure); !failure.empty()) throw PhysicsError(failure);
+  }
+
+  void note() {
+    model_.collect();
+    if (ranks_.first()) record(model_, scenario_.recorded, file_);
+  }
+
+  // The first process decides what is done; others collect with it until it tells them to go on.
+  void keep() {
+    if (!ranks_.first()) {
+      while (const std::int64_t word = ranks_.told(go)) {
+        if (word == stop) throw Stopped("the first process has stopped");
+        model_.collect();
+      }
+      return;
+    }
+    try {
+      keeper_.after_step([this] {
+        ranks_.told(collect);
+        return moment();
+      });
+    } catch (...) {
+      ranks_.told(stop);
+      throw;
+    }
+    ranks_.told(go);
+  }
+
+  void archive(Archive& a) {
+    model_.archive(a);
+    a.item("outputs_done", done_), a.item("steps_since_output", since_output_), a.item("rested", rested_);
+    a.whole("resting", resting_);
+    double seconds = seconds_ + since(began_);
+    a.item("seconds", seconds);
+    if (a.giving_back()) seconds_ = seconds;
+  }
+
+  io::Moment moment() {
+    model_.collect();
+    Archive a;
+    archive(a);
+    io::Moment m;
+    m.state.step = model_.steps();
+    m.series = file_.series;
+    m.numbers = a.numbers();
+    m.tables = file_.groups;
+    m.frames = file_.frames;
+    return m;
+  }
+
+  void go_on(std::optional<io::Moment> last) {
+    going_on_ = ranks_.told(std::int64_t{last.has_value()}) != 0;
+    if (!going_on_) return;
+    std::string where = "the first process";
+    if (last) {
+      file_.series = std::move(last->series);
+      file_.groups = std::move(last->tables);
+      file_.frames = std::move(last->frames);
+      where = keeper_.part().last().string();
+    }
+    Archive::Numbers numbers = last ? std::move(last->numbers) : Archive::Numbers();
+    if (ranks_.size() > 1) numbers = Archive::unpacked(ranks_.told(last ? Archive::packed(numbers) : std::string()));
+    Archive a(std::move(numbers), where);
+    archive(a);
+    const auto among = [](std::int64_t n, std::int64_t most) { return n >= 0 && n <= most; };
+    dem::demand_kept(among(done_, outputs_), where, "number of outputs");
+    dem::demand_kept(model_.steps() >= 0 && among(since_output_, model_.steps()), where, "number of steps");
+    if (resting_) model_.relax(scenario_.quasi_static->damping);
+  }
+
+  void tell() const {
+    if (!report_) return;
+    const double seconds = since(began_);
+    const GrainWork work = grain_work(model_);
+    report_(model_.time() / (static_cast<double>(outputs_ * every_) * model_.time_step()),
+            fmt::format("{:.4g} s, step {}, kinetic {:.2e} J/m{}", model_.time(), model_.steps(),
+                        model_.soil().kinetic_energy(),
+                        work.steps > 0 ? fmt::format(", {:.3g} grain steps/s",
+                                                     static_cast<double>(work.steps - start_steps_) / seconds)
+                                       : ""));
+  }
+
+  std::string price() const {
+    const double seconds = seconds_ + since(began_);
+    const GrainWork work = grain_work(model_);
+    std::string line =
+        fmt::format("{} steps of {} points in {:.3g} s", model_.steps(), model_.points().size(), seconds);
+    if (work.steps > 0)
+      line += fmt::format(": {:.4g} packing steps/s of {} grains, {:.4g} a thread, {:.3g} ns per contact",
+                          static_cast<double>(work.steps) / seconds, model_.points().front()->grains(),
+                          static_cast<double>(work.steps) / seconds / scenario_.model.threads,
+                          1e9 * seconds * scenario_.model.threads / static_cast<double>(work.contact_steps));
+    return line;
+  }
+
+  static constexpr std::int64_t go = 0, collect = 1, stop = 2;
+
+  const Scenario& scenario_;
+  const Ranks& ranks_;
+  const Report& report_;
+  const io::History& history_;
+  dem::Keeper keeper_;
+  Model model_;
+  std::int64_t every_, outputs_, done_ = 0, since_output_ = 0, rested_ = 0, start_steps_ = 0;
+  bool resting_ = false, going_on_ = false;
+  io::MultiscaleFile file_;
+  Clock::time_point began_ = Clock::now();
+  double seconds_ = 0;  // seconds of earlier sessions
+};
+
+}  // namespace
+
+Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
+            const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks) {
+  io::Part* part = safekeeping.part;
+  Runner runner(scenario, packings, report, safekeeping, history, ranks);
+  if (!part) return runner.run();
+  const auto leave = [&](const std::filesystem::path& path) { runner.leave(path); };
+  try {
+    return runner.run();
+  } catch (const PhysicsError& error) {
+    throw part->stopped(error, leave);
+  } catch (const TargetNotReached& error) {
+    throw part->stopped(error, leave);
+  } catch (const Error& error) {
+    throw part->explained(error);
+  }
+}
+
+std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings) {
+  constexpr double tried_seconds = 3;
+  constexpr int tried_steps = 200;
+  Model model(with_packings(scenario, packings));
+  const double dt = model.time_step();
+  const std::int64_t outputs = outputs_of(scenario), steps = outputs * steps_of_output(scenario, dt);
+  const Mesh& mesh = model.soil().mesh();
+  std::string text = fmt::format(
+      "{} nodes, {} elements of the shape {}, {} points\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, {} "
+      "outputs\n",
+      mesh.nodes.size(), mesh.elements.size(), name_of(mesh.shape), model.points().size(), dt, model.stable_time_step(),
+      steps, outputs);
+  const std::size_t grains = model.points().front()->grains();
+  if (grains > 0)
+    text +=
+        fmt::format("{} grains a point, {} steps of {:.4g} s each to a step of the soil: {:.3g} packing steps in all\n",
+                    grains, model.substeps(), dt / static_cast<double>(model.substeps()),
+                    static_cast<double>(steps * model.substeps()) * static_cast<double>(model.points().size()));
+  if (model.bars())
+    text += fmt::format("{} bars, steps of {:.4g} s\n", model.bars()->bars(), model.bars()->time_step());
+  const auto began = Clock::now();
+  int tried = 0;
+  while (tried < tried_steps && since(began) < tried_seconds) model.step(), ++tried;
+  const double seconds = since(began) / tried * static_cast<double>(steps);
+  io::MultiscaleFile file;
+  record(model, scenario.recorded, file);
+  double numbers = static_cast<double>(file.frames.size()) * 30.0 * static_cast<double>(grains);
+  for (const auto& group : file.groups) numbers += static_cast<double>(group.table.rows() * group.table.columns.size());
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  text +=
+      fmt::format("file about {:.3g} MB, memory about {:.3g} MB\n", 8e-6 * numbers * static_cast<double>(outputs + 1),
+                  1.1e-3 * static_cast<double>(usage.ru_maxrss) + 16e-6 * numbers * static_cast<double>(outputs + 1));
+  return text + fmt::format("about {:.3g} s on {} thread{}, {:.3g} h; contacts grow, and with them the time\n", seconds,
+                            scenario.model.threads, scenario.model.threads == 1 ? "" : "s", seconds / 3600);
+}
+
+}  // namespace soilweave::fem

@@ -1,0 +1,323 @@
+// Two-scale scenarios from TOML.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fem/run/scenario.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/error.h"
+#include "dem/run/scenario.h"
+
+namespace soilweave::fem {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::string text_of(Shape shape) { return shape == Shape::triangle3 ? "3-node triangles" : "8-node quadrilaterals"; }
+
+Integration read_integration(Settings& table, Shape shape) {
+  if (shape == Shape::triangle3) {
+    if (table.has("integration"))
+      table.mistake("integration",
+                    "is of quadrilaterals; the 3-node triangles of this mesh have one point: leave it out");
+    return Integration::reduced;
+  }
+  return table.choice("integration", {"reduced", "full"}, "reduced") == "full" ? Integration::full
+                                                                               : Integration::reduced;
+}
+
+Mesh read_mesh(Settings& table) {
+  static constexpr Parameter width{"width", "m", 0, 1e6, true, "of the rectangle"},
+      height{"height", "m", 0, 1e6, true, "of the rectangle"};
+  static constexpr Parameter columns{"columns", "1", 1, 1e4, false, "squares along x"},
+      rows{"rows", "1", 1, 1e4, false, "squares along y"};
+  for (const char* key : {"pieces", "coincident_nodes"})
+    if (table.has(key)) table.mistake(key, "is of a mesh from a file: name one with --mesh, or leave it out");
+  const double w = table.number(width), h = table.number(height);
+  const auto nx = static_cast<Index>(table.integer(columns)), ny = static_cast<Index>(table.integer(rows));
+  const bool quadrilaterals = table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
+  constexpr Index most = 100'000;  // each one is computed, and most hold grains
+  const bool too_many = nx > most || ny > most / std::max<Index>(nx, 1);
+  if (too_many) table.mistake("rows", fmt::format("makes, times columns, more than {} squares", most));
+  if (!(w > 0 && h > 0) || nx < 1 || ny < 1 || too_many) return rectangle(1, 1, 1, 1, Shape::triangle3);
+  return rectangle(w, h, nx, ny, quadrilaterals ? Shape::quadrilateral8 : Shape::triangle3);
+}
+
+// Refuses coincident nodes and pieces that share no node, unless they are intended.
+void check_joints(Settings& table, const Mesh& mesh) {
+  static constexpr Parameter meant{"pieces", "1", 1, 1e6, false, "pieces of the mesh that share no node"};
+  const bool kept = table.choice("coincident_nodes", {"refuse", "keep"}, "refuse") == "keep";
+  const auto wanted = static_cast<Index>(table.integer(meant, 1));
+  const auto pairs = kept ? std::vector<std::array<Index, 2>>() : mesh.coincident();
+  const std::vector<Mesh::Piece> pieces = mesh.pieces();
+  std::string text;
+  if (pieces.size() != wanted || !pairs.empty())
+    text = pieces.size() == 1 ? "is one piece" : fmt::format("falls into {} pieces that share no node", pieces.size());
+  for (Index k = 0; pieces.size() > 1 && !text.empty() && k < std::min<Index>(pieces.size(), 3); ++k)
+    text += fmt::format("{}{} elements around ({:.4g}, {:.4g})", k == 0 ? ": " : ", ", pieces[k].elements,
+                        pieces[k].middle.x(), pieces[k].middle.y());
+  if (pieces.size() > 3 && !text.empty()) text += ", ...";
+  const std::string pieces_remedy = pieces.size() == wanted ? "" : fmt::format("mesh.pieces = {}", pieces.size());
+  if (!pairs.empty()) {
+    const auto [a, b] = pairs.front();
+    const Vec2 at = mesh.nodes[a];
+    const auto tag = [&](Index n) { return mesh.node_tags.empty() ? static_cast<std::int64_t>(n) : mesh.node_tags[n]; };
+    table.mistake(
+        "coincident_nodes",
+        fmt::format("{} of its nodes lie on another one, as node {} on {} at ({:.4g}, {:.4g}), and the mesh {}; "
+                    "join them (in Gmsh: Coherence; before meshing, or Coherence Mesh; after it), or where "
+                    "a slit is meant give mesh.coincident_nodes = \"keep\"{}{}",
+                    pairs.size(), tag(b), tag(a), at.x(), at.y(), text, pieces_remedy.empty() ? "" : " and ",
+                    pieces_remedy));
+  } else if (!pieces_remedy.empty()) {
+    table.mistake("pieces",
+                  pieces.size() == 1
+                      ? fmt::format("the mesh is one piece, not {}: give {}", wanted, pieces_remedy)
+                      : fmt::format("the mesh {}; join them, or where that is meant give {}", text, pieces_remedy));
+  }
+}
+
+// Completes a mesh from a file by what the scenario says of it.
+Mesh take_mesh(Settings& table, Mesh mesh) {
+  for (const char* key : {"width", "height", "columns", "rows"})
+    if (table.has(key)) table.mistake(key, "is of a rectangle, but --mesh names a file: leave one of the two out");
+  if (table.has("element") && table.choice("element", {"triangle3", "quadrilateral8"}) != name_of(mesh.shape))
+    table.mistake("element",
+                  fmt::format("the file of the mesh decides: it has {}; leave the key out", text_of(mesh.shape)));
+  check_joints(table, mesh);
+  return mesh;
+}
+
+ContinuumLaw read_law(Settings& soil, bool limited) {
+  static constexpr Parameter young{"young_modulus", "Pa", 0, 1e13, true, "of the soil"};
+  static constexpr Parameter poisson{
+      "poisson_ratio", "1", -1, 0.499, true, "of the soil", "an incompressible soil has no stable time step"};
+  static constexpr Parameter stress{
+      "initial_stress", "Pa", -1e9, 1e9, false, "xx, yy and zz at the start, compression positive"};
+  static constexpr Parameter friction{"friction_angle", "deg", 0, 89, true, "of the soil"};
+  static constexpr Parameter cohesion{"cohesion", "Pa", 0, 1e9, false, "of the soil"};
+  static constexpr Parameter dilation{"dilation_angle", "deg", 0, 89, false, "of the soil"};
+  ContinuumLaw law;
+  law.young_modulus = soil.number(young);
+  law.poisson_ratio = soil.number(poisson);
+  law.initial_stress = -soil.vector(stress, Vec3::Zero());
+  if (!limited) return law;
+  law.friction_angle = soil.number(friction) * degree;
+  law.cohesion = soil.number(cohesion, 0);
+  law.dilation_angle = soil.number(dilation, 0) * degree;
+  if (law.dilation_angle > *law.friction_angle)
+    soil.mistake("dilation_angle", "is above friction_angle: the soil would make energy");
+  return law;
+}
+
+// Reads the numerics of grains within a material point, which may also replace a continuum later.
+dem::Numerics read_grain_numerics(Settings& document) {
+  const dem::Numerics numerics = dem::read_numerics(document);
+  if (numerics.gravity != Vec3::Zero())
+    document.table("numerics")
+        .mistake("gravity", "has nowhere to act: a material point is a periodic cell without weight; leave it out");
+  return numerics;
+}
+
+void read_soil(Settings& document, ModelSetup& m) {
+  static constexpr Parameter density{"density", "kg/m3", 0, 1e9, true, "of the soil, pores included"};
+  static constexpr Parameter damping{"damping", "1/s", 0, 1e6, false, "viscous coefficient c of thesis Eq. 6.2"};
+  Settings soil = document.table("soil");
+  const std::string material = soil.kind("material", {"grains", "elastic", "mohr-coulomb"});
+  m.soil.damping = soil.number(damping, 0.2);
+  if (material == "grains") {
+    m.soil.density = soil.has("density") ? soil.number(density) : 0;
+    m.grains = {dem::read_model(document), read_grain_numerics(document), dem::read_density(document)};
+    return;
+  }
+  m.soil.density = soil.number(density);
+  m.law = read_law(soil, material == "mohr-coulomb");
+  // Users set up a problem with a continuum and switch to grains later, so tables of grains may exist already.
+  if (document.has("contact")) dem::read_model(document);
+  if (document.has("grains")) dem::read_density(document);
+  if (document.has("numerics") || document.has("guards")) read_grain_numerics(document);
+}
+
+void read_edges(Settings& document, SoilSetup& soil) {
+  static constexpr Parameter speed_x{"x", "m/s", -1e3, 1e3, false, "velocity held along x; 0 holds it"},
+      speed_y{"y", "m/s", -1e3, 1e3, false, "velocity held along y; 0 holds it"};
+  static constexpr Parameter gradient{"gradient", "1/s", -1e6, 1e6, false, "velocity gradient xx, xy, yx, yy"};
+  static constexpr Parameter pressure_x{"x", "Pa", -1e9, 1e9, false, "traction along x"},
+      pressure_y{"y", "Pa", -1e9, 1e9, false, "traction along y"};
+  const auto named = [&soil](Settings& table) {
+    const std::string on = table.text("on");
+    if (on != "all" && !soil.mesh.boundaries.count(on)) {
+      try {
+        soil.mesh.boundary(on);
+      } catch (const DataError& error) {
+        table.mistake("on", fmt::format("is no boundary: {}", error.what()));
+      }
+    }
+    return on;
+  };
+  for (Settings table : document.tables("support")) {
+    Support s{named(table), {}, {}, {}};
+    if (table.has("x")) s.x = table.number(speed_x);
+    if (table.has("y")) s.y = table.number(speed_y);
+    if (table.has("gradient")) {
+      const std::vector<double> g = table.numbers(gradient);
+      if (g.size() != 4) table.mistake("gradient", "has not four numbers: xx, xy, yx, yy");
+      if (g.size() == 4) s.gradient = (Mat2() << g[0], g[1], g[2], g[3]).finished();
+    }
+    if (!s.x && !s.y && !s.gradient) table.mistake("", "holds nothing: give x, y or gradient");
+    soil.supports.push_back(std::move(s));
+  }
+  for (Settings table : document.tables("traction"))
+    soil.tractions.push_back({named(table), Vec2(table.number(pressure_x, 0), table.number(pressure_y, 0))});
+}
+
+ChainEnd read_end(Settings table) {
+  static constexpr Parameter x{"x", "m/s", -1e3, 1e3, false, "velocity that drives this end along x"},
+      y{"y", "m/s", -1e3, 1e3, false, "velocity that drives this end along y"};
+  ChainEnd end;
+  if (table.has("x")) end.x = table.number(x);
+  if (table.has("y")) end.y = table.number(y);
+  return end;
+}
+
+Vec2 read_place(Settings& table, const Parameter& parameter) {
+  const std::vector<double> place = table.numbers(parameter);
+  if (place.size() == 2) return {place[0], place[1]};
+  table.mistake(parameter.name, "has not two numbers: x, y");
+  return Vec2::Zero();
+}
+
+void read_touch(Settings table, Touch& touch) {
+  static constexpr Parameter normal{"normal_stiffness", "N/m3", 0, 1e15, true, "of the contact, per area"};
+  static constexpr Parameter ratio{"shear_ratio", "1", 0, 10, false, "shear over normal stiffness"};
+  static constexpr Parameter friction{"friction_angle", "deg", 0, 89.9, false, "between soil and geosynthetic"};
+  touch = {table.number(normal), table.number(ratio, 0.33), table.number(friction) * degree};
+}
+
+std::vector<std::string> read_along(Settings& table) {
+  std::vector<std::string> names;
+  const std::string all = table.text("along");
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find(' ', at), all.size());
+    if (end > at) names.push_back(all.substr(at, end - at));
+    at = end + 1;
+  }
+  return names;
+}
+
+void read_guides(Settings& table, std::vector<Guide>& guides) {
+  static constexpr Parameter from{"from", "m", -1e6, 1e6, false, "x, y of the guide's start"},
+      to{"to", "m", -1e6, 1e6, false, "x, y of the guide's end"};
+  for (Settings guide : table.tables("guide"))
+    guides.push_back({read_place(guide, from), read_place(guide, to), guide.flag("holds_soil", false)});
+}
+
+void read_geosynthetic(Settings& document, ModelSetup& m) {
+  static constexpr Parameter radius{"radius", "m", 0, 10, true, "of the virtual disks"};
+  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "largest length of a bar"};
+  static constexpr Parameter overhang{"overhang", "m", 0, 1e3, false, "of the chain before its start"};
+  static constexpr Parameter stiffness{"stiffness", "N/m", 0, 1e12, true, "axial stiffness J"};
+  static constexpr Parameter strength{"strength", "N/m", 0, 1e12, true, "tension at which a bar breaks"};
+  static constexpr Parameter density{"areal_density", "kg/m2", 0, 1e6, true, "of the geosynthetic"};
+  static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping of the chain"};
+  static constexpr Parameter safety{"time_step_safety", "1", 0, 0.95, true, "fraction of the chain's stable time step"};
+  static constexpr Parameter seat{
+      "seat_pressure", "Pa", 0, 1e9, false, "along y, carried by chain and guides before the start"};
+  if (!document.has("geosynthetic")) return;
+  Settings table = document.table("geosynthetic");
+  BarsSetup b;
+  m.along = read_along(table);
+  b.radius = table.number(radius);
+  m.spacing = table.number(spacing, 2 * b.radius);
+  m.overhang = table.number(overhang, 0);
+  b.stiffness = table.number(stiffness);
+  if (table.has("strength")) b.strength = table.number(strength);
+  b.compression = table.flag("compression", true);
+  b.areal_density = table.number(density);
+  b.damping = table.number(damping, 0.4);
+  b.safety = table.number(safety, b.safety);
+  b.stop_when_broken = table.choice("broken", {"stop", "go on"}, "stop") == "stop";
+  m.seat_pressure = table.number(seat, 0);
+  read_touch(table.table("contact"), b.touch);
+  b.start = read_end(table.table("start"));
+  b.end = read_end(table.table("end"));
+  read_guides(table, b.guides);
+  for (const std::string& name : m.along)
+    if (!m.soil.mesh.boundaries.count(name)) {
+      try {
+        m.soil.mesh.boundary(name);
+      } catch (const DataError& error) {
+        table.mistake("along", error.what());
+      }
+    }
+  m.bars = std::move(b);
+}
+
+void read_time(Settings& document, Scenario& s) {
+  static constexpr Parameter duration{"duration", "s", 0, 1e9, true, "of the run"};
+  static constexpr Parameter interval{"output_interval", "s", 0, 1e9, true, "between recorded states"};
+  static constexpr Parameter safety{"safety",
+                                    "1",
+                                    0,
+                                    0.9,
+                                    true,
+                                    "fraction of the soil's stable time step",
+                                    "beyond it a soil that stiffens a little would be unstable"};
+  static constexpr Parameter step{"step", "s", 0, 1e3, true, "fixed time step of the soil"};
+  Settings table = document.table("time");
+  s.duration = table.number(duration);
+  s.model.interval = table.number(interval);
+  constexpr double most = 1e6;
+  if (s.duration > most * s.model.interval)
+    table.mistake("output_interval",
+                  fmt::format("makes {:.3g} outputs, and at most {:.0f} are recorded: give at least {:.3g} s",
+                              s.duration / s.model.interval, most, s.duration / most));
+  s.model.safety = table.number(safety, s.model.safety);
+  if (table.has("step")) s.model.time_step = table.number(step);
+}
+
+std::optional<QuasiStatic> read_quasi_static(Settings& document) {
+  static constexpr Parameter soil{"soil_damping", "1/s", 0, 1e6, true, "viscous coefficient of the soil at rest"};
+  static constexpr Parameter grains{"grain_damping", "1", 0, 0.999, false, "local damping of grains and chain at rest"};
+  static constexpr Parameter energy{"kinetic_energy", "J/m", 0, 1e9, true, "of the soil, at rest"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "after which rest counts as unreachable"};
+  if (!document.has("quasi_static")) return std::nullopt;
+  Settings table = document.table("quasi_static");
+  QuasiStatic q;
+  const double local = table.number(grains, 0.9);
+  q.damping = {table.number(soil, 100), local, local};
+  q.kinetic_energy = table.number(energy, 1e-3);
+  q.largest_rest = table.integer(steps, 100000);
+  return q;
+}
+
+}  // namespace
+
+Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
+                       std::optional<Mesh> mesh) {
+  static constexpr Parameter points{"points", "1", 0, 1e9, false, "points whose grains are recorded whole"};
+  Settings document = Settings::parse(text, name);
+  for (const std::string& assignment : overrides) document.set(assignment);
+  Scenario s;
+  Settings table = document.table("mesh");
+  s.model.soil.mesh = mesh ? take_mesh(table, std::move(*mesh)) : read_mesh(table);
+  s.model.soil.integration = read_integration(table, s.model.soil.mesh.shape);
+  read_soil(document, s.model);
+  read_edges(document, s.model.soil);
+  read_geosynthetic(document, s.model);
+  read_time(document, s);
+  s.quasi_static = read_quasi_static(document);
+  Settings record = document.table("record");
+  for (const double p : record.numbers(points, std::vector<double>{})) {
+    if (p != std::floor(p)) record.mistake("points", fmt::format("{} is no number of a point", p));
+    s.recorded.push_back(static_cast<Index>(p));
+  }
+  document.finish();
+  s.resolved = document.resolved();
+  return s;
+}
+
+}  // namespace soilweave::fem

@@ -1,0 +1,30 @@
+// Tables of a two-scale run: its global response, the history of a place, the rows of one state.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/tensor.h"
+#include "files/files.h"
+
+namespace soilweave::fem {
+
+/// Returns the table `name` of the run in the file `where`. Throws UsageError that lists its tables.
+io::Series table(const io::MultiscaleFile& file, const std::string& name, const std::string& where);
+
+/// Returns the global response (thesis Fig. 6.2), one row per output: step, time (s), displacement of the chain's ends
+/// (m), mean traction on the soil of each boundary over its present length (Pa; of the nodal stresses, force_x_ and
+/// force_y_ of the series), `interface_friction` and the energy balance (J per metre). interface_friction is shear over
+/// normal force between soil and chain, positive if it resists a pull at the chain's end, NaN without contact.
+io::Series loading(const io::MultiscaleFile& file);
+
+/// Returns the rows of the states that `which` names: all, first, last or a number from 0 (analysis::chosen_states).
+/// Throws UsageError for a missing state, or if the table has no column `step`.
+io::Series of_state(const io::Series& table, const std::string& which, const std::string& name);
+
+/// Returns the rows of the point or node that was nearest to `place` (m) in the first state; the first of equally near
+/// ones. name: "points" or "nodes". Throws UsageError for another table, and for a place outside the box around the
+/// nodes of the first state.
+io::Series near(const io::MultiscaleFile& file, const std::string& name, const Vec2& place);
+
+}  // namespace soilweave::fem

@@ -1,0 +1,303 @@
+// Sphere packings as plain text: one grain per line, with or without a header.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/exchange/spheres_text.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/error.h"
+#include "core/text/number_word.h"
+#include "core/text/units.h"
+#include "files/exchange/spheres_columns.h"
+#include "files/exchange/spheres_foreign.h"
+#include "files/exchange/table.h"
+#include "store/bytes.h"
+
+namespace soilweave::io {
+namespace {
+
+constexpr std::string_view periodic_mark = "##PERIODIC::";
+
+/// Returns the separator of a first line of numbers. A comma separates only if no blank stands between two commas; "1,5
+/// 2,5" has decimal commas.
+char separator_of_numbers(std::string_view line) {
+  const char separator = separator_of(line);
+  if (separator != ',') return separator == ';' ? ';' : ' ';
+  for (const std::string& cell : cells(line, ','))
+    if (cell.find_first_of(" \t") != std::string::npos) return ' ';
+  return ',';
+}
+
+/// Returns true for a comment that seems to give a period but does not begin like the mark.
+bool is_like_the_mark(std::string_view comment) {
+  std::string word;
+  for (const char c : comment.substr(0, std::min<std::size_t>(comment.size(), 40)))
+    if (c != '#' && c != ' ' && c != '\t') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word.starts_with("periodic:");
+}
+
+class SpheresReader {
+ public:
+  SpheresReader(const std::string& where, const SpheresOptions& options)
+      : where_(where), options_(options), dimension_(options.dimension) {}
+
+  void line(std::string_view text) {
+    ++line_;
+    const std::string plain = plain_spaces(text);
+    const std::string_view all = trimmed(plain);
+    if (all.starts_with(periodic_mark)) return periodic_cell(all.substr(periodic_mark.size()));
+    if (all.starts_with('#')) return comment(all);
+    const std::string_view kept = trimmed(all.substr(0, all.find('#')));
+    if (kept.empty()) return;
+    if (!columns_) {
+      const char separator = separator_of(kept);
+      const std::vector<std::string> names = header_names(kept, separator);
+      if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
+    }
+    // The last cells of a row may be empty, so its tabs count.
+    grain(std::string_view(plain).substr(0, plain.find('#')));
+  }
+
+  ImportedSpheres finish() {
+    GrainsRecord& g = state_.grains;
+    if (g.size() == 0) throw DataError(where_ + ": holds no spheres; write x y z r a line");
+    g.dimension = dimension_.value_or(3);
+    if (g.dimension == 2) flatten();
+    if (has_cell_ && options_.cell)
+      throw DataError(where_ + ": has a ##PERIODIC:: line, so that no other cell can be given (--cell)");
+    if (options_.cell && options_.cell->periodic[2] != (g.dimension == 3))
+      throw DataError(fmt::format("{}: holds {}, whose cell has {} lengths (--cell)", where_,
+                                  g.dimension == 2 ? "disks" : "spheres", g.dimension));
+    if (!has_cell_ && options_.cell) state_.cell = *options_.cell;
+    if (!has_cell_ && !options_.cell) aperiodic_cell();
+    ImportedSpheres read{std::move(state_), {}, {}};
+    if (!columns_->unused.empty())
+      read.notes.push_back(fmt::format("{}: columns left out: {}; density and radius give the mass", where_,
+                                       fmt::join(columns_->unused, ", ")));
+    if (g.dimension == 2)
+      read.notes.push_back(fmt::format("{}: read as disks{}", where_, columns_->z ? ", their common z left out" : ""));
+    return read;
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t column, const std::string& what) const {
+    throw DataError(fmt::format("{}: line {}, column {}: {}", where_, line_, column + 1, what));
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw DataError(fmt::format("{}: line {}: {}", where_, line_, what));
+  }
+  /// Returns true for a word that is a number, or was meant to be one.
+  static bool is_number(const std::string& word) { return number_of(word) || !number_remedy(word).empty(); }
+
+  double value(const std::vector<std::string>& words, std::size_t column) const {
+    const std::optional<double> v = number_of(words[column]);
+    if (!v || !std::isfinite(*v))
+      fail(column,
+           no_number(words[column], "finite number") +
+               (separator_ == ' ' && words[column].ends_with(',') ? ": columns are separated by blanks here" : ""));
+    return *v;
+  }
+
+  void periodic_cell(std::string_view text) {
+    if (has_cell_) fail("a second ##PERIODIC:: line; keep the one of the packing");
+    if (state_.grains.size() > 0) fail("##PERIODIC:: belongs before the first grain");
+    text = trimmed(text.substr(0, text.find('#')));
+    const std::vector<std::string> lengths = cells(text, separator_of_numbers(text));
+    if (lengths.size() != 3 && lengths.size() != 2)
+      fail(0, "three cell lengths, of disks two, belong behind ##PERIODIC::");
+    take_dimension(static_cast<int>(lengths.size()), "the ##PERIODIC:: line has");
+    for (std::size_t a = 0; a < lengths.size(); ++a) {
+      const double length = value(lengths, a);
+      if (!(length > 0)) fail(a, "a cell length that is not positive");
+      state_.cell.matrix(static_cast<int>(a), static_cast<int>(a)) = length;
+    }
+    state_.cell.periodic = {true, true, lengths.size() == 3};
+    has_cell_ = true;
+  }
+
+  /// Fixes the dimension (spheres or disks). Throws DataError if it was fixed otherwise.
+  void take_dimension(int dimension, const std::string& said) {
+    if (dimension_ && *dimension_ != dimension)
+      fail(fmt::format("{} {} lengths where {} are read: give --dimension {}, or change the line", said, dimension,
+                       *dimension_ == 2 ? "disks" : "spheres", dimension));
+    dimension_ = dimension;
+  }
+
+  void comment(std::string_view text) {
+    if (is_like_the_mark(text)) fail(fmt::format("write {} Lx Ly Lz (disks: Lx Ly), as it stands here", periodic_mark));
+    if (state_.grains.size() > 0 || columns_) return;
+    try {
+      if (auto columns = yade_columns(text)) return take(std::move(*columns), ' ');
+    } catch (const DataError& error) {
+      fail(error.what());
+    }
+    if (auto columns = commented_columns(text)) commented_ = std::move(columns);
+  }
+
+  void header(const std::vector<std::string>& names, char separator) {
+    try {
+      take(named_columns(names), separator);
+    } catch (const DataError& error) {
+      fail(fmt::format("neither numbers nor a header of x y z r: {}", error.what()));
+    }
+  }
+
+  void take(SphereColumns columns, char separator) {
+    if (!columns.z && !dimension_) dimension_ = 2;
+    if (!columns.z && *dimension_ == 3) throw DataError("no column z, which spheres need");
+    columns_ = std::move(columns);
+    separator_ = separator;
+  }
+
+  /// Determines the columns of a text that begins with numbers.
+  void begin(std::string_view text) {
+    separator_ = separator_of_numbers(trimmed(text));
+    const std::vector<std::string> words = cells(text, separator_);
+    if (commented_ && commented_->width == words.size() && (commented_->z || dimension_ != 3))
+      return take(std::move(*commented_), separator_);
+    take(plain_columns(dimension_.value_or(3)), separator_);
+    // Decimal commas between commas look like too many columns, so words with one are reported as such.
+    for (std::size_t k = 0; k < words.size(); ++k)
+      if (!number_of(words[k])) value(words, k);
+    if (words.size() != columns_->width)
+      fail(
+          fmt::format("{} numbers; without a header a line is {}: name the columns in a first line, such as id x y z r",
+                      words.size(), columns_->z ? "x y z r (disks: x y r, with --dimension 2)" : "x y r"));
+  }
+
+  void grain(std::string_view text) {
+    if (!columns_) begin(text);
+    const std::vector<std::string> words = cells(text, separator_);
+    const SphereColumns& c = *columns_;
+    if (words.size() != c.width)
+      fail(std::min(words.size(), c.width),
+           fmt::format(
+               "{} values where {} belong, separated by {}{}", words.size(), c.width, separator_name(separator_),
+               separator_ == ',' && words.size() > c.width ? "; with decimal commas among them? write points" : ""));
+    for (std::size_t k = 0; k < c.width; ++k)
+      if (!c.is_unused(k)) value(words, k);  // the first column that is no number is named
+    const Vec3 position(value(words, c.x), value(words, c.y), c.z ? value(words, *c.z) : 0);
+    const double size = value(words, c.size);
+    if (!(size > 0)) fail(c.size, fmt::format("a {} that is not positive", c.size_factor == 1 ? "radius" : "diameter"));
+    append(position * c.length_factor, size * c.size_factor * c.length_factor);
+  }
+
+  void append(const Vec3& position, double radius) {
+    GrainsRecord& g = state_.grains;
+    g.body_id.push_back(static_cast<std::int64_t>(g.size()));
+    g.position.push_back(position);
+    g.orientation.emplace_back(1, 0, 0, 0);
+    g.velocity.emplace_back(0, 0, 0);
+    g.angular_velocity.emplace_back(0, 0, 0);
+    g.radius.push_back(radius);
+    const double area = std::numbers::pi * radius * radius;
+    g.mass.push_back(dimension_.value_or(3) == 2
+                         ? options_.density * area
+                         : options_.density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+    g.material_id.push_back(0);
+    g.copy_id.push_back(0);
+  }
+
+  /// Puts disks into the plane z = 0.
+  void flatten() {
+    for (Vec3& x : state_.grains.position) {
+      if (x.z() != state_.grains.position.front().z() && &x != state_.grains.position.data())
+        throw DataError(
+            fmt::format("{}: disks lie in a plane, but z goes from {} to {}: leave out --dimension 2, or the column z",
+                        where_, state_.grains.position.front().z(), x.z()));
+    }
+    for (Vec3& x : state_.grains.position) x.z() = 0;
+  }
+
+  /// Sets a box around the grains and the origin: aperiodic axes carry a length only.
+  void aperiodic_cell() {
+    const GrainsRecord& g = state_.grains;
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      low = low.cwiseMin((g.position[i].array() - g.radius[i]).matrix());
+      high = high.cwiseMax((g.position[i].array() + g.radius[i]).matrix());
+    }
+    state_.cell.matrix = (high - low).asDiagonal();
+    if (g.dimension == 2) state_.cell.matrix(2, 2) = 1;
+    state_.cell.periodic = {false, false, false};
+  }
+
+  const std::string& where_;
+  const SpheresOptions& options_;
+  std::optional<int> dimension_;
+  std::size_t line_ = 0;
+  bool has_cell_ = false;
+  char separator_ = ' ';
+  std::optional<SphereColumns> columns_, commented_;
+  Snapshot state_;
+};
+
+/// Returns whether the lengths in a line ##PERIODIC:: describe the cell completely.
+bool upright(const Snapshot& state) {
+  const bool disks = state.grains.dimension == 2;
+  return state.cell.periodic == std::array<bool, 3>{true, true, !disks} && state.cell.matrix.isDiagonal(0.0);
+}
+
+}  // namespace
+
+CellRecord periodic_cell(const std::string& lengths, const std::string& what) {
+  CellRecord cell;
+  const std::vector<std::string> parts = cells(lengths, ',');
+  const std::string remedy = "give three positive lengths, of disks two, in m, as in 0.0462,0.0461,0.0921";
+  if (parts.size() != 2 && parts.size() != 3) throw UsageError(fmt::format("{} {}: {}", what, lengths, remedy));
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    double length = 0;
+    try {
+      length = quantity(parts[a], "m");
+    } catch (const DataError& error) {
+      throw UsageError(fmt::format("{} {}: {}; {}", what, lengths, error.what(), remedy));
+    }
+    if (!(length > 0 && std::isfinite(length))) throw UsageError(fmt::format("{} {}: {}", what, lengths, remedy));
+    cell.matrix(static_cast<int>(a), static_cast<int>(a)) = length;
+  }
+  cell.periodic = {true, true, parts.size() == 3};
+  return cell;
+}
+
+ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options) {
+  TextFile file = read_text(path, "spheres");
+  const std::string where = input_name(path);
+  if (!(options.density > 0 && std::isfinite(options.density)))
+    throw DataError(where + ": a density that is not positive");
+  if (const std::string foreign = foreign_spheres(file.text); !foreign.empty())
+    throw DataError(fmt::format("{}: {}", where, foreign));
+  SpheresReader reader(where, options);
+  for (std::string_view rest = file.text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    reader.line(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  ImportedSpheres read = reader.finish();
+  check(read.state, where);
+  read.source = std::move(file.source);
+  return read;
+}
+
+std::string export_spheres(const Snapshot& state) {
+  const bool disks = state.grains.dimension == 2;
+  const Mat3& m = state.cell.matrix;
+  std::string text;
+  if (upright(state)) text = fmt::format("{} {} {}", periodic_mark, m(0, 0), m(1, 1));
+  if (upright(state)) text += disks ? "\n" : fmt::format(" {}\n", m(2, 2));
+  if (disks) text += "x y r\n";
+  for (std::size_t i = 0; i < state.grains.size(); ++i) {
+    const Vec3& x = state.grains.position[i];
+    text += fmt::format("{} {} ", x.x(), x.y());
+    text += disks ? fmt::format("{}\n", state.grains.radius[i]) : fmt::format("{} {}\n", x.z(), state.grains.radius[i]);
+  }
+  return text;
+}
+
+}  // namespace soilweave::io

@@ -1,0 +1,44 @@
+// Packings of spheres and disks as text, one grain per line, as YADE, spreadsheets and to-vtk write them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+
+namespace soilweave::io {
+
+/// Properties of spheres that their text lacks.
+struct SpheresOptions {
+  double density = 0;              // density of the grains, kg/m3
+  std::optional<CellRecord> cell;  // periodic cell if the text has no line ##PERIODIC::
+  std::optional<int> dimension;    // 3: spheres, 2: disks; none: by the line ##PERIODIC:: or the header
+};
+
+/// Grains read from a text.
+struct ImportedSpheres {
+  Snapshot state;
+  Source source;
+  std::vector<std::string> notes;  // left-out content, one sentence each
+};
+
+/// Returns the periodic cell for "LX,LY,LZ" (spheres) or "LX,LY" (disks), in m or with units. Throws UsageError naming
+/// `what` for any other text.
+CellRecord periodic_cell(const std::string& lengths, const std::string& what);
+
+/// Reads grains, one per line. Columns are identified by a header (x, y, z and r, radius or diameter in any order, with
+/// a unit as x [mm] or x_mm; other named columns are left out and noted), by YADE's #format line, or by a comment that
+/// names as many columns. Otherwise lines are exactly x y z r, for disks x y r. The first line tells the separator:
+/// blanks and tabs, commas or semicolons. "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell;
+/// otherwise it is options.cell, or nothing is periodic. Throws DataError with line and column of anything else, and
+/// names formats of other programs.
+ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
+
+/// Returns a text from which import_spheres() reads the same grains: x y z r per line (disks: x y r below a header), in
+/// full precision. An upright periodic cell gives the line ##PERIODIC::.
+std::string export_spheres(const Snapshot& state);
+
+}  // namespace soilweave::io

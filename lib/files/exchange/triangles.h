@@ -1,0 +1,28 @@
+// Triangulated surfaces from files of other programs: STL, binary and text, and VTK.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/tensor.h"
+
+namespace soilweave::io {
+
+/// A surface as in its file.
+struct TriangleSoup {
+  std::vector<Vec3> points;  // corners in the file's unit of length
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+/// Returns the triangles of an STL file, in the file's unit of length. Corners at one place are one point. A file whose
+/// length fits its count of triangles is binary, even if it begins with "solid". where: what messages call the file.
+/// Throws DataError with the line of a text, or with both lengths of a truncated binary file.
+TriangleSoup read_stl(std::string_view bytes, const std::string& where);
+/// Returns the polygons of a .vtp file, cut into triangles. Throws DataError if it is no such file. Null in programs
+/// without VTK.
+[[gnu::weak]] TriangleSoup read_vtp(const std::string& path);
+
+}  // namespace soilweave::io

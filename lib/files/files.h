@@ -1,0 +1,114 @@
+// The file kinds that tools exchange, read and written whole. FORMAT.md specifies them; store.h alone knows HDF5. The
+// path "-" is an HDF5 file image on standard input or output.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/provenance.h"
+#include "files/records.h"
+
+namespace soilweave::io {
+
+/// A packing: one state, at rest or nearly so.
+struct PackingFile {
+  Snapshot state;
+  Source source;  // the file it was read from
+};
+
+/// Work of a run in counts. Equal runs have equal counts, so seconds are not among them.
+struct Work {
+  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
+};
+
+/// A run: series over all recorded states, snapshots of some. The last snapshot is the state to continue from.
+struct RunFile {
+  std::vector<Snapshot> snapshots;
+  Series series;
+  std::string scenario;  // resolved TOML
+  Work work;             // zeros if the file does not tell
+  Source source;
+};
+
+/// A plain-text table or scenario with its digest.
+struct TextFile {
+  std::string text;
+  Source source;
+};
+
+/// Output of an analysis tool: groups of columns ("global", "volumes", "grains", "rose", ...).
+struct FieldsFile {
+  /// One table with its name and sentence.
+  struct Group {
+    std::string name, long_name;
+    Series table;
+  };
+  std::vector<Group> groups;
+  Source source;
+};
+
+/// An ensemble: parameter sets drawn from a prior, one per row. After assimilation it also holds weights and results.
+struct EnsembleFile {
+  Series members;     // id, parameters, log_importance; after assimilation also weight
+  std::string prior;  // TOML
+  std::vector<FieldsFile::Group> groups;
+  Source source;
+};
+
+/// A two-scale run: a series, and tables of the mesh, nodes, points and bars over all recorded times. `frames` holds
+/// the grains of points that were recorded whole, one per time and point, in the order of the table "recorded".
+struct MultiscaleFile {
+  std::vector<FieldsFile::Group> groups;
+  Series series;
+  std::vector<Snapshot> frames;
+  std::string scenario;  // resolved TOML
+  Work work;             // sum over all grains
+  Source source;
+};
+
+/// Series of a run without its states, from the run or from homogenize's fields file.
+struct SeriesFile {
+  Series series;
+  Source source;
+};
+
+/// Write each kind of file atomically (temporary name, fsync, rename). Equal content gives equal bytes. Throw
+/// CannotCreate, IoError.
+void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
+/// Returns the size of the file that write_packing() would write, bytes.
+std::size_t packing_bytes(const Snapshot& state);
+void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
+void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history);
+void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
+void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
+
+/// Read each kind of file. Throw DataError for an unknown kind, a newer major version, a truncated file, NaN, or arrays
+/// whose lengths disagree; also MissingInput, IoError. `role` names the input in provenance.
+PackingFile read_packing(const std::filesystem::path& path, std::string role = "packing");
+RunFile read_run(const std::filesystem::path& path, std::string role = "run");
+FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
+MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");
+EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role = "ensemble");
+SeriesFile read_run_series(const std::filesystem::path& path, std::string role = "run");
+TextFile read_text(const std::filesystem::path& path, std::string role);
+
+/// Reads a state to start from: a packing, or the last snapshot of a run. The path OUTPUT.part is the folder of an
+/// unfinished run, of which the newest state is read (under_way.h). read_states, read_kind and read_history accept it
+/// too.
+PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
+/// Reads all states in a file; a packing has one.
+RunFile read_states(const std::filesystem::path& path, std::string role = "states");
+/// Returns whether a file begins like HDF5; false if it cannot be opened.
+bool is_hdf5(const std::filesystem::path& path);
+/// Read only the kind of a file ("packing", "run", "fields", "ensemble", "multiscale"), or only its history.
+std::string read_kind(const std::filesystem::path& path);
+History read_history(const std::filesystem::path& path);
+
+/// Checks a state as every reader promises and every writer requires it: equal lengths, finite numbers, positive radii,
+/// grains smaller than half the cell along periodic axes, contacts between existing grains. Throws DataError naming
+/// `where`.
+void check(const Snapshot& state, const std::string& where);
+
+}  // namespace soilweave::io

@@ -1,0 +1,163 @@
+// The inverse problem.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/design/design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+
+namespace soilweave::gws {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns the bag with stiffness J and no limit on its hoops, loaded up to a surcharge.
+Case unlimited_bag(Case bag, double J, double until) {
+  bag.geotextile.stiffness = J;
+  bag.geotextile.strength = bag.geotextile.failure_strain = unlimited;
+  bag.until = until;
+  return bag;
+}
+
+struct Trial {
+  bool carried = false;
+  Point start, service, factored;
+};
+
+Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
+  Case failing = bag;
+  failing.soil = demand.weakened.value_or(bag.soil);
+  const Response response(unlimited_bag(failing, J, demand.safety * demand.surcharge));
+  Trial trial;
+  trial.carried = !response.failed();
+  trial.start = response.start();
+  trial.factored = response.last();
+  if (trial.carried) trial.service = response.at_surcharge(demand.surcharge);
+  if (!demand.weakened) return trial;
+  // The factored surcharge then rests on the weaker soil, the one at service on the bag's own.
+  const Response service(unlimited_bag(bag, J, demand.surcharge));
+  trial.start = service.start();
+  trial.service = service.last();
+  trial.carried = trial.carried && !service.failed();
+  return trial;
+}
+
+/// Returns the smallest J of the range with excess(trial) <= 0, since excess falls with J. Infinite if even the
+/// stiffest exceeds 0.
+template <class Excess>
+double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
+  const auto f = [&](double x) {
+    try {
+      const Trial trial = try_stiffness(bag, demand, std::exp(x));
+      return trial.carried ? excess(trial) : 1.0;  // soil fails before the load is on: too soft
+    } catch (const DataError&) {
+      return 1.0;  // too soft to begin; an impossible demand has thrown on the stiffest before
+    }
+  };
+  const double low = std::log(range.low), high = std::log(range.high);
+  const double f_low = f(low), f_high = f(high);
+  if (f_low <= 0) return range.low;
+  if (f_high > 0) return unlimited;
+  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the tolerance
+  const auto close = [](double a, double b) { return std::abs(b - a) < 1e-10; };
+  return std::exp(boost::math::tools::toms748_solve(f, low, high, f_low, f_high, close, evaluations).second);
+}
+
+/// Returns NaN in all columns if the bag is too soft to begin.
+ChartRow chart_row(const Case& bag, const Demand& demand) {
+  ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached};
+  try {
+    const Response response(bag);
+    const double compacted = response.start().settlement();
+    row.capacity = response.last().surcharge;
+    row.settlement = response.last().settlement() - compacted;
+    row.hoop_strain = response.last().hoop_strain;
+    if (demand.surcharge >= response.start().surcharge && demand.surcharge <= row.capacity)
+      row.service_settlement = response.at_surcharge(demand.surcharge).settlement() - compacted;
+    if (row.capacity / demand.safety > response.start().surcharge)
+      row.allowable_surcharge = allowable_surcharge(bag, demand.settlement, demand.safety, demand.weakened).surcharge;
+  } catch (const DataError&) {
+    return row;
+  }
+  return row;
+}
+
+}  // namespace
+
+Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range) {
+  if (!(demand.safety >= 1)) throw DataError("safety: must be at least 1");
+  if (!(bag.strength_fraction > 0))
+    throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
+  if (!(range.low > 0 && range.low < range.high)) throw DataError("stiffness: the range must go up from above 0 N/m");
+  try_stiffness(bag, demand, range.high);
+  const double limit = bag.geotextile.strength > 0 ? bag.hoop_limit() : unlimited;
+  const double for_settlement = smallest_stiffness(bag, demand, range, [&](const Trial& t) {
+    return t.service.settlement() - t.start.settlement() - demand.settlement;
+  });
+  const double for_strength =
+      std::isfinite(limit)
+          ? smallest_stiffness(bag, demand, range, [&](const Trial& t) { return t.factored.hoop_strain - limit; })
+          : range.low;
+  const double J = std::max(for_settlement, for_strength);
+  if (!std::isfinite(J))
+    throw TargetNotReached(fmt::format(
+        "no stiffness up to {:.4g} kN/m carries {:.6g} kPa {}; allow more, or take a higher limit", range.high / 1e3,
+        demand.surcharge / 1e3,
+        std::isfinite(for_settlement) ? fmt::format("with a safety of {:.4g} within the hoops' limit", demand.safety)
+                                      : fmt::format("within a settlement of {:.4g} %", 100 * demand.settlement)));
+  const Trial trial = try_stiffness(bag, demand, J);
+  Design found{bag.geotextile, Governs::settlement, trial.start, trial.service, trial.factored};
+  found.governs = J <= range.low                  ? Governs::range
+                  : for_strength > for_settlement ? Governs::strength
+                                                  : Governs::settlement;
+  found.geotextile.stiffness = J;
+  if (bag.geotextile.strength > 0) {
+    found.geotextile.strength *= J / bag.geotextile.stiffness;
+  } else {
+    found.geotextile.strength = std::max(0.0, trial.factored.hoop_tension) / bag.strength_fraction;
+    found.geotextile.failure_strain = found.geotextile.strength / J;
+  }
+  return found;
+}
+
+Allowance allowable_surcharge(const Case& bag, double settlement, double safety, const std::optional<Soil>& weakened) {
+  const Response response(bag);
+  if (!response.failed()) throw DataError("the response ends before the capacity is known; leave out the surcharge");
+  Case failing = bag;
+  failing.soil = weakened.value_or(bag.soil);
+  const double capacity = std::min(response.last().surcharge, Response(failing).last().surcharge);
+  Allowance found{capacity / safety, Governs::strength, {}};
+  if (found.surcharge < response.start().surcharge)
+    throw DataError(fmt::format("safety {}: leaves {:.6g} Pa, below the initial surcharge {:.6g} Pa", safety,
+                                found.surcharge, response.start().surcharge));
+  const double strain = response.start().settlement() + settlement;
+  if (strain < response.last().settlement()) {
+    const Point at = response.at_strain(strain);
+    if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, {}};
+  }
+  found.at = response.at_surcharge(found.surcharge);
+  return found;
+}
+
+std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n) {
+  check(bag);
+  if (!(bag.geotextile.strength > 0)) throw DataError("chart: the geotextile needs a strength");
+  std::vector<ChartRow> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
+    Case one = bag;
+    one.until.reset();
+    one.geotextile.stiffness = range.low * std::pow(range.high / range.low, share);
+    one.geotextile.strength *= one.geotextile.stiffness / bag.geotextile.stiffness;
+    rows.push_back(chart_row(one, demand));
+  }
+  return rows;
+}
+
+}  // namespace soilweave::gws

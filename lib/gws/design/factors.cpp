@@ -1,0 +1,71 @@
+// Factors that a design office brings.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/design/factors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gws/solution/matsuoka_liu.h"
+
+namespace soilweave::gws {
+namespace {
+
+constexpr Parameter factor_range(const char* name, const char* sentence) {
+  return {name, "1", 1, 100, false, sentence, "a factor below 1 would take away safety"};
+}
+constexpr Parameter creep_range = factor_range("rf_creep", "divides the strength: creep"),
+                    installation_range = factor_range("rf_installation", "divides the strength: installation"),
+                    durability_range = factor_range("rf_durability", "divides the strength: durability"),
+                    load_range = factor_range("factor_load", "multiplies the surcharge, against failure"),
+                    soil_range = factor_range("factor_soil", "divides tan phi, against failure");
+
+}  // namespace
+
+void Factors::declare(tool::Table& t) {
+  t.option(creep, creep_range);
+  t.option(installation, installation_range);
+  t.option(durability, durability_range);
+  t.option(load, load_range);
+  t.option(soil, soil_range);
+}
+
+std::optional<Soil> Factors::weakened(const Soil& given) const {
+  if (soil == 1) return std::nullopt;
+  Soil weak = given;
+  const double sine = std::sin(std::atan(std::tan(friction_angle(given.M)) / soil));
+  weak.M = 6 * sine / (3 - sine);
+  return weak;
+}
+
+std::string conditions(const Case& bag, const Factors& factors, double unreduced, bool chosen) {
+  const Soil weak = factors.weakened(bag.soil).value_or(bag.soil);
+  std::string text = fmt::format("Failure is counted at {:.4g} of the strength", bag.strength_fraction);
+  text += chosen ? ".\n"
+                 : ", the default: in the thesis's discrete elements the mean tension was half of\n"
+                   "the strength when the bag failed, for spheres of 5 mm stand for a fabric of 0.4 mm (section 5.4); "
+                   "--strength-fraction 1 takes all.\n";
+  if (factors.reduction() != 1)
+    text += fmt::format(
+        "Long-term strength: {:.4g} kN/m over creep {:.4g}, installation {:.4g}, durability {:.4g} leaves {:.4g} kN/m; "
+        "the stiffness is as given.\n",
+        unreduced / 1e3, factors.creep, factors.installation, factors.durability, bag.geotextile.strength / 1e3);
+  if (factors.load != 1 || factors.soil != 1)
+    text += fmt::format(
+        "Against failure the surcharge is multiplied by {:.4g}, and tan phi divided by {:.4g}: M {:.4g} becomes "
+        "{:.4g}.\n",
+        factors.load, factors.soil, bag.soil.M, weak.M);
+  const double tension = bag.strength_fraction * bag.geotextile.strength, M = weak.M;
+  if (!(tension > 0)) return text;
+  const LongBag flat{bag.bag.width, bag.bag.height, tension, passive_ratio(M)};
+  text += fmt::format(
+      "Matsuoka and Liu (2006), plane strain, phi {:.1f} deg (q/p = M), at the same tension of {:.4g} kN/m: apparent "
+      "cohesion {:.1f} kPa,\ncapacity {:.1f} kPa. Ours has hoops along both sides, q/p above M at low stress, and a "
+      "bag that flattens.\n",
+      friction_angle(M) * 180 / std::numbers::pi, tension / 1e3, apparent_cohesion(flat) / 1e3,
+      capacity(flat, bag.lateral.at(0)) / 1e3);
+  return text;
+}
+
+}  // namespace soilweave::gws

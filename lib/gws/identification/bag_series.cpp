@@ -1,0 +1,75 @@
+// Series of one bag under rising surcharge.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/identification/bag_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "files/exchange/table.h"
+
+namespace soilweave::gws {
+
+BagSeries BagSeries::from_row(std::size_t n) const {
+  BagSeries rest = *this;
+  const auto begun = static_cast<std::ptrdiff_t>(n);
+  for (auto* values : {&rest.strain_axial, &rest.strain_volumetric, &rest.mean_stress, &rest.deviatoric_stress})
+    values->erase(values->begin(), values->begin() + begun);
+  if (!rest.contracting.empty()) rest.contracting.erase(rest.contracting.begin(), rest.contracting.begin() + begun);
+  rest.first_row += n;
+  return rest;
+}
+
+BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
+                     std::size_t first_row) {
+  BagSeries s;
+  s.name = where;
+  s.first_row = first_row;
+  const auto column = [&](const char* name, const char* unit) { return io::in_unit(table, name, unit, where); };
+  s.strain_axial = column(!table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
+  s.strain_volumetric = column("strain_volumetric", "1");
+  s.mean_stress = column("mean_stress", "Pa");
+  s.deviatoric_stress = column("deviatoric_stress", "Pa");
+  if (table.rows() == 0) throw DataError(where + ": has no rows below its header");
+  s.stiffness = table.find("tensile_stiffness") ? column("tensile_stiffness", "N/m")[0] : stiffness;
+  if (!(s.stiffness > 0))
+    throw DataError(fmt::format(
+        "{}: no stiffness of the geotextile: give --geotextile for it, or a column tensile_stiffness", where));
+  if (const io::Column* flags = table.find("contracting"))
+    for (const double v : flags->values) s.contracting.push_back(v != 0);
+  std::size_t peak = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (!(s.mean_stress[i] > 0))
+      throw DataError(fmt::format("{}: row {}: mean stress {} Pa; must be above 0, compression", where,
+                                  first_row + i + 1, s.mean_stress[i]));
+    if (!std::isfinite(s.strain_axial[i] + s.strain_volumetric[i] + s.deviatoric_stress[i]))
+      throw DataError(fmt::format("{}: row {}: a strain or stress is not a number; leave the row out, or mend it",
+                                  where, first_row + i + 1));
+    if (natural) {
+      s.strain_axial[i] = -std::expm1(-s.strain_axial[i]);
+      s.strain_volumetric[i] = -std::expm1(-s.strain_volumetric[i]);
+    }
+    const auto axial = [&](std::size_t k) { return s.mean_stress[k] + 2 * s.deviatoric_stress[k] / 3; };
+    if (axial(i) > axial(peak)) peak = i;
+  }
+  for (auto* values : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
+    values->resize(peak + 1);
+  if (!s.contracting.empty()) s.contracting.resize(peak + 1);
+  if (s.size() < 3)
+    throw DataError(fmt::format("{}: {} rows up to the greatest axial stress; at least 3 are needed", where, s.size()));
+  return s;
+}
+
+Identified range_of(const std::vector<BagSeries>& series) {
+  Identified range;
+  for (const BagSeries& one : series) {
+    range.stiffness.add(one.stiffness);
+    for (const double p : one.mean_stress) range.mean_stress.add(p);
+    for (const double strain : one.strain_axial) range.axial_strain.add(strain);
+  }
+  return range;
+}
+
+}  // namespace soilweave::gws

@@ -1,0 +1,140 @@
+// The lines of the wrapped soil identified from series.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/identification/identify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/error.h"
+#include "gws/identification/path_lines.h"
+#include "gws/identification/thesis_lines.h"
+#include "gws/solution/model.h"
+
+namespace soilweave::gws {
+namespace {
+
+/// Collects lines, and why others are not among them.
+struct Collected {
+  std::vector<Line>& lines;
+  std::vector<std::string>& left_out;
+
+  template <class Make>
+  void add(const Make& make) {
+    try {
+      lines.push_back(make());
+    } catch (const DataError& error) {
+      left_out.emplace_back(error.what());
+    }
+  }
+};
+
+void set_constants(Soil& soil, const std::vector<Line>& lines) {
+  for (const Line& line : lines)
+    for (std::size_t k = 0; k < line.constants.size(); ++k)
+      soil.*constant(line.constants[k]).field = line.fit.estimates[k];
+}
+
+/// Series that do not begin at rest lose the rows before they are near failure, where q/p is below the beginning of the
+/// near-failure line.
+std::vector<BagSeries> near_failure_rows(const std::vector<BagSeries>& series, const Soil& soil) {
+  std::vector<BagSeries> kept;
+  for (const BagSeries& one : series) {
+    std::size_t first = 0;
+    const auto distance = [&](std::size_t i) {
+      return failure_obliquity(soil, one.mean_stress[i]) - one.deviatoric_stress[i] / one.mean_stress[i];
+    };
+    while (!one.from_rest && first < one.size() && distance(first) > soil.kappa / soil.lambda - soil.xi) ++first;
+    kept.push_back(one.from_row(first));
+  }
+  return kept;
+}
+
+void by_thesis(Collected& all, const std::vector<BagSeries>& series, const Soil& soil, Difference difference,
+               bool compression_given) {
+  const bool rest = std::ranges::any_of(series, [](const BagSeries& s) { return s.from_rest; });
+  if (rest && !compression_given) all.add([&] { return compression_line(series, soil, {}); });
+  all.add([&] { return near_failure_line(series, soil); });
+  if (!rest) return;
+  all.add([&] { return dilatancy_line(series, soil, difference); });
+  all.add([&] { return stiffness_line(series, soil, difference); });
+}
+
+/// The search begins at what the thesis's way finds, and where the solution ends there, at the constants given.
+void by_path(Collected& all, const std::vector<BagSeries>& series, const Soil& soil, Difference difference,
+             bool compression_given) {
+  std::vector<Line> lines;
+  std::vector<std::string> ignored;
+  Collected first{lines, ignored};
+  by_thesis(first, series, soil, difference, compression_given);
+  Soil start = soil;
+  set_constants(start, lines);
+  std::vector<Line> found;
+  std::vector<std::string> left_out;
+  try {
+    found = path_lines(series, start, compression_given, difference, left_out);
+  } catch (const DataError&) {
+    left_out.clear();
+    found = path_lines(series, soil, compression_given, difference, left_out);
+  }
+  std::ranges::move(found, std::back_inserter(all.lines));
+  all.left_out.insert(all.left_out.end(), left_out.begin(), left_out.end());
+}
+
+}  // namespace
+
+std::string_view explained(Method method) {
+  return method == Method::path ? "All constants together along the bags' paths; the plastic strain is subtracted from "
+                                  "the compression line."
+                                : "Line by line, as the thesis; the compression line is fitted to all of the strain, "
+                                  "plastic strain included.";
+}
+
+Identification identify(const std::vector<BagSeries>& given, const SoilFile& soil, const Points& compression,
+                        const Points& failure, Difference difference, Method method) {
+  Identification found;
+  found.soil = soil;
+  found.soil.scatter.clear();
+  const std::vector<BagSeries> series = near_failure_rows(given, soil.soil);
+  if (!series.empty()) found.soil.identified = range_of(series);
+  Collected all{found.lines, found.left_out};
+  if (!compression.x.empty()) all.add([&] { return compression_line(series, soil.soil, compression); });
+  if (!failure.x.empty()) all.add([&] { return failure_line(series, soil.soil, failure); });
+  const bool rest = std::ranges::any_of(series, [](const BagSeries& s) { return s.from_rest; });
+  if (!series.empty() && !rest)
+    found.left_out.emplace_back(
+        "compression_line, dilatancy_line, stiffness: no series begins at rest, as a bag between plates does; give "
+        "one");
+  if (!series.empty() && rest && method == Method::path) {
+    Soil known = soil.soil;
+    set_constants(known, found.lines);
+    try {
+      by_path(all, series, known, difference, !compression.x.empty());
+    } catch (const DataError& error) {
+      found.left_out.push_back(fmt::format("all constants at once: {}", error.what()));
+      all.add([&] { return near_failure_line(series, known); });  // which needs no other line
+    }
+  } else if (!series.empty()) {
+    by_thesis(all, series, soil.soil, difference, !compression.x.empty());
+  }
+  std::ranges::stable_sort(found.lines, {}, [](const Line& line) {
+    return std::ranges::find(constants(), line.constants.front(), &Constant::key) - constants().begin();
+  });
+  set_constants(found.soil.soil, found.lines);
+  const Soil& elastic = method == Method::path ? found.soil.soil : soil.soil;
+  for (const BagSeries& one : series) {
+    auto& list = found.increments.emplace_back();
+    for (std::size_t i = 0; one.from_rest && i + 1 < one.size(); ++i)
+      list.push_back(increment(one, i, elastic, difference));
+  }
+  for (Line& line : found.lines) {
+    line.given.clear();
+    for (const std::string& key : line.constants) line.given.push_back(soil.soil.*constant(key).field);
+    if (line.fit.freedom > 0)
+      found.soil.scatter.push_back({line.constants, line.fit.standard_errors, line.fit.correlation, line.fit.freedom});
+  }
+  return found;
+}
+
+}  // namespace soilweave::gws

@@ -1,0 +1,290 @@
+// All constants of the wrapped soil fitted at once: Levenberg-Marquardt along the paths of several bags.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/identification/path_fit.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+#include "gws/solution/model.h"
+#include "gws/solution/path.h"
+
+namespace soilweave::gws {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double difference_step = 1e-5;  // of a parameter, for derivatives
+constexpr double path_tolerance = 1e-9;   // a thousandth of what one difference step changes
+constexpr int whitenings = 3;             // the correlation settles after two
+constexpr int most_iterations = 100;
+
+/// A constant as a parameter of the search: positive ones as their logarithm.
+struct Place {
+  const char* key;
+  double Soil::*field;
+  bool positive;
+};
+constexpr std::array places{
+    Place{"compression_line.C_t", &Soil::C_t, true},      Place{"compression_line.p_0", &Soil::p_0, true},
+    Place{"near_failure_line.kappa", &Soil::kappa, true}, Place{"near_failure_line.lambda", &Soil::lambda, true},
+    Place{"near_failure_line.xi", &Soil::xi, false},      Place{"dilatancy_line.p_1", &Soil::p_1, false},
+    Place{"dilatancy_line.p_2", &Soil::p_2, false}};
+
+/// Errors of one relation: their standard deviation, and the correlation of one row's with the next one's.
+struct Errors {
+  double deviation = 1, correlation = 0;
+};
+
+class Search {
+ public:
+  Search(const std::vector<BagSeries>& bags, const Soil& start, const std::vector<double>& modulus,
+         bool compression_known)
+      : bags_(bags), soil_(start) {
+    for (const Place& place : places)
+      if (!compression_known || !std::string_view(place.key).starts_with("compression")) free_.push_back(&place);
+    shared_ = static_cast<Index>(free_.size());
+    Index count = shared_;
+    for (const BagSeries& bag : bags) modulus_at_.push_back(bag.from_rest ? count++ : -1);
+    at_.resize(count);
+    for (Index i = 0; i < shared_; ++i) {
+      const double value = start.*free_[static_cast<std::size_t>(i)]->field;
+      at_[i] = free_[static_cast<std::size_t>(i)]->positive ? std::log(value) : value;
+    }
+    for (Index s = shared_; s < count; ++s) at_[s] = std::log(modulus[static_cast<std::size_t>(s - shared_)]);
+    for (const BagSeries& bag : bags) rows_ += static_cast<Index>(bag.size());
+  }
+
+  PathFit run() {
+    if (rows_ <= at_.size())
+      throw DataError(fmt::format("{} rows for {} constants; give longer series, or more of them", rows_, at_.size()));
+    learn_errors(residuals(at_));
+    for (int k = 0; k < whitenings; ++k) {
+      descend();
+      learn_errors(residuals(at_));
+    }
+    return result();
+  }
+
+ private:
+  Soil soil_at(const VectorXd& at) const {
+    Soil soil = soil_;
+    for (Index i = 0; i < shared_; ++i) {
+      const Place& place = *free_[static_cast<std::size_t>(i)];
+      soil.*place.field = place.positive ? std::exp(at[i]) : at[i];
+    }
+    return soil;
+  }
+
+  /// The residuals of one bag; NaN from the row on that the solution does not reach.
+  MatrixXd residuals_of(std::size_t s, const VectorXd& at) const {
+    const BagSeries& bag = bags_[s];
+    const Soil soil = soil_at(at);
+    std::vector<SoilState> states;
+    if (bag.from_rest) {
+      std::vector<double> strains(bag.strain_axial);
+      for (double& strain : strains) strain *= 100;
+      states = states_at(soil, std::exp(at[modulus_at_[s]]), strains, path_tolerance);
+    }
+    MatrixXd found = MatrixXd::Zero(static_cast<Index>(bag.size()), path_relations);
+    for (std::size_t i = 0; i < bag.size(); ++i) {
+      const double p = bag.mean_stress[i];
+      const double line =
+          failure_obliquity(soil, p) + soil.xi - soil.kappa / (100 * bag.strain_deviatoric(i) + soil.lambda);
+      auto row = found.row(static_cast<Index>(i));
+      row[0] = bag.deviatoric_stress[i] / p - line;
+      if (!bag.from_rest) continue;
+      const bool reached = i < states.size();
+      row[1] = reached ? std::log(p / states[i].p) : std::nan("");
+      row[2] = reached ? 100 * bag.strain_volumetric[i] - states[i].strain_volumetric : std::nan("");
+    }
+    return found;
+  }
+
+  std::vector<MatrixXd> residuals(const VectorXd& at) const {
+    std::vector<MatrixXd> all;
+    for (std::size_t s = 0; s < bags_.size(); ++s) all.push_back(residuals_of(s, at));
+    return all;
+  }
+
+  /// Residuals as independent numbers of unit variance.
+  MatrixXd whitened(const MatrixXd& residuals) const {
+    MatrixXd white = residuals;
+    for (Index b = 0; b < path_relations; ++b) {
+      const auto [deviation, r] = errors_[static_cast<std::size_t>(b)];
+      for (Index i = residuals.rows() - 1; i > 0; --i) white(i, b) -= r * residuals(i - 1, b);
+      white(0, b) *= std::sqrt(1 - r * r);
+      white.col(b) /= deviation * std::sqrt(1 - r * r);
+    }
+    return white;
+  }
+
+  double squares(const VectorXd& at) const {
+    double sum = 0;
+    for (std::size_t s = 0; s < bags_.size(); ++s) sum += whitened(residuals_of(s, at)).squaredNorm();
+    return sum;
+  }
+
+  /// Standard deviation and correlation of each relation's errors, of all bags together.
+  void learn_errors(const std::vector<MatrixXd>& all) {
+    for (Index b = 0; b < path_relations; ++b) {
+      double squares = 0, products = 0, before = 0, greatest = 0;
+      for (const MatrixXd& one : all) {
+        const auto column = one.col(b);
+        const Index n = column.size();
+        squares += column.squaredNorm();
+        products += column.head(n - 1).dot(column.tail(n - 1));
+        before += column.head(n - 1).squaredNorm();
+      }
+      greatest = b == 2 ? greatest_volumetric() : 1;  // q/p and ln p are of the order of one
+      const double rows = static_cast<double>(rows_), constants = static_cast<double>(at_.size()) / path_relations;
+      Errors& errors = errors_[static_cast<std::size_t>(b)];
+      errors.deviation = std::max(std::sqrt(squares / (rows - constants)), data_accuracy * greatest);
+      const double r = before > 0 ? products / before : 0;
+      // A correlation from residuals is too small, by about (1 + 3 r) / n (Marriott and Pope 1954).
+      errors.correlation = std::clamp(r + (1 + 3 * r) / rows * static_cast<double>(bags_.size()), 0.0, 0.95);
+    }
+  }
+
+  double greatest_volumetric() const {
+    double greatest = 0;
+    for (const BagSeries& bag : bags_)
+      for (const double strain : bag.strain_volumetric) greatest = std::max(greatest, 100 * std::abs(strain));
+    return greatest;
+  }
+
+  /// Whitened residuals and their derivatives, a row for each relation of each row of each bag.
+  void linearize(MatrixXd& jacobian, VectorXd& white) const {
+    jacobian.setZero(rows_ * path_relations, at_.size());
+    white.resize(rows_ * path_relations);
+    Index first = 0;
+    for (std::size_t s = 0; s < bags_.size(); ++s) {
+      const Index n = static_cast<Index>(bags_[s].size()) * path_relations;
+      const auto flat = [&](const VectorXd& at) {
+        const MatrixXd rows = whitened(residuals_of(s, at)).transpose();
+        return VectorXd(Eigen::Map<const VectorXd>(rows.data(), n));
+      };
+      white.segment(first, n) = flat(at_);
+      const auto derive = [&](Index k) {
+        VectorXd above = at_, below = at_;
+        above[k] += difference_step, below[k] -= difference_step;
+        jacobian.block(first, k, n, 1) = (flat(above) - flat(below)) / (2 * difference_step);
+      };
+      for (Index k = 0; k < shared_; ++k) derive(k);
+      if (bags_[s].from_rest) derive(modulus_at_[s]);
+      first += n;
+    }
+  }
+
+  /// Levenberg-Marquardt to the nearest least sum of squares.
+  void descend() {
+    double damping = 1e-3, best = squares(at_);
+    if (!std::isfinite(best)) throw ended_early();
+    MatrixXd jacobian;
+    VectorXd white;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      linearize(jacobian, white);
+      if (!jacobian.allFinite()) throw ended_early();
+      const MatrixXd normal = jacobian.transpose() * jacobian;
+      const VectorXd slope = jacobian.transpose() * white;
+      bool better = false;
+      double gain = 0;
+      while (!better && damping < 1e12) {
+        MatrixXd damped = normal;
+        damped.diagonal() *= 1 + damping;
+        const VectorXd tried = at_ - damped.llt().solve(slope);
+        const double now = squares(tried);
+        better = now < best;
+        damping *= better ? 0.1 : 10;
+        if (!better) continue;
+        gain = best - now;
+        at_ = tried;
+        best = now;
+      }
+      if (!better || gain < 1e-10 * best) return;
+      damping = std::max(damping, 1e-12);
+    }
+  }
+
+  DataError ended_early() const {
+    const std::vector<MatrixXd> all = residuals(at_);
+    for (std::size_t s = 0; s < bags_.size(); ++s)
+      for (Index i = 0; i < all[s].rows(); ++i)
+        if (!all[s].row(i).allFinite())
+          return DataError(fmt::format(
+              "the solution cannot follow {} beyond an axial strain of {:.3g} %; give --fit thesis, which needs none",
+              bags_[s].name, 100 * bags_[s].strain_axial[static_cast<std::size_t>(std::max<Index>(i - 1, 0))]));
+    return DataError("the solution ends at the bags' last rows; give --fit thesis, which needs none");
+  }
+
+  /// Covariance of the parameters: the greater one of two, a row being a cluster of relations in the first.
+  MatrixXd covariance() const {
+    MatrixXd jacobian;
+    VectorXd white;
+    linearize(jacobian, white);
+    const Index k = at_.size();
+    const MatrixXd normal = jacobian.transpose() * jacobian;
+    const VectorXd scale = normal.diagonal().cwiseSqrt();
+    if (!(scale.minCoeff() > 0)) throw undetermined();
+    const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * normal * scale.cwiseInverse().asDiagonal();
+    const Eigen::LLT<MatrixXd> root(scaled);
+    if (root.info() != Eigen::Success || !(root.matrixL().toDenseMatrix().diagonal().minCoeff() > 1e-6))
+      throw undetermined();
+    const MatrixXd plain =
+        scale.cwiseInverse().asDiagonal() * root.solve(MatrixXd::Identity(k, k)) * scale.cwiseInverse().asDiagonal();
+    MatrixXd meat = MatrixXd::Zero(k, k);
+    for (Index i = 0; i < rows_; ++i) {
+      const auto of = jacobian.middleRows(i * path_relations, path_relations);
+      const Eigen::Matrix3d left = Eigen::Matrix3d::Identity() - of * plain * of.transpose();
+      const VectorXd pull = of.transpose() * left.llt().solve(white.segment(i * path_relations, path_relations));
+      meat += pull * pull.transpose();
+    }
+    const MatrixXd robust = plain * meat * plain;
+    VectorXd wider(k);
+    for (Index i = 0; i < k; ++i) wider[i] = std::max(1.0, std::sqrt(robust(i, i) / plain(i, i)));
+    return wider.asDiagonal() * plain * wider.asDiagonal();
+  }
+
+  DataError undetermined() const {
+    return DataError("the rows do not determine the constants; give more bags, or rows over a wider range");
+  }
+
+  PathFit result() const {
+    PathFit found;
+    found.soil = soil_at(at_);
+    VectorXd unit = VectorXd::Ones(at_.size());
+    for (Index i = 0; i < shared_; ++i) {
+      const Place& place = *free_[static_cast<std::size_t>(i)];
+      found.keys.emplace_back(place.key);
+      if (place.positive) unit[i] = found.soil.*place.field;
+    }
+    found.covariance = unit.asDiagonal() * covariance() * unit.asDiagonal();
+    for (Index s = shared_; s < at_.size(); ++s) found.modulus.push_back(std::exp(at_[s]));
+    found.freedom = static_cast<double>(rows_ - at_.size());
+    found.residuals = residuals(at_);
+    return found;
+  }
+
+  const std::vector<BagSeries>& bags_;
+  Soil soil_;
+  std::vector<const Place*> free_;
+  std::vector<Index> modulus_at_;  // place of ln E of each bag among the parameters; -1: none
+  Index shared_ = 0, rows_ = 0;
+  VectorXd at_;  // the constants, positive ones as logarithms; ln E of each bag
+  std::array<Errors, path_relations> errors_{};
+};
+
+}  // namespace
+
+PathFit fit_paths(const std::vector<BagSeries>& bags, const Soil& start, const std::vector<double>& modulus,
+                  bool compression_known) {
+  return Search(bags, start, modulus, compression_known).run();
+}
+
+}  // namespace soilweave::gws

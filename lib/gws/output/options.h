@@ -1,0 +1,112 @@
+// Options that say which bag is meant: geotextile, bag, soil, lateral stress. The verbs of gws-solve share them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cli/tool.h"
+#include "files/provenance.h"
+#include "gws/design/factors.h"
+#include "gws/identification/identify.h"
+#include "gws/solution/respond.h"
+
+namespace soilweave::gws {
+
+inline constexpr Parameter surcharge_range{"surcharge",
+                                           "Pa",
+                                           0,
+                                           1e9,
+                                           true,
+                                           "pressure the geotextile is looked for; without, the bag's own",
+                                           "1 GPa is far beyond any test of soil"};
+inline constexpr Parameter last_surcharge{"surcharge",
+                                          "Pa",
+                                          0,
+                                          1e9,
+                                          true,
+                                          "end at this pressure; else at the ultimate one",
+                                          "1 GPa is far beyond any test of soil"};
+inline constexpr Parameter settlement_range{
+    "settlement", "1", 0, 1, true, "axial strain, of the height", "at 1 the bag is flat; per cent are written \"5 %\""};
+inline constexpr Parameter points_range{"points", "1", 1, 1e6, false, "rows of the table", "a table has rows"};
+inline constexpr Parameter share_range{
+    "range", "1", 0, 1, true, "share varied where no interval is known", "a constant keeps its sign"};
+inline constexpr Parameter samples_range{"samples",         "1", 2, 1e6, false, "bands from this many draws",
+                                         "a band needs two"};
+inline constexpr Parameter safety_range{"safety",          "1", 1, 100, false, "on the surcharge, against failure",
+                                        "below 1 it fails"};
+inline constexpr Parameter lowest_stiffness{
+    "from", "N/m", 0, 1e10, true, "lowest stiffness", "without stiffness the geotextile holds nothing"};
+inline constexpr Parameter highest_stiffness{
+    "to", "N/m", 0, 1e10, true, "highest stiffness", "without stiffness the geotextile holds nothing"};
+
+/// Name of the soil that is used if none is chosen.
+inline constexpr const char* default_soil = "toyoura-gws";
+
+/// Adds a usage mistake where a pressure is below any that a bag begins with, as a number in kPa is.
+void doubt_pressure(double surcharge, std::vector<std::string>& wrong);
+
+/// A case, with the sources of its parts.
+struct ReadCase {
+  Case the_case;
+  SoilFile soil;
+  std::vector<io::Source> sources;
+  std::string scenario;  // the soil as TOML, for provenance
+  Factors factors;
+  double unreduced = 0;  // strength of the geotextile before its reduction, N/m
+  bool chose_soil = false, chose_fraction = false;
+
+  /// Returns the first line of an answer: a soil that nobody chose, or one that was estimated; else nothing.
+  std::string soil_line() const;
+  /// Returns the surcharge that must not bring failure: the given one, times the factor on the load.
+  std::optional<double> asked(const std::optional<double>& surcharge) const;
+  /// Returns what the answer for `bag` rests on (gws/design/factors.h). A geotextile that was found has no strength
+  /// before its reduction; the one that it needs is told.
+  std::string conditions(const Case& bag) const;
+};
+
+/// Options of a bag, shared by several verbs.
+struct CaseOptions {
+  std::string geotextile, soil;  // soil: empty if none was chosen
+  std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
+  std::vector<std::string> assignments;
+  std::filesystem::path history;
+  double width = 0.4, height = 0.08, lateral = 0, tolerance = 1e-6;
+  std::optional<double> fraction;  // of the strength; empty: the default of Case
+  Factors factors;
+
+  /// Declares the options in a tool's table.
+  void declare(tool::Table& table);
+  /// Returns usage mistakes, one a line.
+  std::vector<std::string> mistakes(bool needs_geotextile) const;
+  /// Reads the files and names. Throws DataError or MissingInput.
+  ReadCase read() const;
+
+ private:
+  Geotextile read_geotextile() const;
+  LateralStress read_lateral(std::vector<io::Source>& sources) const;
+};
+
+/// Returns a soil by name (data/soils) or from a TOML file, with --set assignments applied.
+SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
+                   std::vector<io::Source>& sources, std::string& resolved);
+
+/// Reads a table from TSV text, or from a group of an HDF5 fields file; the first bytes tell which. "-" is standard
+/// input.
+io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources);
+
+/// Reads one bag per path. A path is a run of run-dem, RUN.part of an unfinished run, or a table for read_series().
+/// `geotextiles`: one per bag, or none. `natural`: strains of plain tables are logarithmic; tables of a bag's loading
+/// always hold engineering strains.
+std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
+                                 const std::vector<std::string>& geotextiles, bool natural,
+                                 std::vector<io::Source>& sources);
+
+/// Reads columns x and y of a TSV into SI.
+Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
+                   const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources);
+
+}  // namespace soilweave::gws

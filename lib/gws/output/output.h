@@ -1,0 +1,35 @@
+// Output of gws-solve: text for a reader, one table as TSV, all tables as a fields file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cli/tool.h"
+#include "core/doubts.h"
+#include "files/files.h"
+
+namespace soilweave::gws {
+
+using Groups = std::vector<io::FieldsFile::Group>;
+
+/// Output of a verb.
+struct Output {
+  bool tsv = false;
+  std::filesystem::path file;
+
+  /// Declares the options in a tool's table.
+  void declare(tool::Table& table);
+  /// Throws UsageError with these mistakes and its own.
+  void check(std::vector<std::string> mistakes) const;
+  /// Returns the place of the table that --tsv prints; it needs none without --tsv. Throws DataError if the table was
+  /// not identified.
+  std::size_t place_of(const Groups& groups, const std::string& table) const;
+  /// Says the doubts first. Then prints the text, or the table `chosen` as TSV, unless the file itself goes to standard
+  /// output. Writes the file with the doubts.
+  void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
+           const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;
+};
+
+}  // namespace soilweave::gws

@@ -1,0 +1,32 @@
+// The options of identification: which series, and how their lines are fitted.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cli/tool.h"
+#include "files/provenance.h"
+#include "gws/identification/identify.h"
+
+namespace soilweave::gws {
+
+struct SeriesOptions {
+  std::vector<std::filesystem::path> inputs;
+  std::vector<std::string> geotextiles;
+  std::string group, strains = "engineering", difference = "central", fit = "path";
+  std::filesystem::path failure, compression;
+
+  void declare(tool::Table& table);
+  /// Adds usage mistakes, one per line.
+  void check(std::vector<std::string>& wrong) const;
+  Method method() const { return fit == "path" ? Method::path : Method::thesis; }
+  /// Reads the bags. Throws DataError, MissingInput.
+  std::vector<BagSeries> bags(std::vector<io::Source>& sources) const;
+  /// Reads the points of other tests, and identifies the soil from them and the bags.
+  Identification identified(const std::vector<BagSeries>& bags, const SoilFile& given,
+                            std::vector<io::Source>& sources) const;
+};
+
+}  // namespace soilweave::gws

@@ -1,0 +1,91 @@
+// Geotextiles by their data sheets.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/solution/data_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace soilweave::gws {
+namespace {
+
+constexpr Parameter tension_range{"tension", "N/m", 0, 1e10, true, "tension at a strain", "a stretched sheet pulls"};
+
+std::optional<double> value(Settings& at, const Parameter& parameter) {
+  if (!at.has(parameter.name)) return std::nullopt;
+  return at.number(parameter);
+}
+
+DataSheet read_direction(Settings& at) {
+  Parameter at_2 = tension_range, at_5 = tension_range;
+  at_2.name = "tension_at_2", at_5.name = "tension_at_5";
+  return {value(at, at_2), value(at, at_5), value(at, tensile_strength), value(at, failure_strain_range)};
+}
+
+/// The lesser of both directions, point by point.
+DataSheet lesser(const DataSheet& machine, const DataSheet& cross, const std::string& where) {
+  const auto least = [&](const std::optional<double>& a, const std::optional<double>& b, const char* key) {
+    if (a.has_value() != b.has_value())
+      throw DataError(fmt::format("{}: [{}] has no {}, which [{}] has: give it, or choose a direction (NAME@{})", where,
+                                  a ? "cross" : "machine", key, a ? "machine" : "cross", a ? "machine" : "cross"));
+    return a ? std::optional<double>(std::min(*a, *b)) : std::nullopt;
+  };
+  return {least(machine.at_2, cross.at_2, "tension_at_2"), least(machine.at_5, cross.at_5, "tension_at_5"),
+          least(machine.strength, cross.strength, "strength"),
+          least(machine.failure_strain, cross.failure_strain, "failure_strain")};
+}
+
+}  // namespace
+
+Geotextile of_sheet(const std::string& name, const DataSheet& sheet, const std::string& where) {
+  if (!sheet.strength) throw DataError(where + ": no strength: give the tension at failure, as strength = \"60 kN/m\"");
+  if (!sheet.failure_strain) throw DataError(where + ": no strain at failure: give it, as failure_strain = \"10 %\"");
+  Geotextile found{name, 0, *sheet.strength, *sheet.failure_strain, {{0}, {0}}};
+  const auto add = [&](double strain, double tension) {
+    const double before = found.curve.strain.back(), held = found.curve.tension.back();
+    if (strain <= before)
+      throw DataError(
+          fmt::format("{}: it fails at a strain of {:.4g} %, but a tension is given at {:.4g} %: check the "
+                      "strain at failure, or leave that tension out",
+                      where, 100 * strain, 100 * before));
+    if (tension <= held)
+      throw DataError(
+          fmt::format("{}: {:.4g} kN/m at a strain of {:.4g} % is not above {:.4g} kN/m at {:.4g} %: check both values "
+                      "and their units",
+                      where, tension / 1e3, 100 * strain, held / 1e3, 100 * before));
+    found.curve.strain.push_back(strain);
+    found.curve.tension.push_back(tension);
+  };
+  if (sheet.at_2) add(0.02, *sheet.at_2);
+  if (sheet.at_5) add(0.05, *sheet.at_5);
+  add(*sheet.failure_strain, *sheet.strength);
+  found.stiffness = found.strength / found.failure_strain;
+  return found;
+}
+
+bool is_sheet(const Settings& table) {
+  const std::vector<const char*> keys{"tension_at_2", "tension_at_5", "machine", "cross"};
+  return std::ranges::any_of(keys, [&](const char* key) { return table.has(key); });
+}
+
+Geotextile read_sheet(Settings& table, const std::string& direction, const std::string& where) {
+  const std::string name = table.text("name");
+  const bool machine = table.has("machine"), cross = table.has("cross");
+  if (table.has("stiffness"))
+    throw DataError(where + ": stiffness and tensions at strains both tell a stiffness: leave one of them out");
+  if (!machine && !cross) {
+    if (!direction.empty())
+      throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
+                                  direction, direction));
+    return of_sheet(name, read_direction(table), where);
+  }
+  Settings along = table.table("machine"), across = table.table("cross");
+  const DataSheet of_machine = read_direction(along), of_cross = read_direction(across);
+  if (direction == "machine" || (direction.empty() && !cross)) return of_sheet(name, of_machine, where);
+  if (direction == "cross" || !machine) return of_sheet(name, of_cross, where);
+  return of_sheet(name, lesser(of_machine, of_cross, where), where);
+}
+
+}  // namespace soilweave::gws

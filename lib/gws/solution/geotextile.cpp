@@ -1,0 +1,116 @@
+// Geotextiles by name or by their numbers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gws/solution/geotextile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/data.h"
+#include "core/error.h"
+#include "core/text/settings.h"
+#include "core/text/text.h"
+#include "files/files.h"
+#include "gws/solution/data_sheet.h"
+
+namespace soilweave::gws {
+namespace {
+
+// Nets and light nonwovens have more: 2 kN/m of stiffness, 0.5 kN/m of strength.
+constexpr double least_stiffness = 2e3, least_strength = 500;
+
+double between(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  const auto after = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
+  if (after == x.size()) return y.back();
+  if (after == 0) return y.front();
+  return y[after - 1] + (y[after] - y[after - 1]) * (at - x[after - 1]) / (x[after] - x[after - 1]);
+}
+
+/// Reads a table of its own or a product of a catalogue; finish() is the caller's.
+Geotextile read_table(Settings& document, const std::string& where, const std::string& direction) {
+  if (is_sheet(document)) return read_sheet(document, direction, where);
+  if (!direction.empty())
+    throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
+                                direction, direction));
+  Geotextile found;
+  found.name = document.text("name");
+  found.stiffness = document.number(tensile_stiffness);
+  found.strength = document.number(tensile_strength);
+  found.failure_strain = document.number(failure_strain_range);
+  // The yarns' curve belongs to the discrete model, so it is only checked here.
+  static constexpr Parameter point{"yarn_strain", "1", 0, 1e12, true, "points of the yarns' curve"};
+  for (const char* key : {"yarn_strain", "yarn_tension"})
+    if (document.has(key)) document.numbers({key, point.unit, point.low, point.high, true, point.sentence});
+  if (document.has("unloading_slope")) document.number({"unloading_slope", "1", 0, 1e15, true, point.sentence});
+  return found;
+}
+
+Geotextile of_catalogue(const std::string& path, const std::string& product, const std::string& direction) {
+  Settings document = Settings::parse(io::read_text(path, "catalogue").text, path);
+  std::vector<std::string> known;
+  for (Settings& table : document.tables("product")) {
+    known.push_back(table.text("name", ""));
+    if (known.back() == product) return read_table(table, fmt::format("{}: {}", path, product), direction);
+  }
+  throw DataError(fmt::format("{}: has no [[product]] named {}{}", path, product, suggestion(product, known)));
+}
+
+}  // namespace
+
+double TensionCurve::tension_at(double at) const { return between(strain, tension, at); }
+double TensionCurve::strain_at(double held) const { return between(tension, strain, held); }
+
+Geotextile Geotextile::layers(double n) const {
+  Geotextile all = *this;
+  all.name = number_text(n) + name;
+  all.stiffness *= n;
+  all.strength *= n;
+  for (double& held : all.curve.tension) held *= n;
+  return all;
+}
+
+std::vector<std::string> geotextile_names() { return data_names("geotextiles", ".toml"); }
+
+Geotextile read_geotextile(const std::string& text, const std::string& where, const std::string& direction) {
+  Settings document = Settings::parse(text, where);
+  Geotextile found = read_table(document, where, direction);
+  document.finish();
+  return found;
+}
+
+void doubt_unit(const std::string& name, double value, std::vector<std::string>& wrong) {
+  const double least = name == "strength" ? least_strength : least_stiffness;
+  if (value >= least || !(value > 0)) return;
+  wrong.push_back(fmt::format("--{}: {} N/m is less than any geotextile has ({} N/m); did you mean \"{} kN/m\"?", name,
+                              number_text(value), number_text(least), number_text(value)));
+}
+
+Geotextile find_geotextile(const std::string& given) {
+  const std::size_t at = given.rfind('@');
+  const std::string name = given.substr(0, at), direction = at == std::string::npos ? "" : given.substr(at + 1);
+  if (at != std::string::npos && direction != "machine" && direction != "cross")
+    throw DataError(fmt::format("geotextile {}: '{}' is no direction: give @machine or @cross", given, direction));
+  const std::size_t colon = name.find(".toml:");
+  if (colon != std::string::npos) return of_catalogue(name.substr(0, colon + 5), name.substr(colon + 6), direction);
+  if (name.find('/') != std::string::npos || name.ends_with(".toml"))
+    return read_geotextile(io::read_text(name, "geotextile").text, name, direction);
+  double layers = 1;
+  const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), layers);
+  const bool counted = failure == std::errc();
+  const std::string base = counted ? std::string(end, name.data() + name.size()) : name;
+  const std::vector<std::string> known = geotextile_names();
+  for (const std::string& one : known)
+    if (one == base) {
+      const auto path = data_file("geotextiles", base + ".toml");
+      const Geotextile found = read_geotextile(io::read_text(path, "geotextile").text, path.string(), direction);
+      if (!counted) return found;
+      if (!(layers > 0 && layers <= 1e3))
+        throw DataError(fmt::format("geotextile {}: {} layers; must be above 0 and at most 1000", name, layers));
+      return found.layers(layers);
+    }
+  throw DataError(fmt::format("geotextile {}: unknown; multiples such as 3PP and paths of TOML files are taken too{}",
+                              name, suggestion(base, known)));
+}
+
+}  // namespace soilweave::gws

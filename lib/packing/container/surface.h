@@ -1,0 +1,44 @@
+// Containers given as closed triangulated surfaces, read from a file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "packing/container/chart.h"
+#include "packing/container/container.h"
+
+namespace soilweave::packing {
+
+/// The space enclosed by a closed surface of triangles.
+class Surface final : public Container {
+ public:
+  /// Reads STL, binary or text, or VTP. scale: metres per unit of length in the file. Throws DataError if the file is
+  /// no surface, or if the surface is open, intersects itself or encloses nothing.
+  explicit Surface(const std::string& path, double scale = 1);
+  ~Surface() override;
+  double depth(const Vec3& point) const override;
+  Vec3 low() const override { return low_; }
+  Vec3 high() const override { return high_; }
+  /// Counts points of a grid at that depth; for depth 0 it is the exact volume from the triangles.
+  double volume(double depth = 0) const override;
+  /// Throws DataError if the surface is not star-shaped about the middle of its interior.
+  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
+                           bool even) const override;
+  Vec3 nearest(const Vec3& point, double outside) const override;
+
+ private:
+  struct Mesh;
+  Chart chart() const;
+
+  std::string path_;
+  std::unique_ptr<Mesh> mesh_;
+  Vec3 low_, high_;      // m
+  double enclosed_ = 0;  // m3
+  // Filled on first use.
+  mutable std::vector<double> depths_;  // depths of the grid's points inside, ascending, m
+  mutable std::unique_ptr<Chart> chart_;
+};
+
+}  // namespace soilweave::packing

@@ -1,0 +1,327 @@
+// A plan of filter-expand, and the assembly before growth.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/expand/plan.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/text/named_file.h"
+#include "dem/run/geotextile.h"
+#include "dem/run/scenario.h"
+#include "dem/state/bodies.h"
+#include "packing/container/cushion.h"
+#include "packing/container/surface.h"
+#include "packing/expand/tile.h"
+#include "store/bytes.h"
+
+namespace soilweave::packing {
+namespace {
+
+std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std::array<int, 3> fallback) {
+  const Vec3 v = table.vector(parameter, Vec3(fallback[0], fallback[1], fallback[2]));
+  for (int a = 0; a < 3; ++a)
+    if (v[a] != std::round(v[a])) table.mistake(parameter.name, "has a part that is no whole number");
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
+}
+
+void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
+  static constexpr Parameter unit{"scale", "1", 0, 1e6, true, "m in the surface's unit of length, 0.001 for mm"};
+  static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
+  Settings table = document.table("container");
+  const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
+  plan.container = read_shape(shape, table);
+  if (shape == "surface") {
+    const std::string word = table.text("file");
+    const double size = table.number(unit, 1.0);
+    if (word.empty()) {
+      if (table.has("file")) table.mistake("file", "is empty: name a closed surface, .stl or .vtp");
+    } else {
+      const std::filesystem::path file = files.path("container.file", word);
+      plan.sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
+      plan.container = std::make_unique<Surface>(file.string(), size);
+    }
+  }
+  if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
+}
+
+// Throws for nodes as large as their container: a mistake in the unit, with which soil would lie among the nodes
+// unheld.
+void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Container& container) {
+  const double extent = (container.high() - container.low()).minCoeff();
+  // Invalid lengths have been refused already.
+  if (!(extent > 0 && nodes.radius >= 0.25 * extent)) return;
+  table.mistake("node_radius", fmt::format("is {:.4g} m where the container is {:.4g} m across: lengths are in m: give "
+                                           "the one in mm its unit, as in \"2.5 mm\" (container.scale of a surface)",
+                                           nodes.radius, extent));
+}
+
+void read_fabrics(Settings& document, Plan& plan) {
+  static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
+  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns"};
+  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
+  if (document.has("geotextile_mesh")) {
+    Settings table = document.table("geotextile_mesh");
+    const Laid laid = read_laid(table);
+    plan.nodes = laid.nodes, plan.outside = laid.outside;
+    const bool both = table.has("cells") && table.has("spacing");
+    const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
+    const double apart = table.has("spacing") ? table.number(spacing) : 0;
+    plan.even = table.flag("even", plan.even);
+    if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
+    if (plan.container) {
+      demand_small_nodes(table, plan.nodes, *plan.container);
+      plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.outside) : given;
+    } else if (document.table("container").text("shape", "none") == "none") {
+      table.mistake("", "has no container to wrap; use [[sheet]] for a flat one");
+    }
+  }
+  for (Settings table : document.tables("sheet")) {
+    Plan::Sheet sheet;
+    const std::array<int, 3> n = whole_triple(table, cells, {1, 1, 1});
+    sheet.cells = {n[0], n[1]};
+    sheet.spacing = table.number(spacing, 0.005), sheet.height = table.number(height, 0.0);
+    sheet.nodes = NodeRecipe::read(table);
+    plan.sheets.push_back(sheet);
+  }
+}
+
+void read_surround(Settings& document, const NamedFiles& files, Plan& plan) {
+  for (const char* other : {"container", "geotextile_mesh", "sheet", "growth"})
+    if (document.has(other))
+      document.mistake(
+          other,
+          "is given beside [surround], which takes a file that has its geotextile already: leave one of the two out");
+  Settings table = document.table("surround");
+  plan.surround = Surround::read(table, files, plan.sources);
+}
+
+// Checks that the fill has its own material, whose friction can be lowered.
+void demand_fill(Settings& document, Plan& plan) {
+  Settings table = document.table("surround");
+  Recipe& recipe = plan.surround->recipe;
+  const std::int32_t material = plan.surround->material;
+  const auto known =
+      static_cast<std::int32_t>(std::visit([](const auto& m) { return m.size(); }, plan.model.materials));
+  if (material >= known)
+    return table.mistake("material",
+                         fmt::format("is {}, but the plan describes {}: give the fill a [[material]] of its "
+                                     "own, 0 is [contact], 1 the first [[material]]",
+                                     material, known));
+  const double friction = dem::friction(plan.model, {material});
+  if (recipe.void_ratio && friction < dem::lowest_friction)
+    table.mistake("void_ratio",
+                  fmt::format("cannot be reached by lowering friction: material {}, the fill's, has none; "
+                              "give it a friction_angle, or leave void_ratio out",
+                              material));
+  if (table.has("first_friction_angle") && recipe.first_friction > friction)
+    table.mistake("first_friction_angle", fmt::format("is larger than the fill's own, that of material {}", material));
+  recipe.first_friction = std::min(recipe.first_friction, friction);
+}
+
+// Returns how far soil reaches from the origin along an axis, m.
+double reach_of_soil(const Plan& plan, int axis) {
+  return std::max(plan.container->high()[axis], -plan.container->low()[axis]) - plan.soil_depth();
+}
+
+// Returns how many copies, centred on the origin, cover the soil's part of the container. They are real numbers, since
+// a container in a wrong unit of length exceeds every integer.
+Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
+  Vec3 n;
+  for (int a = 0; a < 3; ++a) {
+    const double reach = 2 * reach_of_soil(plan, a);
+    n[a] = std::max(1.0, std::ceil(reach / volume.cell.matrix(a, a) * (1 - 1e-9)));
+  }
+  return n;
+}
+
+// Returns the memory of the copies while they are laid: grains once, contacts twice, in lists that grow by halves.
+double bytes_of_copies(const io::Snapshot& volume, double copies) {
+  constexpr double grain = 3 * sizeof(Vec3) + sizeof(Vec4) + 3 * sizeof(double) + 2 * sizeof(std::int32_t);
+  constexpr double contact = 4 * sizeof(Vec3) + sizeof(Vec3i) + 4 * sizeof(double);
+  return 1.5 * copies *
+         (grain * static_cast<double>(volume.grains.size()) +
+          2 * contact * static_cast<double>(volume.contacts.size()));
+}
+
+// Returns the copies. Refuses a container for more grains than memory holds before anything is made.
+std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
+  Vec3 n = covering(volume, plan);
+  if (plan.copies) n = Vec3((*plan.copies)[0], (*plan.copies)[1], (*plan.copies)[2]);
+  const std::string lack = lack_of_memory(bytes_of_copies(volume, n.prod()));
+  if (lack.empty()) return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
+  const Vec3 size = plan.container->high() - plan.container->low();
+  throw DataError(
+      fmt::format("the container of {:.4g} x {:.4g} x {:.4g} m is covered by {:.3g} grains ({:.3g} copies of the "
+                  "representative volume), which {}; lengths are in m: are these millimetres? give container.scale = "
+                  "0.001 for a surface, a unit (\"40 mm\") for others; or take coarser grains (grains.scale)",
+                  size.x(), size.y(), size.z(), n.prod() * static_cast<double>(volume.grains.size()), n.prod(), lack));
+}
+
+std::string nothing_fits(const io::Snapshot& block, const Plan& plan) {
+  const Vec3 size = plan.container->high() - plan.container->low();
+  return fmt::format(
+      "no grain of the representative volume fits into the container of {:.4g} x {:.4g} x {:.4g} m: the smallest is "
+      "{:.4g} m across; check the units of the container (container.scale of a surface), or take finer grains "
+      "(grains.scale)",
+      size.x(), size.y(), size.z(), 2 * *std::min_element(block.grains.radius.begin(), block.grains.radius.end()));
+}
+
+void demand_room_for_nodes(const Plan& plan) {
+  double nodes = 0;
+  if (plan.wrapping) {
+    const Vec3 n((*plan.wrapping)[0], (*plan.wrapping)[1], (*plan.wrapping)[2]);
+    nodes = 2 * (n.x() * n.y() + n.y() * n.z() + n.z() * n.x());
+  }
+  for (const Plan::Sheet& s : plan.sheets) nodes += (s.cells[0] + 1.0) * (s.cells[1] + 1.0);
+  constexpr double of_node = 450;  // bytes, with two yarns and its place in the mesh
+  demand_memory(of_node * nodes, fmt::format("the {:.3g} nodes of the geotextile", nodes),
+                "give it fewer cells, or a wider spacing");
+}
+
+void demand_cover(const io::Snapshot& block, const Plan& plan) {
+  for (int a = 0; a < 3; ++a) {
+    const double half = 0.5 * block.cell.matrix(a, a);
+    const double reach = reach_of_soil(plan, a);
+    // The surface may stand out of the block by less than a grain, since grains grow.
+    const double slack = *std::max_element(block.grains.radius.begin(), block.grains.radius.end());
+    if (half + slack < reach)
+      throw DataError(
+          fmt::format("the copies of the representative volume reach to {} = {:.4g} m, soil in the container to "
+                      "{:.4g} m: raise container.copies",
+                      "xyz"[a], half, reach));
+  }
+}
+
+void scale(io::Snapshot& volume, double factor) {
+  volume.cell.matrix *= factor;
+  for (Vec3& x : volume.grains.position) x *= factor;
+  for (double& r : volume.grains.radius) r *= factor;
+  for (double& m : volume.grains.mass) m *= factor * factor * factor;
+  for (Vec3& v : volume.grains.velocity) v *= factor;
+  io::ContactsRecord& c = volume.contacts;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    // Strains and stresses stay: forces scale with the square of lengths, moments with the cube.
+    c.branch_vector[k] *= factor, c.overlap[k] *= factor;
+    c.normal_force[k] *= factor * factor, c.shear_force[k] *= factor * factor;
+    c.rolling_moment[k] *= factor * factor * factor, c.twisting_moment[k] *= factor * factor * factor;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table) {
+  static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
+  static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
+  if (shape == "pillow") return std::make_unique<Pillow>(table);
+  if (shape == "cushion") return std::make_unique<Cushion>(table);
+  if (shape != "box") return nullptr;
+  auto box = std::make_unique<Box>();
+  box->lower = table.vector(low), box->upper = table.vector(high);
+  if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
+  return box;
+}
+
+Laid read_laid(Settings& table) {
+  static constexpr Parameter offset{"offset", "m", 0, 1e3, false, "of the nodes beyond the container's surface"};
+  Laid laid{NodeRecipe::read(table), 0};
+  laid.outside = table.number(offset, laid.nodes.radius);
+  if (laid.outside > laid.nodes.radius)
+    table.mistake("offset", "is more than node_radius: the soil would fill more than the container");
+  return laid;
+}
+
+Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "of the representative volume's lengths"};
+  Settings document = Settings::parse(text, name);
+  for (const std::string& assignment : overrides) document.set(assignment);
+  Plan plan;
+  const NamedFiles files{name, overrides};
+  if (document.has("surround")) {
+    read_surround(document, files, plan);
+  } else {
+    read_container(document, files, plan);
+    read_fabrics(document, plan);
+  }
+  Settings grains = document.table("grains");
+  plan.scale = grains.number(size, 1.0);
+  plan.density = dem::read_density(document);
+  plan.model = dem::read_model(document);
+  plan.numerics = dem::read_numerics(document);
+  std::vector<dem::WireCurve> geotextiles;
+  if (plan.surround)
+    for (Settings table : document.tables("geotextile"))
+      geotextiles.push_back(
+          dem::read_geotextile(table, fmt::format("geotextile.{}", geotextiles.size()), files, plan.sources));
+  if (document.has("growth")) {
+    Settings table = document.table("growth");
+    plan.growth = Growth::read(table);
+    if (!plan.wrapping && !plan.surround)
+      table.mistake("", "needs a geotextile to grow against: give [geotextile_mesh]");
+  }
+  if (plan.surround) demand_fill(document, plan);
+  document.finish();
+  plan.resolved = document.resolved();
+  // Yarns have no tension while grains grow, so any curve will do.
+  if (!plan.surround) geotextiles.assign(1, {"resting", {1}, {1}, 1});
+  plan.model.geotextiles = std::move(geotextiles);
+  return plan;
+}
+
+io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
+                      const std::function<void(double)>& laid) {
+  io::Snapshot state;
+  demand_room_for_nodes(plan);
+  if (plan.container) {
+    io::Snapshot volume = representative_volume;
+    scale(volume, plan.scale);
+    const io::Snapshot block = tile(volume, copies_in(volume, plan));
+    demand_cover(block, plan);
+    state = filter(block, [&](std::size_t i) {
+      return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();
+    });
+    if (state.grains.size() == 0) throw DataError(nothing_fits(block, plan));
+    if (plan.density > 0)
+      for (std::size_t i = 0; i < state.grains.size(); ++i)
+        state.grains.mass[i] = plan.density * dem::grain_volume(3, state.grains.radius[i]);
+  }
+  state.cell = {};
+  state.cell.periodic = {false, false, false};
+  if (plan.wrapping)
+    add(wrap(*plan.container, *plan.wrapping, plan.outside, plan.even, plan.numerics.threads, laid), plan.nodes, state);
+  for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
+  if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
+  // An aperiodic cell only carries lengths.
+  for (int a = 0; a < 3; ++a) {
+    double low = 0, high = 0;
+    for (std::size_t i = 0; i < state.grains.size(); ++i) {
+      const double x = state.grains.position[i][a], r = state.grains.radius[i];
+      low = i ? std::min(low, x - r) : x - r, high = i ? std::max(high, x + r) : x + r;
+    }
+    state.cell.matrix(a, a) = high - low;
+  }
+  return state;
+}
+
+void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container,
+         double outermost) {
+  double filled = 0;
+  for (std::size_t i = 0; i < assembled.grains.size(); ++i)
+    if (assembled.grains.copy_id[i] >= 0) filled += (1 + void_ratio) * dem::grain_volume(3, assembled.grains.radius[i]);
+  // The volume falls with the depth: bisection to rounding.
+  const Vec3 half = 0.5 * (container.high() - container.low()) - Vec3::Constant(outermost);
+  double low = 0, high = half.minCoeff();
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    (container.volume(outermost + middle) > filled ? low : high) = middle;
+  }
+  const Vec3 stretch = half.cwiseQuotient(half - Vec3::Constant(low));
+  growth.filling = std::cbrt(stretch.prod());
+  growth.stretch = stretch.array().pow(growth.stretch_share).matrix();
+}
+
+}  // namespace soilweave::packing

@@ -1,0 +1,131 @@
+// Doubts about a packing that was made all the same.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "packing/generate/doubtful.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/measure/fabric.h"
+#include "analysis/measure/stress.h"
+#include "core/error.h"
+
+namespace soilweave::packing {
+namespace {
+
+// Factor beyond which a stiffness, larger or smaller than the thesis's, means another soil.
+constexpr double far_off = 10;
+constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
+// Thresholds. The packings of the studies, 1000 grains of Toyoura sand at rest, have 14 % rattlers, 4.2 contacts per
+// grain, a cell of 4.8 largest grains and a q/p of 0.08, all in shear stresses, which no servo controls.
+constexpr double most_rattlers = 0.3, least_coordination = 3, least_cell = 3, most_obliquity = 0.25,
+                 most_overlap = 0.05;
+constexpr double median_error = 0.1;             // share of the median diameter by mass
+constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
+
+double modulus(const dem::HertzMindlin::Material& m) { return m.young_modulus; }
+double modulus(const dem::Linear::Material& m) { return m.young_modulus; }
+
+// Returns the median diameter by mass of n grains over that of the curve.
+double median_ratio(const Room& room, std::size_t grains) {
+  const std::vector<double> radii = room.curve.radii(grains, room.dimension);
+  double total = 0, coarser = 0;
+  for (const double r : radii) total += std::pow(r, room.dimension);
+  for (const double r : radii)
+    if ((coarser += std::pow(r, room.dimension)) >= 0.5 * total) return 2 * r / room.curve.quantile(0.5);
+  return 0;
+}
+
+void doubt_stress(const io::Snapshot& state, std::vector<Doubt>& doubts) {
+  const int d = state.grains.dimension;
+  const Mat3 stress = analysis::cell_stress(state);
+  const double p = mean(stress, d);
+  Mat3 s = Mat3::Zero();
+  s.topLeftCorner(d, d) = stress.topLeftCorner(d, d) - p * Mat3::Identity().topLeftCorner(d, d);
+  const double ratio = std::sqrt((d == 2 ? 0.5 : 1.5) * s.squaredNorm()) / p;
+  if (!(ratio <= most_obliquity))
+    doubts.push_back(
+        {"obliquity", fmt::format("q/p is {:.2g} in a state that should be isotropic, above {:.2g}: more grains "
+                                  "(--grains) even it out",
+                                  ratio, most_obliquity)});
+}
+
+void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
+  const int d = state.grains.dimension;
+  const double width = state.cell.matrix.inverse().rowwise().norm().cwiseInverse().head(d).minCoeff();
+  const double ratio = width / (2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end()));
+  if (ratio >= least_cell) return;
+  const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(least_cell / ratio, d);
+  doubts.push_back(
+      {"cell",
+       fmt::format("the cell is {:.2g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
+                   "would fill one wide enough",
+                   ratio, least_cell, more)});
+}
+
+}  // namespace
+
+std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius) {
+  const auto doubt = [&](const auto& materials) -> std::optional<Doubt> {
+    const auto& m = materials.front();
+    const double fit = default_rotational_stiffness(mean_radius) * modulus(m) / thesis_modulus;
+    for (const auto& [resistance, name] : {std::pair(m.rolling, "rolling"), std::pair(m.twisting, "twisting")}) {
+      if (resistance.scale != dem::Resistance::Scale::absolute || resistance.stiffness == 0) continue;
+      const double ratio = resistance.stiffness / fit;
+      if (ratio <= far_off && ratio >= 1 / far_off) continue;
+      return Doubt{
+          "stiffness",
+          fmt::format("{} stiffness {:.3g} N m/rad is {:.2g} times what belongs to grains of {:.3g} mm mean radius: "
+                      "write {:.3g} N m/rad, or scale = \"contact\", which is the same at any size",
+                      name, resistance.stiffness, ratio, 1e3 * mean_radius, fit)};
+    }
+    return std::nullopt;
+  };
+  return std::visit(doubt, model.materials);
+}
+
+std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains) {
+  const double ratio = median_ratio(room, grains);
+  if (std::abs(ratio - 1) <= median_error) return std::nullopt;
+  std::size_t more = grains;
+  while (std::abs(median_ratio(room, more) - 1) > median_error && more < most_counted) more = more * 3 / 2;
+  const std::string remedy = more < most_counted
+                                 ? fmt::format("take {} (--grains), or a curve without its finest sizes", more)
+                                 : std::string("take a curve without its finest sizes");
+  return Doubt{"grading",
+               fmt::format("half the mass of the {} grains is finer than {:.3g} times the diameter that the grading "
+                           "has there: {}",
+                           grains, ratio, remedy)};
+}
+
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room) {
+  std::vector<Doubt> doubts;
+  if (auto doubt = stiffness_doubt(model, mean_radius(state))) doubts.push_back(*doubt);
+  if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
+  const analysis::Coordination c = analysis::coordination(state);
+  const double rattlers = static_cast<double>(c.rattlers) / static_cast<double>(state.grains.size());
+  if (rattlers > most_rattlers)
+    doubts.push_back(
+        {"rattlers", fmt::format("{:.0f} % of the grains are rattlers, above {:.0f} %: small grains lie loose in "
+                                 "the voids of large ones; leave the finest sizes out, or count what bears load",
+                                 100 * rattlers, 100 * most_rattlers)});
+  if (c.all < least_coordination)
+    doubts.push_back(
+        {"coordination", fmt::format("the coordination number is {:.2f}, below {}: {:.2f} among the grains that "
+                                     "bear load; a higher pressure or a lower void ratio raises it",
+                                     c.all, least_coordination, c.backbone)});
+  doubt_cell(state, doubts);
+  doubt_stress(state, doubts);
+  double overlap = 0;
+  for (const double u : state.contacts.overlap) overlap += u / static_cast<double>(state.contacts.size());
+  if (const double share = overlap / mean_radius(state); share > most_overlap)
+    doubts.push_back(
+        {"overlap", fmt::format("grains overlap by {:.2g} of their mean radius on average, above {}: contact laws "
+                                "hold for small overlaps; a lower pressure or stiffer grains keep them so",
+                                share, most_overlap)});
+  return doubts;
+}
+
+}  // namespace soilweave::packing

@@ -1,0 +1,27 @@
+// Doubts about a packing that was made all the same.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/doubts.h"
+#include "dem/contact/model.h"
+#include "files/records.h"
+#include "packing/generate/standard.h"
+
+namespace soilweave::packing {
+
+/// Returns a doubt if the absolute rolling or twisting stiffness of the first material is more than ten times, or less
+/// than a tenth, of 1.26e-3 E R^3: the stiffness of the thesis's grains at its modulus E and this mean radius R, m.
+std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius);
+
+/// Returns a doubt if the median diameter by mass of n grains of the curve is far from the curve's: a coarse tail of
+/// few, heavy grains needs many grains in all. `room`: the curve and its cell.
+std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains);
+
+/// Returns doubts about a packing at rest under an isotropic pressure: the two above (`room`: of a new packing), the
+/// share of rattlers, a coordination number below 3, the cell over its largest grain, q/p, the mean overlap.
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room);
+
+}  // namespace soilweave::packing

@@ -1,0 +1,14 @@
+// Sorts grains so that neighbours in space are neighbours in memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "files/records.h"
+
+namespace soilweave::packing {
+
+/// Returns the grains sorted box by box, one chunk (dem/contact/contacts.h) per box, each with its identity. Grains
+/// that touch then lie close in memory. A packing of a single chunk, or with contacts or yarns that name rows, is
+/// returned unchanged.
+io::Snapshot in_spatial_order(io::Snapshot state);
+
+}  // namespace soilweave::packing

@@ -1,0 +1,34 @@
+// Refuses HDF5 objects outside the file, and more values than a file of its size can hold.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "store/hdf5_id.h"
+#include "store/schema.h"
+
+namespace soilweave::io::hdf5 {
+
+/// Result of following a path link by link. No link is followed out of the file.
+struct Way {
+  bool there = false;
+  std::string refusal;  // reason why a link on the way is not followed ("is a link to ..."); empty: all were followed
+};
+/// Follows a path.
+Way way_to(hid_t file, const std::string& path);
+
+/// Returns why the values of a dataset may not be read ("keeps its values in ..."): they are in other files, or packed
+/// by a filter that this HDF5 lacks. Empty if they may. Call it before the dataspace is asked for, which makes HDF5
+/// open other files.
+std::string refusal(hid_t dataset);
+
+/// Number of bytes that reading unpacks, from the dataset's shape and chunks. `gap` tells which values the file lacks
+/// ("lacks 3 of its 5 chunks"); empty: none.
+struct Unpacked {
+  Extent bytes = 0;
+  std::string gap;
+};
+/// Measures a dataset before it is read.
+Unpacked unpacked(hid_t dataset, hid_t space, hid_t type);
+
+}  // namespace soilweave::io::hdf5

@@ -1,0 +1,18 @@
+// HDF5 files in a string.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "store/hdf5_id.h"
+
+namespace soilweave::io::hdf5 {
+
+/// Creates a file that grows in the string. Negative if HDF5 cannot. The string must outlive the file and must not
+/// move.
+hid_t create_in_memory(std::string& bytes);
+
+/// Opens the string as a file for reading. Negative if HDF5 cannot. The string must outlive the file and must not move.
+hid_t open_in_memory(std::string& bytes);
+
+}  // namespace soilweave::io::hdf5

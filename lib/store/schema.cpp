@@ -1,0 +1,221 @@
+// The table of every file kind.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "store/schema.h"
+
+#include <cctype>
+#include <limits>
+#include <stdexcept>
+
+namespace soilweave::io {
+namespace {
+
+using enum Type;
+
+Section every_file() {
+  return {"Every file",
+          "packing run fields checkpoint ensemble multiscale",
+          {{"/provenance/<n>/scenario", text, "", "1", "scenario as it was resolved, TOML", true}},
+          {{"/", "format", "\"soilweave\"", "what reads it"},
+           {"/", "kind", "\"packing\", \"run\", \"fields\", \"checkpoint\", \"ensemble\" or \"multiscale\"",
+            "which of the kinds below it is"},
+           {"/", "format_version", "int64[2]", "major, minor; readers refuse a greater major"},
+           {"/", "creator", "text", "tool that wrote the file"},
+           {"/", "creator_version", "text", "its version"},
+           {"/provenance/<n>", "tool", "text", "tool that ran"},
+           {"/provenance/<n>", "version", "text", "its version"},
+           {"/provenance/<n>", "command", "text", "its options that can change the result"},
+           {"/provenance/<n>", "seed", "uint64", "its random seed"},
+           {"/provenance/<n>/inputs/<k>", "role", "text", "what the input was to the tool"},
+           {"/provenance/<n>/inputs/<k>", "sha256", "text", "digest of the bytes read"},
+           {"/provenance/<n>/inputs/<k>", "origin", "int64", "n of the record that made it; -1: from outside"},
+           {"/provenance/<n>/doubts/<k>", "key", "text", "one word for what is doubtful of what the run wrote"},
+           {"/provenance/<n>/doubts/<k>", "sentence", "text", "what, how much, and what would mend it"}}};
+}
+
+Section trajectory() {
+  return {"Grains: an H5MD 1.1 trajectory",
+          "packing run checkpoint multiscale",
+          {{"/particles/grains/position/step", int64, "F", "1", "number of time steps taken"},
+           {"/particles/grains/position/time", float64, "F", "s", "time"},
+           {"/particles/grains/position/value", float64, "F N D", "m", "centre, not wrapped into the cell"},
+           {"/particles/grains/box/edges/value", float64, "F D D", "m", "cell vectors, one a row"},
+           {"/particles/grains/orientation/value", float64, "F N 4", "1", "unit quaternion w x y z"},
+           {"/particles/grains/velocity/value", float64, "F N D", "m s-1",
+            "fluctuation velocity about the affine motion of the cell, half a step behind"},
+           {"/particles/grains/angular_velocity/value", float64, "F N 3", "rad s-1",
+            "angular velocity, half a step behind"},
+           {"/particles/grains/radius", float64, "(F) N", "m", "radius"},
+           {"/particles/grains/mass", float64, "(F) N", "kg", "mass in the equations of motion (2D: per metre)"},
+           {"/particles/grains/species", int32, "(F) N", "1", "material_id: which material of the scenario"},
+           {"/particles/grains/id", int64, "(F) N", "1", "body_id: number that stays with the grain"},
+           {"/particles/grains/copy_id", int32, "(F) N", "1", "which copy of a tiled representative volume"}},
+          {{"/h5md", "version", "int64[2]", "1, 1"},
+           {"/h5md/author", "name", "text", "\"not recorded\": equal runs by two people give equal files"},
+           {"/h5md/creator", "name", "text", "tool that wrote the file"},
+           {"/h5md/creator", "version", "text", "its version"},
+           {"/h5md/modules/units", "version", "int64[2]", "1, 0"},
+           {"/h5md/modules/units", "system", "\"SI\"", "units of the attributes `unit`"},
+           {"/particles/grains/box", "dimension", "int64", "D: 3 for spheres, 2 for disks"},
+           {"/particles/grains/box", "boundary", "text[D]", "\"periodic\" or \"none\" along each axis"},
+           {"/particles/grains/orientation", "order", "\"wxyz\"", "order of the quaternion's components"},
+           {"/particles/grains/velocity", "time_offset", "float64", "-0.5: in time steps, relative to time"},
+           {"/particles/grains/angular_velocity", "time_offset", "float64", "-0.5: likewise"}}};
+}
+
+Section cell() {
+  return {
+      "The cell, beyond its edges",
+      "packing run checkpoint multiscale",
+      {{"/cell/velocity_gradient", float64, "F 3 3", "s-1", "velocity gradient, extension positive"},
+       {"/cell/deformation_gradient", float64, "F 3 3", "1", "deformation gradient since the reference of the strains"},
+       {"/cell/thickness", float64, "F", "m", "length of the third cell vector, 2D only", true}},
+      {}};
+}
+
+Section contacts() {
+  return {"Contacts: one group a frame, numbered from 000000, sorted by bodies",
+          "packing run checkpoint multiscale",
+          {{"/contacts/<frame>/bodies", int32, "M 2", "1",
+            "rows of the first and second grain in /particles/grains; -1 - k in second: plane k"},
+           {"/contacts/<frame>/image", int32, "M 3", "1", "cell vectors to add to the second grain's position"},
+           {"/contacts/<frame>/normal", float64, "M 3", "1", "unit contact normal, from first to second"},
+           {"/contacts/<frame>/branch_vector", float64, "M 3", "m",
+            "from centre to centre; to the contact point for a plane"},
+           {"/contacts/<frame>/overlap", float64, "M", "m", "overlap"},
+           {"/contacts/<frame>/normal_force", float64, "M", "N", "normal force, compression positive"},
+           {"/contacts/<frame>/shear_force", float64, "M 3", "N", "shear force on the second body"},
+           {"/contacts/<frame>/rolling_moment", float64, "M 3", "N m", "rolling moment on the second body"},
+           {"/contacts/<frame>/twisting_moment", float64, "M", "N m",
+            "twisting moment about the normal on the second body"},
+           {"/contacts/<frame>/sliding", uint8, "M", "1", "1 where the Coulomb limit holds the shear force"}},
+          {}};
+}
+
+Section planes() {
+  return {"Rigid planes (absent without)",
+          "packing run checkpoint multiscale",
+          {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
+           {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
+           {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
+           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true},
+           {"/planes/partners", int32, "F P", "1", "who touches it; 0: all, 1: soil, 2: nodes of geotextiles", true}},
+          {}};
+}
+
+Section yarns() {
+  return {"Yarns of geotextiles (absent without)",
+          "packing run checkpoint",
+          {{"/yarns/nodes", int32, "F Y 2", "1", "rows of both nodes in /particles/grains", true},
+           {"/yarns/fabric", int32, "F Y", "1", "which fabric; nodes of one fabric do not touch each other", true},
+           {"/yarns/geotextile_id", int32, "F Y", "1", "which geotextile of the scenario", true},
+           {"/yarns/family", int32, "F Y", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", true},
+           {"/yarns/rest_length", float64, "F Y", "m", "length without tension", true},
+           {"/yarns/largest_strain", float64, "F Y", "1", "largest strain so far", true},
+           {"/yarns/tension", float64, "F Y", "N", "tension", true},
+           {"/yarns/broken", uint8, "F Y", "1", "1 where broken", true},
+           {"/yarns/break_time", float64, "F Y", "s", "time at which it broke; 0 where whole", true},
+           {"/yarns/break_position", float64, "F Y 3", "m", "where it broke; 0 where whole", true}},
+          {}};
+}
+
+Section series() {
+  return {"The series: one value a recorded moment",
+          "run checkpoint multiscale",
+          {{"/series/step", int64, "R", "1", "number of time steps taken", true},
+           {"/series/<column>", float64, "R", "its own", "its own", true}},
+          {{"/series/<column>", "column", "int64", "place among the columns, from 0"}}};
+}
+
+Section run() {
+  return {"A run besides",
+          "run multiscale",
+          {{"/scenario", text, "", "1", "scenario as it was resolved, TOML"},
+           {"/price/steps", int64, "", "1", "time steps taken", true},
+           {"/price/contact_steps", int64, "", "1", "contacts, summed over the steps", true}},
+          {}};
+}
+
+Section checkpoint() {
+  return {"A checkpoint besides: what only the running program knows; with the series so far",
+          "checkpoint",
+          {{"/checkpoint/<name>", float64, "K", "its own", "what the program needs to go on"}},
+          {}};
+}
+
+Section fields() {
+  return {"Fields: the tables of an analysis",
+          "fields ensemble checkpoint multiscale",
+          {{"/fields/<group>/step", int64, "R", "its own", "its own", true},
+           {"/fields/<group>/<column>", float64, "R", "its own", "its own", true}},
+          {{"/fields/<group>", "long_name", "text", "what the table is of"},
+           {"/fields/<group>", "order", "int64", "place among the groups, from 0"},
+           {"/fields/<group>/<column>", "column", "int64", "place among the columns, from 0"}}};
+}
+
+Section ensemble() {
+  return {"An ensemble besides: one value a parameter set",
+          "ensemble",
+          {{"/prior", text, "", "1", "ranges and scales of the parameters, TOML"},
+           {"/members/id", int64, "R", "1", "number that stays with the parameter set and names its run"},
+           {"/members/<column>", float64, "R", "its own", "its own", true}},
+          {{"/members/<column>", "column", "int64", "place among the columns, from 0"}}};
+}
+
+}  // namespace
+
+const std::vector<Section>& schema() {
+  static const std::vector<Section> sections = {every_file(), trajectory(), cell(),    contacts(),
+                                                planes(),     yarns(),      series(),  run(),
+                                                checkpoint(), fields(),     ensemble()};
+  return sections;
+}
+
+const Entry& entry(std::string_view path) {
+  for (const Section& section : schema())
+    for (const Entry& e : section.entries)
+      if (e.path == path) return e;
+  throw std::out_of_range("no such path in the schema: " + std::string(path));
+}
+
+Shape resolve(std::string_view shape, const Extents& extents, bool with_frames) {
+  if (shape.starts_with("(F)") && !with_frames) shape.remove_prefix(3);
+  Shape numbers;
+  for (const char c : shape) {
+    if (std::isdigit(static_cast<unsigned char>(c)))
+      numbers.push_back(static_cast<Extent>(c - '0'));
+    else if (std::isalpha(static_cast<unsigned char>(c)))
+      numbers.push_back(extents.at(c));
+  }
+  return numbers;
+}
+
+Extent count(const Shape& shape) {
+  Extent n = 1;
+  for (const Extent extent : shape)
+    if (__builtin_mul_overflow(n, extent, &n)) return std::numeric_limits<Extent>::max();
+  return n;
+}
+
+std::string print(const Shape& shape) {
+  std::string text;
+  for (const Extent extent : shape) text += (text.empty() ? "" : " x ") + std::to_string(extent);
+  return text.empty() ? "a single value" : text;
+}
+
+std::string_view name(Type type) {
+  switch (type) {
+    case float64:
+      return "float64";
+    case int64:
+      return "int64";
+    case int32:
+      return "int32";
+    case uint8:
+      return "uint8";
+    case text:
+      return "text";
+  }
+  return "";
+}
+
+}  // namespace soilweave::io

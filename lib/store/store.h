@@ -1,0 +1,138 @@
+// HDF5 behind two plain classes: Writer builds a file in memory, Reader reads one from memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Here a file is a string of
+// bytes that becomes such a tree, and back. Writing to the disk, a pipe or a checkpoint is another matter (bytes.h),
+// and so is what the arrays mean (schema.h):
+//
+//   records of a packing or run  --schema-->  groups and arrays  --Writer-->  bytes  -->  file or pipe
+//
+// Files must be equal when their content is, so that two runs can be compared by digest. Writer therefore fixes what
+// HDF5 leaves open: no times, one format version, and chunk sizes that depend on the shape alone. Checksums cover the
+// structure and the arrays, so that a damaged file is noticed before its numbers are used.
+//
+// Reader trusts nothing. A file may be cut short, foreign or made to do harm. It refuses links that lead out of the
+// file, sizes that the file cannot hold, and arrays of another shape or type than the caller names:
+//
+//   Writer file;
+//   file.write<double>("/particles/radius", radii, {radii.size()}, {"m", "radius of each grain"});
+//   write_bytes("packing.h5", file.image());
+//   const Reader again(read_bytes("packing.h5"), "packing.h5");
+//   const std::vector<double> radius = again.read<double>("/particles/radius", {1000});
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "store/schema.h"
+
+namespace soilweave::io {
+
+/// Description of a dataset.
+struct Label {
+  std::string units, long_name;
+};
+
+/// A file under construction, in memory. Equal calls give equal bytes: there are no time stamps, and the format is
+/// fixed (HDF5 1.10). HDF5's checksums cover all structure and all numeric arrays. Parent groups are made as needed.
+/// Throws IoError naming the object.
+class Writer {
+ public:
+  /// Begins an empty file.
+  Writer();
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// Makes a group.
+  void group(const std::string& path);
+  /// Writes an array. T: double, int64, int32, uint8. values.size() must be the product of the shape.
+  template <class T>
+  void write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label);
+  /// Writes a text as a dataset.
+  void write_text(const std::string& path, const std::string& text, const Label& label);
+
+  /// Write attributes: one text, several texts, or integers.
+  void attribute(const std::string& path, const std::string& name, const std::string& text);
+  void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
+  void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
+  /// Writes a number. T: double, int64, uint64.
+  template <class T>
+  void attribute(const std::string& path, const std::string& name, T value);
+  /// Write texts of variable length, which Python reads as str (fixed lengths are bytes to it). They lie in a heap
+  /// without a checksum, so they serve only what other programs read, and words that Reader knows.
+  void variable_text(const std::string& path, const std::string& name, const std::string& text);
+  void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
+
+  /// Gives an object a second name (a hard link).
+  void link(const std::string& target, const std::string& path);
+
+  /// Ends the file and hands over its bytes.
+  std::string image();
+
+ private:
+  void make_parents(const std::string& path);
+  void describe(const std::string& path, const Label& label);
+  std::string bytes_;
+  std::int64_t file_ = -1;
+};
+
+/// A file read from its bytes. Every error is a DataError of one line: file, path within it, mistake. Nothing outside
+/// the file is read: external links, external storage and virtual datasets are refused. So are values that were never
+/// written, for which HDF5 would return zeros.
+class Reader {
+ public:
+  /// where: what messages call the file. Rejects other formats and truncated files.
+  Reader(std::string bytes, std::string where);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// Returns how messages call the file.
+  const std::string& where() const { return where_; }
+  /// Throws DataError if the path leads out of the file (an external or user-defined link).
+  bool has(const std::string& path) const;
+  /// Returns whether the path is a group.
+  bool is_group(const std::string& path) const;
+  /// Returns the names in a group, sorted.
+  std::vector<std::string> children(const std::string& path) const;
+
+  /// Returns the shape of a dataset.
+  Shape shape(const std::string& path) const;
+  /// Returns whether a dataset holds integers.
+  bool is_integer(const std::string& path) const;
+  /// Returns the whole array, row major. Rejects another shape, another class of type, and wider integers.
+  template <class T>
+  std::vector<T> read(const std::string& path, const Shape& expected) const;
+  /// Return texts of datasets and attributes, of fixed or variable length.
+  std::string read_text(const std::string& path) const;
+
+  /// Returns whether an object has an attribute.
+  bool has_attribute(const std::string& path, const std::string& name) const;
+  std::string text_attribute(const std::string& path, const std::string& name) const;
+  std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;
+  /// Returns integer attributes. T: int64, uint64.
+  template <class T>
+  std::vector<T> integers(const std::string& path, const std::string& name, const Shape& expected) const;
+  template <class T>
+  T integer(const std::string& path, const std::string& name) const {
+    return integers<T>(path, name, {}).front();
+  }
+
+  /// Counts memory that an object asks for, bytes; read() calls it. The size of the file bounds the sum, whatever the
+  /// file declares. Throws DataError beyond.
+  void claim(const std::string& path, Extent bytes) const;
+
+  /// Throws DataError: "FILE: PATH what".
+  [[noreturn]] void fail(const std::string& path, const std::string& what) const;
+
+ private:
+  std::int64_t file_ = -1;
+  std::string bytes_, where_;
+  mutable Extent claimed_ = 0;
+};
+
+}  // namespace soilweave::io
