@@ -54,15 +54,17 @@ struct Box {
   }
 };
 
-/// Range of the cell in cell vectors: 0 to 1 along periodic axes, otherwise as far as the grains.
+/// Range of the drawn cell in cell vectors: one cell from its origin on along periodic axes, otherwise as far as the
+/// grains.
 struct Reach {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
 Reach cell_reach(const Snapshot& state, const Mat3& inverse) {
   Reach extent;
+  const Vec3 origin = cell_origin(state);
   for (int axis = 0; axis < state.grains.dimension; ++axis) {
-    extent.high[axis] = 1;
+    extent.low[axis] = origin[axis], extent.high[axis] = origin[axis] + 1;
     if (state.cell.periodic[static_cast<std::size_t>(axis)]) continue;
     for (std::size_t g = 0; g < state.grains.size(); ++g) {
       const double middle = inverse.row(axis) * state.grains.position[g];
@@ -102,8 +104,9 @@ Lines draw_lines(const Snapshot& state, bool unwrapped, std::vector<Vec3>& point
     lines.contact.push_back(c);
     lines.copies.push_back(static_cast<std::uint8_t>(copies));
   };
+  const Vec3 origin = cell_origin(state);
   const auto index = [&](std::size_t g) {
-    return unwrapped ? Vec3i(Vec3i::Zero()) : cell_index(state.cell, state.grains.position[g]);
+    return unwrapped ? Vec3i(Vec3i::Zero()) : cell_index(state.cell, state.grains.position[g], origin);
   };
   const auto shown = [&](std::size_t g) {
     return Vec3(state.grains.position[g] - state.cell.matrix * index(g).cast<double>());
@@ -142,8 +145,20 @@ std::vector<std::int64_t> body_ids(const Snapshot& state, const std::vector<std:
 
 }  // namespace
 
-Vec3i cell_index(const CellRecord& cell, const Vec3& position) {
-  const Vec3 fraction = invertible(cell).inverse() * position;
+Vec3 cell_origin(const Snapshot& state) {
+  Vec3 origin = Vec3::Zero();
+  if (state.yarns.size() == 0) return origin;
+  Vec3 sum = Vec3::Zero();
+  for (const auto& ends : state.yarns.nodes)
+    for (const std::int32_t node : ends) sum += state.grains.position[static_cast<std::size_t>(node)];
+  const Vec3 middle = invertible(state.cell).inverse() * sum / (2 * static_cast<double>(state.yarns.size()));
+  for (int axis = 0; axis < 3; ++axis)
+    if (state.cell.periodic[static_cast<std::size_t>(axis)]) origin[axis] = middle[axis] - 0.5;
+  return origin;
+}
+
+Vec3i cell_index(const CellRecord& cell, const Vec3& position, const Vec3& origin) {
+  const Vec3 fraction = invertible(cell).inverse() * position - origin;
   Vec3i index = Vec3i::Zero();
   for (int axis = 0; axis < 3; ++axis)
     if (cell.periodic[static_cast<std::size_t>(axis)]) index[axis] = static_cast<int>(std::floor(fraction[axis]));
@@ -164,9 +179,11 @@ double fitting_force_scale(const std::vector<const Snapshot*>& states) {
 VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bool unwrapped) {
   const auto& grains = state.grains;
   VtkPicture picture = picture_of(state, VtkShape::vertex);
-  for (const Vec3& position : grains.position)
-    picture.points.push_back(
-        unwrapped ? position : Vec3(position - state.cell.matrix * cell_index(state.cell, position).cast<double>()));
+  const Vec3 origin = cell_origin(state);
+  for (const Vec3& position : grains.position) {
+    const Vec3 cells = cell_index(state.cell, position, origin).cast<double>();
+    picture.points.push_back(unwrapped ? position : Vec3(position - state.cell.matrix * cells));
+  }
   picture.point_data = {{"body_id", 1, grains.body_id},
                         {"material_id", 1, grains.material_id},
                         {"copy_id", 1, grains.copy_id},

@@ -9,9 +9,13 @@
 
 namespace soilweave::io {
 
-/// Returns the number of cell vectors to subtract from a position so that it lies in the cell; zero along axes that are
-/// not periodic.
-Vec3i cell_index(const CellRecord& cell, const Vec3& position);
+/// Returns where the drawn cell begins, in cell vectors: at zero, or, along periodic axes, half a cell before the
+/// middle of the geotextiles' nodes. A bag and its soil then lie in the cell in one piece.
+Vec3 cell_origin(const Snapshot& state);
+
+/// Returns the number of cell vectors to subtract from a position so that it lies in the cell that begins at `origin`
+/// (cell_origin); zero along axes that are not periodic.
+Vec3i cell_index(const CellRecord& cell, const Vec3& position, const Vec3& origin);
 
 /// Returns the factor (m/N) that makes the greatest normal force of all states a tube half as thick as the mean grain;
 /// 1 if there is no force.

@@ -109,7 +109,23 @@ TEST(Display, GrainsLieInsideTheShearedCellAndAWholeNumberOfCellVectorsAway) {
 TEST(Display, AxesThatAreNotPeriodicAreNotWrapped) {
   Snapshot state;
   state.cell.periodic = {true, false, true};
-  EXPECT_EQ(cell_index(state.cell, {-0.25, -7.5, 3.5}), Vec3i(-1, 0, 3));
+  EXPECT_EQ(cell_index(state.cell, {-0.25, -7.5, 3.5}, Vec3::Zero()), Vec3i(-1, 0, 3));
+}
+
+TEST(Display, TheCellIsDrawnAroundItsGeotextile) {
+  Snapshot state;
+  state.cell.matrix = Vec3(2, 4, 3).asDiagonal();
+  state.cell.periodic = {true, true, false};
+  // A yarn about the corner of the cell, a grain beside it within the face, and one half a cell away.
+  for (const Vec3& at : {Vec3(-0.1, 0.2, 0), Vec3(0.1, 0.2, 0), Vec3(-0.2, 0.2, 0), Vec3(1.2, 2.1, 0)})
+    add_grain(state, at, 0.1);
+  state.yarns.nodes = {{0, 1}};
+  const VtkPicture grains = show_grains(state, {}, false);
+  EXPECT_LT((grains.points[2] - Vec3(-0.2, 0.2, 0)).norm(), rounding);
+  EXPECT_LT((grains.points[3] - Vec3(-0.8, 2.1, 0)).norm(), rounding);
+  const VtkPicture cell = show_cell(state);
+  EXPECT_LT((cell.points[0] - Vec3(-1, -1.8, -0.1)).norm(), rounding);
+  EXPECT_LT((cell.points[6] - Vec3(1, 2.2, 0.1)).norm(), rounding);
 }
 
 TEST(Display, EveryContactLineStartsOrEndsAtAShownGrainAndHasTheBranchVectorsLength) {
