@@ -32,13 +32,13 @@ struct FabricTool {
     t.example("fabric run.h5 --tsv", "anisotropies and coordination, one row per snapshot");
     t.example("fabric run.h5 --state first --table rose --tsv", "contact orientation before loading");
     t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
-    t.choice(table, "table", {"fabric", "histogram", "rose", "chains"}, "what --tsv prints");
+    t.choice(table, "table", {"fabric", "histogram", "rose", "chains"}, "table that --tsv prints");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
-    t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
+    t.option(columns, "columns", "NAME,NAME", "columns that --tsv prints, in this order; all of them otherwise");
     t.unrecorded("columns");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(classes, classes_parameter);
-    t.flag(soil, "soil", "of a bag, contacts of soil with soil alone");
+    t.flag(soil, "soil", "use only contacts of soil with soil, in a bag");
     t.optional_output(output, "fields file to write");
   }
 

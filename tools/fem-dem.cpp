@@ -50,21 +50,20 @@ struct FemDem {
         "set up in seconds. A chain of bars touches the soil's boundary. One packing serves all points, or one is "
         "given for each. While it is under way the run is kept in FILE.part, as run-dem's is.");
     t.example("fem-dem --check pull.toml", "time steps, memory and time it will take, without running");
-    t.example("fem-dem pull.toml -o pull.h5", "of packings: fem-dem rods.toml rods.h5 -o pull.h5");
+    t.example("fem-dem pull.toml -o pull.h5", "with packings: fem-dem rods.toml rods.h5 -o pull.h5");
     t.example("fem-dem --table loading pull.h5",
               "a table of a run as text; others: series, elements, nodes, points, bars");
-    t.example("fem-dem --table points --near 0.3,0 pull.h5",
-              "what the soil above the middle of the sheet went through");
+    t.example("fem-dem --table points --near 0.3,0 pull.h5", "history of the soil above the middle of the sheet");
     t.input(scenario, "SCENARIO", "scenario (TOML); with --take and --table a file of fem-dem");
     t.optional_inputs(packings, "PACKING", "packings or runs to start the points from");
     t.optional_output(output, "file to write");
     t.option(mesh, "mesh", "FILE", "mesh of Gmsh, ASCII 2.2 or 4.1, in place of the scenario's rectangle");
     t.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in time.duration=1");
-    t.flag(check, "check", "check the input and say what the run will take; write nothing");
+    t.flag(check, "check", "check the input and say how long the run will take; write nothing");
     t.option(take, take_parameter);
     t.option(table, "table", "NAME", "print a table of a file of fem-dem as tab-separated text, and stop");
-    t.option(columns, "columns", "NAME,NAME", "which columns --table prints, in this order; all of them otherwise");
-    t.option(state, "state", "WHICH", "rows of which states --table prints: all, first, last or a number from 0");
+    t.option(columns, "columns", "NAME,NAME", "columns that --table prints, in this order; all of them otherwise");
+    t.option(state, "state", "WHICH", "states whose rows --table prints: all, first, last or a number from 0");
     t.option(place, "near", "X,Y", "rows of the point or node alone that was nearest to this place, m, at the start");
     t.resume(interval);
     t.threads();

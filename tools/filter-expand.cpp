@@ -39,7 +39,7 @@ struct FilterExpand {
     table.input(packing, "PACKING", "representative volume, periodic; for [surround] a bag; - for standard input");
     table.input(plan, "PLAN", "container, geotextile, materials and growth, or surroundings (TOML)");
     table.output(output, "packing with geotextile to write");
-    table.also_output(history, "history", "write what was measured on the way as tab-separated text");
+    table.also_output(history, "history", "write the measurements of each round as tab-separated text");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the plan, as in growth.factor=1.0002");
     table.resume(interval);
     table.threads();

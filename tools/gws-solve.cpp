@@ -31,12 +31,12 @@ struct Respond {
 
   void options(tool::Table& t) {
     t.about("gws-solve respond", "strains, stresses and hoop tension of a bag under a rising surcharge");
-    t.example("gws-solve respond --geotextile PP --surcharge 1000e3", "a table to read, and what the bag bears");
+    t.example("gws-solve respond --geotextile PP --surcharge 1000e3", "a table to read, with the bag's capacity");
     t.example("gws-solve respond --geotextile 3PP --lateral-stress 50e3 --tsv > 3PP.tsv", "triaxial, in SI units");
     t.option(surcharge, gws::last_surcharge);
     bag.declare(t);
     t.option(points, gws::points_range);
-    t.flag(sensitivity, "sensitivity", "how capacity and settlement hang on each constant");
+    t.flag(sensitivity, "sensitivity", "derivatives of capacity and settlement by each constant");
     t.option(share, gws::share_range);
     t.option(samples, gws::samples_range);
     output.declare(t);
@@ -89,12 +89,12 @@ struct Identify {
 
   void options(tool::Table& t) {
     t.about("gws-solve identify", "the constants of a soil from series of bags, with intervals and residuals");
-    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -", "from a response");
-    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "for respond --soil; or of bag.h5, a run");
+    t.example("gws-solve respond --geotextile PP -o - | gws-solve identify -", "constants back from a response");
+    t.example("gws-solve identify PE.tsv PP.tsv 3PP.tsv --toml > soil.toml", "soil for respond; bag.h5 works too");
     series.declare(t);
     t.option(soil, "soil", "NAME|FILE", "constants of the other lines, and to compare with");
     t.option(assignments, "set", "KEY=VALUE", "replace a constant, as failure_line.n=0.08");
-    t.option(table, "table", "NAME", "for --tsv: constants, increments or a line (near_failure_line)");
+    t.option(table, "table", "NAME", "table that --tsv prints: constants, increments or a line (near_failure_line)");
     t.flag(toml, "toml", "print the identified soil as a TOML file");
     output.declare(t);
   }

@@ -55,20 +55,20 @@ struct Homogenize {
     t.choice(
         table, "table",
         {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path", "reinforced", "interface"},
-        "what --tsv prints; grains and yarns need no flag then");
+        "table that --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
-    t.option(columns, "columns", "NAME,NAME", "which columns --tsv prints, in this order; all of them otherwise");
+    t.option(columns, "columns", "NAME,NAME", "columns that --tsv prints, in this order; all of them otherwise");
     t.unrecorded("columns");
-    t.instead_of_output(list, "list", "print which tables the file can give, and stop");
+    t.instead_of_output(list, "list", "print the names of the tables that the file can give, and stop");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
     t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
-    t.flag(copies, "copies", "the copies of a tiled packing as volumes of interest");
+    t.flag(copies, "copies", "take the copies of a tiled packing as volumes of interest");
     t.flag(groups, "groups",
-           "along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one of five "
-           "by five");
+           "volumes along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one "
+           "of five by five");
     t.flag(grains, "grains", "one row per grain");
     t.flag(yarns, "yarns", "one row per yarn of a geotextile");
-    t.flag(tessellation, "tessellation", "void ratio of the cell from the power cells, too");
+    t.flag(tessellation, "tessellation", "add the void ratio of the cell from the power cells");
     t.optional_output(output, "fields file to write");
   }
 

@@ -27,7 +27,7 @@ constexpr Parameter grains_parameter{
     "grains", "1", 10, 1e8, false, "number of grains; more for a wide grading", "fewer cannot carry a load"};
 constexpr Parameter void_ratio_parameter{"void_ratio", "1", 0, 5, true, "void ratio to reach"};
 constexpr Parameter pressure_parameter{
-    "pressure", "Pa", 0, 1e12, true, "isotropic pressure it holds at", "contacts need a pressure"};
+    "pressure", "Pa", 0, 1e12, true, "isotropic pressure of the finished packing", "contacts need a pressure"};
 constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean radius the grading is scaled to"};
 constexpr Parameter cloud_parameter{
     "cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud", "grains placed at random jam below it"};

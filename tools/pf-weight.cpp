@@ -33,7 +33,7 @@ struct Draw {
     t.input(prior, "PRIOR", "parameters with their ranges and scales (TOML)");
     t.option(samples, calibration::samples_range);
     t.choice(method, "method", {"halton", "sobol", "latin-hypercube"}, "sequence, or slices at random");
-    t.option(bases, "bases", "B,B,...", "of the Halton sequence, one a parameter; else the first primes");
+    t.option(bases, "bases", "B,B,...", "bases of the Halton sequence, one a parameter; else the first primes");
     t.option(first, calibration::first_range);
     t.option(first_id, calibration::first_id_range);
     output.declare(t, "ensemble file to write");
@@ -84,7 +84,7 @@ struct Assimilate {
   void options(tool::Table& t) {
     t.about("pf-weight assimilate", "weights of an ensemble's parameter sets from observations, step by step");
     t.example("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 -o posterior.h5",
-              "from a table of any code: id, station, observables");
+              "runs in a table of any code: id, station, observables");
     t.example("pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --least-size 0.2",
               "the error chosen so that a fifth of the sets stays effective");
     t.input(ensemble, "ENSEMBLE", "file of draw or resample, or a TSV with id and parameters");
@@ -93,8 +93,8 @@ struct Assimilate {
     t.unrecorded("runs");  // the runs' digests are recorded instead
     comparison.declare(t);
     t.flag(goes_on, "continue", "begin with ENSEMBLE's weights, of another test of the same sets: both count");
-    t.option(prior, "prior", "FILE", "TOML, for an ensemble that is a TSV; else what it spans");
-    t.choice(table, "table", calibration::assimilation_table_names(), "what --tsv prints");
+    t.option(prior, "prior", "FILE", "prior (TOML) of an ensemble that is a TSV; else its own ranges");
+    t.choice(table, "table", calibration::assimilation_table_names(), "table that --tsv prints");
     t.unrecorded("table");
     output.declare(t, "ensemble with weights and tables to write");
   }
@@ -137,7 +137,7 @@ struct Resample {
   calibration::Output output;
 
   void options(tool::Table& t) {
-    t.about("pf-weight resample", "a next ensemble around a posterior, with what corrects for where it was drawn");
+    t.about("pf-weight resample", "a next ensemble around a posterior, with weights that correct for the draw");
     t.example("pf-weight resample posterior.h5 --samples 60 --seed 1 -o next.h5", "run it, assimilate it, and so on");
     t.input(posterior, "POSTERIOR", "file of assimilate, - for standard input");
     t.option(samples, calibration::samples_range);
@@ -145,7 +145,7 @@ struct Resample {
     t.option(components, calibration::components_range);
     t.option(least_size, calibration::kept_size_range);
     t.option(prior_share, calibration::prior_share_range);
-    t.flag(keep, "keep", "keep the sets of before, weighted as one sample of all rounds; --tsv: the new");
+    t.flag(keep, "keep", "keep the earlier sets, weighted as one sample of all rounds; --tsv prints the new ones");
     output.declare(t, "ensemble file to write");
     t.seed();
   }
@@ -162,9 +162,9 @@ struct Resample {
           fmt::format("{}: all weights are zero: no set is left to go on from; assimilate again, with a larger --error",
                       posterior.string()));
     if (keep && before.rounds.empty())
-      throw DataError(fmt::format(
-          "{}: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep",
-          posterior.string()));
+      throw DataError(
+          fmt::format("{}: does not record the distribution of its sets; draw them anew, or resample without --keep",
+                      posterior.string()));
     double power = 1;
     const auto weight = calibration::tempered(before.weight, least_size * static_cast<double>(before.size()), power);
     const auto points = before.coordinates();

@@ -42,13 +42,13 @@ struct RunDem {
         "SIGTERM, SIGINT, SIGXCPU or SIGHUP it finishes the step, writes a checkpoint and ends with status 75, and the "
         "same command with --resume goes on, as it does after a crash. Of standard output nothing is kept.");
     table.example("run-dem packing.h5 triaxial.toml -o run.h5", "drained triaxial compression");
-    table.example("run-dem --check packing.h5 triaxial.toml", "what it will take, without running");
+    table.example("run-dem --check packing.h5 triaxial.toml", "the time it will take, without running");
     table.input(packing, "PACKING", "packing or run to start from, - for standard input");
     table.input(scenario, "SCENARIO", "scenario (TOML)");
     table.output(output, "run to write");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the scenario, as in numerics.damping=0.3");
     table.option(perturbation, perturb);
-    table.instead_of_output(check, "check", "check the input and say what the run will take; write nothing");
+    table.instead_of_output(check, "check", "check the input and say how long the run will take; write nothing");
     table.resume(interval);
     table.seed();
     table.threads();

@@ -59,13 +59,13 @@ struct ToVtk {
         "place become points, yarns lines, volumes also principal axes; others .csv.");
     table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
     table.example("to-vtk run.h5 --fields fields.h5 -o run-vtk",
-                  "with strains, after: homogenize run.h5 --grains -o "
+                  "strains too, after: homogenize run.h5 --grains -o "
                   "fields.h5");
-    table.example("to-vtk --history packing.h5", "which runs and inputs led to this file");
+    table.example("to-vtk --history packing.h5", "the runs and inputs that led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run, fields or multiscale file");
     table.output_folder(output, "folder for the VTK files; with --history and --text a file");
-    table.option(state, "state", "last|all|N", "which states: the last, all, or number N, counted from 0");
+    table.option(state, "state", "last|all|N", "states to write: the last, all, or number N, counted from 0");
     table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
     table.option(force_scale, force_scale_parameter);
     table.flag(unwrapped, "unwrapped", "show grains where they have travelled to, not inside the periodic cell");

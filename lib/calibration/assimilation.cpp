@@ -116,7 +116,7 @@ io::Series covariance_table(const Assimilation& a) {
   put(table, "parameter", "1", "number of the parameter, from 0", row);
   put(table, "other", "1", "number of the other parameter, from 0", other);
   put(table, "covariance", "its own", "covariance of the two", covariance);
-  put(table, "correlation", "1", "its share of the product of the standard deviations", correlation);
+  put(table, "correlation", "1", "covariance over the product of the standard deviations", correlation);
   return table;
 }
 
@@ -232,7 +232,7 @@ std::vector<io::FieldsFile::Group> groups_of(const Assimilation& a) {
           {"weights", "weights, one row per parameter set", weights_table(a)},
           {"covariance", "covariance of the parameters at chosen steps", covariance_table(a)},
           {"density", "marginal posterior densities at chosen steps", density_table(a)},
-          {"runs", "what became of each run", runs_table(a)}};
+          {"runs", "outcome of each run, one row per parameter set", runs_table(a)}};
 }
 
 io::Series table_of(const Assimilation& a, const std::vector<io::FieldsFile::Group>& groups, std::string_view name) {

@@ -179,7 +179,7 @@ io::Series members_table(const Ensemble& ensemble) {
 
 io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsFile::Group> groups) {
   if (!ensemble.rounds.empty())
-    groups.push_back({rounds_name, "what the parameter sets were drawn from, one row per Gaussian",
+    groups.push_back({rounds_name, "distribution that the parameter sets were drawn from, one row per Gaussian",
                       rounds_table(ensemble.rounds, ensemble.prior.size())});
   return {table_of(ensemble, true), prior_text(ensemble.prior), std::move(groups), {}};
 }

@@ -43,13 +43,13 @@ bool squared(const std::string& covariance) { return covariance == "uniform" || 
 }  // namespace
 
 void ComparisonOptions::declare(tool::Table& t) {
-  t.option(station, "station", "NAME[=COLUMN]", "where runs are compared; else the first column");
+  t.option(station, "station", "NAME[=COLUMN]", "column by which runs are compared; else the first one");
   t.option(observables, "observe", "NAME[=COLUMN,...]", "compare with (the mean of) columns of runs; else all");
   t.option(where, "where", "COLUMN=NUMBER", "use only these rows of the runs, as stage=1");
   t.option(until, until_range);
   t.flag(greatest, "greatest", "compare the greatest values of each run, with a single row of observations");
   t.choice(covariance, "covariance", {"uniform", "component", "relative", "largest"},
-           "of the error: one variance for all, one each; a share of each value, or of the greatest");
+           "error's variance: one for all, one each; or a share of each value, or of the greatest");
   t.option(error, "error", "S[,S...]", "standard deviations, or a relative one");
   t.option(variance, "variance", "V[,V...]", "variances instead (uniform, component)");
   t.option(least_size, least_size_range);

@@ -45,7 +45,7 @@ std::string observations_text(const Assimilation& a) {
                         unit_of(what.unit));
   }
   if (a.filtered.variance_factor != 1)
-    text += fmt::format(" (variance {:.4g} times what was given)", a.filtered.variance_factor);
+    text += fmt::format(" (variance {:.4g} times the given one)", a.filtered.variance_factor);
   return text + ".\n";
 }
 

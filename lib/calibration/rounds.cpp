@@ -70,15 +70,18 @@ io::Series rounds_table(const std::vector<Round>& rounds, std::size_t dimension)
     table.columns.push_back({std::move(name), "1", std::move(long_name), std::move(column)});
   };
   put("round", "number of the round, from 1", [](const Row& row) { return row.round; });
-  put("sets", "sets drawn in it", [](const Row& row) { return row.of.sets; });
-  put("prior_share", "share of it drawn from the prior", [](const Row& row) { return row.of.from.prior_share; });
-  put("inside", "how much of it lies within the ranges", [](const Row& row) { return row.of.from.inside; });
-  put("share", "of this Gaussian", [](const Row& row) { return row.gaussian.share; });
+  put("sets", "number of sets drawn in the round", [](const Row& row) { return row.of.sets; });
+  put("prior_share", "share of the round's sets drawn from the prior",
+      [](const Row& row) { return row.of.from.prior_share; });
+  put("inside", "probability that a draw of the round lies within the ranges",
+      [](const Row& row) { return row.of.from.inside; });
+  put("share", "share of this Gaussian in the mixture", [](const Row& row) { return row.gaussian.share; });
   for (Eigen::Index i = 0; i < d; ++i)
-    put(mean_name(i), "mean, in the prior's coordinates", [i](const Row& row) { return row.gaussian.mean[i]; });
+    put(mean_name(i), "mean of this Gaussian, in the prior's coordinates",
+        [i](const Row& row) { return row.gaussian.mean[i]; });
   for (Eigen::Index i = 0; i < d; ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
-      put(root_name(i, j), "of the triangular root of its covariance",
+      put(root_name(i, j), "entry of the triangular root of this Gaussian's covariance",
           [i, j](const Row& row) { return row.gaussian.root(i, j); });
   return table;
 }

@@ -147,7 +147,7 @@ void Part::find_last() {
 void Part::demand_same_run(const History& found, const fs::path& file) const {
   if (const std::string what = difference(found, history_); !what.empty())
     throw AnotherRun(
-        fmt::format("{}: is of a run whose {} differs; give what it began with, or --force too to begin "
+        fmt::format("{}: is of a run whose {} differs; give the one it began with, or --force too to begin "
                     "anew",
                     file.string(), what));
 }
@@ -223,7 +223,7 @@ Error Part::explained(const Error& error) const {
   if (!file.empty() && fs::exists(file, ignored))
     line += fmt::format("; {} is whole: the same command with --resume goes on from there", file.string());
   else if (!file.empty())
-    line += fmt::format("; {} is gone, and with it what was recorded: run it again", folder_.string());
+    line += fmt::format("; {} is gone, and with it the record: run it again", folder_.string());
   else
     line += "; nothing is kept yet: run it again";
   return {error.status(), line};

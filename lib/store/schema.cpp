@@ -15,21 +15,21 @@ Section every_file() {
   return {"Every file",
           "packing run fields checkpoint ensemble multiscale",
           {{"/provenance/<n>/scenario", text, "", "1", "scenario as it was resolved, TOML", true}},
-          {{"/", "format", "\"soilweave\"", "what reads it"},
+          {{"/", "format", "\"soilweave\"", "name of the programs that read the file"},
            {"/", "kind", "\"packing\", \"run\", \"fields\", \"checkpoint\", \"ensemble\" or \"multiscale\"",
-            "which of the kinds below it is"},
+            "kind of the file, one of those below"},
            {"/", "format_version", "int64[2]", "major, minor; readers refuse a greater major"},
            {"/", "creator", "text", "tool that wrote the file"},
-           {"/", "creator_version", "text", "its version"},
+           {"/", "creator_version", "text", "version of that tool"},
            {"/provenance/<n>", "tool", "text", "tool that ran"},
-           {"/provenance/<n>", "version", "text", "its version"},
-           {"/provenance/<n>", "command", "text", "its options that can change the result"},
-           {"/provenance/<n>", "seed", "uint64", "its random seed"},
-           {"/provenance/<n>/inputs/<k>", "role", "text", "what the input was to the tool"},
+           {"/provenance/<n>", "version", "text", "version of that tool"},
+           {"/provenance/<n>", "command", "text", "options of that tool that can change the result"},
+           {"/provenance/<n>", "seed", "uint64", "random seed of that tool"},
+           {"/provenance/<n>/inputs/<k>", "role", "text", "role of the input for the tool"},
            {"/provenance/<n>/inputs/<k>", "sha256", "text", "digest of the bytes read"},
            {"/provenance/<n>/inputs/<k>", "origin", "int64", "n of the record that made it; -1: from outside"},
-           {"/provenance/<n>/doubts/<k>", "key", "text", "one word for what is doubtful of what the run wrote"},
-           {"/provenance/<n>/doubts/<k>", "sentence", "text", "what, how much, and what would mend it"}}};
+           {"/provenance/<n>/doubts/<k>", "key", "text", "one word that names the doubtful result"},
+           {"/provenance/<n>/doubts/<k>", "sentence", "text", "the doubt, its size, and its remedy"}}};
 }
 
 Section trajectory() {
@@ -46,13 +46,13 @@ Section trajectory() {
             "angular velocity, half a step behind"},
            {"/particles/grains/radius", float64, "(F) N", "m", "radius"},
            {"/particles/grains/mass", float64, "(F) N", "kg", "mass in the equations of motion (2D: per metre)"},
-           {"/particles/grains/species", int32, "(F) N", "1", "material_id: which material of the scenario"},
+           {"/particles/grains/species", int32, "(F) N", "1", "material_id: number of the material in the scenario"},
            {"/particles/grains/id", int64, "(F) N", "1", "body_id: number that stays with the grain"},
-           {"/particles/grains/copy_id", int32, "(F) N", "1", "which copy of a tiled representative volume"}},
+           {"/particles/grains/copy_id", int32, "(F) N", "1", "number of the copy of a tiled representative volume"}},
           {{"/h5md", "version", "int64[2]", "1, 1"},
            {"/h5md/author", "name", "text", "\"not recorded\": equal runs by two people give equal files"},
            {"/h5md/creator", "name", "text", "tool that wrote the file"},
-           {"/h5md/creator", "version", "text", "its version"},
+           {"/h5md/creator", "version", "text", "version of that tool"},
            {"/h5md/modules/units", "version", "int64[2]", "1, 0"},
            {"/h5md/modules/units", "system", "\"SI\"", "units of the attributes `unit`"},
            {"/particles/grains/box", "dimension", "int64", "D: 3 for spheres, 2 for disks"},
@@ -80,7 +80,7 @@ Section contacts() {
            {"/contacts/<frame>/image", int32, "M 3", "1", "cell vectors to add to the second grain's position"},
            {"/contacts/<frame>/normal", float64, "M 3", "1", "unit contact normal, from first to second"},
            {"/contacts/<frame>/branch_vector", float64, "M 3", "m",
-            "from centre to centre; to the contact point for a plane"},
+            "vector from centre to centre; to the contact point for a plane"},
            {"/contacts/<frame>/overlap", float64, "M", "m", "overlap"},
            {"/contacts/<frame>/normal_force", float64, "M", "N", "normal force, compression positive"},
            {"/contacts/<frame>/shear_force", float64, "M 3", "N", "shear force on the second body"},
@@ -92,30 +92,32 @@ Section contacts() {
 }
 
 Section planes() {
-  return {"Rigid planes (absent without)",
-          "packing run checkpoint multiscale",
-          {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
-           {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
-           {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
-           {"/planes/material_id", int32, "F P", "1", "which material of the scenario", true},
-           {"/planes/partners", int32, "F P", "1", "who touches it; 0: all, 1: soil, 2: nodes of geotextiles", true}},
-          {}};
+  return {
+      "Rigid planes (absent without)",
+      "packing run checkpoint multiscale",
+      {{"/planes/point", float64, "F P 3", "m", "a point of the plane", true},
+       {"/planes/normal", float64, "F P 3", "1", "unit normal into the side of the grains", true},
+       {"/planes/velocity", float64, "F P 3", "m s-1", "velocity", true},
+       {"/planes/material_id", int32, "F P", "1", "number of the material in the scenario", true},
+       {"/planes/partners", int32, "F P", "1", "grains that touch it; 0: all, 1: soil, 2: nodes of geotextiles", true}},
+      {}};
 }
 
 Section yarns() {
-  return {"Yarns of geotextiles (absent without)",
-          "packing run checkpoint",
-          {{"/yarns/nodes", int32, "F Y 2", "1", "rows of both nodes in /particles/grains", true},
-           {"/yarns/fabric", int32, "F Y", "1", "which fabric; nodes of one fabric do not touch each other", true},
-           {"/yarns/geotextile_id", int32, "F Y", "1", "which geotextile of the scenario", true},
-           {"/yarns/family", int32, "F Y", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", true},
-           {"/yarns/rest_length", float64, "F Y", "m", "length without tension", true},
-           {"/yarns/largest_strain", float64, "F Y", "1", "largest strain so far", true},
-           {"/yarns/tension", float64, "F Y", "N", "tension", true},
-           {"/yarns/broken", uint8, "F Y", "1", "1 where broken", true},
-           {"/yarns/break_time", float64, "F Y", "s", "time at which it broke; 0 where whole", true},
-           {"/yarns/break_position", float64, "F Y 3", "m", "where it broke; 0 where whole", true}},
-          {}};
+  return {
+      "Yarns of geotextiles (absent without)",
+      "packing run checkpoint",
+      {{"/yarns/nodes", int32, "F Y 2", "1", "rows of both nodes in /particles/grains", true},
+       {"/yarns/fabric", int32, "F Y", "1", "number of the fabric; nodes of one fabric do not touch each other", true},
+       {"/yarns/geotextile_id", int32, "F Y", "1", "number of the geotextile in the scenario", true},
+       {"/yarns/family", int32, "F Y", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", true},
+       {"/yarns/rest_length", float64, "F Y", "m", "length without tension", true},
+       {"/yarns/largest_strain", float64, "F Y", "1", "largest strain so far", true},
+       {"/yarns/tension", float64, "F Y", "N", "tension", true},
+       {"/yarns/broken", uint8, "F Y", "1", "1 where broken", true},
+       {"/yarns/break_time", float64, "F Y", "s", "time at which it broke; 0 where whole", true},
+       {"/yarns/break_position", float64, "F Y 3", "m", "position at which it broke; 0 where whole", true}},
+      {}};
 }
 
 Section series() {
@@ -136,9 +138,9 @@ Section run() {
 }
 
 Section checkpoint() {
-  return {"A checkpoint besides: what only the running program knows; with the series so far",
+  return {"A checkpoint besides: the state that only the running program knows; with the series so far",
           "checkpoint",
-          {{"/checkpoint/<name>", float64, "K", "its own", "what the program needs to go on"}},
+          {{"/checkpoint/<name>", float64, "K", "its own", "values that the program needs to go on"}},
           {}};
 }
 
@@ -147,7 +149,7 @@ Section fields() {
           "fields ensemble checkpoint multiscale",
           {{"/fields/<group>/step", int64, "R", "its own", "its own", true},
            {"/fields/<group>/<column>", float64, "R", "its own", "its own", true}},
-          {{"/fields/<group>", "long_name", "text", "what the table is of"},
+          {{"/fields/<group>", "long_name", "text", "contents of the table"},
            {"/fields/<group>", "order", "int64", "place among the groups, from 0"},
            {"/fields/<group>/<column>", "column", "int64", "place among the columns, from 0"}}};
 }

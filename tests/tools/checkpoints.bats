@@ -189,7 +189,7 @@ command with --resume goes on from there" said || show "$(< said)"
   status=0
   wait $run || status=$?
   [[ $status -eq 73 || $status -eq 74 ]] || show "status $status: $(< said)"
-  grep -q "out.h5.part is gone, and with it what was recorded: run it again" said || show "$(< said)"
+  grep -q "out.h5.part is gone, and with it the record: run it again" said || show "$(< said)"
 }
 
 @test "a checkpoint that is damaged is passed over for the one before" {

@@ -330,7 +330,7 @@ PY
   pf-weight resample posterior1.h5 -n 20 --seed 9 --tsv --quiet > alone.tsv
   awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
   pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --variance 1e-2 --quiet -o alone.h5 > /dev/null
-  refuses 65 resample "alone.h5: keeps no account of what its sets were drawn from; draw them anew, or resample without --keep" \
+  refuses 65 resample "alone.h5: does not record the distribution of its sets; draw them anew, or resample without --keep" \
     alone.h5 -n 5 --keep --tsv
 }
 

@@ -68,7 +68,7 @@ TEST(Grading, UnitsAreConverted) {
 
 TEST(Grading, SaysWhatIsLeftOut) {
   EXPECT_EQ(Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\n0.075\t10\n1\t100\n", "g").left_out(),
-            "what is finer than 0.075 mm, 10 % of the mass, is left out");
+            "the part finer than 0.075 mm, 10 % of the mass, is left out");
   EXPECT_EQ(Grading::from_tsv("diameter [mm]\tfiner_by_mass [%]\n0.075\t0\n1\t100\n", "g").left_out(), "");
 }
 

@@ -256,9 +256,9 @@ void put_broken(io::Series& table, const io::Snapshot& state) {
     put_step(table, state);
     put(table, "yarn", "1", "number of the yarn", static_cast<double>(k));
     put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
-    put(table, "break_time", "s", "when it broke", y.break_time[k]);
+    put(table, "break_time", "s", "time at which the yarn broke", y.break_time[k]);
     for (int a = 0; a < 3; ++a)
-      put(table, fmt::format("position_{}", "xyz"[a]), "m", "where it broke", y.break_position[k][a]);
+      put(table, fmt::format("position_{}", "xyz"[a]), "m", "position at which the yarn broke", y.break_position[k][a]);
   }
 }
 

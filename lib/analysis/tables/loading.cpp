@@ -74,7 +74,7 @@ class LoadingTable {
   }
 
   void put_plates() {
-    put("settlement", "m", "by how much the plates have come nearer since the reference row",
+    put("settlement", "m", "approach of the plates since the reference row",
         [&](std::size_t i) { return apart(reference_) - apart(i); });
     put("strain_axial", "1", "settlement over the height of the bag as made",
         [&](std::size_t i) { return done("settlement")[i] / bag_.height; });

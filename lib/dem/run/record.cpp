@@ -109,9 +109,9 @@ constexpr std::array quantities = {
     Quantity{"boundary_work", "J", "work done on the grains by the cell and moving planes",
              [](const M& m) { return m.energies.boundary_work; }},
     Quantity{"gravity_work", "J", "work of gravity", [](const M& m) { return m.energies.gravity_work; }},
-    Quantity{"law_energy", "J", "taken out (+) or created (-) by the incremental contact law itself",
+    Quantity{"law_energy", "J", "energy taken out (+) or created (-) by the incremental contact law itself",
              [](const M& m) { return m.energies.law; }},
-    Quantity{"energy_error", "J", "what the energy balance leaves over", [](const M& m) { return m.energies.error(); }},
+    Quantity{"energy_error", "J", "remainder of the energy balance", [](const M& m) { return m.energies.error(); }},
 };
 
 }  // namespace

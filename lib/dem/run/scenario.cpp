@@ -88,7 +88,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
       0,
       1,
       false,
-      "unbalanced force that what is moved or strained by a given way keeps to by going slower; 0: as fast as given"};
+      "largest unbalanced force while planes or cell move by a given way, slower if need be; 0: as fast as given"};
   Stage stage;
   const std::string path = table.kind("path", path_names());
   stage.name = table.text("name", path);
@@ -99,7 +99,7 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
                                     0,
                                     89.9,
                                     false,
-                                    "friction angle between the planes and what touches them from this stage on"};
+                                    "friction angle between the planes and all that touches them, from this stage on"};
   if (table.has("plate_friction_angle")) stage.plate_friction = table.number(plates) * degree;
   if (table.has("damping")) stage.damping = table.number(damping);
   if (table.has("rest_damping")) stage.rest_damping = table.number(rest);
@@ -174,7 +174,7 @@ Limits read_limits(Settings& document) {
       1e300,          true, "error of the energy balance, of the energy turned over, that counts as broken"};
   static constexpr Parameter escape{
       "escape", "1",  0,
-      1e300,    true, "how far grains may leave an open side, in extents of grains and planes at the start"};
+      1e300,    true, "distance that grains may leave an open side, in extents of grains and planes at the start"};
   Settings table = document.table("guards");
   Limits limits;
   limits.overlap = table.number(overlap, limits.overlap);

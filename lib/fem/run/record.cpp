@@ -93,11 +93,11 @@ void points(const Model& model, io::MultiscaleFile& file) {
     Row row(t);
     row.when(model);
     row.add("point", "1", "number of the point", static_cast<double>(p));
-    row.add("element", "1", "its element", static_cast<double>(at.element));
-    row.add("x", "m", "position", at.position[0]);
-    row.add("y", "m", "position", at.position[1]);
+    row.add("element", "1", "element of the point", static_cast<double>(at.element));
+    row.add("x", "m", "position of the point", at.position[0]);
+    row.add("y", "m", "position of the point", at.position[1]);
     row.compression("stress", "Pa", "stress", stress);
-    row.add("mean_stress", "Pa", "half the trace, p", -0.5 * stress.trace());
+    row.add("mean_stress", "Pa", "half the trace of the stress, p", -0.5 * stress.trace());
     row.add("deviatoric_stress", "Pa", "half the principal difference, q", half_difference(stress));
     row.compression("strain", "1", "sum of the symmetric displacement gradients", strain);
     row.add("strain_volumetric", "1", "volumetric strain", -strain.trace());
@@ -105,7 +105,7 @@ void points(const Model& model, io::MultiscaleFile& file) {
     row.add("strain_rotation", "rad", "rotation of the soil, counter-clockwise positive",
             0.5 * (strain(1, 0) - strain(0, 1)));
     row.add("void_ratio", "1", "void ratio in the plane", local.void_ratio);
-    row.add("anisotropy", "1", "of the contact normals, F_a; -1 without contacts", local.anisotropy);
+    row.add("anisotropy", "1", "anisotropy of the contact normals, F_a; -1 without contacts", local.anisotropy);
     row.add("rotation", "rad", "mean rotation of the disks since the start, counter-clockwise positive",
             local.rotation);
     row.add("contacts", "1", "number of contacts", local.contacts);
@@ -121,10 +121,10 @@ void bars(const Model& model, io::MultiscaleFile& file) {
     Row row(t);
     row.when(model);
     row.add("bar", "1", "number of the bar", static_cast<double>(b));
-    row.add("x_0", "m", "its first node", bars.nodes()[b][0]);
-    row.add("y_0", "m", "its first node", bars.nodes()[b][1]);
-    row.add("x_1", "m", "its second node", bars.nodes()[b + 1][0]);
-    row.add("y_1", "m", "its second node", bars.nodes()[b + 1][1]);
+    row.add("x_0", "m", "first node of the bar", bars.nodes()[b][0]);
+    row.add("y_0", "m", "first node of the bar", bars.nodes()[b][1]);
+    row.add("x_1", "m", "second node of the bar", bars.nodes()[b + 1][0]);
+    row.add("y_1", "m", "second node of the bar", bars.nodes()[b + 1][1]);
     row.add("tension", "N m-1", "tension", bars.tension(b));
     row.add("tension_ratio", "1", "tension over strength", bars.tension(b) / bars.setup().strength);
     row.add("normal_force", "N m-1", "normal force with the soil's boundary, compression positive", contact[0]);
@@ -179,11 +179,11 @@ void series(const Model& model, io::MultiscaleFile& file) {
   const Balance balance = model.balance();
   double error = balance.error();
   row.add("external_work", "J m-1", "work done by supports, tractions and the ends of the chain", balance.external);
-  row.add("kinetic_energy", "J m-1", "of soil, grains and chain", balance.kinetic);
-  row.add("soil_kinetic_energy", "J m-1", "of the finite elements", model.soil().kinetic_energy());
-  row.add("stored_energy", "J m-1", "elastic, since the start", balance.stored);
-  row.add("dissipated_energy", "J m-1", "by friction, damping and breakage", balance.dissipated);
-  row.add("energy_error", "J m-1", "of the balance", error);
+  row.add("kinetic_energy", "J m-1", "kinetic energy of soil, grains and chain", balance.kinetic);
+  row.add("soil_kinetic_energy", "J m-1", "kinetic energy of the finite elements", model.soil().kinetic_energy());
+  row.add("stored_energy", "J m-1", "elastic energy stored since the start", balance.stored);
+  row.add("dissipated_energy", "J m-1", "energy dissipated by friction, damping and breakage", balance.dissipated);
+  row.add("energy_error", "J m-1", "remainder of the energy balance", error);
   boundaries(model, row);
   if (model.bars()) chain(*model.bars(), row);
 }
@@ -194,7 +194,7 @@ void grains(const Model& model, const std::vector<Index>& recorded, io::Multisca
       throw DataError(fmt::format("record.points names point {}, the last is {}", p, model.points().size() - 1));
     std::optional<io::Snapshot> state = model.points()[p]->packing();
     if (!state) continue;
-    Row row(table(file, "recorded", "what point the frames of the grains are of"));
+    Row row(table(file, "recorded", "point of integration that each frame of the grains belongs to"));
     row.add("frame", "1", "number of the frame", static_cast<double>(file.frames.size()));
     row.when(model);
     row.add("point", "1", "number of the point", static_cast<double>(p));

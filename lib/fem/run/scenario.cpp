@@ -30,8 +30,8 @@ Integration read_integration(Settings& table, Shape shape) {
 }
 
 Mesh read_mesh(Settings& table) {
-  static constexpr Parameter width{"width", "m", 0, 1e6, true, "of the rectangle"},
-      height{"height", "m", 0, 1e6, true, "of the rectangle"};
+  static constexpr Parameter width{"width", "m", 0, 1e6, true, "width of the rectangle"},
+      height{"height", "m", 0, 1e6, true, "height of the rectangle"};
   static constexpr Parameter columns{"columns", "1", 1, 1e4, false, "squares along x"},
       rows{"rows", "1", 1, 1e4, false, "squares along y"};
   for (const char* key : {"pieces", "coincident_nodes"})
@@ -92,14 +92,19 @@ Mesh take_mesh(Settings& table, Mesh mesh) {
 }
 
 ContinuumLaw read_law(Settings& soil, bool limited) {
-  static constexpr Parameter young{"young_modulus", "Pa", 0, 1e13, true, "of the soil"};
-  static constexpr Parameter poisson{
-      "poisson_ratio", "1", -1, 0.499, true, "of the soil", "an incompressible soil has no stable time step"};
+  static constexpr Parameter young{"young_modulus", "Pa", 0, 1e13, true, "Young's modulus of the soil"};
+  static constexpr Parameter poisson{"poisson_ratio",
+                                     "1",
+                                     -1,
+                                     0.499,
+                                     true,
+                                     "Poisson's ratio of the soil",
+                                     "an incompressible soil has no stable time step"};
   static constexpr Parameter stress{
-      "initial_stress", "Pa", -1e9, 1e9, false, "xx, yy and zz at the start, compression positive"};
-  static constexpr Parameter friction{"friction_angle", "deg", 0, 89, true, "of the soil"};
-  static constexpr Parameter cohesion{"cohesion", "Pa", 0, 1e9, false, "of the soil"};
-  static constexpr Parameter dilation{"dilation_angle", "deg", 0, 89, false, "of the soil"};
+      "initial_stress", "Pa", -1e9, 1e9, false, "stress xx, yy and zz at the start, compression positive"};
+  static constexpr Parameter friction{"friction_angle", "deg", 0, 89, true, "friction angle of the soil"};
+  static constexpr Parameter cohesion{"cohesion", "Pa", 0, 1e9, false, "cohesion of the soil"};
+  static constexpr Parameter dilation{"dilation_angle", "deg", 0, 89, false, "dilation angle of the soil"};
   ContinuumLaw law;
   law.young_modulus = soil.number(young);
   law.poisson_ratio = soil.number(poisson);
@@ -123,7 +128,8 @@ dem::Numerics read_grain_numerics(Settings& document) {
 }
 
 void read_soil(Settings& document, ModelSetup& m) {
-  static constexpr Parameter density{"density", "kg/m3", 0, 1e9, true, "of the soil, pores included"};
+  static constexpr Parameter density{"density", "kg/m3", 0,
+                                     1e9,       true,    "mass of the soil over its volume, pores included"};
   static constexpr Parameter damping{"damping", "1/s", 0, 1e6, false, "viscous coefficient c of thesis Eq. 6.2"};
   Settings soil = document.table("soil");
   const std::string material = soil.kind("material", {"grains", "elastic", "mohr-coulomb"});
@@ -191,9 +197,11 @@ Vec2 read_place(Settings& table, const Parameter& parameter) {
 }
 
 void read_touch(Settings table, Touch& touch) {
-  static constexpr Parameter normal{"normal_stiffness", "N/m3", 0, 1e15, true, "of the contact, per area"};
-  static constexpr Parameter ratio{"shear_ratio", "1", 0, 10, false, "shear over normal stiffness"};
-  static constexpr Parameter friction{"friction_angle", "deg", 0, 89.9, false, "between soil and geosynthetic"};
+  static constexpr Parameter normal{
+      "normal_stiffness", "N/m3", 0, 1e15, true, "normal stiffness of the contact, per area"};
+  static constexpr Parameter ratio{"shear_ratio", "1", 0, 10, false, "shear stiffness over normal stiffness"};
+  static constexpr Parameter friction{
+      "friction_angle", "deg", 0, 89.9, false, "friction angle between soil and geosynthetic"};
   touch = {table.number(normal), table.number(ratio, 0.33), table.number(friction) * degree};
 }
 
@@ -216,16 +224,16 @@ void read_guides(Settings& table, std::vector<Guide>& guides) {
 }
 
 void read_geosynthetic(Settings& document, ModelSetup& m) {
-  static constexpr Parameter radius{"radius", "m", 0, 10, true, "of the virtual disks"};
+  static constexpr Parameter radius{"radius", "m", 0, 10, true, "radius of the virtual disks"};
   static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "largest length of a bar"};
-  static constexpr Parameter overhang{"overhang", "m", 0, 1e3, false, "of the chain before its start"};
+  static constexpr Parameter overhang{"overhang", "m", 0, 1e3, false, "length of the chain before its start"};
   static constexpr Parameter stiffness{"stiffness", "N/m", 0, 1e12, true, "axial stiffness J"};
   static constexpr Parameter strength{"strength", "N/m", 0, 1e12, true, "tension at which a bar breaks"};
-  static constexpr Parameter density{"areal_density", "kg/m2", 0, 1e6, true, "of the geosynthetic"};
+  static constexpr Parameter density{"areal_density", "kg/m2", 0, 1e6, true, "mass of the geosynthetic per area"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping of the chain"};
   static constexpr Parameter safety{"time_step_safety", "1", 0, 0.95, true, "fraction of the chain's stable time step"};
   static constexpr Parameter seat{
-      "seat_pressure", "Pa", 0, 1e9, false, "along y, carried by chain and guides before the start"};
+      "seat_pressure", "Pa", 0, 1e9, false, "pressure along y that chain and guides carry before the start"};
   if (!document.has("geosynthetic")) return;
   Settings table = document.table("geosynthetic");
   BarsSetup b;
@@ -257,8 +265,8 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
 }
 
 void read_time(Settings& document, Scenario& s) {
-  static constexpr Parameter duration{"duration", "s", 0, 1e9, true, "of the run"};
-  static constexpr Parameter interval{"output_interval", "s", 0, 1e9, true, "between recorded states"};
+  static constexpr Parameter duration{"duration", "s", 0, 1e9, true, "duration of the run"};
+  static constexpr Parameter interval{"output_interval", "s", 0, 1e9, true, "time between recorded states"};
   static constexpr Parameter safety{"safety",
                                     "1",
                                     0,
@@ -282,8 +290,9 @@ void read_time(Settings& document, Scenario& s) {
 std::optional<QuasiStatic> read_quasi_static(Settings& document) {
   static constexpr Parameter soil{"soil_damping", "1/s", 0, 1e6, true, "viscous coefficient of the soil at rest"};
   static constexpr Parameter grains{"grain_damping", "1", 0, 0.999, false, "local damping of grains and chain at rest"};
-  static constexpr Parameter energy{"kinetic_energy", "J/m", 0, 1e9, true, "of the soil, at rest"};
-  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "after which rest counts as unreachable"};
+  static constexpr Parameter energy{
+      "kinetic_energy", "J/m", 0, 1e9, true, "largest kinetic energy of soil that counts as at rest"};
+  static constexpr Parameter steps{"steps", "1", 1, 1e9, false, "steps after which rest counts as unreachable"};
   if (!document.has("quasi_static")) return std::nullopt;
   Settings table = document.table("quasi_static");
   QuasiStatic q;

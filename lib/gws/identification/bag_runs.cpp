@@ -74,10 +74,10 @@ BagSeries whole_rows(const io::Series& table, std::size_t first, const std::stri
   while (end < broken.size() && !(broken[end] > 0)) ++end;
   const bool breaks = end < broken.size();
   if (end < first + 3)
-    throw DataError(fmt::format(
-        "{}: {} rows from the reference row up to {}; at least 3 are needed: record more of them, "
-        "by a smaller stage.increment, or let a run under way go on",
-        where, end - std::min(first, end), breaks ? "the first broken yarn" : "the end of what is recorded"));
+    throw DataError(
+        fmt::format("{}: {} rows from the reference row up to {}; at least 3 are needed: record more of them, "
+                    "by a smaller stage.increment, or let a run under way go on",
+                    where, end - std::min(first, end), breaks ? "the first broken yarn" : "the end of the record"));
   io::Series rows = table;
   for (io::Column& column : rows.columns) {
     column.values.resize(end);

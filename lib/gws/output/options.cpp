@@ -44,12 +44,13 @@ bool is_run(const std::filesystem::path& path) {
 }  // namespace
 
 void CaseOptions::declare(tool::Table& t) {
-  t.option(geotextile, "geotextile", "NAME|FILE", "of data/geotextiles, a multiple (3PP), a TOML, or FILE.toml:NAME");
+  t.option(geotextile, "geotextile", "NAME|FILE",
+           "name in data/geotextiles, multiple (3PP), TOML file, or FILE.toml:NAME");
   t.option(stiffness, tensile_stiffness);
   t.option(strength, tensile_strength);
   t.option(failure_strain, failure_strain_range);
-  t.option(fraction,
-           named(strength_fraction_range, "strength_fraction", "of the strength where the bag fails; else 0.5"));
+  t.option(fraction, named(strength_fraction_range, "strength_fraction",
+                           "share of the strength at which the bag fails; else 0.5"));
   factors.declare(t);
   t.option(width, named(bag_extent, "width", "width of the bag, B"));
   t.option(height, named(bag_extent, "height", "height of the bag after compaction, H"));

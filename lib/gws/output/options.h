@@ -29,15 +29,20 @@ inline constexpr Parameter last_surcharge{"surcharge",
                                           true,
                                           "end at this pressure; else at the ultimate one",
                                           "1 GPa is far beyond any test of soil"};
-inline constexpr Parameter settlement_range{
-    "settlement", "1", 0, 1, true, "axial strain, of the height", "at 1 the bag is flat; per cent are written \"5 %\""};
+inline constexpr Parameter settlement_range{"settlement",
+                                            "1",
+                                            0,
+                                            1,
+                                            true,
+                                            "axial strain: settlement over height",
+                                            "at 1 the bag is flat; per cent are written \"5 %\""};
 inline constexpr Parameter points_range{"points", "1", 1, 1e6, false, "rows of the table", "a table has rows"};
 inline constexpr Parameter share_range{
     "range", "1", 0, 1, true, "share varied where no interval is known", "a constant keeps its sign"};
 inline constexpr Parameter samples_range{"samples",         "1", 2, 1e6, false, "bands from this many draws",
                                          "a band needs two"};
-inline constexpr Parameter safety_range{"safety",          "1", 1, 100, false, "on the surcharge, against failure",
-                                        "below 1 it fails"};
+inline constexpr Parameter safety_range{
+    "safety", "1", 1, 100, false, "factor of safety on the surcharge, against failure", "below 1 it fails"};
 inline constexpr Parameter lowest_stiffness{
     "from", "N/m", 0, 1e10, true, "lowest stiffness", "without stiffness the geotextile holds nothing"};
 inline constexpr Parameter highest_stiffness{

@@ -95,7 +95,7 @@ io::Series constants_table(const Identification& found) {
       put(table, name, unit, "identified", {value});
       put(table, name + "_low", unit, "low end of the 95 % interval", {known ? value - half : std::nan("")});
       put(table, name + "_high", unit, "high end of the 95 % interval", {known ? value + half : std::nan("")});
-      put(table, name + "_given", unit, "what identification started from", {line.given[k]});
+      put(table, name + "_given", unit, "value that the identification started from", {line.given[k]});
     }
   return table;
 }
@@ -111,10 +111,10 @@ io::Series line_table(const Line& line) {
   put(table, line.x_name, line.x_unit, "abscissa", line.x);
   put(table, line.y_name, line.y_unit, "ordinate", line.y);
   put(table, "fitted", line.y_unit, "ordinate of the line", line.ordinate);
-  put(table, "residual", line.residual_unit, "what is fitted less what the line gives: " + line.residual_name,
+  put(table, "residual", line.residual_unit, "fitted value less the line's value: " + line.residual_name,
       line.fit.residuals);
   put(table, "studentized", "1", "residual over its standard error", line.fit.studentized);
-  put(table, "outlier", "1", "1 where that is more than 3",
+  put(table, "outlier", "1", "1 where the studentized residual is beyond 3",
       column(line.fit.studentized, [](double t) { return std::abs(t) > outlier_distance ? 1.0 : 0.0; }));
   return table;
 }
@@ -225,36 +225,38 @@ io::Series design_table(const Design& design) {
   put(table, "stiffness", "N/m", "smallest stiffness", {design.geotextile.stiffness});
   put(table, "strength", "N/m", "strength it needs", {design.geotextile.strength});
   put(table, "failure_strain", "1", "strain at failure", {design.geotextile.failure_strain});
-  put(table, "surcharge", "Pa", "at service", {design.service.surcharge});
-  put(table, "settlement", "1", "at service, since compaction", {design.service.settlement() - compacted});
-  put(table, "hoop_tension", "N/m", "at service", {design.service.hoop_tension});
+  put(table, "surcharge", "Pa", "surcharge at service", {design.service.surcharge});
+  put(table, "settlement", "1", "settlement at service, since compaction", {design.service.settlement() - compacted});
+  put(table, "hoop_tension", "N/m", "hoop tension at service", {design.service.hoop_tension});
   put(table, "factored_surcharge", "Pa", "surcharge times safety", {design.factored.surcharge});
-  put(table, "factored_settlement", "1", "at the factored surcharge", {design.factored.settlement() - compacted});
-  put(table, "factored_hoop_tension", "N/m", "at the factored surcharge", {design.factored.hoop_tension});
+  put(table, "factored_settlement", "1", "settlement at the factored surcharge, since compaction",
+      {design.factored.settlement() - compacted});
+  put(table, "factored_hoop_tension", "N/m", "hoop tension at the factored surcharge", {design.factored.hoop_tension});
   return table;
 }
 
 io::Series allowance_table(const Allowance& allowance) {
   io::Series table;
-  put(table, "surcharge", "Pa", "carried", {allowance.surcharge});
-  put(table, "strain_axial", "1", "axial strain there", {allowance.at.settlement()});
-  put(table, "hoop_tension", "N/m", "tension there", {allowance.at.hoop_tension});
+  put(table, "surcharge", "Pa", "surcharge that the bag carries", {allowance.surcharge});
+  put(table, "strain_axial", "1", "axial strain at that surcharge", {allowance.at.settlement()});
+  put(table, "hoop_tension", "N/m", "hoop tension at that surcharge", {allowance.at.hoop_tension});
   return table;
 }
 
 io::Series chart_table(const std::vector<ChartRow>& rows) {
   io::Series table;
   using R = const ChartRow&;
-  put(table, "stiffness", "N/m", "of the geotextile", column(rows, [](R r) { return r.geotextile.stiffness; }));
-  put(table, "strength", "N/m", "of the geotextile", column(rows, [](R r) { return r.geotextile.strength; }));
+  put(table, "stiffness", "N/m", "stiffness of the geotextile",
+      column(rows, [](R r) { return r.geotextile.stiffness; }));
+  put(table, "strength", "N/m", "strength of the geotextile", column(rows, [](R r) { return r.geotextile.strength; }));
   put(table, "capacity", "Pa", "ultimate surcharge", column(rows, [](R r) { return r.capacity; }));
-  put(table, "settlement", "1", "at the capacity", column(rows, [](R r) { return r.settlement; }));
-  put(table, "hoop_strain", "1", "at the capacity", column(rows, [](R r) { return r.hoop_strain; }));
+  put(table, "settlement", "1", "settlement at the capacity", column(rows, [](R r) { return r.settlement; }));
+  put(table, "hoop_strain", "1", "hoop strain at the capacity", column(rows, [](R r) { return r.hoop_strain; }));
   put(table, "reinforcing_efficiency", "1/m", "capacity over stiffness",
       column(rows, [](R r) { return r.capacity / r.geotextile.stiffness; }));
-  put(table, "service_settlement", "1", "at the surcharge asked for",
+  put(table, "service_settlement", "1", "settlement at the surcharge asked for",
       column(rows, [](R r) { return r.service_settlement; }));
-  put(table, "allowable_surcharge", "Pa", "within the settlement and with the safety asked for",
+  put(table, "allowable_surcharge", "Pa", "surcharge within the settlement and with the safety asked for",
       column(rows, [](R r) { return r.allowable_surcharge; }));
   return table;
 }
@@ -278,12 +280,12 @@ io::Series sensitivity_table(const std::vector<Sensitivity>& rows) {
   std::vector<double> number;
   for (std::size_t i = 0; i < rows.size(); ++i) number.push_back(static_cast<double>(i));
   put(table, "constant", "1", "number of the constant", number);
-  put(table, "value", "its own", "its value, SI", column(rows, [](R r) { return r.value; }));
+  put(table, "value", "its own", "value of the constant, SI", column(rows, [](R r) { return r.value; }));
   put(table, "low", "its own", "low end of its range", column(rows, [](R r) { return r.low; }));
   put(table, "high", "its own", "high end of its range", column(rows, [](R r) { return r.high; }));
-  put(table, "capacity_derivative", "Pa per its own", "of the ultimate surcharge",
+  put(table, "capacity_derivative", "Pa per its own", "derivative of the ultimate surcharge by the constant",
       column(rows, [](R r) { return r.capacity_derivative; }));
-  put(table, "settlement_derivative", "1 per its own", "of the final settlement",
+  put(table, "settlement_derivative", "1 per its own", "derivative of the final settlement by the constant",
       column(rows, [](R r) { return r.settlement_derivative; }));
   put(table, "capacity_low", "Pa", "ultimate surcharge at the low end",
       column(rows, [](R r) { return r.capacity_low; }));
@@ -294,9 +296,10 @@ io::Series sensitivity_table(const std::vector<Sensitivity>& rows) {
   put(table, "settlement_high", "1", "final settlement at the high end",
       column(rows, [](R r) { return r.settlement_high; }));
   if (rows.empty() || !rows.front().asked) return table;
-  put(table, "service_settlement_derivative", "1 per its own", "of the settlement at the surcharge asked for",
+  put(table, "service_settlement_derivative", "1 per its own",
+      "derivative of the settlement at the surcharge asked for",
       column(rows, [](R r) { return r.service_settlement_derivative; }));
-  put(table, "service_tension_derivative", "N/m per its own", "of the hoop tension at that surcharge",
+  put(table, "service_tension_derivative", "N/m per its own", "derivative of the hoop tension at that surcharge",
       column(rows, [](R r) { return r.service_tension_derivative; }));
   put(table, "service_settlement_low", "1", "settlement at that surcharge, at the low end",
       column(rows, [](R r) { return r.service_settlement_low; }));

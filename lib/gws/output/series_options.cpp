@@ -10,9 +10,11 @@ namespace soilweave::gws {
 
 void SeriesOptions::declare(tool::Table& t) {
   t.inputs(inputs, "SERIES", "runs of bags; TSV or fields: strain_axial, _volumetric, mean_ and deviatoric_stress");
-  t.option(geotextiles, "geotextile", "NAME|FILE", "of each in turn; else the run's own, or column tensile_stiffness");
+  t.option(geotextiles, "geotextile", "NAME|FILE",
+           "geotextile of each series in turn; else the run's own, or column tensile_stiffness");
   t.option(group, "group", "NAME", "table of a fields file; else loading, reinforced, response or cell");
-  t.choice(strains, "strains", {"engineering", "natural"}, "of tables; homogenize writes natural ones of cells");
+  t.choice(strains, "strains", {"engineering", "natural"},
+           "strains in tables; homogenize writes natural ones of cells");
   t.choice(fit, "fit", {"path", "thesis"}, "all at once, plastic strain taken off; line by line, with it");
   t.choice(difference, "difference", {"central", "backward"}, "state that an increment belongs to");
   t.option(compression, "compression", "FILE", "TSV with mean_stress, strain_volumetric: the line's points");

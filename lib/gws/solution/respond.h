@@ -56,7 +56,7 @@ inline constexpr Parameter strength_fraction_range{"strength_fraction",
                                                    0,
                                                    1,
                                                    false,
-                                                   "of the strength where the bag fails",
+                                                   "share of the strength at which the bag fails",
                                                    "a hoop bears no more than its strength"};
 inline constexpr Parameter tolerance_range{"tolerance",
                                            "1",

@@ -44,7 +44,7 @@ constexpr std::array table{
              {"lambda", "1", 0, 1e3, true, "strain added, percent", "at lambda = 0 the line begins at infinity"},
              &Soil::lambda},
     Constant{"near_failure_line",
-             {"xi", "1", -1, 1, false, "how far beyond the failure line the hyperbola ends",
+             {"xi", "1", -1, 1, false, "distance beyond the failure line at which the hyperbola ends",
               "a distance between values of q/p"},
              &Soil::xi},
     Constant{"dilatancy_line",

@@ -15,7 +15,8 @@ NodeRecipe NodeRecipe::read(Settings& table) {
   static constexpr Parameter radius{"node_radius", "m", 0, 1e3, true, "radius of the nodes"};
   static constexpr Parameter density{"node_density", "kg/m3", 0, 1e12, true, "density of the nodes, scaling included"};
   static constexpr Parameter material{"material", "1", 0, 1e3, false, "material_id of the nodes"};
-  static constexpr Parameter geotextile{"geotextile_id", "1", 0, 1e3, false, "which [[geotextile]] of a scenario"};
+  static constexpr Parameter geotextile{
+      "geotextile_id", "1", 0, 1e3, false, "number of the [[geotextile]] in a scenario"};
   NodeRecipe r;
   r.radius = table.number(radius, r.radius);
   r.density = table.number(density, r.density);

@@ -116,7 +116,7 @@ Triangles read(const std::string& path, double scale) {
   if (border > 0)
     throw DataError(fmt::format("'{}' is open: {} edges belong to one triangle only; close its holes", path, border));
   if (pmp::does_self_intersect(triangles))
-    throw DataError(fmt::format("'{}' cuts itself: what lies inside is not told; mend the surface", path));
+    throw DataError(fmt::format("'{}' cuts itself, so that its inside is not defined; mend the surface", path));
   if (pmp::volume(triangles) < 0) pmp::reverse_face_orientations(triangles);
   return triangles;
 }

@@ -249,7 +249,7 @@ class Grower {
     throw TargetNotReached(fmt::format(
         "after {} rounds the grains do not fill the container: {} ({})", at_.round,
         !at_.standing ? "the Delaunay volume still grows; allow more rounds (growth.rounds) or a larger factor"
-        : fell_apart_ ? "what presses falls apart as it comes to rest; allow more rounds (growth.rounds)"
+        : fell_apart_ ? "the grains fall apart as they come to rest; allow more rounds (growth.rounds)"
                       : "the mean overlap is below growth.overlap, or the coordination number below "
                         "growth.coordination_number; allow more rounds (growth.rounds)",
         text()));
@@ -281,21 +281,17 @@ std::string Fill::text() const {
 }
 
 Growth Growth::read(Settings& table) {
-  static constexpr Parameter factor{"factor",
-                                    "1",
-                                    1,
-                                    1.01,
-                                    true,
-                                    "of the radii, each time equilibrium is reached",
-                                    "larger steps scatter the grains"};
+  static constexpr Parameter factor{
+      "factor", "1", 1, 1.01, true, "factor on the radii at equilibrium", "larger steps scatter the grains"};
   static constexpr Parameter stretch{
       "stretch", "1", 0, 1, false, "share of the way to the container that the soil is stretched as it grows"};
-  static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of an equilibrium"};
+  static constexpr Parameter unbalanced{
+      "unbalanced_force", "1", 0, 1, true, "largest unbalanced force of an equilibrium"};
   static constexpr Parameter negligible{
       "negligible_overlap", "1", 0, 1, false, "overlap over radius whose force an equilibrium is measured by at least"};
   static constexpr Parameter damping{"damping", "1", 0, 0.999, false, "local non-viscous damping"};
-  static constexpr Parameter steps{"steps", "1",   1,
-                                   1e9,     false, "of a round at most, ten times that before a measurement"};
+  static constexpr Parameter steps{
+      "steps", "1", 1, 1e9, false, "largest number of steps in a round, ten times that before a measurement"};
   static constexpr Parameter stop{"stop_every", "1",   0,
                                   1e9,          false, "steps of growth after which all motion is stopped; 0: never"};
   static constexpr Parameter volume{
@@ -308,16 +304,16 @@ Growth Growth::read(Settings& table) {
   static constexpr Parameter overlap{"overlap", "1",  0,
                                      1,         true, "mean overlap over the mean radius of a full container"};
   static constexpr Parameter coordination{
-      "coordination_number", "1", 0, 20, true, "of a full container at rest, at least"};
+      "coordination_number", "1", 0, 20, true, "least coordination number of a full container at rest"};
   static constexpr Parameter most{
-      "largest_coordination_number", "1", 0, 20, true, "of a full container at rest; radii give way for it"};
-  static constexpr Parameter target{
-      "void_ratio", "1", 0, 100, true, "of the full container, by its power cells; friction is lowered for it"};
+      "largest_coordination_number", "1", 0, 20, true, "largest coordination number of a full container at rest"};
+  static constexpr Parameter target{"void_ratio", "1", 0, 100, true, "void ratio when full, by power cells"};
   static constexpr Parameter delaunay_target{
-      "delaunay_void_ratio", "1", 0, 100, true, "the same by the Delaunay tetrahedra of its centres"};
-  static constexpr Parameter lowering{"friction_factor", "1", 0, 0.999, true, "of the friction angle, each time"};
+      "delaunay_void_ratio", "1", 0, 100, true, "void ratio when full, by Delaunay tetrahedra"};
+  static constexpr Parameter lowering{
+      "friction_factor", "1", 0, 0.999, true, "factor on the friction angle each time it is lowered"};
   static constexpr Parameter every{"measure_every", "1", 1, 1e6, false, "rounds between measurements"};
-  static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "after which the container counts as not filled"};
+  static constexpr Parameter rounds{"rounds", "1", 1, 1e9, false, "rounds after which filling has failed"};
   Growth g;
   g.factor = table.number(factor, g.factor);
   g.stretch_share = table.number(stretch, g.stretch_share);

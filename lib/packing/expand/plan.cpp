@@ -62,7 +62,7 @@ void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Containe
 
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
-  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "of the yarns"};
+  static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "distance between neighbouring yarns"};
   static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
@@ -227,7 +227,8 @@ std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table)
 }
 
 Laid read_laid(Settings& table) {
-  static constexpr Parameter offset{"offset", "m", 0, 1e3, false, "of the nodes beyond the container's surface"};
+  static constexpr Parameter offset{"offset", "m",   0,
+                                    1e3,      false, "distance of the nodes beyond the container's surface"};
   Laid laid{NodeRecipe::read(table), 0};
   laid.outside = table.number(offset, laid.nodes.radius);
   if (laid.outside > laid.nodes.radius)
@@ -236,7 +237,7 @@ Laid read_laid(Settings& table) {
 }
 
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
-  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "of the representative volume's lengths"};
+  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "factor on the lengths of the representative volume"};
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   Plan plan;

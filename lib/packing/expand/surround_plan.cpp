@@ -11,7 +11,7 @@ namespace {
 
 void read_volume(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources, Surround& to) {
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
-  static constexpr Parameter scale{"scale", "1", 0, 1e6, true, "of the representative volume's lengths"};
+  static constexpr Parameter scale{"scale", "1", 0, 1e6, true, "factor on the lengths of the representative volume"};
   const std::string word = table.text("representative_volume");
   if (!word.empty()) {
     const io::PackingFile file =
@@ -29,16 +29,18 @@ void read_volume(Settings& table, const NamedFiles& files, std::vector<io::Sourc
 }
 
 void read_compaction(Settings& table, Surround& to) {
-  static constexpr Parameter pressure{"pressure", "Pa", 0, 1e12, true, "isotropic, on the cell"};
-  static constexpr Parameter target{"void_ratio", "1", 0, 100, true, "of the cell, nodes counted as solids"};
+  static constexpr Parameter pressure{"pressure", "Pa", 0, 1e12, true, "isotropic pressure on the cell"};
+  static constexpr Parameter target{"void_ratio", "1", 0, 100, true, "void ratio of the cell, nodes counted as solids"};
   static constexpr Parameter lowering{
-      "friction_factor", "1", 0, 0.999, true, "of the fill's friction angle, each time"};
-  static constexpr Parameter unbalanced{"unbalanced_force", "1", 0, 1, true, "of the last equilibrium"};
+      "friction_factor", "1", 0, 0.999, true, "factor on the fill's friction angle each time it is lowered"};
+  static constexpr Parameter unbalanced{
+      "unbalanced_force", "1", 0, 1, true, "largest unbalanced force of the last equilibrium"};
   static constexpr Parameter rate{"max_rate", "1/s", 0, 1e3, true, "largest strain rate of the cell"};
   static constexpr Parameter first{
-      "first_friction_angle", "deg", 0, 89.9, true, "of the fill, while it comes together"};
+      "first_friction_angle", "deg", 0, 89.9, true, "friction angle of the fill while it comes together"};
   static constexpr Parameter height{"height_tolerance", "1", 0, 1, true, "change of the reinforced part's height"};
-  static constexpr Parameter stress{"stress_tolerance", "1", 0, 1, true, "of the fill, from the pressure, relative"};
+  static constexpr Parameter stress{
+      "stress_tolerance", "1", 0, 1, true, "deviation of the fill's stress from the pressure, relative"};
   static constexpr Parameter steps{"steps", "1",   1,
                                    1e12,    false, "steps after which an equilibrium counts as unreachable"};
   Recipe& r = to.recipe;
@@ -60,7 +62,7 @@ void read_compaction(Settings& table, Surround& to) {
 Surround Surround::read(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources) {
   static constexpr Parameter rings{"rings", "1", 0, 1e4, false, "copies along each edge whose soil is left out"};
   static constexpr Parameter material{"material", "1", 0, 1e3, false, "material_id of the fill"};
-  static constexpr Parameter gap{"gap", "m", 0, 1e3, true, "between the reinforced part and its image, at least"};
+  static constexpr Parameter gap{"gap", "m", 0, 1e3, true, "least distance between the reinforced part and its image"};
   Surround s;
   const std::string form = table.choice("form", {"wrapped", "layered"}, "wrapped");
   s.form = form == "layered" ? Form::layered : Form::wrapped;

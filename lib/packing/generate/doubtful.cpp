@@ -108,9 +108,10 @@ std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& mod
   const double rattlers = static_cast<double>(c.rattlers) / static_cast<double>(state.grains.size());
   if (rattlers > most_rattlers)
     doubts.push_back(
-        {"rattlers", fmt::format("{:.0f} % of the grains are rattlers, above {:.0f} %: small grains lie loose in "
-                                 "the voids of large ones; leave the finest sizes out, or count what bears load",
-                                 100 * rattlers, 100 * most_rattlers)});
+        {"rattlers",
+         fmt::format("{:.0f} % of the grains are rattlers, above {:.0f} %: small grains lie loose in "
+                     "the voids of large ones; leave the finest sizes out, or count the grains that bear load",
+                     100 * rattlers, 100 * most_rattlers)});
   if (c.all < least_coordination)
     doubts.push_back(
         {"coordination", fmt::format("the coordination number is {:.2f}, below {}: {:.2f} among the grains that "

@@ -56,7 +56,7 @@ Grading Grading::toyoura() {
 
 std::string Grading::left_out() const {
   if (!(finer.front() > 0) || diameter.size() == 1) return "";
-  return fmt::format("what is finer than {:.4g} mm, {:.3g} % of the mass, is left out", 1e3 * diameter.front(),
+  return fmt::format("the part finer than {:.4g} mm, {:.3g} % of the mass, is left out", 1e3 * diameter.front(),
                      100 * finer.front());
 }
 

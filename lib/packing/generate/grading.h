@@ -21,7 +21,7 @@ struct Grading {
   /// Returns the curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
   static Grading toyoura();
 
-  /// Returns what the packing lacks of the curve: "what is finer than 0.075 mm, 10 % of the mass, is left out"; empty
+  /// Returns what the packing lacks of the curve: "the part finer than 0.075 mm, 10 % of the mass, is left out"; empty
   /// if the curve begins at 0 %.
   std::string left_out() const;
   /// Returns the curve without grains coarser than `diameter`, m. Throws DataError if nothing is left.
