@@ -21,14 +21,14 @@ namespace {
 constexpr double dt = 1e-5;
 
 // Parameters of the recorded tests (peer/two_sphere/meta.json), equal in all of them except for the limit.
-HertzMindlin::Couple hertz(std::optional<double> rolling_limit) {
+HertzMindlin::MaterialPair hertz(std::optional<double> rolling_limit) {
   const Resistance rolling{0.13, Resistance::Scale::absolute, rolling_limit, Resistance::Arm::mean_radius};
   const Resistance twisting{
       0.13, Resistance::Scale::absolute, {}, Resistance::Arm::mean_radius};  // never limited there
   const HertzMindlin::Material m{4e9, 0.33, 29 * degree, {}, rolling, twisting};
   return HertzMindlin::mix(m, m);
 }
-Linear::Couple linear(std::optional<double> limit) {
+Linear::MaterialPair linear(std::optional<double> limit) {
   const Resistance r{0.56393, Resistance::Scale::contact, limit, Resistance::Arm::smaller_radius};
   const Linear::Material m{5.449e8, 0.08032, 30.2028 * degree, {}, r, r};
   return Linear::mix(m, m);
@@ -60,14 +60,14 @@ struct HertzCase {
   using Law = HertzMindlin;
   static constexpr double limit = 0.13;
   static constexpr const char* prefix = "hm_";
-  static auto couple(std::optional<double> limit) { return hertz(limit); }
+  static auto mixed(std::optional<double> limit) { return hertz(limit); }
   static constexpr auto expected = expected_hertz;
 };
 struct LinearCase {
   using Law = Linear;
   static constexpr double limit = 0.19357;
   static constexpr const char* prefix = "cl_";
-  static auto couple(std::optional<double> limit) { return linear(limit); }
+  static auto mixed(std::optional<double> limit) { return linear(limit); }
   static constexpr auto expected = expected_linear;
 };
 
@@ -81,7 +81,7 @@ constexpr std::array<std::array<double, 2>, 3> radii = {{{3e-3, 3e-3}, {3e-3, 4.
 template <class Case>
 Pair<typename Case::Law> pair_of(const std::array<double, 2>& r, double overlap,
                                  std::optional<double> limit = Case::limit) {
-  return touching_pair<typename Case::Law>(Case::couple(limit), r[0], r[1], overlap);
+  return touching_pair<typename Case::Law>(Case::mixed(limit), r[0], r[1], overlap);
 }
 
 // Returns a capped elastic force driven in one direction: the exact "play" of a closed form with reversals.
@@ -118,7 +118,7 @@ TYPED_TEST(TwoSpheres, ShearAtConstantOverlapSlidesAndReturns) {
       p.one.w = p.two.w = {0, sense * step / ((r[0] + r[1]) * dt), 0};  // slip -x for +y spin, hence force +x
       p.advance(dt);
       force = capped(force, sense * e.ks * step, e.mu * e.fn);
-      EXPECT_NEAR(p.memory.shear.x, force, 1e-10 * e.mu * e.fn);
+      EXPECT_NEAR(p.history.shear.x, force, 1e-10 * e.mu * e.fn);
       EXPECT_NEAR(p.torque_on_one().y, -(r[0] - overlap / 2) * force, 1e-10 * r[0] * e.mu * e.fn);
       EXPECT_NEAR(p.torque_on_two().y, -(r[1] - overlap / 2) * force, 1e-10 * r[1] * e.mu * e.fn);
     }
@@ -157,7 +157,7 @@ TYPED_TEST(TwoSpheres, ShearAtChangingOverlapIntegratesTheSameLaw) {
       long double slid;
       const double force = sheared_at_changing_overlap<TypeParam>(r, steps, slip, slid);
       // The overlap is the difference of two radii: 1e-5 of 1e-2 m keeps 13 digits.
-      EXPECT_NEAR(p.memory.shear.x, force, 1e-10 * e.mu * e.fn);
+      EXPECT_NEAR(p.history.shear.x, force, 1e-10 * e.mu * e.fn);
       EXPECT_EQ(from_x > 0, slip > e.mu * e.fn / e.ks);
       // The step is of first order against the differential law dFs = ks(t) ds; this measures the order.
       long double unused;
@@ -192,9 +192,9 @@ TYPED_TEST(TwoSpheres, RollingAndTwistingAreElasticUpToTheirLimits) {
         p.advance(dt), q.advance(dt);
         roll = capped(roll, -e.kr * sense * rate * (1 + r[1] / r[0]) * dt, e.rolling_cap);
         twist = capped(twist, -e.kr * sense * rate * dt, e.twisting_cap);
-        EXPECT_NEAR(p.memory.rolling.x, roll, 1e-10 * span);
-        EXPECT_NEAR(q.memory.twisting, twist, 1e-10 * span);
-        EXPECT_LT(norm(p.memory.shear) + norm(q.memory.shear), 1e-10 * e.fn);
+        EXPECT_NEAR(p.history.rolling.x, roll, 1e-10 * span);
+        EXPECT_NEAR(q.history.twisting, twist, 1e-10 * span);
+        EXPECT_LT(norm(p.history.shear) + norm(q.history.shear), 1e-10 * e.fn);
       }
     }
 }
@@ -364,9 +364,9 @@ double replay(const Recorded& data, const std::array<double, 2>& r, double overl
     }
     if (data.at(row, "un") < 0 || !p.touching) continue;
     fn.add(p.response.normal_force * p.normal, data.vector(row, "Fn"));
-    fs.add(p.memory.shear, data.vector(row, "Fs"));
-    mb.add(p.memory.rolling, data.vector(row, "Mb"));
-    mt.add(p.memory.twisting * p.normal, data.vector(row, "Mt"));
+    fs.add(p.history.shear, data.vector(row, "Fs"));
+    mb.add(p.history.rolling, data.vector(row, "Mb"));
+    mt.add(p.history.twisting * p.normal, data.vector(row, "Mt"));
     t1.add(p.torque_on_one(), data.vector(row, "T1"));
     t2.add(p.torque_on_two(), data.vector(row, "T2"));
   }

@@ -21,14 +21,14 @@ struct Body {
 /// The contact of two bodies, with the history that a simulation would keep.
 template <class Law>
 struct Pair {
-  typename Law::Couple couple;
+  typename Law::MaterialPair mixed;
   Body one, two;
-  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+  ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
   bool touching = false;
   V3<double> normal{};
   Kinematics<double> kinematics{};
   Response<double> response{};
-  Books<double> books{};
+  ContactEnergies<double> energies{};
 
   Kinematics<double> motion(double dt) const {
     const V3<double> d = two.x - one.x;
@@ -52,18 +52,18 @@ struct Pair {
   void update(double dt) {
     kinematics = motion(dt);
     if (kinematics.overlap < 0) {
-      memory = {{0, 0, 0}, {0, 0, 0}, 0};
+      history = {{0, 0, 0}, {0, 0, 0}, 0};
       response = {};
-      books = {};
+      energies = {};
       touching = false;
       return;
     }
     if (touching) {
       const double angle = 0.5 * dt * dot(kinematics.normal, one.w + two.w);
-      memory.shear = transport(memory.shear, normal, kinematics.normal, angle);
-      memory.rolling = transport(memory.rolling, normal, kinematics.normal, angle);
+      history.shear = transport(history.shear, normal, kinematics.normal, angle);
+      history.rolling = transport(history.rolling, normal, kinematics.normal, angle);
     }
-    response = Law::respond(couple, kinematics, dt, memory, books);
+    response = Law::respond(mixed, kinematics, dt, history, energies);
     normal = kinematics.normal;
     touching = true;
   }
@@ -74,22 +74,22 @@ struct Pair {
     update(dt);
   }
 
-  V3<double> force_on_two() const { return response.normal_force * kinematics.normal + memory.shear; }
-  V3<double> moment_on_two() const { return memory.rolling + memory.twisting * kinematics.normal; }
+  V3<double> force_on_two() const { return response.normal_force * kinematics.normal + history.shear; }
+  V3<double> moment_on_two() const { return history.rolling + history.twisting * kinematics.normal; }
   V3<double> torque_on_one() const {
-    return -1.0 * ((one.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, memory.shear) + moment_on_two());
+    return -1.0 * ((one.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, history.shear) + moment_on_two());
   }
   V3<double> torque_on_two() const {
-    return moment_on_two() - (two.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, memory.shear);
+    return moment_on_two() - (two.radius - 0.5 * kinematics.overlap) * cross(kinematics.normal, history.shear);
   }
 };
 
 /// Places body 1 at the origin and body 2 along `direction` (any length) with the given overlap.
 template <class Law>
-Pair<Law> touching_pair(const typename Law::Couple& couple, double r1, double r2, double overlap,
+Pair<Law> touching_pair(const typename Law::MaterialPair& mixed, double r1, double r2, double overlap,
                         V3<double> direction = {0, 0, 1}) {
   Pair<Law> p;
-  p.couple = couple;
+  p.mixed = mixed;
   p.one.radius = r1, p.two.radius = r2;
   p.two.x = ((r1 + r2 - overlap) / norm(direction)) * direction;
   return p;

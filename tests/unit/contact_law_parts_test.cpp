@@ -65,9 +65,9 @@ TEST(MaterialsOfACouple, MixAsTheFormulasSay) {
 
   const Linear::Material l{4e8, 0.3, 0.5, {}, {}, {}}, m{1e8, 0.8, 0.4, {}, {}, {}};
   Kinematics<double> k = unequal();
-  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
-  Books<double> books;
-  const auto r = Linear::respond(Linear::mix(l, m), k, 1e-6, memory, books);
+  ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
+  ContactEnergies<double> energies;
+  const auto r = Linear::respond(Linear::mix(l, m), k, 1e-6, history, energies);
   const double n1 = 4e8 * 2e-3, n2 = 1e8 * 5e-3, s1 = 0.3 * n1, s2 = 0.8 * n2;
   EXPECT_DOUBLE_EQ(r.normal_stiffness, 2 * n1 * n2 / (n1 + n2));
   EXPECT_DOUBLE_EQ(r.shear_stiffness, 2 * s1 * s2 / (s1 + s2));
@@ -78,10 +78,10 @@ TEST(LinearCouple, OfEqualMaterialsIsTheLimitOfDifferingOnes) {
   Linear::Material other = one;
   other.young_modulus *= 1 + 1e-12;
   const Kinematics<double> k = unequal();
-  Memory<double> memory{};
-  Books<double> books;
-  const auto equal = Linear::respond(Linear::mix(one, one), k, 0.0, memory, books);
-  const auto differing = Linear::respond(Linear::mix(one, other), k, 0.0, memory, books);
+  ContactHistory<double> history{};
+  ContactEnergies<double> energies;
+  const auto equal = Linear::respond(Linear::mix(one, one), k, 0.0, history, energies);
+  const auto differing = Linear::respond(Linear::mix(one, other), k, 0.0, history, energies);
   EXPECT_NEAR(equal.normal_stiffness / differing.normal_stiffness, 1, 1e-11);
   EXPECT_NEAR(equal.shear_stiffness / differing.shear_stiffness, 1, 1e-11);
 }
@@ -92,15 +92,15 @@ TEST(LawWithoutShearOrResistance, LetsGoOfForcesThatAStateWasMadeWith) {
   k.normal = {0, 0, 1};
   k.overlap = 1e-5;
   k.r1 = k.r2 = 1e-3, k.R_star = 5e-4, k.per_reach = 500, k.m1 = k.m2 = 1e-5;
-  Memory<double> memory{{0.1, 0.2, 0}, {1e-4, 0, 0}, 1e-4};
-  Books<double> books;
-  const auto r = Linear::respond(Linear::mix(smooth, smooth), k, 1e-6, memory, books);
+  ContactHistory<double> history{{0.1, 0.2, 0}, {1e-4, 0, 0}, 1e-4};
+  ContactEnergies<double> energies;
+  const auto r = Linear::respond(Linear::mix(smooth, smooth), k, 1e-6, history, energies);
   EXPECT_GT(r.normal_force, 0);
-  EXPECT_EQ(norm(memory.shear), 0);
-  EXPECT_EQ(norm(memory.rolling), 0);
-  EXPECT_EQ(memory.twisting, 0);
-  EXPECT_EQ(books.elastic_shear + books.elastic_rolling + books.elastic_twisting, 0);
-  EXPECT_EQ(books.frictional, 0);
+  EXPECT_EQ(norm(history.shear), 0);
+  EXPECT_EQ(norm(history.rolling), 0);
+  EXPECT_EQ(history.twisting, 0);
+  EXPECT_EQ(energies.elastic_shear + energies.elastic_rolling + energies.elastic_twisting, 0);
+  EXPECT_EQ(energies.frictional, 0);
 }
 
 TEST(DampingRatio, InvertsTheRestitution) {

@@ -17,29 +17,29 @@ namespace {
 const WireCurve pe{"PE", {0.02, 0.06, 0.17035}, {8.4, 20.6, 47.5}, 420};
 
 TEST(Wire, FollowsItsCurveOnFirstLoading) {
-  WireMemory memory;
-  EXPECT_DOUBLE_EQ(pull(pe, 0.01, memory), 4.2);
-  EXPECT_DOUBLE_EQ(pull(pe, 0.04, memory), 14.5);
-  EXPECT_DOUBLE_EQ(pull(pe, 0.17035, memory), 47.5);
-  EXPECT_FALSE(memory.broken);
+  WireHistory history;
+  EXPECT_DOUBLE_EQ(pull(pe, 0.01, history), 4.2);
+  EXPECT_DOUBLE_EQ(pull(pe, 0.04, history), 14.5);
+  EXPECT_DOUBLE_EQ(pull(pe, 0.17035, history), 47.5);
+  EXPECT_FALSE(history.broken);
 }
 
 TEST(Wire, UnloadsAlongTheFirstSlopeFromThePlasticStrain) {
-  WireMemory memory;
-  pull(pe, 0.06, memory);
+  WireHistory history;
+  pull(pe, 0.06, history);
   const double plastic = 0.06 - 20.6 / 420;
-  EXPECT_NEAR(pull(pe, 0.05, memory), 420 * (0.05 - plastic), 1e-12);
-  EXPECT_EQ(pull(pe, 0.9 * plastic, memory), 0) << "below the plastic strain it is slack";
-  EXPECT_EQ(pull(pe, -0.5, memory), 0) << "compression carries nothing";
-  EXPECT_NEAR(pull(pe, 0.055, memory), 420 * (0.055 - plastic), 1e-12) << "reloading takes the same line";
-  EXPECT_NEAR(pull(pe, 0.10, memory), 20.6 + 0.04 * (47.5 - 20.6) / 0.11035, 1e-12) << "and then the curve";
+  EXPECT_NEAR(pull(pe, 0.05, history), 420 * (0.05 - plastic), 1e-12);
+  EXPECT_EQ(pull(pe, 0.9 * plastic, history), 0) << "below the plastic strain it is slack";
+  EXPECT_EQ(pull(pe, -0.5, history), 0) << "compression carries nothing";
+  EXPECT_NEAR(pull(pe, 0.055, history), 420 * (0.055 - plastic), 1e-12) << "reloading takes the same line";
+  EXPECT_NEAR(pull(pe, 0.10, history), 20.6 + 0.04 * (47.5 - 20.6) / 0.11035, 1e-12) << "and then the curve";
 }
 
 TEST(Wire, BreaksBeyondItsLastPointForGood) {
-  WireMemory memory;
-  EXPECT_EQ(pull(pe, 0.17036, memory), 0);
-  EXPECT_TRUE(memory.broken);
-  EXPECT_EQ(pull(pe, 0.05, memory), 0);
+  WireHistory history;
+  EXPECT_EQ(pull(pe, 0.17036, history), 0);
+  EXPECT_TRUE(history.broken);
+  EXPECT_EQ(pull(pe, 0.05, history), 0);
 }
 
 const std::string node =
@@ -84,10 +84,10 @@ void expect_curve(int n, double tolerance, double speed = slow) {
   const io::RunFile run = dem::run(prepare(start, plan), plan, {}).file;
   const auto& way = run.series.at("displacement_right_y").values;
   const auto& force = run.series.at("force_right_y").values;
-  WireMemory memory;
+  WireHistory history;
   for (std::size_t k = 0; k < way.size(); ++k)
-    EXPECT_NEAR(-force[k], 2 * pull(pe, way[k] / length, memory), tolerance * 2 * 47.5) << "station " << k;
-  EXPECT_TRUE(memory.broken) << "the last stations lie beyond the last point of the curve";
+    EXPECT_NEAR(-force[k], 2 * pull(pe, way[k] / length, history), tolerance * 2 * 47.5) << "station " << k;
+  EXPECT_TRUE(history.broken) << "the last stations lie beyond the last point of the curve";
   const io::YarnsRecord& yarns = run.snapshots.back().yarns;
   for (std::size_t k = 0; k < yarns.size(); ++k)
     if (yarns.broken[k]) {
@@ -178,7 +178,7 @@ TEST(Geotextile, AMultipleUnloadsAsManyTimesAsSteeply) {
   const auto expect_times = [](double times, const WireCurve& many, const WireCurve& one) {
     EXPECT_DOUBLE_EQ(many.unloading, times * one.unloading);
     EXPECT_EQ(many.strain, one.strain);
-    WireMemory of_many, of_one;
+    WireHistory of_many, of_one;
     for (const double strain : {0.02, 0.1, 0.09, 0.06, 0.05, 0.12})
       EXPECT_NEAR(pull(many, strain, of_many), times * pull(one, strain, of_one), 1e-12 * times * one.tension.back())
           << times << " at " << strain;

@@ -17,12 +17,12 @@ struct Action {
 
 /// Returns force and torques. arm_1, arm_2: distances from the centres to the contact point, m.
 template <class T, class Space>
-Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2, const Memory<T, Space>& memory,
-                        const T& normal_force) {
-  Turn<T, Space> free = memory.rolling;
-  if constexpr (Space::twists) free = fused(memory.twisting, n, free);
-  const Turn<T, Space> of_shear = moment(n, memory.shear);
-  return {joined(normal_force, n, memory.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
+Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2,
+                        const ContactHistory<T, Space>& history, const T& normal_force) {
+  Turn<T, Space> free = history.rolling;
+  if constexpr (Space::twists) free = fused(history.twisting, n, free);
+  const Turn<T, Space> of_shear = moment(n, history.shear);
+  return {joined(normal_force, n, history.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
 }
 
 /// Diagonals of a contact's stiffness matrices about the axes, for translation and rotation (Chareyre & Villard 2005;

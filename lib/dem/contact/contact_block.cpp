@@ -14,21 +14,21 @@ void copy_history(const ContactBlock& from, int k, ContactBlock& to, int l) {
   to.sliding = ContactBlock::with_bit(to.sliding, l, (from.sliding >> k) & 1);
 }
 
-History history_of(const ContactBlock& b, int k) {
-  History h;
-  h.memory.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
-  h.memory.rolling = {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]};
-  h.memory.twisting = b.twisting[k];
+PairHistory history_of(const ContactBlock& b, int k) {
+  PairHistory h;
+  h.history.shear = {b.shear[0][k], b.shear[1][k], b.shear[2][k]};
+  h.history.rolling = {b.rolling[0][k], b.rolling[1][k], b.rolling[2][k]};
+  h.history.twisting = b.twisting[k];
   h.normal_force = b.normal_force[k];
   h.touching = (b.touching >> k) & 1;
   h.sliding = (b.sliding >> k) & 1;
   return h;
 }
 
-void set_history(ContactBlock& b, int k, const History& h) {
-  b.shear[0][k] = h.memory.shear.x, b.shear[1][k] = h.memory.shear.y, b.shear[2][k] = h.memory.shear.z;
-  b.rolling[0][k] = h.memory.rolling.x, b.rolling[1][k] = h.memory.rolling.y, b.rolling[2][k] = h.memory.rolling.z;
-  b.twisting[k] = h.memory.twisting;
+void set_history(ContactBlock& b, int k, const PairHistory& h) {
+  b.shear[0][k] = h.history.shear.x, b.shear[1][k] = h.history.shear.y, b.shear[2][k] = h.history.shear.z;
+  b.rolling[0][k] = h.history.rolling.x, b.rolling[1][k] = h.history.rolling.y, b.rolling[2][k] = h.history.rolling.z;
+  b.twisting[k] = h.history.twisting;
   b.normal_force[k] = h.normal_force;
   b.touching = ContactBlock::with_bit(b.touching, k, h.touching);
   b.sliding = ContactBlock::with_bit(b.sliding, k, h.sliding);

@@ -78,12 +78,12 @@ class PairOrder {
   /// True if the order by grains is this order already, because all grains have one material.
   bool is_that_of_grains() const { return !material_; }
   /// Returns whether two pairs have the same pair of materials.
-  bool same_couple(const Pair& a, const Pair& b) const {
+  bool same_materials(const Pair& a, const Pair& b) const {
     return !material_ || (material_[a.first] == material_[b.first] && material_[a.second] == material_[b.second]);
   }
   /// Returns whether pair a comes before pair b.
   bool operator()(const Pair& a, const Pair& b) const {
-    if (same_couple(a, b) || chunk_of(a.first) != chunk_of(b.first)) return before(a, b);
+    if (same_materials(a, b) || chunk_of(a.first) != chunk_of(b.first)) return before(a, b);
     return std::pair(material_[a.first], material_[a.second]) < std::pair(material_[b.first], material_[b.second]);
   }
 
@@ -92,16 +92,16 @@ class PairOrder {
 };
 
 /// History of one pair from step to step.
-struct History {
-  Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
+struct PairHistory {
+  ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
   double normal_force = 0;  // N
   bool touching = false, sliding = false;
 };
 
 /// Returns the history in a lane.
-History history_of(const ContactBlock& block, int lane);
+PairHistory history_of(const ContactBlock& block, int lane);
 /// Stores a history in a lane.
-void set_history(ContactBlock& block, int lane, const History& history);
+void set_history(ContactBlock& block, int lane, const PairHistory& history);
 /// Copies the history of a lane into a lane that holds zeros.
 void copy_history(const ContactBlock& from, int lane, ContactBlock& to, int to_lane);
 

@@ -91,7 +91,8 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
   for (auto at = pairs.begin(); at != pairs.end();) {
     ContactBlock& block = blocks.emplace_back();
     const Pair& like = *at;
-    for (; block.count < ContactBlock::size && at != pairs.end() && order.same_couple(*at, like); ++at, ++block.count) {
+    for (; block.count < ContactBlock::size && at != pairs.end() && order.same_materials(*at, like);
+         ++at, ++block.count) {
       const int k = block.count;
       const auto first = static_cast<std::size_t>(at->first), second = static_cast<std::size_t>(at->second);
       block.first[k] = grain_distance(first), block.second[k] = grain_distance(second);

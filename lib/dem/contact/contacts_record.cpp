@@ -9,9 +9,9 @@ namespace soilweave::dem {
 namespace {
 
 // Returns the touching pairs of a chunk, sorted by grains.
-std::vector<std::pair<Pair, History>> in_order_of_grains(const LargeVector<ContactBlock>& chunk,
-                                                         const Contacts& contacts) {
-  std::vector<std::pair<Pair, History>> found;
+std::vector<std::pair<Pair, PairHistory>> in_order_of_grains(const LargeVector<ContactBlock>& chunk,
+                                                             const Contacts& contacts) {
+  std::vector<std::pair<Pair, PairHistory>> found;
   for (const ContactBlock& block : chunk)
     for (int k = 0; k < block.count; ++k)
       if ((block.touching >> k) & 1) found.emplace_back(contacts.pair(block, k), history_of(block, k));
@@ -20,14 +20,14 @@ std::vector<std::pair<Pair, History>> in_order_of_grains(const LargeVector<Conta
 }
 
 // Returns a history with the shear force as a vector: disks hold a number along the contact (space.h).
-History in_space(History h, const Vec3& normal) {
-  const V2<double> force = joined(0.0, V2<double>{normal[0], normal[1]}, h.memory.shear.z);
-  h.memory.shear = {force.x, force.y, 0};
+PairHistory in_space(PairHistory h, const Vec3& normal) {
+  const V2<double> force = joined(0.0, V2<double>{normal[0], normal[1]}, h.history.shear.z);
+  h.history.shear = {force.x, force.y, 0};
   return h;
 }
-History in_plane(History h, const Vec3& normal) {
-  const V3<double>& force = h.memory.shear;
-  h.memory.shear = {0, 0, along(V2<double>{normal[0], normal[1]}, V2<double>{force.x, force.y})};
+PairHistory in_plane(PairHistory h, const Vec3& normal) {
+  const V3<double>& force = h.history.shear;
+  h.history.shear = {0, 0, along(V2<double>{normal[0], normal[1]}, V2<double>{force.x, force.y})};
   return h;
 }
 
@@ -46,7 +46,7 @@ std::vector<PlanePair> in_order_of_grains(const PlaneContacts& planes) {
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
                                    const Planes& planes) {
   io::ContactsRecord r;
-  const auto add = [&r](const History& h, std::int32_t first, std::int32_t second, const Vec3i& image,
+  const auto add = [&r](const PairHistory& h, std::int32_t first, std::int32_t second, const Vec3i& image,
                         const Vec3& normal, const Vec3& branch, double overlap) {
     r.bodies.push_back({first, second});
     r.image.push_back(image);
@@ -54,9 +54,9 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
     r.branch_vector.push_back(branch);
     r.overlap.push_back(overlap);
     r.normal_force.push_back(h.normal_force);
-    r.shear_force.push_back(to_eigen(h.memory.shear));
-    r.rolling_moment.push_back(to_eigen(h.memory.rolling));
-    r.twisting_moment.push_back(h.memory.twisting);
+    r.shear_force.push_back(to_eigen(h.history.shear));
+    r.rolling_moment.push_back(to_eigen(h.history.rolling));
+    r.twisting_moment.push_back(h.history.twisting);
     r.sliding.push_back(h.sliding);
   };
   const auto add_plane = [&](const PlanePair& pair) {
@@ -88,13 +88,13 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
 }
 
 void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contacts) {
-  std::vector<std::pair<Pair, History>> known;
+  std::vector<std::pair<Pair, PairHistory>> known;
   std::vector<PlanePair> with_planes;
   for (std::size_t k = 0; k < r.size(); ++k) {
-    const History history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
-                          r.normal_force[k],
-                          true,
-                          r.sliding[k] != 0};
+    const PairHistory history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
+                              r.normal_force[k],
+                              true,
+                              r.sliding[k] != 0};
     const auto [first, second] = std::pair(r.bodies[k][0], r.bodies[k][1]);
     if (second < 0)
       with_planes.push_back({first, -1 - second, history});

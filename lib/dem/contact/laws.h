@@ -16,17 +16,18 @@ namespace soilweave::dem {
 /// A stateless law: materials are mixed once per pair of materials. Pure functions then turn kinematics and history
 /// into forces, for one contact or several at once.
 template <class L>
-concept ContactLaw = requires(const typename L::Material& material, const typename L::Couple& couple,
-                              const Kinematics<double>& kinematics, double dt, Memory<double>& memory,
-                              Books<double>& books, const Kinematics<Lane4>& four, Memory<Lane4>& memories,
-                              Books<Lane4>& accounts, Settings& table) {
+concept ContactLaw = requires(const typename L::Material& material, const typename L::MaterialPair& mixed,
+                              const Kinematics<double>& kinematics, double dt, ContactHistory<double>& history,
+                              ContactEnergies<double>& energies, const Kinematics<Lane4>& four,
+                              ContactHistory<Lane4>& histories_of_four, ContactEnergies<Lane4>& energies_of_four,
+                              Settings& table) {
   { L::read(table) } -> std::same_as<typename L::Material>;
   { L::name } -> std::convertible_to<std::string_view>;
-  { L::mix(material, material) } -> std::same_as<typename L::Couple>;
-  { L::uses_masses(couple) } -> std::same_as<bool>;
-  { L::uses_moments(couple) } -> std::same_as<bool>;
-  { L::respond(couple, kinematics, dt, memory, books) } -> std::same_as<Response<double>>;
-  { L::respond(couple, four, Lane4{}, memories, accounts) } -> std::same_as<Response<Lane4>>;
+  { L::mix(material, material) } -> std::same_as<typename L::MaterialPair>;
+  { L::uses_masses(mixed) } -> std::same_as<bool>;
+  { L::uses_moments(mixed) } -> std::same_as<bool>;
+  { L::respond(mixed, kinematics, dt, history, energies) } -> std::same_as<Response<double>>;
+  { L::respond(mixed, four, Lane4{}, histories_of_four, energies_of_four) } -> std::same_as<Response<Lane4>>;
   requires std::same_as<typename L::Material::Law, L>;
 };
 

@@ -12,7 +12,7 @@ namespace soilweave::dem {
 /// A grain and a plane closer than the skin, with their history.
 struct PlanePair {
   std::int32_t grain, plane;
-  History history = {};
+  PairHistory history = {};
 };
 
 /// Pairs of one plane with grains of one material. They have no second grains, and each pair has a load of its own.

@@ -55,18 +55,18 @@ struct WireCurve {
 
 /// History of yarns.
 template <class T = double>
-struct WireMemory {
+struct WireHistory {
   T largest_strain{};
   Mask<T> broken{};
 };
 
 /// Returns the tension at a strain, N, and updates the history. A yarn carries no compression.
 template <class T>
-T pull(const WireCurve& curve, const T& strain, WireMemory<T>& memory) {
-  memory.broken = memory.broken | (strain > all<T>(curve.breaking_strain()));
-  const Mask<T> whole = !memory.broken;
-  memory.largest_strain = select<T>(whole & (strain > memory.largest_strain), strain, memory.largest_strain);
-  const T tension = curve.loading(memory.largest_strain) - curve.unloading * (memory.largest_strain - strain);
+T pull(const WireCurve& curve, const T& strain, WireHistory<T>& history) {
+  history.broken = history.broken | (strain > all<T>(curve.breaking_strain()));
+  const Mask<T> whole = !history.broken;
+  history.largest_strain = select<T>(whole & (strain > history.largest_strain), strain, history.largest_strain);
+  const T tension = curve.loading(history.largest_strain) - curve.unloading * (history.largest_strain - strain);
   return keep(whole, maximum(all<T>(0), tension));
 }
 

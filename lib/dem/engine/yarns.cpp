@@ -64,8 +64,8 @@ void Yarns::lay_out(const io::YarnsRecord& record) {
     block.second[lane] = grain_distance(static_cast<std::size_t>(record.nodes[k][1]));
     block.rest_length[lane] = record.rest_length[k];
     block.tension[lane] = record.tension[k];
-    block.memory.largest_strain[lane] = record.largest_strain[k];
-    block.memory.broken[lane] = record.broken[k] ? -1 : 0;
+    block.history.largest_strain[lane] = record.largest_strain[k];
+    block.history.broken[lane] = record.broken[k] ? -1 : 0;
   }
   pulls_.resize(blocks_.size() * Block::size);
   breakage_.resize(pulls_.size());
@@ -114,14 +114,14 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
   const double per_unloading = 1 / curve.unloading;
 
   const Lane4 length = square_root(norm2(reach)), before = block.tension, length_before = block.length;
-  const Mask<Lane4> broken_before = block.memory.broken;
-  const Lane4 tension = pull<Lane4>(curve, length / block.rest_length - 1, block.memory);
+  const Mask<Lane4> broken_before = block.history.broken;
+  const Lane4 tension = pull<Lane4>(curve, length / block.rest_length - 1, block.history);
   block.tension = tension, block.length = length;
   Lane4* const pulls = pulls_.data() + number * Block::size;
   const Lane4 inverse = 1 / maximum(length, all<Lane4>(least_length));
   to_rows(inverse * reach.x, inverse * reach.y, inverse * reach.z, tension,
           [pulls](int lane, const Lane4& row) { pulls[lane] = row; });
-  if (const unsigned breaking = bits(block.memory.broken & ~broken_before)) [[unlikely]]
+  if (const unsigned breaking = bits(block.history.broken & ~broken_before)) [[unlikely]]
     for (std::size_t lane = 0; lane < Block::size; ++lane)
       if ((breaking >> lane) & 1) note_breakage(time, bodies, number * Block::size + lane);
 
@@ -141,7 +141,7 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
       s.force_branch(a, b) = s.force_branch(b, a) =
           -sum_of(pull_over_length * *parts[static_cast<std::size_t>(a)] * *parts[static_cast<std::size_t>(b)]);
   s.taut = in(tension > 0);
-  s.broken = in(block.memory.broken) - static_cast<std::int64_t>(Block::size) + block.count;
+  s.broken = in(block.history.broken) - static_cast<std::int64_t>(Block::size) + block.count;
   return s;
 }
 
@@ -182,7 +182,7 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const std::size_t slot = ends_[e] / 2, lane = slot % Block::size;
       const Block& block = blocks_[slot / Block::size];
-      if (block.memory.broken[lane]) continue;
+      if (block.history.broken[lane]) continue;
       const double k = stiffest[static_cast<std::size_t>(block.geotextile)] / block.rest_length[lane];
       const double sideways =
           block.tension[lane] / std::max(block.length[lane], least_length);  // stiffness of a taut string
@@ -222,8 +222,8 @@ io::YarnsRecord Yarns::record() const {
   for (std::size_t k = 0; k < slot_.size(); ++k) {
     const Block& block = blocks_[slot_[k] / Block::size];
     const std::size_t lane = slot_[k] % Block::size;
-    r.largest_strain[k] = block.memory.largest_strain[lane];
-    r.broken[k] = block.memory.broken[lane] != 0;
+    r.largest_strain[k] = block.history.largest_strain[lane];
+    r.broken[k] = block.history.broken[lane] != 0;
     r.tension[k] = block.tension[lane];
     r.break_time[k] = breakage_[slot_[k]].time, r.break_position[k] = breakage_[slot_[k]].position;
   }

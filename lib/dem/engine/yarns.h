@@ -65,7 +65,7 @@ class Yarns {
     std::uint32_t first[size]{}, second[size]{};  // byte offsets of the nodes from the first grain
     Lane4 rest_length = all<Lane4>(1);            // m
     Lane4 tension{}, length{};                    // N and m, at the last evaluation; 0: none yet
-    WireMemory<Lane4> memory{{}, ~Mask<Lane4>{}};
+    WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
     std::int32_t geotextile, count = 0;
 
     explicit Block(std::int32_t of) : geotextile(of) {}

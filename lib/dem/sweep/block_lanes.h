@@ -60,11 +60,11 @@ struct BlockLanes {
     put(shear, at(shear_force));
   }
   template <class Space>
-  void remember_moments(const Memory<T, Space>& memory) const {
-    put(memory.rolling, at(rolling_moment));
-    if constexpr (Space::twists) store(at(twisting_moment), memory.twisting);
+  void remember_moments(const ContactHistory<T, Space>& history) const {
+    put(history.rolling, at(rolling_moment));
+    if constexpr (Space::twists) store(at(twisting_moment), history.twisting);
   }
-  void forget_moments() const { remember_moments(Memory<T, Spatial>{}); }
+  void forget_moments() const { remember_moments(ContactHistory<T, Spatial>{}); }
   void remember_normal_force(const T& force) const { store(at(normal), force); }
 
   /// Return the grains on either side of the pairs.

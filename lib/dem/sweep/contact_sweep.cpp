@@ -29,7 +29,7 @@
 #include <span>
 #include <utility>
 
-#include "dem/contact/couples.h"
+#include "dem/contact/material_pairs.h"
 #include "dem/contact/transport.h"
 #include "dem/sweep/memory_ahead.h"
 #include "dem/sweep/plane_sweep.h"
@@ -44,10 +44,10 @@ template <class Law>
 class LawSweep final : public ContactSweep {
  public:
   explicit LawSweep(const std::vector<typename Law::Material>& materials)
-      : couples_(materials),
-        planes_(couples_),
-        use_masses_(couples_.use_masses()),
-        use_moments_(couples_.use_moments()) {}
+      : material_pairs_(materials),
+        planes_(material_pairs_),
+        use_masses_(material_pairs_.use_masses()),
+        use_moments_(material_pairs_.use_moments()) {}
 
   SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
                 Vec3* affine_stiffness) override {
@@ -96,10 +96,10 @@ class LawSweep final : public ContactSweep {
     kinematics.R_star = radius / 2, kinematics.per_reach = 0.5 / radius;
     kinematics.m1 = kinematics.m2 = 1;
     PairStiffness largest;
-    for (const auto& couple : couples_.of_first(materials)) {
-      Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
-      Books<double> books;
-      const Response<double> r = Law::respond(couple, kinematics, 0.0, memory, books);
+    for (const auto& mixed : material_pairs_.of_first(materials)) {
+      ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
+      ContactEnergies<double> energies;
+      const Response<double> r = Law::respond(mixed, kinematics, 0.0, history, energies);
       largest.normal = std::max(largest.normal, r.normal_stiffness);
       largest.rotational =
           std::max({largest.rotational, r.rolling_stiffness, dimension == 3 ? r.twisting_stiffness : 0});
@@ -219,7 +219,7 @@ class LawSweep final : public ContactSweep {
   [[gnu::noinline, gnu::flatten]] void answer(Batch<Lanes, Space> batch, const Surroundings& s,
                                               StepSums<Lanes>& sums) const {
     // Copies keep the parameters in registers; references would be read and spread over the lanes after every store.
-    const std::optional<typename Law::Couple> lone = couples_.lone();
+    const std::optional<typename Law::MaterialPair> lone = material_pairs_.lone();
     const Lanes dt = all<Lanes>(s.dt);
     const bool at_rest = s.dt == 0;
     Lanes overlap = sums.overlap;
@@ -229,22 +229,23 @@ class LawSweep final : public ContactSweep {
       const PairGeometry<Lanes, Space>& g = group.geometry;
       // Pairs that have parted have no history. Their overlap and increments are zero and give no force.
       const auto carried = carry(g);
-      Memory<Lanes, Space> before{};
+      ContactHistory<Lanes, Space> before{};
       before.shear = carried(keep(g.touching, lanes.template shear<Space>()));
       if (moments) {
         before.rolling = carried(keep(g.touching, lanes.template rolling<Space>()));
         if (Space::twists) before.twisting = keep(g.touching, lanes.twisting());
       }
-      Memory<Lanes, Space> memory = before;
-      Books<Lanes> books;
-      const auto response = lone ? Law::respond(*lone, g.kinematics, dt, memory, books)
-                                 : Law::respond(couples_.of(*lanes.block, s.bodies), g.kinematics, dt, memory, books);
-      if (at_rest) memory = before;  // the first sweep of a restored state changes no history
-      lanes.remember_shear(memory.shear);
-      if (moments) lanes.remember_moments(memory);
+      ContactHistory<Lanes, Space> history = before;
+      ContactEnergies<Lanes> energies;
+      const auto response =
+          lone ? Law::respond(*lone, g.kinematics, dt, history, energies)
+               : Law::respond(material_pairs_.of(*lanes.block, s.bodies), g.kinematics, dt, history, energies);
+      if (at_rest) history = before;  // the first sweep of a restored state changes no history
+      lanes.remember_shear(history.shear);
+      if (moments) lanes.remember_moments(history);
       lanes.remember_normal_force(response.normal_force);
       lanes.set_masks(group.touching, group.touching & bits(response.sliding));
-      group.work = work_of(g, before, memory, moments, books);
+      group.work = work_of(g, before, history, moments, energies);
       overlap = maximum(overlap, g.kinematics.overlap);
       contacts += std::popcount(group.touching);
     }
@@ -260,14 +261,14 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Space>& group : batch) {
       const BlockLanes<Lanes> lanes = group.lanes;
       const Kinematics<Lanes, Space>& k = group.geometry.kinematics;
-      Memory<Lanes, Space> memory{};
-      memory.shear = lanes.template shear<Space>();
+      ContactHistory<Lanes, Space> history{};
+      history.shear = lanes.template shear<Space>();
       if (moments) {
-        memory.rolling = lanes.template rolling<Space>();
-        if (Space::twists) memory.twisting = lanes.twisting();
+        history.rolling = lanes.template rolling<Space>();
+        if (Space::twists) history.twisting = lanes.twisting();
       }
       const Lanes depth = 0.5 * k.overlap;
-      add_to_loads(action(k.normal, Lanes(k.r1 - depth), Lanes(k.r2 - depth), memory, lanes.normal_force()), lanes, s);
+      add_to_loads(action(k.normal, Lanes(k.r1 - depth), Lanes(k.r2 - depth), history, lanes.normal_force()), lanes, s);
       add_to(all_work, group.work);
     }
     work = all_work;
@@ -290,7 +291,7 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Space>& group : batch) {
       const PairGeometry<Lanes, Space>& g = group.geometry;
       const Kinematics<Lanes, Space>& k = g.kinematics;
-      const auto r = response<Space>(group, s, Memory<Lanes, Space>{}).first;
+      const auto r = response<Space>(group, s, ContactHistory<Lanes, Space>{}).first;
       add_to(sum, keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
       const auto put = [&](const Lanes& radius, const auto& place) {
         const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
@@ -306,26 +307,26 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Spatial>& group : batch) {
       const BlockLanes<Lanes>& lanes = group.lanes;
       const Mask<Lanes>& touching = group.geometry.touching;
-      const Memory<Lanes> memory{keep(touching, lanes.shear<Spatial>()), keep(touching, lanes.rolling<Spatial>()),
-                                 keep(touching, lanes.twisting())};
-      const Books<Lanes> b = response<Spatial>(group, s, memory).second;
+      const ContactHistory<Lanes> history{keep(touching, lanes.shear<Spatial>()),
+                                          keep(touching, lanes.rolling<Spatial>()), keep(touching, lanes.twisting())};
+      const ContactEnergies<Lanes> b = response<Spatial>(group, s, history).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     }
   }
 
   // Returns the response of pairs at rest.
   template <class Space>
-  std::pair<Response<Lanes>, Books<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
-                                                    Memory<Lanes, Space> memory) const {
+  std::pair<Response<Lanes>, ContactEnergies<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
+                                                              ContactHistory<Lanes, Space> history) const {
     Kinematics<Lanes, Space> k = group.geometry.kinematics;
     k.approach_speed = k.twist = Lanes{};
     k.slip = Along<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
-    Books<Lanes> books;
-    const auto r = Law::respond(couples_.of(*group.lanes.block, s.bodies), k, Lanes{}, memory, books);
-    return {r, books};
+    ContactEnergies<Lanes> energies;
+    const auto r = Law::respond(material_pairs_.of(*group.lanes.block, s.bodies), k, Lanes{}, history, energies);
+    return {r, energies};
   }
 
-  Couples<Law> couples_;
+  MaterialPairs<Law> material_pairs_;
   PlaneSweep<Law, Lanes> planes_;
   bool use_masses_, use_moments_, moments_gone_ = false;
   std::vector<Lane4> shifts_, across_;

@@ -15,8 +15,8 @@ struct Work {
 
 /// Forces and moments before and after the step count half each (trapezoidal rule).
 template <class T, class Space>
-Work<T> work_of(const PairGeometry<T, Space>& g, const Memory<T, Space>& before, const Memory<T, Space>& after,
-                bool moments, const Books<T>& b) {
+Work<T> work_of(const PairGeometry<T, Space>& g, const ContactHistory<T, Space>& before,
+                const ContactHistory<T, Space>& after, bool moments, const ContactEnergies<T>& b) {
   T twice = product(Along<T, Space>(before.shear + after.shear), g.surface_slip);
   if (moments) {
     twice += product(Turn<T, Space>(before.rolling + after.rolling), g.kinematics.roll);

@@ -65,7 +65,7 @@ class PlaneLanes {
   /// Returns the foot of the perpendicular from a grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
   /// Returns the history; pairs that have parted have none.
-  Memory<T> memory(const Mask<T>& touching) const {
+  ContactHistory<T> history(const Mask<T>& touching) const {
     return {keep(touching, pairs.template shear<Spatial>()), keep(touching, pairs.template rolling<Spatial>()),
             keep(touching, pairs.twisting())};
   }

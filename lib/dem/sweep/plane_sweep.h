@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/in_parallel.h"
-#include "dem/contact/couples.h"
+#include "dem/contact/material_pairs.h"
 #include "dem/contact/transport.h"
 #include "dem/sweep/plane_lanes.h"
 
@@ -18,7 +18,8 @@ namespace soilweave::dem {
 template <class Law, class T>
 class PlaneSweep {
  public:
-  explicit PlaneSweep(const Couples<Law>& couples) : couples_(couples), moments_(couples.use_moments()) {}
+  explicit PlaneSweep(const MaterialPairs<Law>& material_pairs)
+      : material_pairs_(material_pairs), moments_(material_pairs.use_moments()) {}
 
   /// Updates the contacts over a step dt and sets their loads. Sets their stiffness too if affine_stiffness is given
   /// (ContactSweep).
@@ -45,7 +46,7 @@ class PlaneSweep {
   Lane4 stored(const Scene& scene, Contacts& contacts) {
     return total(scene, contacts, [this](const PlaneLanes<T>& lanes, Lane4& sum) {
       const PairGeometry<T> g = lanes.geometry(0);
-      const Books<T> b = at_rest(lanes, g, lanes.memory(g.touching)).second;
+      const ContactEnergies<T> b = at_rest(lanes, g, lanes.history(g.touching)).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     });
   }
@@ -79,22 +80,22 @@ class PlaneSweep {
     const Kinematics<T>& k = g.kinematics;
     const unsigned touching = bits(g.touching);
     if (!(touching | lanes.pairs.touching())) return;
-    const Memory<T> known = lanes.memory(g.touching);
+    const ContactHistory<T> known = lanes.history(g.touching);
     const V3<T> force_before = fused(lanes.pairs.normal_force(), k.normal, known.shear);
     const Rotation<T> turn(g.turn);
-    const Memory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
-    Memory<T> memory = before;
-    Books<T> books;
-    const Response<T> response = Law::respond(couple(lanes), k, all<T>(dt), memory, books);
-    if (dt == 0) memory = before;  // as in the sweep over grains
-    lanes.pairs.remember_shear(memory.shear);
-    lanes.pairs.remember_moments(memory);
+    const ContactHistory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
+    ContactHistory<T> history = before;
+    ContactEnergies<T> energies;
+    const Response<T> response = Law::respond(mixed(lanes), k, all<T>(dt), history, energies);
+    if (dt == 0) history = before;  // as in the sweep over grains
+    lanes.pairs.remember_shear(history.shear);
+    lanes.pairs.remember_moments(history);
     lanes.pairs.remember_normal_force(response.normal_force);
     lanes.pairs.set_masks(touching, touching & bits(response.sliding));
 
-    const Action<T> act = action(k.normal, k.r1, T{}, memory, response.normal_force);
+    const Action<T> act = action(k.normal, k.r1, T{}, history, response.normal_force);
     lanes.put(-act.force, -act.torque_first, loads);
-    add_to(sums.step.work, work_of(g, before, memory, moments_, books));
+    add_to(sums.step.work, work_of(g, before, history, moments_, energies));
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
     // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
@@ -106,26 +107,26 @@ class PlaneSweep {
     const PairGeometry<T> g = lanes.geometry(0);
     if (!any(g.touching)) return;
     const Kinematics<T>& k = g.kinematics;
-    const Response<T> r = at_rest(lanes, g, Memory<T>{}).first;
+    const Response<T> r = at_rest(lanes, g, ContactHistory<T>{}).first;
     add_to(sum, keep(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
     const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
     lanes.put(keep(g.touching, translation), keep(g.touching, rotation), stiffness);
   }
 
-  std::pair<Response<T>, Books<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,
-                                           Memory<T> memory) const {
+  std::pair<Response<T>, ContactEnergies<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,
+                                                     ContactHistory<T> history) const {
     Kinematics<T> k = g.kinematics;
     k.approach_speed = T{};
-    Books<T> books;
-    const Response<T> r = Law::respond(couple(lanes), k, T{}, memory, books);
-    return {r, books};
+    ContactEnergies<T> energies;
+    const Response<T> r = Law::respond(mixed(lanes), k, T{}, history, energies);
+    return {r, energies};
   }
 
-  const typename Law::Couple& couple(const PlaneLanes<T>& lanes) const {
-    return couples_.of(lanes.material_of_grains(), lanes.plane.material);
+  const typename Law::MaterialPair& mixed(const PlaneLanes<T>& lanes) const {
+    return material_pairs_.of(lanes.material_of_grains(), lanes.plane.material);
   }
 
-  const Couples<Law>& couples_;
+  const MaterialPairs<Law>& material_pairs_;
   bool moments_;
   std::vector<PlaneSums<T>> sums_;
   std::vector<Lane4> row_sums_;

@@ -32,9 +32,9 @@ double normal_force(const dem::Model& model, double radius, double overlap) {
         dem::Kinematics<double> k{};
         k.normal = {1, 0, 0};
         k.overlap = overlap, k.r1 = k.r2 = radius, k.R_star = radius / 2, k.per_reach = 0.5 / radius, k.m1 = k.m2 = 1;
-        dem::Memory<double> memory{{0, 0, 0}, {0, 0, 0}, 0};
-        dem::Books<double> books;
-        return Law::respond(Law::mix(materials.front(), materials.front()), k, 0.0, memory, books).normal_force;
+        dem::ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
+        dem::ContactEnergies<double> energies;
+        return Law::respond(Law::mix(materials.front(), materials.front()), k, 0.0, history, energies).normal_force;
       },
       model.materials);
 }

@@ -9,13 +9,13 @@ namespace soilweave::dem {
 
 /// History of one contact, already carried to the present normal.
 template <class T, class Space = Spatial>
-struct Memory {
+struct ContactHistory {
   Along<T, Space> shear;   // N
   Turn<T, Space> rolling;  // N m, normal to the contact normal
   T twisting;              // N m, about the contact normal
 };
 
-/// Response of a law. Shear force and moments are in Memory after the call.
+/// Response of a law. Shear force and moments are in ContactHistory after the call.
 template <class T>
 struct Response {
   T normal_force;                           // N, compression positive, viscous part included
@@ -26,7 +26,7 @@ struct Response {
 
 /// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.
 template <class T>
-struct Books {
+struct ContactEnergies {
   T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
   T frictional, rolling_plastic, viscous;
 };

@@ -31,7 +31,7 @@ struct HertzMindlin {
     bool friction_decides = false;  // whether its friction angle holds against any other material
   };
   /// A pair of materials.
-  struct Couple {
+  struct MaterialPair {
     double E_star, G_star;  // Pa
     Damping damping;
     Tangential tangential;
@@ -60,7 +60,7 @@ struct HertzMindlin {
   }
 
   /// Mixes two materials: 1/E* = sum (1 - nu^2)/E; thesis Eq. 3.3: 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
-  static Couple mix(const Material& a, const Material& b) {
+  static MaterialPair mix(const Material& a, const Material& b) {
     const auto compliance = [](const Material& m) { return (1 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
     const auto shear = [](const Material& m) {
       return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / m.young_modulus;
@@ -69,14 +69,14 @@ struct HertzMindlin {
             Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction), mix_tangential(a, b)};
   }
 
-  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
-  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
+  static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2, whose kn is the
   /// tangent 2 E* sqrt(R* delta).
   template <class T, class Space>
-  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
-                             Books<T>& books) {
+  static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
+                             ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
     const T a = square_root(k.R_star * k.overlap);  // contact radius, m
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;
@@ -86,9 +86,9 @@ struct HertzMindlin {
     r.normal_force = c.damping.force(elastic, ratio, kn, k);
     r.normal_stiffness = kn;
     r.shear_stiffness = ks;
-    books.elastic_normal = 0.4 * elastic * k.overlap;
-    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
-    tangential_step(c.tangential, k, memory, r, books);
+    energies.elastic_normal = 0.4 * elastic * k.overlap;
+    energies.viscous = c.damping.work(r.normal_force, elastic, k, dt);
+    tangential_step(c.tangential, k, history, r, energies);
     return r;
   }
 };

@@ -28,7 +28,7 @@ struct Linear {
     bool friction_decides = false;  // whether its friction angle holds against any other material
   };
   /// A pair of materials.
-  struct Couple {
+  struct MaterialPair {
     double E1, E2;  // Pa
     double S1, S2;  // modulus times stiffness ratio, Pa
     Damping damping;
@@ -57,7 +57,7 @@ struct Linear {
             read_attraction(table)};
   }
 
-  static Couple mix(const Material& a, const Material& b) {
+  static MaterialPair mix(const Material& a, const Material& b) {
     return {a.young_modulus,
             b.young_modulus,
             a.young_modulus * a.stiffness_ratio,
@@ -66,14 +66,14 @@ struct Linear {
             mix_tangential(a, b)};
   }
 
-  static bool uses_masses(const Couple& c) { return c.damping.ratio > 0; }
-  static bool uses_moments(const Couple& c) { return c.tangential.uses_moments(); }
+  static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
+  static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response of two springs in series (LAWS.md §3): kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn =
   /// kn delta.
   template <class T, class Space>
-  static Response<T> respond(const Couple& c, const Kinematics<T, Space>& k, const T& dt, Memory<T, Space>& memory,
-                             Books<T>& books) {
+  static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
+                             ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
     Response<T> r;
     if (c.E1 == c.E2 && c.S1 == c.S2) {
       const T twice = 2.0 * k.r1 * k.r2 * k.per_reach;
@@ -88,11 +88,11 @@ struct Linear {
     }
     const T elastic = r.normal_stiffness * k.overlap;
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
-    books.elastic_normal = 0.5 * elastic * k.overlap;
-    books.viscous = c.damping.work(r.normal_force, elastic, k, dt);
+    energies.elastic_normal = 0.5 * elastic * k.overlap;
+    energies.viscous = c.damping.work(r.normal_force, elastic, k, dt);
     // Without shear stiffness there is no shear force and no moment scaled by it, even if the initial state has one.
-    if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(memory);
-    tangential_step(c.tangential, k, memory, r, books);
+    if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(history);
+    tangential_step(c.tangential, k, history, r, energies);
     return r;
   }
 };

@@ -20,10 +20,10 @@ struct Tangential {
 
   /// Removes shear force and the moments scaled by it, if there is no shear stiffness.
   template <class T, class Space>
-  void let_go(Memory<T, Space>& memory) const {
-    memory.shear = Along<T, Space>{};
-    if (rolling.scale == Resistance::Scale::contact) memory.rolling = Turn<T, Space>{};
-    if (twisting.scale == Resistance::Scale::contact) memory.twisting = T{};
+  void let_go(ContactHistory<T, Space>& history) const {
+    history.shear = Along<T, Space>{};
+    if (rolling.scale == Resistance::Scale::contact) history.rolling = Turn<T, Space>{};
+    if (twisting.scale == Resistance::Scale::contact) history.twisting = T{};
   }
 };
 
@@ -41,24 +41,25 @@ Tangential mix_tangential(const Material& a, const Material& b) {
 }
 
 /// Completes a response with known normal force and shear stiffness: Fs <- Fs - ks slip, |Fs| <= mu Fn (LAWS.md §2,
-/// §3). `memory` becomes the present shear force and moments, `books` the energies of the three springs.
+/// §3). `history` becomes the present shear force and moments, `energies` the energies of the three springs.
 template <class T, class Space>
-void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, Memory<T, Space>& memory, Response<T>& r,
-                     Books<T>& books) {
+void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, ContactHistory<T, Space>& history,
+                     Response<T>& r, ContactEnergies<T>& energies) {
   const T pressing = maximum(r.normal_force, all<T>(0));
   r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
   r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
-  const auto shear = limited_spring_step<T, Along<T, Space>>(memory.shear, r.shear_stiffness, k.slip, c.mu * pressing);
+  const auto shear = limited_spring_step<T, Along<T, Space>>(history.shear, r.shear_stiffness, k.slip, c.mu * pressing);
   const auto roll =
-      resistance_step<T, Turn<T, Space>>(c.rolling, k, memory.rolling, r.rolling_stiffness, k.roll, pressing);
+      resistance_step<T, Turn<T, Space>>(c.rolling, k, history.rolling, r.rolling_stiffness, k.roll, pressing);
   SpringStep<T, T> twist{};
   if constexpr (Space::twists)
-    twist = resistance_step<T, T>(c.twisting, k, memory.twisting, r.twisting_stiffness, k.twist, pressing);
-  memory = {shear.force, roll.force, twist.force};
+    twist = resistance_step<T, T>(c.twisting, k, history.twisting, r.twisting_stiffness, k.twist, pressing);
+  history = {shear.force, roll.force, twist.force};
   r.sliding = shear.limited;
-  books.elastic_shear = shear.stored, books.elastic_rolling = roll.stored, books.elastic_twisting = twist.stored;
-  books.frictional = shear.dissipated;
-  books.rolling_plastic = roll.dissipated + twist.dissipated;
+  energies.elastic_shear = shear.stored, energies.elastic_rolling = roll.stored,
+  energies.elastic_twisting = twist.stored;
+  energies.frictional = shear.dissipated;
+  energies.rolling_plastic = roll.dissipated + twist.dissipated;
 }
 
 }  // namespace soilweave::dem

@@ -13,42 +13,42 @@ namespace soilweave::dem {
 
 /// Table of all pairs of n materials; (a, b) and (b, a) are mixed separately.
 template <class Law>
-class Couples {
+class MaterialPairs {
  public:
-  explicit Couples(const std::vector<typename Law::Material>& materials) : count_(materials.size()) {
+  explicit MaterialPairs(const std::vector<typename Law::Material>& materials) : count_(materials.size()) {
     for (const auto& a : materials)
       for (const auto& b : materials) all_.push_back(Law::mix(a, b));
   }
 
   /// Returns the pair of two materials.
-  const typename Law::Couple& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
+  const typename Law::MaterialPair& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
   /// Returns the pair of materials of a block, which all its pairs share.
-  const typename Law::Couple& of(const ContactBlock& block, const Bodies& bodies) const {
+  const typename Law::MaterialPair& of(const ContactBlock& block, const Bodies& bodies) const {
     const auto material = [&](std::uint32_t grain) {
       return bodies.material[static_cast<std::size_t>(ContactBlock::index(grain))];
     };
     return of(material(block.first[0]), material(block.second[0]));
   }
   /// Returns the pairs of all materials, row by row.
-  const std::vector<typename Law::Couple>& all() const { return all_; }
+  const std::vector<typename Law::MaterialPair>& all() const { return all_; }
   /// Returns the only pair, if there is one material.
-  std::optional<typename Law::Couple> lone() const {
+  std::optional<typename Law::MaterialPair> lone() const {
     return all_.size() == 1 ? std::optional(all_.front()) : std::nullopt;
   }
   /// Returns the pairs of the first n materials with any material.
-  std::span<const typename Law::Couple> of_first(std::int32_t n) const {
+  std::span<const typename Law::MaterialPair> of_first(std::int32_t n) const {
     return std::span(all_).first(std::min(count_, static_cast<std::size_t>(n)) * count_);
   }
 
   /// Returns whether the force of some pair of materials depends on the masses.
   bool use_masses() const {
-    return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_masses(couple); });
+    return std::any_of(all_.begin(), all_.end(), [](const auto& mixed) { return Law::uses_masses(mixed); });
   }
 
   /// Returns whether some pair of materials resists rolling or twisting. If none does, moments in the history mean
   /// nothing.
   bool use_moments() const {
-    return std::any_of(all_.begin(), all_.end(), [](const auto& couple) { return Law::uses_moments(couple); });
+    return std::any_of(all_.begin(), all_.end(), [](const auto& mixed) { return Law::uses_moments(mixed); });
   }
 
  private:
@@ -57,7 +57,7 @@ class Couples {
   }
 
   std::size_t count_;
-  std::vector<typename Law::Couple> all_;
+  std::vector<typename Law::MaterialPair> all_;
 };
 
 }  // namespace soilweave::dem
