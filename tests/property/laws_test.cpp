@@ -338,7 +338,7 @@ TYPED_TEST(EveryLaw, GivesTheSameBitsInEveryLane) {
       history.twisting[i] = q.history.twisting;
       set_lane(old_normal, i, q.normal);
     }
-    const Lane4 dt = all<Lane4>(1e-5);
+    const Lane4 dt = broadcast<Lane4>(1e-5);
     Kinematics<Lane4> k{};
     k.normal = rest.normal;
     set_increments(m, dt, k);

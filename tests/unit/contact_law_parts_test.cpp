@@ -131,7 +131,7 @@ TEST(Lanes, DoInEachLaneWhatADoubleDoes) {
     EXPECT_EQ(root[i], std::sqrt(std::abs(b[i])));
   }
   const V3<Lane4> v{a, b, a};
-  EXPECT_EQ(lane(select(a > b, v, all<Lane4>(-1) * v), 1).y, -4);
+  EXPECT_EQ(lane(select(a > b, v, broadcast<Lane4>(-1) * v), 1).y, -4);
 }
 
 }  // namespace

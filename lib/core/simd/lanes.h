@@ -45,7 +45,7 @@ inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) { return
 
 /// Returns a register with one number in every lane.
 template <class T>
-T all(double x) {
+T broadcast(double x) {
   if constexpr (is_lane<T>)
     return x - T{};
   else
@@ -98,9 +98,9 @@ bool any(const M& mask) {
 }
 
 /// Returns x where the mask holds and +0 elsewhere, even if x is a NaN.
-inline double keep(bool mask, double x) { return mask ? x : 0.0; }
+inline double masked(bool mask, double x) { return mask ? x : 0.0; }
 template <class T>
-requires is_lane<T> T keep(const Mask<T>& mask, const T& x) {
+requires is_lane<T> T masked(const Mask<T>& mask, const T& x) {
   Mask<T> raw;
   std::memcpy(&raw, &x, sizeof raw);
   raw &= mask;
@@ -122,7 +122,7 @@ T maximum(const T& a, const T& b) {
 /// Returns the magnitude of each lane.
 template <class T>
 T absolute(const T& x) {
-  return select<T>(x < all<T>(0), -x, x);
+  return select<T>(x < broadcast<T>(0), -x, x);
 }
 
 }  // namespace soilweave

@@ -50,8 +50,8 @@ V2<T> fused_less(const T& s, const V2<T>& a, const V2<T>& b) {
 }
 /// Returns v where the mask holds, and zero elsewhere.
 template <class T>
-V2<T> keep(const Mask<T>& mask, const V2<T>& v) {
-  return {keep(mask, v.x), keep(mask, v.y)};
+V2<T> masked(const Mask<T>& mask, const V2<T>& v) {
+  return {masked(mask, v.x), masked(mask, v.y)};
 }
 /// Returns |a|^2.
 template <class T>

@@ -65,8 +65,8 @@ V3<T> fused_less(const T& s, const V3<T>& a, const V3<T>& b) {
 }
 /// Returns v where the mask holds, and zero elsewhere.
 template <class T>
-V3<T> keep(const Mask<T>& mask, const V3<T>& v) {
-  return {keep(mask, v.x), keep(mask, v.y), keep(mask, v.z)};
+V3<T> masked(const Mask<T>& mask, const V3<T>& v) {
+  return {masked(mask, v.x), masked(mask, v.y), masked(mask, v.z)};
 }
 /// Returns |a|^2.
 template <class T>

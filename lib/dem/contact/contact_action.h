@@ -29,14 +29,14 @@ Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_
 /// LAWS.md §8).
 template <class T>
 std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
-  const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{all<T>(1), all<T>(1), all<T>(1)};
+  const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{broadcast<T>(1), broadcast<T>(1), broadcast<T>(1)};
   const T kr = r.rolling_stiffness + r.shear_stiffness * (radius * radius);
   return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
           kr * one + (r.twisting_stiffness - kr) * n2};
 }
 template <class T>
 std::pair<V2<T>, T> axis_stiffness(const V2<T>& n, const Response<T>& r, const T& radius) {
-  const V2<T> n2{n.x * n.x, n.y * n.y}, one{all<T>(1), all<T>(1)};
+  const V2<T> n2{n.x * n.x, n.y * n.y}, one{broadcast<T>(1), broadcast<T>(1)};
   return {r.shear_stiffness * one + (r.normal_stiffness - r.shear_stiffness) * n2,
           r.rolling_stiffness + r.shear_stiffness * (radius * radius)};
 }

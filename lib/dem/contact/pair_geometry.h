@@ -33,7 +33,7 @@ struct AffineMotion {
     const Mat3& g = gradient;
     if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y, g(2, 2) * d.z};  // adding zeros would change no bit
     const auto component = [&](int i) {
-      return fused(all<T>(g(i, 2)), d.z, fused(all<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)));
+      return fused(broadcast<T>(g(i, 2)), d.z, fused(broadcast<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)));
     };
     return {component(0), component(1), component(2)};
   }
@@ -41,7 +41,7 @@ struct AffineMotion {
   V2<T> operator()(const V2<T>& d) const {
     const Mat3& g = gradient;
     if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y};
-    const auto component = [&](int i) { return fused(all<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)); };
+    const auto component = [&](int i) { return fused(broadcast<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)); };
     return {component(0), component(1)};
   }
 };
@@ -62,7 +62,7 @@ Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r
   // Dividing beside the root is faster than dividing after it.
   const T distance = square_root(distance_squared), inverse = 1.0 / (distance_squared * reach);
   const T inverse_distance = distance * (reach * inverse), per_reach = distance_squared * inverse;
-  return {inverse_distance * branch, keep(touching, reach - distance),
+  return {inverse_distance * branch, masked(touching, reach - distance),
           r1 * r2 * per_reach,       per_reach,
           inverse_distance,          touching};
 }
@@ -71,14 +71,14 @@ Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r
 template <class T, class Space>
 void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
   Kinematics<T, Space>& k = g.kinematics;
-  const T time = keep(g.touching, all<T>(dt));
+  const T time = masked(g.touching, broadcast<T>(dt));
   set_increments(motion, time, k);
   g.surface_slip = surface_slip(motion, k, time);
   if constexpr (Space::twists) {
     const auto turn = between(motion.velocity, T(-k.approach_speed), motion.inverse_distance, k.normal, time);
     g.turn = then_spin(turn, k.normal, T(0.5 * time * dot(k.normal, motion.spin_1 + motion.spin_2)));
   }
-  k.approach_speed = keep(g.touching, k.approach_speed);
+  k.approach_speed = masked(g.touching, k.approach_speed);
 }
 
 /// Returns the geometry of a grain and a plane with a constant inward normal. velocity: the plane's, relative to the
@@ -92,14 +92,14 @@ PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T
   PairGeometry<T> g;
   Kinematics<T>& k = g.kinematics;
   g.touching = listed & (radius >= height);
-  const T time = keep(g.touching, all<T>(dt));
+  const T time = masked(g.touching, broadcast<T>(dt));
   k.normal = -inward;
   set_increments(motion, time, k);
-  k.approach_speed = keep(g.touching, k.approach_speed);
-  k.overlap = keep(g.touching, radius - height);
+  k.approach_speed = masked(g.touching, k.approach_speed);
+  k.overlap = masked(g.touching, radius - height);
   k.r1 = k.r2 = k.R_star = radius;
   k.per_reach = 0.5 / radius;
-  k.m1 = mass, k.m2 = all<T>(std::numeric_limits<double>::infinity());
+  k.m1 = mass, k.m2 = broadcast<T>(std::numeric_limits<double>::infinity());
   g.surface_slip = k.slip;
   g.turn = then_spin(zero, k.normal, T(0.5 * time * dot(k.normal, spin)));
   return g;

@@ -9,7 +9,7 @@ namespace soilweave::dem {
 /// Returns 2/(1 + g2) by a series instead of a division; the error is of the fourth power of g2.
 template <class T>
 T small_scale(const T& g2) {
-  const T two = all<T>(2);
+  const T two = broadcast<T>(2);
   return fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two);
 }
 
@@ -46,7 +46,7 @@ V3<T> between(const V3<T>& old_normal, const V3<T>& normal) {
 /// the component along the normal (m/s). Exact to the third power of displacement over distance.
 template <class T, class V>
 auto between(const V& velocity, const T& parting, const T& inverse_distance, const V& normal, const T& dt) {
-  const T step = dt * inverse_distance, parted = step * parting, one = all<T>(1);
+  const T step = dt * inverse_distance, parted = step * parting, one = broadcast<T>(1);
   return T(0.5 * step * fused(parted, one + parted, one)) * cross(normal, velocity);
 }
 
@@ -55,7 +55,7 @@ auto between(const V& velocity, const T& parting, const T& inverse_distance, con
 template <class T>
 V3<T> then_spin(const V3<T>& gibbs, const V3<T>& normal, const T& angle) {
   const T s2 = angle * angle;
-  const T t = 0.5 * angle * fused(s2, fused(s2, all<T>(1.0 / 120.0), all<T>(1.0 / 12.0)), all<T>(1));
+  const T t = 0.5 * angle * fused(s2, fused(s2, broadcast<T>(1.0 / 120.0), broadcast<T>(1.0 / 12.0)), broadcast<T>(1));
   return gibbs + t * (normal + cross(normal, gibbs));
 }
 

@@ -26,7 +26,7 @@ struct WireCurve {
   T loading(const T& e) const {
     std::size_t k = strain.size() - 1;
     T t = on_piece(k, e);
-    while (k-- > 0) t = select<T>(e < all<T>(strain[k]), on_piece(k, e), t);
+    while (k-- > 0) t = select<T>(e < broadcast<T>(strain[k]), on_piece(k, e), t);
     return t;
   }
   /// Returns the steepest slope that the curve ever has, N per unit of strain.
@@ -63,11 +63,11 @@ struct WireHistory {
 /// Returns the tension at a strain, N, and updates the history. A yarn carries no compression.
 template <class T>
 T pull(const WireCurve& curve, const T& strain, WireHistory<T>& history) {
-  history.broken = history.broken | (strain > all<T>(curve.breaking_strain()));
+  history.broken = history.broken | (strain > broadcast<T>(curve.breaking_strain()));
   const Mask<T> whole = !history.broken;
   history.largest_strain = select<T>(whole & (strain > history.largest_strain), strain, history.largest_strain);
   const T tension = curve.loading(history.largest_strain) - curve.unloading * (history.largest_strain - strain);
-  return keep(whole, maximum(all<T>(0), tension));
+  return masked(whole, maximum(broadcast<T>(0), tension));
 }
 
 }  // namespace soilweave::dem

@@ -54,7 +54,7 @@ Motion::Motion(std::size_t grains, int threads, const GrainMotion& how)
       moved_(chunks_of(grains)),
       collected_(chunks_of(grains)),
       partial_(chunks_of(grains)) {
-  for (Collected& c : collected_) c.force = all<Lane4>(std::numeric_limits<double>::infinity());  // not known yet
+  for (Collected& c : collected_) c.force = broadcast<Lane4>(std::numeric_limits<double>::infinity());  // not known yet
 }
 
 template <class Pass>
@@ -74,7 +74,7 @@ Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, B
     Load& load = bodies.loads[i];
     if (nodes && bodies.is_node(i)) load.torque = Lane4{};  // nodes do not rotate
     const Lane4& x = bodies.grains[i].position;
-    for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(all<Lane4>(x[a]), load.force, sums.virial[a]);
+    for (int a = 0; a < dimension; ++a) sums.virial[a] = fused(broadcast<Lane4>(x[a]), load.force, sums.virial[a]);
     sums.force = maximum(sums.force, Lane4(load.force * load.force));
   };
   // Two sums alternate, because each addition waits for the one before it.

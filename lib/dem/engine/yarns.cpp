@@ -118,7 +118,7 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
   const Lane4 tension = pull<Lane4>(curve, length / block.rest_length - 1, block.history);
   block.tension = tension, block.length = length;
   Lane4* const pulls = pulls_.data() + number * Block::size;
-  const Lane4 inverse = 1 / maximum(length, all<Lane4>(least_length));
+  const Lane4 inverse = 1 / maximum(length, broadcast<Lane4>(least_length));
   to_rows(inverse * reach.x, inverse * reach.y, inverse * reach.z, tension,
           [pulls](int lane, const Lane4& row) { pulls[lane] = row; });
   if (const unsigned breaking = bits(block.history.broken & ~broken_before)) [[unlikely]]
@@ -132,7 +132,7 @@ YarnSums Yarns::stretch(double time, const Bodies& bodies, std::size_t number) {
   const auto in = [](const Mask<Lane4>& mask) { return std::popcount(bits(mask)); };
   YarnSums s;
   s.elastic = sum_of(stored);
-  s.dissipated = sum_of(keep(known, Lane4(work - gained)));
+  s.dissipated = sum_of(masked(known, Lane4(work - gained)));
   s.tension = sum_of(tension);
   const Lane4 pull_over_length = tension * inverse;
   const std::array<const Lane4*, 3> parts = {&reach.x, &reach.y, &reach.z};

@@ -63,7 +63,7 @@ class Yarns {
   struct Block {
     static constexpr std::size_t size = width<Lane4>;
     std::uint32_t first[size]{}, second[size]{};  // byte offsets of the nodes from the first grain
-    Lane4 rest_length = all<Lane4>(1);            // m
+    Lane4 rest_length = broadcast<Lane4>(1);      // m
     Lane4 tension{}, length{};                    // N and m, at the last evaluation; 0: none yet
     WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
     std::int32_t geotextile, count = 0;

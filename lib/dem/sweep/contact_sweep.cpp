@@ -220,7 +220,7 @@ class LawSweep final : public ContactSweep {
                                               StepSums<Lanes>& sums) const {
     // Copies keep the parameters in registers; references would be read and spread over the lanes after every store.
     const std::optional<typename Law::MaterialPair> lone = material_pairs_.lone();
-    const Lanes dt = all<Lanes>(s.dt);
+    const Lanes dt = broadcast<Lanes>(s.dt);
     const bool at_rest = s.dt == 0;
     Lanes overlap = sums.overlap;
     std::int64_t contacts = sums.contacts;
@@ -230,10 +230,10 @@ class LawSweep final : public ContactSweep {
       // Pairs that have parted have no history. Their overlap and increments are zero and give no force.
       const auto carried = carry(g);
       ContactHistory<Lanes, Space> before{};
-      before.shear = carried(keep(g.touching, lanes.template shear<Space>()));
+      before.shear = carried(masked(g.touching, lanes.template shear<Space>()));
       if (moments) {
-        before.rolling = carried(keep(g.touching, lanes.template rolling<Space>()));
-        if (Space::twists) before.twisting = keep(g.touching, lanes.twisting());
+        before.rolling = carried(masked(g.touching, lanes.template rolling<Space>()));
+        if (Space::twists) before.twisting = masked(g.touching, lanes.twisting());
       }
       ContactHistory<Lanes, Space> history = before;
       ContactEnergies<Lanes> energies;
@@ -292,10 +292,10 @@ class LawSweep final : public ContactSweep {
       const PairGeometry<Lanes, Space>& g = group.geometry;
       const Kinematics<Lanes, Space>& k = g.kinematics;
       const auto r = response<Space>(group, s, ContactHistory<Lanes, Space>{}).first;
-      add_to(sum, keep(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
+      add_to(sum, masked(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
       const auto put = [&](const Lanes& radius, const auto& place) {
         const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
-        add_stiffness(keep(g.touching, translation), keep(g.touching, rotation), place);
+        add_stiffness(masked(g.touching, translation), masked(g.touching, rotation), place);
       };
       const BlockLanes<Lanes>& lanes = group.lanes;
       put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.stiffness); });
@@ -307,8 +307,9 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Spatial>& group : batch) {
       const BlockLanes<Lanes>& lanes = group.lanes;
       const Mask<Lanes>& touching = group.geometry.touching;
-      const ContactHistory<Lanes> history{keep(touching, lanes.shear<Spatial>()),
-                                          keep(touching, lanes.rolling<Spatial>()), keep(touching, lanes.twisting())};
+      const ContactHistory<Lanes> history{masked(touching, lanes.shear<Spatial>()),
+                                          masked(touching, lanes.rolling<Spatial>()),
+                                          masked(touching, lanes.twisting())};
       const ContactEnergies<Lanes> b = response<Spatial>(group, s, history).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     }

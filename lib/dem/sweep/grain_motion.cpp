@@ -19,14 +19,14 @@ constexpr int at_once = width<Lanes>;
 // factor.
 struct Damping {
   explicit Damping(double part)
-      : taken(all<Lanes>(part)), added(all<Lanes>(-part)), less(1.0 - taken), more(1.0 - added) {}
+      : taken(broadcast<Lanes>(part)), added(broadcast<Lanes>(-part)), less(1.0 - taken), more(1.0 - added) {}
   Lanes taken, added, less, more;
 };
 
 // Returns the velocity after a damped force over dt/mass. Adds the energy taken by damping to `lost`, over half a step.
 Lanes kick(const Lanes& force, const Lanes& ratio, const Damping& damping, const Lanes& velocity, Lanes& lost) {
   const Lanes zero{}, change = ratio * force;
-  const Lanes power = force * fused(all<Lanes>(0.5), change, velocity);
+  const Lanes power = force * fused(broadcast<Lanes>(0.5), change, velocity);
   // Zero power almost always means zero force, so no further comparison is worth it.
   const Mask<Lanes> slower = power < zero;
   const Lanes share = select<Lanes>(slower, damping.more, damping.less);
@@ -46,13 +46,14 @@ V2<Lanes> kick(const V2<Lanes>& f, const Lanes& ratio, const Damping& damping, c
 
 V3<Lanes> affine(const Mat3& g, const V3<Lanes>& x, const V3<Lanes>& v) {
   const auto component = [&](int i, const Lanes& to) {
-    return fused(all<Lanes>(g(i, 2)), x.z, fused(all<Lanes>(g(i, 1)), x.y, fused(all<Lanes>(g(i, 0)), x.x, to)));
+    return fused(broadcast<Lanes>(g(i, 2)), x.z,
+                 fused(broadcast<Lanes>(g(i, 1)), x.y, fused(broadcast<Lanes>(g(i, 0)), x.x, to)));
   };
   return {component(0, v.x), component(1, v.y), component(2, v.z)};
 }
 V2<Lanes> affine(const Mat3& g, const V2<Lanes>& x, const V2<Lanes>& v) {
   const auto component = [&](int i, const Lanes& to) {
-    return fused(all<Lanes>(g(i, 1)), x.y, fused(all<Lanes>(g(i, 0)), x.x, to));
+    return fused(broadcast<Lanes>(g(i, 1)), x.y, fused(broadcast<Lanes>(g(i, 0)), x.x, to));
   };
   return {component(0, v.x), component(1, v.y)};
 }
@@ -62,8 +63,8 @@ V2<Lanes> affine(const Mat3& g, const V2<Lanes>& x, const V2<Lanes>& v) {
 Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
   constexpr double newton_suffices = 1.0015;  // squared length
   const Lanes square = fused(d, d, fused(c, c, fused(b, b, Lanes(a * a))));
-  Lanes scale = fused_less(all<Lanes>(0.5), square, all<Lanes>(1.5));
-  const Mask<Lanes> fast = square > all<Lanes>(newton_suffices);
+  Lanes scale = fused_less(broadcast<Lanes>(0.5), square, broadcast<Lanes>(1.5));
+  const Mask<Lanes> fast = square > broadcast<Lanes>(newton_suffices);
   if (any(fast)) [[unlikely]]
     scale = select<Lanes>(fast, 1.0 / square_root(square), scale);
   return {scale * a, scale * b, scale * c, scale * d};
@@ -124,7 +125,7 @@ struct InSpace {
   void put_place(const Vector& x, const Lanes& radius) const { put<&Grain::position>(x, radius); }
   // q <- (1, half the rotation) q.
   void turn(const Vector& by) const {
-    const Vector half = all<Lanes>(0.5) * by;
+    const Vector half = broadcast<Lanes>(0.5) * by;
     const Columns<Lanes> q = read<&Grain::orientation>();
     const Lanes a = fused_less(half.z, q.d, fused_less(half.y, q.c, fused_less(half.x, q.b, q.a)));
     const Lanes b = fused_less(half.z, q.c, fused(half.y, q.d, fused(half.x, q.a, q.b)));
@@ -213,7 +214,7 @@ template <class Rows>
 [[gnu::flatten]] void move(const Push& push, const MovedGrains at, std::size_t begin, std::size_t end,
                            MotionTally& tally) {
   using Vector = typename Rows::Vector;
-  const Lanes dt = all<Lanes>(push.dt), gyration = all<Lanes>(push.gyration);
+  const Lanes dt = broadcast<Lanes>(push.dt), gyration = broadcast<Lanes>(push.gyration);
   const Damping damping(push.damping);
   // One division serves both ratios.
   const auto ratios_of = [&](const Rows& of) -> Ratios {

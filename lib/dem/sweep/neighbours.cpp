@@ -60,8 +60,8 @@ double Neighbours::Since::moved2(const Bodies& bodies, std::size_t i) const {
   const Mat3& f = deformation;
   const Vec3& from = position[i];
   const Lane4 a = row(f.col(0), 0), b = row(f.col(1), 0), c = row(f.col(2), 0);
-  const Lane4 moved =
-      fused_less(all<Lane4>(from[2]), c, fused_less(all<Lane4>(from[1]), b, fused_less(all<Lane4>(from[0]), a, x)));
+  const Lane4 moved = fused_less(broadcast<Lane4>(from[2]), c,
+                                 fused_less(broadcast<Lane4>(from[1]), b, fused_less(broadcast<Lane4>(from[0]), a, x)));
   const Lane4 square = moved * moved;
   return square[0] + square[1] + square[2];
 }

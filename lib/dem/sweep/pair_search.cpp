@@ -58,8 +58,8 @@ class Grid {
     if (!fold(bin, turn)) return;
     const CellOffset offset = cell_offset(turn);
     const Vec3 from = within(i) - shift_of(offset, cell_.matrix());
-    const Lane4 x = all<Lane4>(from[0]), y = all<Lane4>(from[1]), z = all<Lane4>(from[2]);
-    const Lane4 grown = all<Lane4>(bodies_.radius(i) + skin);
+    const Lane4 x = broadcast<Lane4>(from[0]), y = broadcast<Lane4>(from[1]), z = broadcast<Lane4>(from[2]);
+    const Lane4 grown = broadcast<Lane4>(bodies_.radius(i) + skin);
     const std::size_t first = index(bin);
     const std::uint32_t end = start_[first + static_cast<std::size_t>(more) + 1];
     for (std::uint32_t m = start_[first]; m < end; m += width<Lane4>) {

@@ -21,7 +21,7 @@ struct PlaneSums {
     store(at[0], branch.x), store(at[1], branch.y), store(at[2], branch.z);
     const V3<T>& f = force_on_plane;
     to_rows(f.x, f.y, f.z, twice_the_work, [&](int lane, const Lane4& row) {
-      for (std::size_t a = 0; a < 3; ++a) force_branch[a] = fused(all<Lane4>(at[a][lane]), row, force_branch[a]);
+      for (std::size_t a = 0; a < 3; ++a) force_branch[a] = fused(broadcast<Lane4>(at[a][lane]), row, force_branch[a]);
       force += row;
     });
   }
@@ -59,15 +59,15 @@ class PlaneLanes {
     const T height = dot(centres() - in_lanes(plane.point), inward);
     T number;
     for (int lane = 0; lane < width<T>; ++lane) number[lane] = static_cast<double>(pairs.lane) + lane;
-    const Mask<T> listed = number < all<T>(pairs.block->count);
+    const Mask<T> listed = number < broadcast<T>(pairs.block->count);
     return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt);
   }
   /// Returns the foot of the perpendicular from a grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
   /// Returns the history; pairs that have parted have none.
   ContactHistory<T> history(const Mask<T>& touching) const {
-    return {keep(touching, pairs.template shear<Spatial>()), keep(touching, pairs.template rolling<Spatial>()),
-            keep(touching, pairs.twisting())};
+    return {masked(touching, pairs.template shear<Spatial>()), masked(touching, pairs.template rolling<Spatial>()),
+            masked(touching, pairs.twisting())};
   }
 
   /// Writes loads, or data laid out like them, as the sweep lays them out, also in the plane.
@@ -77,7 +77,7 @@ class PlaneLanes {
     if (!planar) put_rows(torque.x, torque.y, torque.z, &Load::torque, loads);
   }
 
-  static V3<T> in_lanes(const Vec3& v) { return {all<T>(v.x()), all<T>(v.y()), all<T>(v.z())}; }
+  static V3<T> in_lanes(const Vec3& v) { return {broadcast<T>(v.x()), broadcast<T>(v.y()), broadcast<T>(v.z())}; }
 
  private:
   V3<T> centres() const { return {places_.a, places_.b, places_.c}; }

@@ -86,7 +86,7 @@ class PlaneSweep {
     const ContactHistory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
     ContactHistory<T> history = before;
     ContactEnergies<T> energies;
-    const Response<T> response = Law::respond(mixed(lanes), k, all<T>(dt), history, energies);
+    const Response<T> response = Law::respond(mixed(lanes), k, broadcast<T>(dt), history, energies);
     if (dt == 0) history = before;  // as in the sweep over grains
     lanes.pairs.remember_shear(history.shear);
     lanes.pairs.remember_moments(history);
@@ -99,8 +99,8 @@ class PlaneSweep {
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
     // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
-    const V3<T> moved = T(all<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
-    sums.add(act.force, keep(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
+    const V3<T> moved = T(broadcast<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
+    sums.add(act.force, masked(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
   }
 
   void stiffen(const PlaneLanes<T>& lanes, LargeVector<Load>& stiffness, Lane4& sum) const {
@@ -108,9 +108,9 @@ class PlaneSweep {
     if (!any(g.touching)) return;
     const Kinematics<T>& k = g.kinematics;
     const Response<T> r = at_rest(lanes, g, ContactHistory<T>{}).first;
-    add_to(sum, keep(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
+    add_to(sum, masked(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
     const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
-    lanes.put(keep(g.touching, translation), keep(g.touching, rotation), stiffness);
+    lanes.put(masked(g.touching, translation), masked(g.touching, rotation), stiffness);
   }
 
   std::pair<Response<T>, ContactEnergies<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,

@@ -31,7 +31,7 @@ struct ContactEnergies {
   T frictional, rolling_plastic, viscous;
 };
 
-using soilweave::keep;
+using soilweave::masked;
 using soilweave::select;
 
 /// One spring of a contact, a vector (shear, rolling) or a scalar (twisting): force -= stiffness * increment, cut back
@@ -80,11 +80,11 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
   s.limited = force > limit;
   // One division serves the scale of the force and the compliance; beside the root it is faster than after it. No
   // branch: a wrong prediction costs more than both.
-  const T inverse = 1.0 / maximum(T(force2 * stiffness), all<T>(1e-300)), compliance = force2 * inverse;
-  const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), all<T>(1)), half = 0.5 * compliance;
+  const T inverse = 1.0 / maximum(T(force2 * stiffness), broadcast<T>(1e-300)), compliance = force2 * inverse;
+  const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), broadcast<T>(1)), half = 0.5 * compliance;
   s.force = scale * trial;
   // Trapezoidal work minus the change of energy, with increment = (old - trial)/stiffness inserted.
-  s.dissipated = keep(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
+  s.dissipated = masked(s.limited, T(half * (1.0 - scale) * product(Quantity(old + s.force), trial)));
   s.stored = half * squared(s.force);
   return s;
 }
@@ -95,8 +95,8 @@ SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, con
                                     const Quantity& increment) {
   SpringStep<T, Quantity> s;
   s.force = fused_less(stiffness, increment, old);
-  s.limited = all<T>(0) > all<T>(0);
-  s.dissipated = all<T>(0);
+  s.limited = broadcast<T>(0) > broadcast<T>(0);
+  s.dissipated = broadcast<T>(0);
   s.stored = 0.5 * compliance * squared(s.force);
   return s;
 }
@@ -104,7 +104,7 @@ SpringStep<T, Quantity> spring_step(const Quantity& old, const T& stiffness, con
 /// Returns 1/stiffness; 0 for no stiffness.
 template <class T>
 T compliance_of(const T& stiffness) {
-  return select<T>(stiffness > all<T>(0), T(1.0 / maximum(stiffness, all<T>(1e-300))), all<T>(0));
+  return select<T>(stiffness > broadcast<T>(0), T(1.0 / maximum(stiffness, broadcast<T>(1e-300))), broadcast<T>(0));
 }
 
 }  // namespace soilweave::dem

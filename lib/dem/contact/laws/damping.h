@@ -53,12 +53,12 @@ struct Damping {
   T force(const T& elastic, double critical_fraction, const T& stiffness, const Kinematics<T, Space>& k) const {
     if (ratio == 0) return elastic;
     const T sum = elastic + 2.0 * critical_fraction * square_root(k.m_star() * stiffness) * k.approach_speed;
-    return attraction ? sum : maximum(sum, all<T>(0));
+    return attraction ? sum : maximum(sum, broadcast<T>(0));
   }
   /// Returns the energy that the dashpot takes in a time dt, J.
   template <class T, class Space>
   T work(const T& force, const T& elastic, const Kinematics<T, Space>& k, const T& dt) const {
-    return ratio == 0 ? all<T>(0) : T((force - elastic) * k.approach_speed * dt);
+    return ratio == 0 ? broadcast<T>(0) : T((force - elastic) * k.approach_speed * dt);
   }
 };
 

@@ -79,7 +79,7 @@ struct Linear {
       const T twice = 2.0 * k.r1 * k.r2 * k.per_reach;
       r.normal_stiffness = c.E1 * twice, r.shear_stiffness = c.S1 * twice;
     } else {
-      const T tiny = all<T>(1e-300);
+      const T tiny = broadcast<T>(1e-300);
       const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
       // One division serves both.
       const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);

@@ -52,14 +52,14 @@ inline PairResistance mix(const Resistance& a, const Resistance& b) {
 /// Returns the stiffness, N m/rad. shear_stiffness: tangent ks of the law, N/m.
 template <class T, class Space>
 T resistance_stiffness(const PairResistance& r, const Kinematics<T, Space>& k, const T& shear_stiffness) {
-  if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness);
+  if (r.scale == Resistance::Scale::absolute) return broadcast<T>(r.stiffness);
   return r.stiffness * shear_stiffness * k.r1 * k.r2;
 }
 
 /// Returns the compliance of resistance_stiffness, rad/(N m); 0 without stiffness.
 template <class T>
 T resistance_compliance(const PairResistance& r, const T& stiffness) {
-  if (r.scale == Resistance::Scale::absolute) return all<T>(r.stiffness > 0 ? 1 / r.stiffness : 0);
+  if (r.scale == Resistance::Scale::absolute) return broadcast<T>(r.stiffness > 0 ? 1 / r.stiffness : 0);
   return compliance_of(stiffness);
 }
 
@@ -78,7 +78,7 @@ SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematic
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {
   if (!(r.stiffness > 0)) {
     SpringStep<T, Quantity> none{};
-    none.limited = all<T>(0) > all<T>(0);
+    none.limited = broadcast<T>(0) > broadcast<T>(0);
     return none;
   }
   if (!r.limited) return spring_step<T, Quantity>(old, stiffness, resistance_compliance(r, stiffness), increment);
