@@ -125,15 +125,15 @@ void Part::find_last() {
     const fs::path file = path_of(files_[end - 1]);
     try {
       History found;
-      Moment moment = read_moment(file, found);
+      Checkpoint checkpoint = read_checkpoint(file, found);
       demand_same_run(found, file);
-      const std::vector<double>& steps = moment.numbers[recorded_steps];
+      const std::vector<double>& steps = checkpoint.numbers[recorded_steps];
       const bool whole = std::all_of(steps.begin(), steps.end(), [&](double step) {
         return std::any_of(files_.begin(), files_.end(),
                            [&](const PartFile& f) { return f.recorded && static_cast<double>(f.step) == step; });
       });
       if (!whole) continue;
-      last_ = std::move(moment);
+      last_ = std::move(checkpoint);
       break;
     } catch (const AnotherRun&) {
       throw;
@@ -158,17 +158,17 @@ void Part::drop(std::size_t first) {
   files_.resize(first);
 }
 
-std::optional<Moment> Part::take_last() { return std::exchange(last_, std::nullopt); }
+std::optional<Checkpoint> Part::take_last() { return std::exchange(last_, std::nullopt); }
 
-void Part::keep(Moment moment, bool recorded) {
-  const PartFile file{moment.state.step, recorded};
-  std::vector<double>& steps = moment.numbers[recorded_steps];
+void Part::keep(Checkpoint checkpoint, bool recorded) {
+  const PartFile file{checkpoint.state.step, recorded};
+  std::vector<double>& steps = checkpoint.numbers[recorded_steps];
   steps.clear();
   for (const PartFile& f : files_)
     if (f.recorded) steps.push_back(static_cast<double>(f.step));
   if (recorded) steps.push_back(static_cast<double>(file.step));
   try {
-    write_moment(path_of(file), moment, history_);
+    write_checkpoint(path_of(file), checkpoint, history_);
   } catch (const DataError& error) {
     // The run would produce the same invalid state again: its physics went wrong, not a file.
     throw PhysicsError(fmt::format("step {}: the state cannot be kept: {}", file.step, error.what()));
@@ -191,7 +191,7 @@ std::vector<Snapshot> Part::recorded() const {
   std::vector<Snapshot> states;
   History ignored;
   for (const PartFile& file : files_)
-    if (file.recorded) states.push_back(read_moment(path_of(file), ignored).state);
+    if (file.recorded) states.push_back(read_checkpoint(path_of(file), ignored).state);
   return states;
 }
 

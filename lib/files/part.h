@@ -19,7 +19,7 @@ namespace soilweave::io {
 /// A checkpoint: the state, the rows of the series so far, and numbers that only the running program knows. In a
 /// two-scale run `state` has no grains, only the step that names the file. Its grains are in the numbers, and its
 /// records so far in `tables` and `frames`.
-struct Moment {
+struct Checkpoint {
   Snapshot state;
   Series series;
   Archive::Numbers numbers;
@@ -29,9 +29,9 @@ struct Moment {
 
 /// Writes a file of kind "checkpoint" atomically. Throws CannotCreate, IoError; DataError for a state that is not
 /// finite.
-void write_moment(const std::filesystem::path& path, const Moment& moment, const History& history);
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint, const History& history);
 /// Reads a checkpoint. Throws DataError for a damaged file or another kind.
-Moment read_moment(const std::filesystem::path& path, History& history);
+Checkpoint read_checkpoint(const std::filesystem::path& path, History& history);
 
 /// Error: the folder holds another run.
 struct AnotherRun : DataError {
@@ -59,9 +59,9 @@ class Part {
   Part& operator=(const Part&) = delete;
 
   /// Hands over the checkpoint to go on from, once; none at the beginning of a run.
-  std::optional<Moment> take_last();
+  std::optional<Checkpoint> take_last();
   /// Writes a checkpoint. Recorded ones stay until the end; of the others the last two files stay.
-  void keep(Moment moment, bool recorded);
+  void keep(Checkpoint checkpoint, bool recorded);
   /// Reads the recorded states back, in order.
   std::vector<Snapshot> recorded() const;
   /// Removes the folder, once the output is written.
@@ -92,7 +92,7 @@ class Part {
   std::filesystem::path folder_;
   History history_;
   std::vector<PartFile> files_;  // files in order of steps
-  std::optional<Moment> last_;
+  std::optional<Checkpoint> last_;
   bool replaced_ = false;
   int lock_ = -1;
 };

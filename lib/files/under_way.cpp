@@ -48,11 +48,11 @@ auto while_it_changes(const fs::path& folder, const Read& read) {
   }
 }
 
-Moment moment_of(const fs::path& path, History& history) {
-  Moment moment = read_moment(path, history);
-  if (moment.state.grains.size() == 0)
+Checkpoint checkpoint_of(const fs::path& path, History& history) {
+  Checkpoint checkpoint = read_checkpoint(path, history);
+  if (checkpoint.state.grains.size() == 0)
     throw DataError(path.string() + ": is of a run of several scales; fem-dem --table reads it when it has ended");
-  return moment;
+  return checkpoint;
 }
 
 }  // namespace
@@ -87,10 +87,10 @@ RunFile read_run_so_far(const fs::path& folder, std::string role) {
       const bool newest = k + 1 == files.size();
       if (!files[k].recorded && !newest) continue;
       const fs::path path = folder / name_of(files[k]);
-      Moment moment = moment_of(path, run.source.history);
+      Checkpoint checkpoint = checkpoint_of(path, run.source.history);
       digests += fmt::format("{} {}\n", name_of(files[k]), sha256(read_bytes(path)));
-      run.snapshots.push_back(std::move(moment.state));
-      if (newest) run.series = std::move(moment.series);
+      run.snapshots.push_back(std::move(checkpoint.state));
+      if (newest) run.series = std::move(checkpoint.series);
     }
     if (!run.source.history.empty()) run.scenario = run.source.history.back().scenario;
     run.source.role = role;
@@ -103,7 +103,7 @@ PackingFile read_newest_state(const fs::path& folder, std::string role) {
   return while_it_changes(folder, [&](const std::vector<PartFile>& files) {
     const fs::path path = folder / name_of(files.back());
     PackingFile packing;
-    packing.state = moment_of(path, packing.source.history).state;
+    packing.state = checkpoint_of(path, packing.source.history).state;
     packing.source.role = role;
     packing.source.sha256 = sha256(read_bytes(path));
     return packing;

@@ -166,9 +166,9 @@ class PartTest : public ::testing::Test {
   }
   ~PartTest() override { fs::remove_all(folder_); }
 
-  static io::Moment moment(std::int64_t step) {
+  static io::Checkpoint checkpoint(std::int64_t step) {
     static const io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
-    io::Moment m{state, {}, {{"number", {static_cast<double>(step)}}}};
+    io::Checkpoint m{state, {}, {{"number", {static_cast<double>(step)}}}};
     m.state.step = step;
     m.series.columns = {{"step", "1", "steps", {0, static_cast<double>(step)}}};
     return m;
@@ -189,31 +189,31 @@ class PartTest : public ::testing::Test {
 TEST_F(PartTest, KeepsRecordedStatesAndTheLastTwoFiles) {
   auto kept = part();
   EXPECT_FALSE(kept.take_last());
-  kept.keep(moment(0), true);
-  kept.keep(moment(10), false);
-  kept.keep(moment(20), true);
-  for (const std::int64_t step : {30, 40, 50}) kept.keep(moment(step), false);
+  kept.keep(checkpoint(0), true);
+  kept.keep(checkpoint(10), false);
+  kept.keep(checkpoint(20), true);
+  for (const std::int64_t step : {30, 40, 50}) kept.keep(checkpoint(step), false);
   EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000000000040.h5", "checkpoint-000000000050.h5",
                                                "state-000000000000.h5", "state-000000000020.h5"}));
   const std::vector<io::Snapshot> states = kept.recorded();
   ASSERT_EQ(states.size(), 2U);
   EXPECT_EQ(states[1].step, 20);
-  io::test::expect_same(states[0], moment(0).state);
+  io::test::expect_same(states[0], checkpoint(0).state);
 }
 
 TEST_F(PartTest, GoesOnFromTheNewestFileThatIsWhole) {
   {
     auto kept = part();
-    kept.keep(moment(0), true);
-    for (const std::int64_t step : {30, 40}) kept.keep(moment(step), false);
+    kept.keep(checkpoint(0), true);
+    for (const std::int64_t step : {30, 40}) kept.keep(checkpoint(step), false);
   }
   std::ofstream(folder_ / "out.h5.part/.state-000000000050.h5.1.tmp") << "half";
   fs::resize_file(folder_ / "out.h5.part/checkpoint-000000000040.h5", 500);
   auto resumed = part();
   const auto last = resumed.take_last();
   ASSERT_TRUE(last);
-  io::test::expect_same(last->state, moment(30).state);
-  io::test::expect_same(last->series, moment(30).series);
+  io::test::expect_same(last->state, checkpoint(30).state);
+  io::test::expect_same(last->series, checkpoint(30).series);
   EXPECT_EQ(last->numbers.at("number"), std::vector<double>{30});
   EXPECT_EQ(files(), (std::vector<std::string>{"checkpoint-000000000030.h5", "state-000000000000.h5"}));
 }
@@ -221,7 +221,7 @@ TEST_F(PartTest, GoesOnFromTheNewestFileThatIsWhole) {
 TEST_F(PartTest, GoesBackBeyondARecordedStateThatIsMissing) {
   {
     auto kept = part();
-    for (const std::int64_t step : {0, 10, 20}) kept.keep(moment(step), true);
+    for (const std::int64_t step : {0, 10, 20}) kept.keep(checkpoint(step), true);
   }
   fs::remove(folder_ / "out.h5.part/state-000000000010.h5");
   auto resumed = part();
@@ -229,7 +229,7 @@ TEST_F(PartTest, GoesBackBeyondARecordedStateThatIsMissing) {
 }
 
 TEST_F(PartTest, RefusesAnotherRunAndWorkThatWouldBeLost) {
-  { part().keep(moment(10), true); }
+  { part().keep(checkpoint(10), true); }
   io::test::expect_error<CannotCreate>([&] { part(io::Part::Entry::fresh); }, "holds an unfinished run, at step 10");
   history_[0].seed = 1;
   io::test::expect_error<DataError>([&] { part(); }, "is of a run whose seed differs");
@@ -237,12 +237,12 @@ TEST_F(PartTest, RefusesAnotherRunAndWorkThatWouldBeLost) {
 }
 
 TEST_F(PartTest, FollowsNoLinkOutOfItsFolder) {
-  { part().keep(moment(10), false); }
+  { part().keep(checkpoint(10), false); }
   const fs::path kept = folder_ / "out.h5.part/checkpoint-000000000010.h5", far = folder_ / "far.h5";
   fs::rename(kept, far);
   fs::create_symlink(far, kept);
   EXPECT_EQ(part().last_step(), -1);
-  part().keep(moment(10), false);
+  part().keep(checkpoint(10), false);
   EXPECT_FALSE(fs::is_symlink(kept));
   EXPECT_TRUE(fs::is_regular_file(far));
   fs::rename(folder_ / "out.h5.part", folder_ / "elsewhere");
@@ -253,14 +253,14 @@ TEST_F(PartTest, FollowsNoLinkOutOfItsFolder) {
 // Going on would make the state again, so no remedy concerns the file.
 TEST_F(PartTest, AStateThatNoFileMayHoldIsTheRunsOwnFault) {
   auto kept = part();
-  io::Moment wrong = moment(7);
+  io::Checkpoint wrong = checkpoint(7);
   wrong.state.grains.orientation[2] *= 1.1;
   io::test::expect_error<PhysicsError>([&] { kept.keep(wrong, false); }, "step 7: the state cannot be kept");
 }
 
 TEST_F(PartTest, BelongsToOneProcess) {
   auto held = part();
-  held.keep(moment(0), true);
+  held.keep(checkpoint(0), true);
   io::test::expect_error<CannotCreate>([&] { part(); }, "another process is at work on this run");
 }
 
@@ -272,8 +272,8 @@ TEST_F(PartTest, NamesAWayToGoOnWhereThereIsOne) {
 
 TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   auto kept = part();
-  kept.keep(moment(0), true);
-  io::Snapshot broken = moment(7).state;
+  kept.keep(checkpoint(0), true);
+  io::Snapshot broken = checkpoint(7).state;
   broken.grains.position[3].y() = std::nan("");
   const Error error = kept.stopped(PhysicsError("step 7: broken"), broken);
   EXPECT_EQ(error.status(), Exit::internal);

@@ -123,7 +123,7 @@ TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
       {}};
   write_ensemble(path, ensemble, {});
   check_datasets(Reader(test::bytes_of(path), "ensemble"), "/", seen);
-  write_moment(path, {test::example_state(5), test::example_run().series, {{"number", {1, 2}}}}, {});
+  write_checkpoint(path, {test::example_state(5), test::example_run().series, {{"number", {1, 2}}}}, {});
   check_datasets(Reader(test::bytes_of(path), "checkpoint"), "/", seen);
   for (const Section& section : schema())
     for (const Entry& e : section.entries) EXPECT_TRUE(seen.contains(std::string(e.path))) << e.path;

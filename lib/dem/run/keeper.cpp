@@ -28,9 +28,9 @@ Keeper::Keeper(const Safekeeping& how, std::size_t grains)
   due_ = how.interval > 0 ? Clock::now() + duration(how.interval) : Clock::time_point::max();
 }
 
-void Keeper::keep(io::Moment moment, bool recorded) {
+void Keeper::keep(io::Checkpoint checkpoint, bool recorded) {
   const Clock::time_point start = Clock::now();
-  part().keep(std::move(moment), recorded);
+  part().keep(std::move(checkpoint), recorded);
   const Clock::time_point end = Clock::now();
   const double took = std::chrono::duration<double>(end - start).count();
   seconds_ += took;

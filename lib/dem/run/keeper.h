@@ -42,7 +42,7 @@ class Keeper {
     if (signal) stop(signal);
   }
   /// Writes a checkpoint and counts the time.
-  void keep(io::Moment moment, bool recorded);
+  void keep(io::Checkpoint checkpoint, bool recorded);
   /// Returns the time spent in checkpoints so far, s.
   double seconds() const { return seconds_; }
 

@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "dem/loading/pace.h"
-#include "dem/run/moment.h"
+#include "dem/run/checkpoint.h"
 #include "dem/run/prepare.h"
 #include "dem/run/record.h"
 #include "dem/run/way.h"
@@ -64,7 +64,7 @@ struct Position {
 class Runner {
  public:
   Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
-         const Observe& observe, std::optional<io::Moment> last)
+         const Observe& observe, std::optional<io::Checkpoint> last)
       : scenario_(scenario),
         report_(report),
         observe_(observe),
@@ -137,8 +137,8 @@ class Runner {
     demand_kept(same_table && result_.series.rows() > 0, keeper_.part().last(), "table");
   }
 
-  io::Moment moment() {
-    return moment_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
+  io::Checkpoint checkpoint() {
+    return checkpoint_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
   }
 
   // Applies a stage's changes to the grains.
@@ -193,7 +193,7 @@ class Runner {
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
       if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
-      keeper_.after_step([this] { return moment(); });
+      keeper_.after_step([this] { return checkpoint(); });
     }
     tell(stage, station);
   }
@@ -304,7 +304,7 @@ class Runner {
 
   void keep_state() {
     if (keeper_.keeps())
-      keeper_.keep(moment(), true);
+      keeper_.keep(checkpoint(), true);
     else
       result_.snapshots.push_back(simulation_.snapshot());
   }

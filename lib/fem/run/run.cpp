@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "dem/run/moment.h"
+#include "dem/run/checkpoint.h"
 #include "fem/run/record.h"
 
 namespace soilweave::fem {
@@ -57,7 +57,7 @@ class Runner {
         every_(steps_of_output(scenario, model_.time_step())),
         outputs_(outputs_of(scenario)) {
     file_.scenario = scenario.resolved;
-    std::optional<io::Moment> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
+    std::optional<io::Checkpoint> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
     go_on(std::move(last));
     start_steps_ = grain_work(model_).steps;
   }
@@ -146,7 +146,7 @@ class Runner {
     try {
       keeper_.after_step([this] {
         ranks_.told(collect);
-        return moment();
+        return checkpoint();
       });
     } catch (...) {
       ranks_.told(stop);
@@ -164,11 +164,11 @@ class Runner {
     if (a.giving_back()) seconds_ = seconds;
   }
 
-  io::Moment moment() {
+  io::Checkpoint checkpoint() {
     model_.collect();
     Archive a;
     archive(a);
-    io::Moment m;
+    io::Checkpoint m;
     m.state.step = model_.steps();
     m.series = file_.series;
     m.numbers = a.numbers();
@@ -177,7 +177,7 @@ class Runner {
     return m;
   }
 
-  void go_on(std::optional<io::Moment> last) {
+  void go_on(std::optional<io::Checkpoint> last) {
     going_on_ = ranks_.told(std::int64_t{last.has_value()}) != 0;
     if (!going_on_) return;
     std::string where = "the first process";

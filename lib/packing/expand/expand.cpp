@@ -13,7 +13,7 @@
 #include "analysis/tables/bag.h"
 #include "analysis/tables/tables.h"
 #include "core/error.h"
-#include "dem/run/moment.h"
+#include "dem/run/checkpoint.h"
 #include "dem/run/prepare.h"
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
@@ -56,7 +56,7 @@ std::vector<std::int32_t> numbers_of(const std::vector<bool>& node) {
 class Grower {
  public:
   Grower(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
-         const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
+         const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
       : growth_(growth),
         threads_(numerics.threads),
         model_(model),
@@ -169,7 +169,7 @@ class Grower {
       if (report_ && steps % dem::report_interval == 0)
         report_(progress(), fmt::format("round {}, step {}, unbalanced {:.1e}; {}", at_.round, simulation_.steps(),
                                         simulation_.unbalanced_force(), text()));
-      keeper_.after_step([this] { return moment(); });
+      keeper_.after_step([this] { return checkpoint(); });
     }
   }
 
@@ -255,7 +255,7 @@ class Grower {
         text()));
   }
 
-  io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), history_, at_); }
+  io::Checkpoint checkpoint() { return dem::checkpoint_of(simulation_, clock_, keeper_.seconds(), history_, at_); }
 
   const Growth& growth_;
   const int threads_;

@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 #include "dem/engine/described.h"
-#include "dem/run/moment.h"
+#include "dem/run/checkpoint.h"
 #include "dem/run/prepare.h"
 #include "dem/run/scenario.h"
 #include "packing/generate/ahead.h"
@@ -42,7 +42,7 @@ constexpr std::int64_t first_step_multiple = 512;
 class Compaction {
  public:
   Compaction(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
-             const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Moment> last)
+             const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
       : cloud_(cloud),
         model_(model),
         numerics_(numerics),
@@ -334,7 +334,7 @@ class Compaction {
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (report_ && steps % dem::report_interval == 0) tell(stage);
       if (steps > recipe_.largest_stage) throw TargetNotReached(unsettled(stage, steps));
-      keeper_.after_step([this] { return moment(); });
+      keeper_.after_step([this] { return checkpoint(); });
     }
   }
 
@@ -352,7 +352,7 @@ class Compaction {
         simulation_.void_ratio(), recipe_.remedies.tolerance, recipe_.remedies.material);
   }
 
-  io::Moment moment() { return dem::moment_of(simulation_, clock_, keeper_.seconds(), {}, servo_, at_); }
+  io::Checkpoint checkpoint() { return dem::checkpoint_of(simulation_, clock_, keeper_.seconds(), {}, servo_, at_); }
 
   void tell(const char* stage) const {
     const dem::Measures& m = simulation_.measures();

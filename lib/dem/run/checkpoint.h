@@ -12,8 +12,8 @@ namespace soilweave::dem {
 /// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive(). keeping: s spent
 /// in checkpoints.
 template <class... Parts>
-io::Moment moment_of(const Simulation& simulation, PriceClock& clock, double keeping, const io::Series& table,
-                     Parts&... parts) {
+io::Checkpoint checkpoint_of(const Simulation& simulation, PriceClock& clock, double keeping, const io::Series& table,
+                             Parts&... parts) {
   Archive archive;
   simulation.archive(archive);
   (parts.archive(archive), ...);
