@@ -118,7 +118,7 @@ struct FemDem {
         fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks);
     if (!safe) return;
     safe->write([&] { io::write_multiscale(output, outcome.file, history); });
-    if (output != "-") progress.note("fem-dem: " + outcome.price);
+    if (output != "-") progress.note("fem-dem: " + outcome.cost);
   }
 
  private:

@@ -78,10 +78,10 @@ struct FilterExpand {
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});
     if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
     doubts.add_all(analysis::bag_doubts(grown.state));
-    grown.price.output += safe.write([&] { io::write_packing(output, grown.state, io::with_doubts(past, doubts)); });
+    grown.cost.output += safe.write([&] { io::write_packing(output, grown.state, io::with_doubts(past, doubts)); });
     if (output == "-") return;
     progress.note(fmt::format("filter-expand: {} grains, {}", start.grains.size(), grown.fill.text()));
-    progress.note("filter-expand: " + grown.price.line());
+    progress.note("filter-expand: " + grown.cost.line());
   }
 
  private:
@@ -111,13 +111,13 @@ struct FilterExpand {
     // An error says by itself what was missed.
     Doubts doubts = what.surround->missed_is_error ? Doubts() : Doubts(invocation.tool);
     doubts.add_all(done.missed);
-    done.result.price.output +=
+    done.result.cost.output +=
         safe.write([&] { io::write_packing(output, done.result.state, io::with_doubts(past, doubts)); });
     if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
     if (output != "-") {
       progress.note("filter-expand: placed: " + done.before.text());
       progress.note("filter-expand: compacted: " + done.after.text());
-      progress.note("filter-expand: " + done.result.price.line());
+      progress.note("filter-expand: " + done.result.cost.line());
     }
     demand_met(done.missed, *what.surround);
   }

@@ -140,8 +140,8 @@ struct PackGenerate {
     if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // the error below says it
     doubts.add_all(about);
     const io::History with = io::with_doubts(history, doubts);
-    result.price.output += safe.write([&] { io::write_packing(output, result.state, with); });
-    if (output != "-") progress.note("pack-generate: " + result.price.line());
+    result.cost.output += safe.write([&] { io::write_packing(output, result.state, with); });
+    if (output != "-") progress.note("pack-generate: " + result.cost.line());
     if (result.unheld) throw TargetNotReached(*result.unheld);
   }
 

@@ -79,8 +79,8 @@ struct RunDem {
       observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals}, observe);
     doubts.add_all(analysis::doubts_after(state, plan, outcome.file));
-    outcome.price.output += safe.write([&] { io::write_run(output, outcome.file, io::with_doubts(history, doubts)); });
-    if (output != "-") progress.note("run-dem: " + outcome.price.line());
+    outcome.cost.output += safe.write([&] { io::write_run(output, outcome.file, io::with_doubts(history, doubts)); });
+    if (output != "-") progress.note("run-dem: " + outcome.cost.line());
   }
 
   static std::vector<io::Source> sources(const io::PackingFile& start, const io::TextFile& text,

@@ -66,7 +66,7 @@ TOML
 }
 
 # ---- Each engine: its steps per second to a file --------------------------------------------------------------------
-price() { # SAID: steps per second of the clock beside output, and contacts
+cost() { # SAID: steps per second of the clock beside output, and contacts
   grep ' steps/s, ' "$1" | tail -n 1 | awk '{
     for (i = 1; i <= NF; ++i) { if ($i == "steps" && !steps) steps = $(i - 1); if ($i == "s:") clock = $(i - 1)
       if ($i == "contacts" && !pairs) pairs = $(i - 1); if ($i == "output") output = $(i + 1) }
@@ -81,7 +81,7 @@ ours() { # CASE THREADS TO
   local pin=(first_core) TIMEFORMAT='%R %U %S'
   [[ $2 == 1 ]] || pin=()
   { time "${pin[@]}" run-dem "$1.h5" scenario.toml --threads "$2" --force -o run.h5 2> said.txt; } 2> time.txt
-  price said.txt | awk -v threads="$2" -v took="$(tail -n 1 time.txt)" '{
+  cost said.txt | awk -v threads="$2" -v took="$(tail -n 1 time.txt)" '{
     split(took, t, " "); share = threads == 1 && t[2] + t[3] < t[1] ? (t[2] + t[3]) / t[1] : 1
     printf "%.6g %d\n", $1 / share, $2 }' > "$3"
 }
@@ -93,7 +93,7 @@ side_by_side() { # CASE TO
     taskset -c $core run-dem "$1.h5" scenario.toml --threads 1 --force -o run.$core.h5 2> said.$core.txt &
   done
   wait
-  { price said.0.txt; price said.1.txt; } | awk '{ sum += $1 } END { print sum }' > "$2"
+  { cost said.0.txt; cost said.1.txt; } | awk '{ sum += $1 } END { print sum }' > "$2"
 }
 
 yade_speed() { # CASE TO

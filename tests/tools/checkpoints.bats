@@ -250,11 +250,11 @@ command with --resume goes on from there" said || show "$(< said)"
   same_bytes whole.h5 out.h5
 }
 
-@test "every run tells its price, and --check predicts it" {
+@test "every run tells its cost, and --check predicts it" {
   exits 0 run-dem packing.h5 short.toml -o out.h5
   local words='steps ([0-9]* % of them waiting for rest) of 60 grains with [0-9]* contacts in [0-9.e+]* s: [0-9.e+]* steps/s, [0-9.e+]* ns per contact; '
   words+='contacts [0-9]* %, integration [0-9]* %, neighbours [0-9]* %, output [0-9]* %'
-  grep -qx "run-dem: [0-9]* $words" <<< "$stderr" || show "wanted the price"
+  grep -qx "run-dem: [0-9]* $words" <<< "$stderr" || show "wanted the cost"
   local steps
   steps=$(grep -v ': doubt: ' <<< "$stderr")
   steps=${steps#run-dem: }

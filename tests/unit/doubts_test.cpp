@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/tables/doubts.h"
-#include "dem/run/price.h"
+#include "dem/run/cost.h"
 #include "files/files.h"
 #include "gws/solution/doubts.h"
 #include "support/assembly.h"
@@ -155,15 +155,15 @@ TEST(DoubtsOfRuns, InertialNumberWithTheRateThatWouldDo) {
   EXPECT_EQ(of("0.02"), "");  // the remedy works
 }
 
-TEST(Price, SharesOfPhasesAddUpToTheTimeOfStepping) {
-  dem::Price price;
-  price.steps = 700, price.stepping = 10, price.output = 10;
-  price.times.looked_at = 100;
-  price.times.seconds = {2, 1, 1};  // 28 s for all steps, if the sampled ones were typical; they were slow ones
-  EXPECT_DOUBLE_EQ(price.share(dem::Phase::contacts), 0.25);
-  EXPECT_DOUBLE_EQ(price.share(dem::Phase::integration), 0.125);
-  price.times.seconds = {0.4, 0.2, 0.2};
-  EXPECT_DOUBLE_EQ(price.share(dem::Phase::contacts), 0.14);
+TEST(Cost, SharesOfPhasesAddUpToTheTimeOfStepping) {
+  dem::Cost cost;
+  cost.steps = 700, cost.stepping = 10, cost.output = 10;
+  cost.times.looked_at = 100;
+  cost.times.seconds = {2, 1, 1};  // 28 s for all steps, if the sampled ones were typical; they were slow ones
+  EXPECT_DOUBLE_EQ(cost.share(dem::Phase::contacts), 0.25);
+  EXPECT_DOUBLE_EQ(cost.share(dem::Phase::integration), 0.125);
+  cost.times.seconds = {0.4, 0.2, 0.2};
+  EXPECT_DOUBLE_EQ(cost.share(dem::Phase::contacts), 0.14);
 }
 
 TEST(DoubtsOfBagsSolved, SoilNobodyChoseAndConstantsExtrapolated) {

@@ -262,12 +262,12 @@ TEST(Forecast, ItsTimeIsThatOfTheStepsTriedForAllOfThem) {
   const Forecast f = forecast(prepare(start, plan), plan);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
   const double steps = f.stages.at(0).steps + f.stages.at(1).steps;
-  EXPECT_NEAR(static_cast<double>(f.price.steps), steps, 0.5);
+  EXPECT_NEAR(static_cast<double>(f.cost.steps), steps, 0.5);
   EXPECT_EQ(f.states, 12U) << "the start, ten stations and one";
-  const double tried = f.price.stepping / steps * 200;
+  const double tried = f.cost.stepping / steps * 200;
   EXPECT_GT(tried, 0);
   EXPECT_LE(tried, took);
-  EXPECT_NEAR(f.price.contacts(), static_cast<double>(start.contacts.size()),
+  EXPECT_NEAR(f.cost.contacts(), static_cast<double>(start.contacts.size()),
               0.1 * static_cast<double>(start.contacts.size()));
 }
 

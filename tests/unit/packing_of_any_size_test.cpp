@@ -80,7 +80,7 @@ TEST(Standard, ASoilScaledInSizeMakesTheSamePacking) {
   recipe.max_rate /= factor;
   const Result other = compact(scaled(large, factor), sand_with_moments(0.13 * std::pow(factor, 3)), {}, recipe);
   EXPECT_EQ(one.void_ratio, other.void_ratio);
-  EXPECT_EQ(one.price.steps, other.price.steps);
+  EXPECT_EQ(one.cost.steps, other.cost.steps);
   for (std::size_t i = 0; i < 60; ++i)
     EXPECT_EQ(Vec3(factor * one.state.grains.position[i]), other.state.grains.position[i]);
 }
@@ -188,7 +188,7 @@ TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
   EXPECT_NEAR(number_after("at last at ", *once.unheld), once.void_ratio, 1e-4);
   recipe.most_attempts = 12;
   const Result often = compact(sparse(80), testing::sand(), {}, recipe);
-  EXPECT_GT(often.price.steps, once.price.steps);
+  EXPECT_GT(often.cost.steps, once.cost.steps);
   EXPECT_LT(std::abs(often.void_ratio - 0.72), std::abs(once.void_ratio - 0.72));
   const dem::Simulation s(often.state, testing::sand(), {});
   EXPECT_LE(s.unbalanced_force(), 1e-3);

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "dem/engine/guard.h"
-#include "dem/run/price.h"
+#include "dem/run/cost.h"
 #include "dem/run/record.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
@@ -125,16 +125,16 @@ TEST(Recorded, APriceGoesOnFromWhatIsKept) {
   Simulation before(start, testing::sand(), {});
   for (int k = 0; k < 100; ++k) before.step();
   ASSERT_GT(before.step_times().looked_at, 0);
-  PriceClock clock, again;
+  CostClock clock, again;
   Archive kept;
   clock.archive(before, 0, kept);
   Archive given(kept.numbers(), "memory");
   const Simulation after(start, testing::sand(), {});
   again.archive(after, 0, given);
-  const Price price = again.price(after, 0);
-  EXPECT_EQ(price.times.looked_at, before.step_times().looked_at);
-  for (std::size_t k = 0; k < price.times.seconds.size(); ++k)
-    EXPECT_EQ(price.times.seconds[k], before.step_times().seconds[k]);
+  const Cost cost = again.cost(after, 0);
+  EXPECT_EQ(cost.times.looked_at, before.step_times().looked_at);
+  for (std::size_t k = 0; k < cost.times.seconds.size(); ++k)
+    EXPECT_EQ(cost.times.seconds[k], before.step_times().seconds[k]);
 }
 
 // The limit is a share of all energy: turned over, at the start, in motion and stored.

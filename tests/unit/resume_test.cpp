@@ -313,8 +313,8 @@ TEST_F(PartTest, CountsTheStepsOfAStationFromItsOwnBeginning) {
   ASSERT_GT(resumed.last_step(), static_cast<std::int64_t>(step[1])) << "it was stopped within the second stage";
   const Outcome rest = run(start, bounded, {}, {&resumed, 300, nullptr});
   io::test::expect_same(rest.file.series, whole.file.series);
-  EXPECT_EQ(static_cast<double>(rest.price.steps), step[2]);
-  EXPECT_EQ(rest.price.contact_steps, whole.price.contact_steps);
+  EXPECT_EQ(static_cast<double>(rest.cost.steps), step[2]);
+  EXPECT_EQ(rest.cost.contact_steps, whole.cost.contact_steps);
 }
 
 TEST(Resume, GoesOnAtTheStepAndTimeOfItsState) {

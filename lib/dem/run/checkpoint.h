@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "dem/engine/simulation.h"
-#include "dem/run/price.h"
+#include "dem/run/cost.h"
 #include "files/part.h"
 
 namespace soilweave::dem {
@@ -12,7 +12,7 @@ namespace soilweave::dem {
 /// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive(). keeping: s spent
 /// in checkpoints.
 template <class... Parts>
-io::Checkpoint checkpoint_of(const Simulation& simulation, PriceClock& clock, double keeping, const io::Series& table,
+io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, double keeping, const io::Series& table,
                              Parts&... parts) {
   Archive archive;
   simulation.archive(archive);

@@ -131,24 +131,24 @@ std::string time_text(double seconds) {
 }
 
 // Times the first steps of the run.
-Price tried(Simulation& simulation, const Scenario& scenario, int dimension) {
+Cost tried(Simulation& simulation, const Scenario& scenario, int dimension) {
   Servo servo(scenario.servo);
   const Stage& first = scenario.stages.front();
   simulation.set_damping(first.damping.value_or(scenario.numerics.damping));
   if (first.friction) simulation.set_model(with_friction(scenario.model, *first.friction));
   if (first.reset_strain) simulation.set_reference();
   const auto start = std::chrono::steady_clock::now();
-  Price price;
-  while (price.steps < tried_steps && price.stepping < tried_seconds) {
+  Cost cost;
+  while (cost.steps < tried_steps && cost.stepping < tried_seconds) {
     servo.drive(first.path->goals(0, {dimension, simulation.measures().stress, simulation.strain()}), dimension,
                 simulation);
     simulation.step();
-    ++price.steps;
-    price.stepping = Seconds(std::chrono::steady_clock::now() - start).count();
+    ++cost.steps;
+    cost.stepping = Seconds(std::chrono::steady_clock::now() - start).count();
   }
-  price.contact_steps = simulation.contact_steps();
-  price.times = simulation.step_times();
-  return price;
+  cost.contact_steps = simulation.contact_steps();
+  cost.times = simulation.step_times();
+  return cost;
 }
 
 }  // namespace
@@ -172,20 +172,20 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
     waiting += f.stages.back().waiting;
   }
   f.states = states_of(scenario, stations);
-  f.price = tried(simulation, scenario, dimension);
-  f.price.waiting = std::llround(waiting);
-  const double scale = steps / static_cast<double>(f.price.steps);
-  f.price.grains = start.grains.size();
-  f.price.stepping *= scale;
-  f.price.contact_steps = std::llround(static_cast<double>(f.price.contact_steps) * scale);
-  f.price.steps = std::llround(steps);
+  f.cost = tried(simulation, scenario, dimension);
+  f.cost.waiting = std::llround(waiting);
+  const double scale = steps / static_cast<double>(f.cost.steps);
+  f.cost.grains = start.grains.size();
+  f.cost.stepping *= scale;
+  f.cost.contact_steps = std::llround(static_cast<double>(f.cost.contact_steps) * scale);
+  f.cost.steps = std::llround(steps);
   const auto writing = std::chrono::steady_clock::now();
   const io::Snapshot state = simulation.snapshot();
   const auto state_bytes = static_cast<double>(io::packing_bytes(state));
   const double write = Seconds(std::chrono::steady_clock::now() - writing).count();
   const auto states = static_cast<double>(f.states);
   // Every state is written when recorded, read back at the end, and written once more.
-  f.price.output = 3 * states * write;
+  f.cost.output = 3 * states * write;
   f.file_bytes = states * state_bytes + 300.0 * static_cast<double>(stations);
   f.memory_bytes = peak_memory() + (states + 1) * bytes_of(state) + f.file_bytes;
   return f;
@@ -195,14 +195,14 @@ std::string Forecast::text() const {
   std::string text = fmt::format(
       "{} grains, {:.0f} contacts, largest overlap {:.2g} of the radius, unbalanced force {:.2g}\n"
       "time step {:.4g} s, stability limit {:.4g} s\n",
-      price.grains, price.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
+      cost.grains, cost.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
   for (const OfStage& stage : stages)
     text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps{}, {:.2g} of them waiting for rest\n",
                         stage.name, stage.stations, stage.stations == 1 ? "" : "s", stage.steps,
                         stage.paced ? " if as fast as given" : "", stage.waiting);
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
-  return text + fmt::format("about {}: {}\n", time_text(price.stepping + price.output), price.line());
+  return text + fmt::format("about {}: {}\n", time_text(cost.stepping + cost.output), cost.line());
 }
 
 }  // namespace soilweave::dem

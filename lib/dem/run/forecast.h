@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/run/price.h"
+#include "dem/run/cost.h"
 #include "dem/run/scenario.h"
 
 namespace soilweave::dem {
@@ -25,7 +25,7 @@ struct Forecast {
   double unbalanced_force = 0, largest_overlap = 0;
   std::size_t states = 0;  // recorded states
   double file_bytes = 0, memory_bytes = 0;
-  Price price;
+  Cost cost;
 
   /// Returns the lines for the user.
   std::string text() const;

@@ -105,11 +105,11 @@ class Runner {
         if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1, nominal)) keep_state();
       }
     }
-    Price price = clock_.price(simulation_, keeper_.seconds());
-    price.waiting = way_.waited();
-    result_.work = {price.steps, price.contact_steps};
+    Cost cost = clock_.cost(simulation_, keeper_.seconds());
+    cost.waiting = way_.waited();
+    result_.work = {cost.steps, cost.contact_steps};
     if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
-    return {std::move(result_), price};
+    return {std::move(result_), cost};
   }
 
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
@@ -325,7 +325,7 @@ class Runner {
   Position at_;
   io::RunFile result_;
   std::size_t total_ = 0;
-  PriceClock clock_;
+  CostClock clock_;
 };
 
 }  // namespace

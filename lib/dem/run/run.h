@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
+#include "dem/run/cost.h"
 #include "dem/run/keeper.h"
 #include "dem/run/prepare.h"
-#include "dem/run/price.h"
 #include "dem/run/scenario.h"
 #include "files/files.h"
 
@@ -26,7 +26,7 @@ using Observe = std::function<void(const io::Snapshot& state, io::Series& series
 /// Result of a run.
 struct Outcome {
   io::RunFile file;
-  Price price;
+  Cost cost;
 };
 
 /// Runs all stages. The file holds the series (one row at the start and one per station), the requested snapshots with

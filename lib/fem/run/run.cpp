@@ -77,7 +77,7 @@ class Runner {
     model_.collect();
     const GrainWork work = grain_work(model_);
     file_.work = {work.steps, work.contact_steps};
-    return {std::move(file_), price()};
+    return {std::move(file_), cost()};
   }
 
   /// Leaves the present state as a file for inspection.
@@ -209,7 +209,7 @@ class Runner {
                                        : ""));
   }
 
-  std::string price() const {
+  std::string cost() const {
     const double seconds = seconds_ + since(began_);
     const GrainWork work = grain_work(model_);
     std::string line =

@@ -17,7 +17,7 @@ using Report = std::function<void(double fraction, const std::string& detail)>;
 /// Result of a run.
 struct Outcome {
   io::MultiscaleFile file;
-  std::string price;  // a line: steps, grain steps per second, seconds
+  std::string cost;  // a line: steps, grain steps per second, seconds
 };
 
 /// Runs the whole duration. Every output is a row of the series and of the tables. With a folder to keep it in, the run

@@ -88,7 +88,7 @@ class Grower {
     for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})
       for (Vec3& v : *rows) v.setZero();
     state.step = 0, state.time = 0;
-    return {std::move(state), fill_, std::move(history_), clock_.price(simulation_, keeper_.seconds())};
+    return {std::move(state), fill_, std::move(history_), clock_.cost(simulation_, keeper_.seconds())};
   }
 
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
@@ -270,7 +270,7 @@ class Grower {
   double least_force_ = 0;   // N
   bool fell_apart_ = false;  // whether grains fell apart as they came to rest
   io::Series history_;
-  dem::PriceClock clock_;
+  dem::CostClock clock_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@
 #include "core/text/settings.h"
 #include "dem/contact/model.h"
 #include "dem/loading/control.h"
+#include "dem/run/cost.h"
 #include "dem/run/keeper.h"
-#include "dem/run/price.h"
 #include "files/records.h"
 
 namespace soilweave::packing {
@@ -70,7 +70,7 @@ struct Grown {
   io::Snapshot state;  // state at rest
   Fill fill;
   io::Series history;  // one row per measurement
-  dem::Price price;
+  dem::Cost cost;
 };
 
 using Report = std::function<void(double fraction, const std::string& detail)>;

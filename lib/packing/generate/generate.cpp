@@ -85,9 +85,9 @@ class Compaction {
     io::Snapshot state = simulation_.snapshot();
     state.step = 0;
     state.time = 0;
-    dem::Price price = clock_.price(simulation_, keeper_.seconds());
-    price.steps -= at_.skipped, price.contact_steps += at_.contact_steps;
-    return {std::move(state), simulation_.void_ratio(), at_.lowest, price, unheld()};
+    dem::Cost cost = clock_.cost(simulation_, keeper_.seconds());
+    cost.steps -= at_.skipped, cost.contact_steps += at_.contact_steps;
+    return {std::move(state), simulation_.void_ratio(), at_.lowest, cost, unheld()};
   }
 
   io::Snapshot snapshot() const { return simulation_.snapshot(); }
@@ -376,7 +376,7 @@ class Compaction {
   dem::AxisGoals goals_;
   double angle_;  // full friction, rad
   Position at_;
-  dem::PriceClock clock_;
+  dem::CostClock clock_;
 };
 
 }  // namespace

@@ -14,8 +14,8 @@
 
 #include "dem/contact/model.h"
 #include "dem/loading/control.h"
+#include "dem/run/cost.h"
 #include "dem/run/keeper.h"
-#include "dem/run/price.h"
 #include "files/records.h"
 #include "packing/generate/standard.h"
 
@@ -51,7 +51,7 @@ struct Result {
   io::Snapshot state;  // state at rest, at full friction, strains and clock zero
   double void_ratio = 0;
   double friction_angle = 0;  // the lowest one used, rad
-  dem::Price price;
+  dem::Cost cost;
   /// If no attempt held the void ratio: the message that says which one the state holds.
   std::optional<std::string> unheld;
 };

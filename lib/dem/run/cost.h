@@ -12,7 +12,7 @@
 namespace soilweave::dem {
 
 /// Cost of a run.
-struct Price {
+struct Cost {
   std::size_t grains = 0;
   std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
   std::int64_t waiting = 0;                   // number of steps in which stations waited for rest; 0: no waits
@@ -30,11 +30,11 @@ struct Price {
 };
 
 /// Measures the cost of work that may be interrupted and resumed.
-class PriceClock {
+class CostClock {
  public:
   /// Returns the cost over all sessions; the simulation counts its steps from 0. keeping: s spent in checkpoints in
   /// this session.
-  Price price(const Simulation& simulation, double keeping) const;
+  Cost cost(const Simulation& simulation, double keeping) const;
   /// Keeps the seconds of all sessions, or restores those of earlier sessions.
   void archive(const Simulation& simulation, double keeping, Archive& archive);
 

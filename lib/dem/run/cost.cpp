@@ -1,12 +1,12 @@
 // Cost of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/run/price.h"
+#include "dem/run/cost.h"
 
 #include <fmt/format.h>
 
 namespace soilweave::dem {
 
-double Price::share(Phase phase) const {
+double Cost::share(Phase phase) const {
   if (times.looked_at == 0 || !(stepping + output > 0)) return 0;
   const double all_steps = static_cast<double>(steps) / static_cast<double>(times.looked_at);
   double phases = 0;
@@ -16,7 +16,7 @@ double Price::share(Phase phase) const {
   return scale * times.of(phase) * all_steps / (stepping + output);
 }
 
-std::string Price::line() const {
+std::string Cost::line() const {
   const double total = stepping + output;
   return fmt::format(
       "{} steps{} of {} grains with {:.0f} contacts in {:.3g} s: {:.4g} steps/s, {:.3g} ns per contact; contacts "
@@ -28,8 +28,8 @@ std::string Price::line() const {
       total > 0 ? 100 * output / total : 0);
 }
 
-Price PriceClock::price(const Simulation& simulation, double keeping) const {
-  Price p;
+Cost CostClock::cost(const Simulation& simulation, double keeping) const {
+  Cost p;
   p.grains = simulation.grains();
   p.steps = simulation.steps();
   p.contact_steps = simulation.contact_steps();
@@ -42,8 +42,8 @@ Price PriceClock::price(const Simulation& simulation, double keeping) const {
   return p;
 }
 
-void PriceClock::archive(const Simulation& simulation, double keeping, Archive& a) {
-  Price p = price(simulation, keeping);
+void CostClock::archive(const Simulation& simulation, double keeping, Archive& a) {
+  Cost p = cost(simulation, keeping);
   a.item("seconds_stepping", p.stepping), a.item("seconds_output", p.output);
   a.item("seconds_contacts", p.times.seconds[0]), a.item("seconds_integration", p.times.seconds[1]);
   a.item("seconds_neighbours", p.times.seconds[2]), a.item("steps_looked_at", p.times.looked_at);
