@@ -76,7 +76,7 @@ struct Flight {
     cell.advance(dt);
     planes.advance(dt);
     const double plane = planes.all.empty() ? 0 : planes.all[0].velocity.norm();
-    if (!neighbours.outdated(bodies, motion.advanced().haste, plane, cell.velocity_gradient(), dt)) return;
+    if (!neighbours.outdated(bodies, motion.advanced().skin_rate, plane, cell.velocity_gradient(), dt)) return;
     neighbours.rebuild(bodies, cell, planes, contacts);
     ++lists;
   }

@@ -103,12 +103,12 @@ struct Stepper : testing::EngineParts {
     const bool within = may_move_within && neighbours.outlast(gain, gradient, dt);
     if (!within) motion.advance_all(bodies);
     cell.advance(dt);
-    if (!within && neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt))
+    if (!within && neighbours.outdated(bodies, motion.advanced().skin_rate, 0, gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts), ++rebuilt;
     act(dt, within);
     EXPECT_LE(motion.advanced().fastest, (1 + 1e-12) * (before + gain));  // except for rounding
     if (within) {
-      EXPECT_FALSE(neighbours.outdated(bodies, motion.advanced().haste, 0, gradient, dt));
+      EXPECT_FALSE(neighbours.outdated(bodies, motion.advanced().skin_rate, 0, gradient, dt));
     }
     return within;
   }

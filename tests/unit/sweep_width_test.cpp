@@ -48,7 +48,7 @@ struct Stepper : testing::EngineParts {
     cell.advance(dt);
     planes.advance(dt);
     const double fastest = planes.all.empty() ? 0 : planes.all.front().velocity.norm();
-    if (neighbours.outdated(bodies, motion.advanced().haste, fastest, cell.velocity_gradient(), dt))
+    if (neighbours.outdated(bodies, motion.advanced().skin_rate, fastest, cell.velocity_gradient(), dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     if (in_space) bodies.dimension = 3;
     act(dt);

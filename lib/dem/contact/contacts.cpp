@@ -126,7 +126,7 @@ void Contacts::look_across(const std::vector<Pair>& pairs) {
   });
 }
 
-void Contacts::name_singles(Bodies& bodies) {
+void Contacts::name_single_loads(Bodies& bodies) {
   const std::size_t grains = bodies.size();
   const auto each = [this](const auto& visit) {
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
@@ -135,22 +135,22 @@ void Contacts::name_singles(Bodies& bodies) {
       for (int k = 0; k < block.pairs.count; ++k)
         visit(static_cast<std::size_t>(ContactBlock::index(block.pairs.first[k])));
   };
-  singles_start.assign(grains + 1, 0);
-  each([this](std::size_t grain) { ++singles_start[grain + 1]; });
-  std::partial_sum(singles_start.begin(), singles_start.end(), singles_start.begin());
-  singles.resize(singles_start.back());
-  const std::size_t loads = grains + singles.size();
+  single_loads_start.assign(grains + 1, 0);
+  each([this](std::size_t grain) { ++single_loads_start[grain + 1]; });
+  std::partial_sum(single_loads_start.begin(), single_loads_start.end(), single_loads_start.begin());
+  single_loads.resize(single_loads_start.back());
+  const std::size_t loads = grains + single_loads.size();
   constexpr std::size_t farthest = std::numeric_limits<std::uint32_t>::max();
   if (grains > farthest / sizeof(Grain) || loads > farthest / sizeof(Load))
     throw DataError(fmt::format("{} grains are more than one simulation can hold: {} million", grains,
                                 farthest / sizeof(Grain) / 1'000'000));
   bodies.loads.resize(loads);
   bodies.stiffness.resize(loads);
-  next_.assign(singles_start.begin(), singles_start.end() - 1);
+  next_.assign(single_loads_start.begin(), single_loads_start.end() - 1);
   const std::size_t first_of_planes = std::transform_reduce(across_.begin(), across_.end(), grains, std::plus<>(),
                                                             [](const auto& across) { return across.size(); });
   auto load = static_cast<std::uint32_t>(grains);
-  each([&](std::size_t grain) { singles[next_[grain]++] = {load++, static_cast<std::int32_t>(grain)}; });
+  each([&](std::size_t grain) { single_loads[next_[grain]++] = {load++, static_cast<std::int32_t>(grain)}; });
   planes.set_loads(first_of_planes);
 }
 
@@ -161,7 +161,7 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   planes.list(std::move(with_planes), bodies);
   chunks.resize(chunks_of(bodies.size()));
   look_across(pairs);
-  name_singles(bodies);
+  name_single_loads(bodies);
   plan = ChunkPlan(reached_, work_, threads);
   std::vector<std::size_t> first_load(chunks.size());
   std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),

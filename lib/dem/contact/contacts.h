@@ -29,14 +29,14 @@ struct Contacts {
   std::vector<CellOffset> images;
   // Loads of single pairs: from pairs with grains of other chunks, and from planes. Pairs within a chunk add to the
   // grain's own load instead. They follow the loads of the grains in Bodies::loads, in the order of the blocks, planes
-  // last. Grain b has singles[singles_start[b]] up to singles[singles_start[b + 1]], in the order of its pairs, planes
-  // last.
-  struct Single {
+  // last. Grain b has single_loads[single_loads_start[b]] up to single_loads[single_loads_start[b + 1]], in the order
+  // of its pairs, planes last.
+  struct SingleLoad {
     std::uint32_t load;  // index into Bodies::loads
     std::int32_t grain;
   };
-  std::vector<Single> singles;
-  std::vector<std::uint32_t> singles_start;
+  std::vector<SingleLoad> single_loads;
+  std::vector<std::uint32_t> single_loads_start;
   int threads = 1;  // number that share the chunks
   ChunkPlan plan;
 
@@ -49,13 +49,13 @@ struct Contacts {
 
  private:
   void look_across(const std::vector<Pair>& pairs);
-  void name_singles(Bodies& bodies);
+  void name_single_loads(Bodies& bodies);
 
   std::vector<LargeVector<ContactBlock>> known_;     // blocks of one chunk while it is listed anew, by thread
   std::vector<std::vector<std::uint32_t>> reached_;  // other chunks that a chunk's pairs reach
   std::vector<std::vector<std::int32_t>> across_;    // second grains in other chunks, pair by pair, by chunk
   std::vector<std::size_t> work_;                    // cost of a chunk in a step; 1 for a pair or a grain
-  std::vector<std::uint32_t> next_;                  // next free place in `singles` of each grain
+  std::vector<std::uint32_t> next_;                  // next free place in `single_loads` of each grain
 };
 
 /// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.

@@ -24,10 +24,10 @@ Lane4 resultant(const Bodies& bodies, std::size_t i, const Lane4& gravity) {
 void collect_singles(const Contacts& contacts, std::size_t chunk, const Bodies& bodies, LargeVector<Load>& loads) {
   constexpr std::ptrdiff_t ahead = 8;
   const auto from = [&](std::size_t c) {
-    return contacts.singles.data() + contacts.singles_start[first_grain(c, bodies)];
+    return contacts.single_loads.data() + contacts.single_loads_start[first_grain(c, bodies)];
   };
-  const Contacts::Single* const end = from(chunk + 1);
-  for (const Contacts::Single* s = from(chunk); s != end; ++s) {
+  const Contacts::SingleLoad* const end = from(chunk + 1);
+  for (const Contacts::SingleLoad* s = from(chunk); s != end; ++s) {
     if (end - s > ahead) __builtin_prefetch(&loads[s[ahead].load], 1);
     Load &one = loads[s->load], &total = loads[static_cast<std::size_t>(s->grain)];
     total.force += one.force, total.torque += one.torque;
@@ -163,12 +163,12 @@ MotionSums Motion::advanced() const {
     all_chunks.damping += m.damping;
     all_chunks.gravity_work += m.gravity_work;
     all_chunks.fastest2 = std::max(all_chunks.fastest2, m.fastest2);
-    all_chunks.haste2 = std::max(all_chunks.haste2, m.haste2);
+    all_chunks.skin_rate2 = std::max(all_chunks.skin_rate2, m.skin_rate2);
   }
   const auto sum = [](const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; };
   const double half = 0.5 * push_.dt;
   return {half * sum(all_chunks.damping), half * sum(all_chunks.gravity_work), std::sqrt(all_chunks.fastest2),
-          std::sqrt(all_chunks.haste2)};
+          std::sqrt(all_chunks.skin_rate2)};
 }
 
 double Motion::gain_bound(double smallest_mass) const {

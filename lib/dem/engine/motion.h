@@ -14,7 +14,7 @@ struct MotionSums {
   double damping = 0;       // energy taken by local damping in this step, J
   double gravity_work = 0;  // work in this step, J
   double fastest = 0;       // largest fluctuation speed, m/s
-  double haste = 0;         // largest speed over skin distance (Neighbours), 1/s
+  double skin_rate = 0;     // largest speed over skin distance (Neighbours), 1/s
 };
 
 /// Passes over the grains, chunk by chunk (contacts.h). It keeps the sums of the chunks from call to call, so that

@@ -138,7 +138,7 @@ struct Simulation::Impl {
     cell.advance(dt);
     planes.advance(dt);
     clock.lap(Phase::integration);
-    if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().haste, fastest_plane(), gradient, dt))
+    if (!passes.moving() && neighbours.outdated(bodies, motion.advanced().skin_rate, fastest_plane(), gradient, dt))
       neighbours.rebuild(bodies, cell, planes, contacts);
     clock.lap(Phase::neighbours);
     Vec3 stiffness;
@@ -147,7 +147,7 @@ struct Simulation::Impl {
     clock.lap(Phase::contacts);
     clock.shift(beside_sweep.seconds() / numerics.threads, Phase::contacts, Phase::integration);
     const MotionSums moved = motion.advanced();
-    if (passes.moving()) neighbours.outdated(bodies, moved.haste, 0, gradient, dt);
+    if (passes.moving()) neighbours.outdated(bodies, moved.skin_rate, 0, gradient, dt);
     const double clamped = clamps.take(numerics.gravity, dt, bodies);
     clock.lap(Phase::integration);
     contact_steps += sums.contacts;

@@ -177,8 +177,8 @@ double Yarns::stiffness_over_mass(const Bodies& bodies, const Contacts& contacts
   return largest_in_parallel(node_.size(), contacts.threads, [&](std::size_t n) {
     const auto i = static_cast<std::size_t>(node_[n]);
     Lane4 along = bodies.stiffness[i].force;
-    for (std::uint32_t s = contacts.singles_start[i]; s < contacts.singles_start[i + 1]; ++s)
-      along += bodies.stiffness[contacts.singles[s].load].force;
+    for (std::uint32_t s = contacts.single_loads_start[i]; s < contacts.single_loads_start[i + 1]; ++s)
+      along += bodies.stiffness[contacts.single_loads[s].load].force;
     for (std::uint32_t e = start_[n]; e < start_[n + 1]; ++e) {
       const std::size_t slot = ends_[e] / 2, lane = slot % Block::size;
       const Block& block = blocks_[slot / Block::size];

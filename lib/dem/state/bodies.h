@@ -42,7 +42,7 @@ struct Bodies {
   LargeVector<Grain> grains;
   LargeVector<double> angle;  // rotation of disks about the normal of their plane, rad
   // Loads, first one per grain: after Motion::collect the resultant without gravity, which Motion::advance consumes.
-  // During a sweep, loads of single pairs follow (Contacts::singles).
+  // During a sweep, loads of single pairs follow (Contacts::single_loads).
   LargeVector<Load> loads;
   // Resistance of the contacts to motion, laid out like the loads (ContactSweep). Zero except while a step evaluates
   // it.

@@ -226,7 +226,7 @@ template <class Rows>
       {load<Lanes>(push.gravity[0].data()), load<Lanes>(push.gravity[1].data()), load<Lanes>(push.gravity[2].data())});
   const bool heavy = push.heavy, deforming = push.deforming, in_cache = push.in_cache;
   Lane4 all_lost = tally.damping, gravity_work = tally.gravity_work;
-  Lanes fastest{}, haste{};
+  Lanes fastest{}, skin_rate{};
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
     if (!in_cache) call_for(at, i);
@@ -241,7 +241,7 @@ template <class Rows>
     const Vector v = kick(force, ratio.move, damping, before, lost);
     if (heavy) add_up(gravity_work, dot(pull, before + v));
     const Lanes speed2 = norm2(v);
-    fastest = maximum(fastest, speed2), haste = maximum(haste, Lanes(speed2 * load<Lanes>(at.per_leeway2 + i)));
+    fastest = maximum(fastest, speed2), skin_rate = maximum(skin_rate, Lanes(speed2 * load<Lanes>(at.per_leeway2 + i)));
     const auto w = kick(torque, ratio.turn, damping, spin, lost);
     of.put({v, w, mass, radius});
     of.turn(dt * w);
@@ -252,7 +252,7 @@ template <class Rows>
   }
   tally.damping = all_lost, tally.gravity_work = gravity_work;
   tally.fastest2 = std::max(tally.fastest2, largest(fastest));
-  tally.haste2 = std::max(tally.haste2, largest(haste));
+  tally.skin_rate2 = std::max(tally.skin_rate2, largest(skin_rate));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Push {
 struct MotionTally {
   Lane4 damping{}, gravity_work{};  // twice the power, W
   double fastest2 = 0;              // m2/s2
-  double haste2 = 0;                // largest speed over skin distance (Neighbours), squared, 1/s2
+  double skin_rate2 = 0;            // largest speed over skin distance (Neighbours), squared, 1/s2
 };
 
 /// Arrays of grains and of their data, with equal indices.

@@ -66,26 +66,26 @@ double Neighbours::Since::moved2(const Bodies& bodies, std::size_t i) const {
   return square[0] + square[1] + square[2];
 }
 
-bool Neighbours::outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient,
+bool Neighbours::outdated(const Bodies& bodies, double skin_rate, double fastest_plane, const Mat3& velocity_gradient,
                           double dt) {
   pace_ = {dt, fastest_plane, velocity_gradient};
-  haste_ = haste;
+  skin_rate_ = skin_rate;
   const double rate = velocity_gradient.norm();
   for (Since* since : {&filtered_, &searched_}) since->step(velocity_gradient, dt);
-  worn_ += dt * (rate * worn_ + haste);
+  used_skin_ += dt * (rate * used_skin_ + skin_rate);
   planes_moved_ += dt * (fastest_plane + rate * extent_);
   if (filtered_.strain() * longest() > cell_leeway_ || (planes_ && planes_moved_ > plane_leeway_)) return true;
-  if (worn_ <= 1) return false;
-  worn_ = std::sqrt(largest_over_grains(
+  if (used_skin_ <= 1) return false;
+  used_skin_ = std::sqrt(largest_over_grains(
       bodies, threads_, [&](std::size_t i) { return filtered_.moved2(bodies, i) * bodies.per_leeway2[i]; }));
-  return worn_ > nearly_all;
+  return used_skin_ > nearly_all;
 }
 
 bool Neighbours::outlast(double gain, const Mat3& velocity_gradient, double dt) const {
   constexpr double all_but_rounding = 1 - 1e-9;
   const double rate = velocity_gradient.norm(), strain = filtered_.strain();
   return (strain + dt * rate * (1 + strain)) * longest() <= all_but_rounding * cell_leeway_ &&
-         worn_ + dt * (rate * worn_ + haste_ + gain / least_leeway_) <= all_but_rounding;
+         used_skin_ + dt * (rate * used_skin_ + skin_rate_ + gain / least_leeway_) <= all_but_rounding;
 }
 
 void Neighbours::set_leeways(const Bodies& bodies) {
@@ -184,9 +184,9 @@ void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes,
 void Neighbours::begin_list(Bodies& bodies) {
   filtered_.begin(bodies, threads_);
   least_leeway_ = *std::min_element(leeway_.begin(), leeway_.end());
-  worn_ = planes_moved_ = 0;
+  used_skin_ = planes_moved_ = 0;
   bodies.per_leeway2.resize(bodies.size());
-  haste_ = largest_over_grains(bodies, threads_, [&](std::size_t i) {
+  skin_rate_ = largest_over_grains(bodies, threads_, [&](std::size_t i) {
     bodies.per_leeway2[i] = 1 / (leeway_[i] * leeway_[i]);
     return speed(bodies, i) / leeway_[i];
   });

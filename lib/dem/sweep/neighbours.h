@@ -27,9 +27,9 @@ class Neighbours {
   explicit Neighbours(double largest_radius);
 
   /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have truly moved
-  /// since the list was made. Returns true if the list is no longer safe. haste: largest speed over skin of a grain in
-  /// the step, 1/s (Motion). fastest_plane: m/s.
-  bool outdated(const Bodies& bodies, double haste, double fastest_plane, const Mat3& velocity_gradient, double dt);
+  /// since the list was made. Returns true if the list is no longer safe. skin_rate: largest speed over skin of a grain
+  /// in the step, 1/s (Motion). fastest_plane: m/s.
+  bool outdated(const Bodies& bodies, double skin_rate, double fastest_plane, const Mat3& velocity_gradient, double dt);
   /// Returns whether the list surely outlasts one more step without planes, if no grain gains more speed than `gain`,
   /// m/s.
   bool outlast(double gain, const Mat3& velocity_gradient, double dt) const;
@@ -69,7 +69,7 @@ class Neighbours {
   std::vector<double> leeway_;                 // m
   double least_leeway_ = 0, cell_leeway_ = 0;  // m; least skin of all grains; closing of a pair by the cell
   double plane_leeway_ = 0;                    // m, for the motion of planes, and of grains with the cell
-  double haste_ = 0, worn_ = 0;                // 1/s; largest used share of a skin, so far
+  double skin_rate_ = 0, used_skin_ = 0;       // 1/s; largest used share of a skin, so far
   double planes_moved_ = 0, extent_ = 0;       // m; largest distance of a grain from the origin
   bool planes_ = false;
   int threads_ = 1;
