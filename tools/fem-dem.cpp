@@ -108,7 +108,7 @@ struct FemDem {
     doubts.add_all(plan.model.soil.mesh.doubts);
     if (check) return io::write_bytes("-", fem::forecast(plan, states));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
-    const fem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::with_doubts(io::extend(sources, invocation, plan.resolved), doubts);
     const StopSignals signals;
     std::optional<io::SafeOutput> safe;

@@ -59,7 +59,7 @@ struct FilterExpand {
     }();
     dem::described(start, what.model);
     Progress progress("filter-expand", invocation.quiet);
-    const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {volume.source, text.source};
     sources.insert(sources.end(), what.sources.begin(), what.sources.end());
     const io::History past = io::extend(sources, invocation, what.resolved);
@@ -97,7 +97,7 @@ struct FilterExpand {
     const packing::Surrounded cell = packing::surround(reinforced.state, *what.surround, what.density);
     dem::described(cell.state, what.model);
     Progress progress("filter-expand", invocation.quiet);
-    const packing::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {reinforced.source, text};
     sources.insert(sources.end(), what.sources.begin(), what.sources.end());
     const io::History past = io::extend(sources, invocation, what.resolved);

@@ -131,7 +131,7 @@ struct PackGenerate {
     recipe.pressure = pressure, recipe.void_ratio = void_ratio, recipe.tolerances.unbalanced_force = tolerance;
     recipe.max_rate = max_rate.value_or(given ? 1 : packing::default_rate(radius));
     recipe.damping = contacts.numerics.damping, recipe.room = room;
-    const packing::Report report = [&](double f, const std::string& detail) { progress.update(f, detail); };
+    const ProgressReport report = [&](double f, const std::string& detail) { progress.update(f, detail); };
     packing::Result result =
         packing::compact(state, contacts.model, contacts.numerics, recipe, report, {safe.part(), interval, &signals});
     const std::vector<Doubt> about = packing::doubts_about(result.state, contacts.model, room);

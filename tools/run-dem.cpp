@@ -69,7 +69,7 @@ struct RunDem {
       return doubts.add_all(analysis::doubts_before(state, plan));
     }
     Progress progress("run-dem", invocation.quiet);
-    const dem::Report report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::extend(sources(start, text, plan), invocation, plan.resolved);
     const StopSignals signals;
     io::SafeOutput safe(output, history, invocation);

@@ -3,10 +3,15 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace soilweave {
+
+/// Receives the progress of a piece of work from the library, which prints nothing: the fraction done, from 0 to 1, and
+/// a line on the present state.
+using ProgressReport = std::function<void(double fraction, const std::string& detail)>;
 
 /// Progress of one piece of work. Its line on a terminal is cleared when the object is destroyed.
 class Progress {

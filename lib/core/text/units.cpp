@@ -9,7 +9,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/error.h"
@@ -28,8 +27,6 @@ struct NamedUnit {
   Unit unit;
   bool prefixed;  // takes k, M, m, …
 };
-
-constexpr double degree = std::numbers::pi / 180;
 
 constexpr std::array units{
     NamedUnit{"1", {1, {}}, false},

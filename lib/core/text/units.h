@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace soilweave {
+
+inline constexpr double degree = std::numbers::pi / 180;  // rad
 
 /// Returns the factor from unit `from` to unit `to` (1 kPa -> 1000 Pa). Throws DataError that names the part that is no
 /// unit, or the two units that measure different things.

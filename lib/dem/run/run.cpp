@@ -63,8 +63,8 @@ struct Position {
 
 class Runner {
  public:
-  Runner(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
-         const Observe& observe, std::optional<io::Checkpoint> last)
+  Runner(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,
+         const Safekeeping& safekeeping, const Observe& observe, std::optional<io::Checkpoint> last)
       : scenario_(scenario),
         report_(report),
         observe_(observe),
@@ -310,7 +310,7 @@ class Runner {
   }
 
   const Scenario& scenario_;
-  const Report& report_;
+  const ProgressReport& report_;
   const Observe& observe_;
   bool has_yarns_;
   int dimension_;
@@ -339,8 +339,8 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
   return twin;
 }
 
-Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report, const Safekeeping& safekeeping,
-            const Observe& observe) {
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,
+            const Safekeeping& safekeeping, const Observe& observe) {
   io::Part* part = safekeeping.part;
   Runner runner(start, scenario, report, safekeeping, observe, part ? part->take_last() : std::nullopt);
   return carry_out<true>(runner, part);

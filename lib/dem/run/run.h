@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "core/progress.h"
 #include "dem/run/cost.h"
 #include "dem/run/keeper.h"
 #include "dem/run/prepare.h"
@@ -12,9 +13,6 @@
 #include "files/files.h"
 
 namespace soilweave::dem {
-
-/// Progress callback: fraction done (0 to 1), and a line on the present state.
-using Report = std::function<void(double fraction, const std::string& detail)>;
 
 /// Returns the packing with positions moved at random by at most `fraction` of the radius along each axis: a twin that
 /// shows the scatter of a chaotic system. One seed gives the same twin everywhere. Contacts keep their history.
@@ -33,7 +31,7 @@ struct Outcome {
 /// the first and last, and the resolved scenario. With a folder to keep it in, the run goes on from what is there and
 /// ends in the same bytes. Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks,
 /// Stopped after a signal. The message says what is kept.
-Outcome run(const io::Snapshot& start, const Scenario& scenario, const Report& report,
+Outcome run(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,
             const Safekeeping& safekeeping = {}, const Observe& observe = {});
 
 }  // namespace soilweave::dem

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
+#include "core/text/units.h"
 #include "dem/run/geotextile.h"
 
 namespace soilweave::dem {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr Parameter density_parameter{"density",
                                       "kg/m3",
                                       0,

@@ -46,7 +46,7 @@ std::int64_t outputs_of(const Scenario& scenario) {
 
 class Runner {
  public:
-  Runner(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
+  Runner(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
          const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks)
       : scenario_(scenario),
         ranks_(ranks),
@@ -226,7 +226,7 @@ class Runner {
 
   const Scenario& scenario_;
   const Ranks& ranks_;
-  const Report& report_;
+  const ProgressReport& report_;
   const io::History& history_;
   dem::Keeper keeper_;
   Model model_;
@@ -239,7 +239,7 @@ class Runner {
 
 }  // namespace
 
-Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
+Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks) {
   io::Part* part = safekeeping.part;
   Runner runner(scenario, packings, report, safekeeping, history, ranks);

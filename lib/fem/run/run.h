@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "core/progress.h"
 #include "dem/run/keeper.h"
 #include "fem/run/scenario.h"
 #include "files/files.h"
 
 namespace soilweave::fem {
-
-/// Progress callback: fraction done (0 to 1), and a line on the present state.
-using Report = std::function<void(double fraction, const std::string& detail)>;
 
 /// Result of a run.
 struct Outcome {
@@ -24,7 +21,7 @@ struct Outcome {
 /// goes on from what is there and ends in the same bytes, on any number of threads and processes. All processes call
 /// it; only the first one has a folder and the outcome. Throws PhysicsError when physics breaks, TargetNotReached if a
 /// quasi-static state is not reached, Stopped after a signal.
-Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Report& report,
+Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks);
 
 /// Returns a forecast: time steps of both scales, memory, file size and time, from a few tried steps.

@@ -5,16 +5,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/error.h"
+#include "core/text/units.h"
 #include "dem/run/scenario.h"
 
 namespace soilweave::fem {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 std::string text_of(Shape shape) { return shape == Shape::triangle3 ? "3-node triangles" : "8-node quadrilaterals"; }
 

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.h"
+#include "core/text/units.h"
 #include "files/exchange/table.h"
 #include "files/files.h"
 #include "gws/solution/model.h"
@@ -16,7 +16,6 @@
 namespace soilweave::gws {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 // E50 of Toyoura sand at e = 0.68 under 0.2 MPa (data/laboratory), and the exponent of its growth with pressure.
 constexpr double toyoura_E50 = 51e6, toyoura_pressure = 200e3, toyoura_exponent = 0.5, toyoura_void_ratio = 0.68;
 

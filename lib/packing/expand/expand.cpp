@@ -56,7 +56,7 @@ std::vector<std::int32_t> numbers_of(const std::vector<bool>& node) {
 class Grower {
  public:
   Grower(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
-         const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
+         const ProgressReport& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
       : growth_(growth),
         threads_(numerics.threads),
         model_(model),
@@ -260,7 +260,7 @@ class Grower {
   const Growth& growth_;
   const int threads_;
   const dem::Model& model_;
-  const Report& report_;
+  const ProgressReport& report_;
   dem::Keeper keeper_;
   Archive kept_;
   dem::Simulation simulation_;
@@ -339,7 +339,7 @@ Growth Growth::read(Settings& table) {
 }
 
 Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
-           const Report& report, const dem::Safekeeping& safekeeping) {
+           const ProgressReport& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
   held.clamps = {numbers_of(analysis::nodes(start))};
   // Yarns whose nodes stand still have no tension. Radii grow by work that no boundary does, and rattlers fly. Damping

@@ -8,10 +8,10 @@
 // friction is lowered and grains rearrange. At last friction is restored, and the grains come to rest.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "core/progress.h"
 #include "core/text/settings.h"
 #include "dem/contact/model.h"
 #include "dem/loading/control.h"
@@ -73,11 +73,9 @@ struct Grown {
   dem::Cost cost;
 };
 
-using Report = std::function<void(double fraction, const std::string& detail)>;
-
 /// Grows soil in the container that the nodes of the state's geotextiles form; the nodes stand still. The grains of the
 /// state must be at rest or nearly so. Throws TargetNotReached naming the criterion that was missed.
 Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
-           const Report& report = {}, const dem::Safekeeping& safekeeping = {});
+           const ProgressReport& report = {}, const dem::Safekeeping& safekeeping = {});
 
 }  // namespace soilweave::packing

@@ -150,7 +150,8 @@ io::Series table(const CompactedCell& cell) {
 }
 
 CompactedCell compact_around(const Surrounded& cell, const Surround& how, const dem::Model& model,
-                             const dem::Numerics& numerics, const Report& report, const dem::Safekeeping& safekeeping) {
+                             const dem::Numerics& numerics, const ProgressReport& report,
+                             const dem::Safekeeping& safekeeping) {
   Recipe recipe = how.recipe;
   recipe.rate_shares = cell.shares;
   if (!how.max_rate) recipe.max_rate = gentle_rate(cell, recipe.pressure);

@@ -41,6 +41,7 @@ io::Series table(const CompactedCell& cell);
 /// not the reinforced part. The axes' rates make all fill equally dense. Then the fill's friction is lowered and
 /// restored until the void ratio holds (compact), and the result is judged. Throws what compact() throws.
 CompactedCell compact_around(const Surrounded& cell, const Surround& how, const dem::Model& model,
-                             const dem::Numerics& numerics, const Report& report, const dem::Safekeeping& safekeeping);
+                             const dem::Numerics& numerics, const ProgressReport& report,
+                             const dem::Safekeeping& safekeeping);
 
 }  // namespace soilweave::packing

@@ -7,10 +7,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/error.h"
+#include "core/text/units.h"
 #include "dem/engine/described.h"
 #include "dem/run/checkpoint.h"
 #include "dem/run/prepare.h"
@@ -22,7 +22,6 @@
 namespace soilweave::packing {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 // Share of the cell: slightly less than the half at which a guard stops.
 constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
@@ -42,7 +41,7 @@ constexpr std::int64_t first_step_multiple = 512;
 class Compaction {
  public:
   Compaction(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
-             const Report& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
+             const ProgressReport& report, const dem::Safekeeping& safekeeping, std::optional<io::Checkpoint> last)
       : cloud_(cloud),
         model_(model),
         numerics_(numerics),
@@ -366,7 +365,7 @@ class Compaction {
   dem::Model model_;
   dem::Numerics numerics_;
   const Recipe& recipe_;
-  const Report& report_;
+  const ProgressReport& report_;
   int dimension_;
   double largest_;  // largest diameter, m
   dem::Keeper keeper_;
@@ -382,7 +381,7 @@ class Compaction {
 }  // namespace
 
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
-               const Report& report, const dem::Safekeeping& safekeeping) {
+               const ProgressReport& report, const dem::Safekeeping& safekeeping) {
   io::Snapshot start = cloud;
   start.step = 0;
   start.time = 0;

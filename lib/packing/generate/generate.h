@@ -7,11 +7,11 @@
 // void ratio, between that of full friction and that of none (thesis section 3.2.2).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "dem/contact/model.h"
 #include "dem/loading/control.h"
 #include "dem/run/cost.h"
@@ -56,8 +56,6 @@ struct Result {
   std::optional<std::string> unheld;
 };
 
-using Report = std::function<void(double fraction, const std::string& detail)>;
-
 /// Compresses the assembly isotropically to the pressure at full friction. Then lowers the friction of the recipe's
 /// materials step by step (thesis §3.2.2), and restores it as the void ratio passes the target, until an equilibrium at
 /// the pressure and full friction holds the target. If grains settle below the target as friction is restored, the work
@@ -71,6 +69,6 @@ using Report = std::function<void(double fraction, const std::string& detail)>;
 /// columns that bear the pressure before they fill it. If that makes the cell denser than the target, the work begins
 /// anew with more friction.
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
-               const Report& report = {}, const dem::Safekeeping& safekeeping = {});
+               const ProgressReport& report = {}, const dem::Safekeeping& safekeeping = {});
 
 }  // namespace soilweave::packing
