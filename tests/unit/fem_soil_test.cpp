@@ -104,7 +104,7 @@ TEST(Soil, points_of_integration_stand_for_their_part_of_the_area) {
     double area = 0;
     Vec2 moment = Vec2::Zero();
     for (Index p = 0; p < soil.points(); ++p)
-      area += soil.place(p).area, moment += soil.place(p).area * soil.place(p).position;
+      area += soil.soil_point(p).area, moment += soil.soil_point(p).area * soil.soil_point(p).position;
     EXPECT_NEAR(area, 1.2 * 0.9, 1e-14);
     // One or two points per side are exact only for straight sides.
     if (c.integration == Integration::full || c.shape == Shape::triangle3) {

@@ -48,7 +48,7 @@ struct AffineMotion {
 
 /// Relative position of two grains.
 template <class T, class Space>
-struct Place {
+struct RelativePosition {
   Vector<T, Space> normal;
   T overlap, R_star, per_reach, inverse_distance;
   Mask<T> touching;
@@ -56,7 +56,7 @@ struct Place {
 
 /// Returns the position from branch vector and radii.
 template <class T, class Space>
-Place<T, Space> place_of(const Vector<T, Space>& branch, const T& r1, const T& r2) {
+RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, const T& r1, const T& r2) {
   const T reach = r1 + r2, distance_squared = norm2(branch);
   const Mask<T> touching = distance_squared <= reach * reach;
   // Dividing beside the root is faster than dividing after it.

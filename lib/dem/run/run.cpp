@@ -47,7 +47,7 @@ Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
 }
 
 // Progress of a run.
-struct Position {
+struct RunProgress {
   std::size_t stage = 0, station = 0;  // station: the next one to reach
   bool begun = false;                  // whether the stage has begun
   std::int64_t first = 0;              // step at which the loading to the station began
@@ -322,7 +322,7 @@ class Runner {
   Rig rig_;
   Pace pace_;
   Way way_;
-  Position at_;
+  RunProgress at_;
   io::RunFile result_;
   std::size_t total_ = 0;
   CostClock clock_;

@@ -185,22 +185,22 @@ class LawSweep final : public ContactSweep {
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
-        const auto place = place_of<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
+        const auto relative = relative_position<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
-        const unsigned touching = bits(place.touching);
-        // A rarely taken branch: the place of the next group must not wait for the result of this one.
+        const unsigned touching = bits(relative.touching);
+        // A rarely taken branch: the position of the next group must not wait for the result of this one.
         if ((touching | lanes.touching()) == 0) [[unlikely]]
           continue;
         // Copied member by member: a copy of the whole would be read from the two halves just stored, and wait for
         // them.
         group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
         group->touching = touching;
-        group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, place.inverse_distance};
+        group->motion = {velocity, rows.spin_1, rows.spin_2, rows.radius_1, rows.radius_2, relative.inverse_distance};
         PairGeometry<Lanes, Space>& g = group->geometry;
-        g.touching = place.touching;
+        g.touching = relative.touching;
         Kinematics<Lanes, Space>& kinematics = g.kinematics;
-        kinematics.normal = place.normal, kinematics.overlap = place.overlap;
-        kinematics.R_star = place.R_star, kinematics.per_reach = place.per_reach;
+        kinematics.normal = relative.normal, kinematics.overlap = relative.overlap;
+        kinematics.R_star = relative.R_star, kinematics.per_reach = relative.per_reach;
         kinematics.r1 = rows.radius_1, kinematics.r2 = rows.radius_2;
         if (use_masses) lanes.masses(grains, kinematics);
         ++group;

@@ -111,14 +111,14 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
 }
 
 /// Adds stiffness for translation and rotation at place(lane), laid out like the loads.
-template <class Lanes, class Place>
-void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const Place& place) {
+template <class Lanes, class RowOf>
+void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const RowOf& place) {
   const V3<Lanes>&t = translation, &r = rotation;
   to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
   to_rows(r.x, r.y, r.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane) + width<Lane4>, row); });
 }
-template <class Lanes, class Place>
-void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation, const Place& place) {
+template <class Lanes, class RowOf>
+void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation, const RowOf& place) {
   to_rows(translation.x, translation.y, rotation, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
 }
 

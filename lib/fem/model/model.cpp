@@ -78,7 +78,7 @@ void Model::make_points() {
     else
       points_.push_back(
           std::make_unique<Rve>(setup_.packings[setup_.packings.size() == 1 ? 0 : p], setup_.grains, dt_, substeps_));
-    areas_.push_back(soil_->place(p).area);
+    areas_.push_back(soil_->soil_point(p).area);
   }
   setup_.packings.clear();
   share_stresses();
@@ -154,7 +154,7 @@ std::string Model::failure_of(Index task, const std::exception_ptr& failure) con
     std::rethrow_exception(failure);
   } catch (const PhysicsError& error) {
     if (task < first) return fmt::format("step {}: {}", steps_, error.what());
-    const Place at = soil_->place(task - first);
+    const SoilPoint at = soil_->soil_point(task - first);
     return fmt::format("step {}: element {}, point {} at ({:.4g}, {:.4g}) m: its grains: {}", steps_, at.element,
                        task - first, at.position[0], at.position[1], error.what());
   }

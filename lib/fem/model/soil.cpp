@@ -197,7 +197,7 @@ SoilEnergies Soil::energies() const {
   return e;
 }
 
-Place Soil::place(Index point) const {
+SoilPoint Soil::soil_point(Index point) const {
   const Index e = point / rule_.size();
   const IntegrationPoint& p = rule_[point % rule_.size()];
   const ElementNodes x = mesh().corners(e, positions_);
@@ -208,7 +208,7 @@ std::vector<Mat2> Soil::at_nodes(const std::vector<Mat2>& values) const {
   std::vector<Mat2> sums(positions_.size(), Mat2::Zero());
   std::vector<double> areas(positions_.size(), 0);
   for (Index p = 0; p < points(); ++p) {
-    const Place at = place(p);
+    const SoilPoint at = soil_point(p);
     for (Index k = 0; k < mesh().nodes_of_element(); ++k) {
       const Index n = mesh().elements[at.element][k];
       sums[n] += at.area * values[p];

@@ -37,8 +37,8 @@ struct SoilSetup {
   std::vector<Traction> tractions;
 };
 
-/// Place of an integration point.
-struct Place {
+/// A material point of the soil: where it lies, and its share of the area.
+struct SoilPoint {
   Index element;
   Vec2 position;  // m
   double area;    // part of the element's area, m2
@@ -88,7 +88,7 @@ class Soil {
   SoilEnergies energies() const;
   double kinetic_energy() const;
   /// Returns element, position and area of a point.
-  Place place(Index point) const;
+  SoilPoint soil_point(Index point) const;
   /// Returns point values averaged at the nodes, weighted by area.
   std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
   /// Returns the resultant of the internal forces at a boundary's nodes, N/m; at rest supports and interface exert it.

@@ -87,7 +87,7 @@ void points(const Model& model, io::MultiscaleFile& file) {
   const Soil& soil = model.soil();
   io::Series& t = table(file, "points", "points of integration, one row a point and output");
   for (Index p = 0; p < soil.points(); ++p) {
-    const Place at = soil.place(p);
+    const SoilPoint at = soil.soil_point(p);
     const Mat2 stress = model.points()[p]->stress(), &strain = soil.strains()[p];
     const Local local = model.points()[p]->local();
     Row row(t);

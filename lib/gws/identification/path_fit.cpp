@@ -26,16 +26,18 @@ constexpr int whitenings = 3;             // the correlation settles after two
 constexpr int most_iterations = 100;
 
 /// A constant as a parameter of the search: positive ones as their logarithm.
-struct Place {
+struct SearchedConstant {
   const char* key;
   double Soil::*field;
   bool positive;
 };
-constexpr std::array places{
-    Place{"compression_line.C_t", &Soil::C_t, true},      Place{"compression_line.p_0", &Soil::p_0, true},
-    Place{"near_failure_line.kappa", &Soil::kappa, true}, Place{"near_failure_line.lambda", &Soil::lambda, true},
-    Place{"near_failure_line.xi", &Soil::xi, false},      Place{"dilatancy_line.p_1", &Soil::p_1, false},
-    Place{"dilatancy_line.p_2", &Soil::p_2, false}};
+constexpr std::array searched_constants{SearchedConstant{"compression_line.C_t", &Soil::C_t, true},
+                                        SearchedConstant{"compression_line.p_0", &Soil::p_0, true},
+                                        SearchedConstant{"near_failure_line.kappa", &Soil::kappa, true},
+                                        SearchedConstant{"near_failure_line.lambda", &Soil::lambda, true},
+                                        SearchedConstant{"near_failure_line.xi", &Soil::xi, false},
+                                        SearchedConstant{"dilatancy_line.p_1", &Soil::p_1, false},
+                                        SearchedConstant{"dilatancy_line.p_2", &Soil::p_2, false}};
 
 /// Errors of one relation: their standard deviation, and the correlation of one row's with the next one's.
 struct Errors {
@@ -47,8 +49,8 @@ class Search {
   Search(const std::vector<BagSeries>& bags, const Soil& start, const std::vector<double>& modulus,
          bool compression_known)
       : bags_(bags), soil_(start) {
-    for (const Place& place : places)
-      if (!compression_known || !std::string_view(place.key).starts_with("compression")) free_.push_back(&place);
+    for (const SearchedConstant& constant : searched_constants)
+      if (!compression_known || !std::string_view(constant.key).starts_with("compression")) free_.push_back(&constant);
     shared_ = static_cast<Index>(free_.size());
     Index count = shared_;
     for (const BagSeries& bag : bags) modulus_at_.push_back(bag.from_rest ? count++ : -1);
@@ -76,8 +78,8 @@ class Search {
   Soil soil_at(const VectorXd& at) const {
     Soil soil = soil_;
     for (Index i = 0; i < shared_; ++i) {
-      const Place& place = *free_[static_cast<std::size_t>(i)];
-      soil.*place.field = place.positive ? std::exp(at[i]) : at[i];
+      const SearchedConstant& constant = *free_[static_cast<std::size_t>(i)];
+      soil.*constant.field = constant.positive ? std::exp(at[i]) : at[i];
     }
     return soil;
   }
@@ -260,9 +262,9 @@ class Search {
     found.soil = soil_at(at_);
     VectorXd unit = VectorXd::Ones(at_.size());
     for (Index i = 0; i < shared_; ++i) {
-      const Place& place = *free_[static_cast<std::size_t>(i)];
-      found.keys.emplace_back(place.key);
-      if (place.positive) unit[i] = found.soil.*place.field;
+      const SearchedConstant& constant = *free_[static_cast<std::size_t>(i)];
+      found.keys.emplace_back(constant.key);
+      if (constant.positive) unit[i] = found.soil.*constant.field;
     }
     found.covariance = unit.asDiagonal() * covariance() * unit.asDiagonal();
     for (Index s = shared_; s < at_.size(); ++s) found.modulus.push_back(std::exp(at_[s]));
@@ -273,7 +275,7 @@ class Search {
 
   const std::vector<BagSeries>& bags_;
   Soil soil_;
-  std::vector<const Place*> free_;
+  std::vector<const SearchedConstant*> free_;
   std::vector<Index> modulus_at_;  // place of ln E of each bag among the parameters; -1: none
   Index shared_ = 0, rows_ = 0;
   VectorXd at_;  // the constants, positive ones as logarithms; ln E of each bag

@@ -21,7 +21,7 @@ void Chart::Line::add(const Vec3& point) {
   points.push_back(point);
 }
 
-Chart::Place Chart::Line::at_share(double share) const {
+Chart::RowPosition Chart::Line::at_share(double share) const {
   const double length = share * lengths.back();
   const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
   const auto k = static_cast<std::size_t>(next - lengths.begin());
@@ -29,11 +29,11 @@ Chart::Place Chart::Line::at_share(double share) const {
   return {k - 1, piece > 0 ? std::clamp((length - lengths[k - 1]) / piece, 0.0, 1.0) : 0};
 }
 
-Vec3 Chart::Line::point(const Place& place) const {
+Vec3 Chart::Line::point(const RowPosition& place) const {
   return points[place.first] + place.part * (points[place.first + 1] - points[place.first]);
 }
 
-Chart::Place Chart::section(double azimuth) {
+Chart::RowPosition Chart::section(double azimuth) {
   const double turns = azimuth / (2 * pi), place = (turns - std::floor(turns)) * sections;
   const auto k = std::min(static_cast<std::size_t>(place), sections - 1);
   return {k, place - static_cast<double>(k)};

@@ -27,7 +27,7 @@ class Chart {
 
  private:
   /// Position between an entry of a row and the next: index of the first, and fraction of the way.
-  struct Place {
+  struct RowPosition {
     std::size_t first;
     double part;
   };
@@ -36,10 +36,10 @@ class Chart {
     std::vector<Vec3> points;
     std::vector<double> lengths;
     void add(const Vec3& point);
-    Place at_share(double share) const;  // share of its length
-    Vec3 point(const Place& place) const;
+    RowPosition at_share(double share) const;  // share of its length
+    Vec3 point(const RowPosition& place) const;
   };
-  static Place section(double azimuth);  // the two sections around an azimuth
+  static RowPosition section(double azimuth);  // the two sections around an azimuth
   /// Returns the azimuth of a point of the box's outline, rad.
   double azimuth(double u, double v) const;
   double along_equator(double azimuth) const;

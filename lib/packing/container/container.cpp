@@ -25,7 +25,7 @@ std::vector<Vec3> FilledBag::spread(const std::vector<Vec3>& box, const std::arr
   const double round = 1 - 0.5 * width / half_hoop(outside);
   std::vector<Vec3> points;
   for (const Vec3& b : box) {
-    const Place at = place(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : round, outside);
+    const SurfacePoint at = surface_point(b, even ? cells[2] / (cells_across(b, cells) + cells[2]) : round, outside);
     // The corners of the rings round gradually, so that the middle of the face is a regular grid.
     const double share = at.face / (0.5 * width);
     const auto xy = on_outline(b.x(), b.y(), at.face + at.beyond, corner_radius * share * share + rounder(at.beyond));

@@ -49,7 +49,7 @@ Eigen::Vector2d Profile::nearest(double out, double height, double outside) cons
   return edge + (Eigen::Vector2d(out, height) - edge).normalized() * outside;
 }
 
-Profile::Place Profile::place(const Vec3& box, double side, double outside) const {
+Profile::SurfacePoint Profile::surface_point(const Vec3& box, double side, double outside) const {
   const double hoop = half_hoop(outside), from_side = side * hoop, face = 0.5 * width;
   const bool top = std::abs(box.z()) >= 1;
   const double ring = std::max(std::abs(box.x()), std::abs(box.y()));

@@ -33,12 +33,12 @@ struct Profile {
   Eigen::Vector2d nearest(double out, double height, double outside) const;
   /// Position on the parallel surface for a point of a box's surface, u, v, w in [-1, 1]. side: share of the way from
   /// the middle of the top to the middle of a side that belongs to the box's side.
-  struct Place {
+  struct SurfacePoint {
     double face, beyond;  // distance from the axis up to the face's edge, and from there on, m
     double height;        // m
   };
   /// Returns where a point of a box's surface comes to lie.
-  Place place(const Vec3& box, double side, double outside) const;
+  SurfacePoint surface_point(const Vec3& box, double side, double outside) const;
 };
 
 /// Returns a point of the outline, seen from above, of a square of half width `half` with corner radius r, m. u and v

@@ -17,7 +17,7 @@
 #include "dem/run/scenario.h"
 #include "packing/generate/ahead.h"
 #include "packing/generate/apart.h"
-#include "packing/generate/compaction_position.h"
+#include "packing/generate/compaction_progress.h"
 
 namespace soilweave::packing {
 namespace {
@@ -248,7 +248,7 @@ class Compaction {
   // friction earlier by as much as the grains fell. Grains that barely support each other come to rest only at few void
   // ratios, which depend on the friction.
   void begin_again() {
-    Position next;
+    CompactionProgress next;
     next.attempt = at_.attempt + 1;
     next.least_lead = at_.least_lead, next.loosest = at_.loosest;
     next.loose_angle = at_.loose_angle, next.dense_angle = at_.dense_angle;
@@ -374,7 +374,7 @@ class Compaction {
   dem::Servo servo_;
   dem::AxisGoals goals_;
   double angle_;  // full friction, rad
-  Position at_;
+  CompactionProgress at_;
   dem::CostClock clock_;
 };
 

@@ -12,7 +12,7 @@ namespace soilweave::packing {
 enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
 
 // Progress of the work.
-struct Position {
+struct CompactionProgress {
   Phase phase = Phase::compressing;
   std::int64_t first = 0;            // step at which the way to the equilibrium began
   double friction = 0;               // present angle of all materials, rad; 0 before it was first changed
