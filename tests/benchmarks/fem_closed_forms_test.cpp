@@ -46,7 +46,7 @@ double wave_error(Index elements, Shape shape, bool fixed_both) {
   return std::sqrt(sum / static_cast<double>(nodes.size())) / amplitude;
 }
 
-TEST(FiniteElements, waves_and_vibrating_bars_converge_with_the_second_order) {
+TEST(FiniteElements, WavesAndVibratingBarsConvergeWithTheSecondOrder) {
   for (const bool fixed_both : {true, false})
     for (const Shape shape : {Shape::triangle3, Shape::quadrilateral8}) {
       const double coarse = wave_error(16, shape, fixed_both), fine = wave_error(32, shape, fixed_both);
@@ -58,7 +58,7 @@ TEST(FiniteElements, waves_and_vibrating_bars_converge_with_the_second_order) {
 }
 
 // A slenderness of 1:8 without Poisson effect gives bending and shear of Timoshenko's beam.
-TEST(FiniteElements, a_cantilever_bends_as_a_beam_does) {
+TEST(FiniteElements, ACantileverBendsAsABeamDoes) {
   for (const Integration integration : {Integration::reduced, Integration::full}) {
     const double length = 2, height = 0.25, load = 2;  // along the end, Pa
     ModelSetup setup = block(length, height, 8, 1, Shape::quadrilateral8, 0);
@@ -81,7 +81,7 @@ TEST(FiniteElements, a_cantilever_bends_as_a_beam_does) {
   }
 }
 
-TEST(FiniteElements, energy_is_kept_and_accounted_for) {
+TEST(FiniteElements, EnergyIsKeptAndAccountedFor) {
   ModelSetup setup = block(1, 1, 4, 4, Shape::triangle3, 0.25);
   setup.soil.damping = 0.5;
   setup.soil.supports = {{"bottom", 0.0, 0.0, {}}};

@@ -15,7 +15,7 @@
 namespace soilweave::gws {
 namespace {
 
-TEST(GwsConvergence, the_thesis_s_increments_tend_to_the_path_with_the_first_order) {
+TEST(GwsConvergence, IncrementsOfTheThesisTendToThePathWithTheFirstOrder) {
   Case bag = test::bag_of("PP");
   bag.tolerance = 1e-9;
   const double surcharge = 1414.3e3;
@@ -34,7 +34,7 @@ TEST(GwsConvergence, the_thesis_s_increments_tend_to_the_path_with_the_first_ord
   EXPECT_LT(before, 5e-4);
 }
 
-TEST(GwsConvergence, fixed_steps_of_the_path_have_the_fifth_order) {
+TEST(GwsConvergence, FixedStepsOfThePathHaveTheFifthOrder) {
   const Soil soil;
   const double E = soil.young_modulus(232e3), from = std::log(soil.p_0), to = std::log(800e3);
   const auto rates = [&](const Plastic& y, Plastic& rate, double x) {
@@ -111,7 +111,7 @@ std::string outcome(const Case& bag) {
   }
 }
 
-TEST(GwsConvergence, ten_thousand_random_bags_end_with_a_reason_and_in_time) {
+TEST(GwsConvergence, TenThousandRandomBagsEndWithAReasonAndInTime) {
   std::mt19937_64 random(5);
   std::map<std::string, int> ends;
   double longest = 0;

@@ -83,7 +83,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-TEST(GwsPathFit, a_response_identified_again_has_its_constants_inside_and_no_outlier) {
+TEST(GwsPathFit, AResponseIdentifiedAgainHasItsConstantsInsideAndNoOutlier) {
   std::mt19937_64 random(1);
   Soil other;  // identification begins at Table 5.2, these bags were made with other constants
   other.C_t = 0.9, other.p_0 = 3e3, other.kappa = 1.6, other.lambda = 1.5, other.p_1 = 1.4, other.p_2 = 0.3;
@@ -100,7 +100,7 @@ TEST(GwsPathFit, a_response_identified_again_has_its_constants_inside_and_no_out
       }
 }
 
-TEST(GwsPathFit, bags_of_several_stiffnesses_give_the_stiffness_as_well) {
+TEST(GwsPathFit, BagsOfSeveralStiffnessesGiveTheStiffnessAsWell) {
   std::mt19937_64 random(1);
   Soil other;
   other.alpha = 20e6, other.beta = 0.8;
@@ -112,7 +112,7 @@ TEST(GwsPathFit, bags_of_several_stiffnesses_give_the_stiffness_as_well) {
   EXPECT_NEAR(found.soil.soil.beta, 0.8, 1e-3);
 }
 
-TEST(GwsPathFit, intervals_of_noisy_bags_hold_the_constants_in_85_of_100_repetitions) {
+TEST(GwsPathFit, IntervalsOfNoisyBagsHoldTheConstantsIn85Of100Repetitions) {
   const Soil soil;
   std::map<std::string, int> outside;
   std::size_t constants = 0;
@@ -133,7 +133,7 @@ TEST(GwsPathFit, intervals_of_noisy_bags_hold_the_constants_in_85_of_100_repetit
   }
 }
 
-TEST(GwsPathFit, the_thesis_s_way_takes_plastic_strain_for_elastic) {
+TEST(GwsPathFit, TheWayOfTheThesisTakesPlasticStrainForElastic) {
   std::mt19937_64 random(1);
   const BagSeries bag = made("PP", {}, 2000, {}, random);
   const Identification found = identify({bag}, {"test", {}, {}}, {}, {}, Difference::central, Method::thesis);
@@ -141,7 +141,7 @@ TEST(GwsPathFit, the_thesis_s_way_takes_plastic_strain_for_elastic) {
   EXPECT_NE(explained(Method::thesis), explained(Method::path));
 }
 
-TEST(GwsPathFit, reinforced_soil_in_a_cell_serves_the_near_failure_line_alone) {
+TEST(GwsPathFit, ReinforcedSoilInACellServesTheNearFailureLineAlone) {
   // The first row is under the isotropic stress of the cell; the others lie on the line. Strains are natural.
   std::string text =
       "strain_axial_engineering [1]\tsoil_strain_volumetric [1]\tsoil_mean_stress [Pa]\tsoil_deviatoric_stress "

@@ -57,7 +57,7 @@ Assimilation stored_ensemble() {
   return assimilate(ensemble, observed, runs, {ErrorModel::Kind::uniform, {0.1}}, std::nullopt, {});
 }
 
-TEST(ParticleFilter, the_stored_ensemble_has_the_expected_means_and_weights) {
+TEST(ParticleFilter, TheStoredEnsembleHasTheExpectedMeansAndWeights) {
   const Assimilation a = stored_ensemble();
   if (a.ensemble.id.empty()) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
   const auto means = soilweave::test::reference_table("ch2/mc100_expected_weighted_means_var0.1.csv");
@@ -81,7 +81,7 @@ TEST(ParticleFilter, the_stored_ensemble_has_the_expected_means_and_weights) {
   EXPECT_NE(warnings(a)[0].find("0.973 of the weight is on member 50"), std::string::npos) << warnings(a)[0];
 }
 
-TEST(ParticleFilter, weights_are_products_of_likelihoods) {
+TEST(ParticleFilter, WeightsAreProductsOfLikelihoods) {
   // Three members, two steps, by hand: chi2 of 0, 2, 4 and 2, 0, 4 with equal prior weights.
   Matrix misfit(3, 2);
   misfit << 0, 2, 2, 0, 4, 4;
@@ -95,7 +95,7 @@ TEST(ParticleFilter, weights_are_products_of_likelihoods) {
   EXPECT_NEAR(f.log_evidence[1], std::log((2 * std::exp(-1) + std::exp(-4)) / 3), 1e-15);
 }
 
-TEST(ParticleFilter, misfits_beyond_the_underflow_still_rank_and_give_no_nan) {
+TEST(ParticleFilter, MisfitsBeyondTheUnderflowStillRankAndGiveNoNan) {
   Matrix misfit(3, 2);
   misfit << 1e5, 1e6, 1e5 + 2, 1e6, infinite, infinite;
   const Filtered f = filter(misfit, Matrix::Ones(2, 1), Vector::Constant(3, -std::log(3.0)));
@@ -105,7 +105,7 @@ TEST(ParticleFilter, misfits_beyond_the_underflow_still_rank_and_give_no_nan) {
   EXPECT_THROW(filter(Matrix::Constant(2, 1, infinite), Matrix::Ones(1, 1), Vector::Zero(2)), DataError);
 }
 
-TEST(ParticleFilter, a_bound_on_the_effective_size_is_met_by_the_smallest_error) {
+TEST(ParticleFilter, ABoundOnTheEffectiveSizeIsMetByTheSmallestError) {
   const LinearModel model(5);
   const Ensemble ensemble = members_at(LinearModel::prior(4), sobol(500, 2, 0));
   const Assimilation a =
@@ -122,7 +122,7 @@ TEST(ParticleFilter, a_bound_on_the_effective_size_is_met_by_the_smallest_error)
       DataError);
 }
 
-TEST(ParticleFilter, evidence_of_a_scaled_error_is_that_of_the_scaled_variance) {
+TEST(ParticleFilter, EvidenceOfAScaledErrorIsThatOfTheScaledVariance) {
   // Two members with misfits 0 and 6 weigh 1 to w = exp(-3/f). The effective size (1 + w)^2 / (1 + w^2) is 1.6 for w =
   // 1/3, so f = 3 / log 3. The evidence is the mean likelihood under the variance f v.
   const Vector even = Vector::Constant(2, std::log(0.5));
@@ -134,7 +134,7 @@ TEST(ParticleFilter, evidence_of_a_scaled_error_is_that_of_the_scaled_variance) 
   EXPECT_NEAR(filtered.log_evidence[0], std::log(2.0 / 3) - 0.5 * std::log(2 * M_PI * f * v), 1e-9);
 }
 
-TEST(ParticleFilter, error_models_give_the_variances_they_name) {
+TEST(ParticleFilter, ErrorModelsGiveTheVariancesTheyName) {
   Observations observed;
   observed.at = {0, 1};
   observed.observables = {{"a", "1", {}}, {"b", "1", {}}};
@@ -153,7 +153,7 @@ TEST(ParticleFilter, error_models_give_the_variances_they_name) {
   EXPECT_THROW(variances({uniform, {0.1, 0.2}}, observed), DataError);
 }
 
-TEST(ParticleFilter, a_linear_model_has_its_exact_posterior_and_its_truth_in_the_intervals) {
+TEST(ParticleFilter, ALinearModelHasItsExactPosteriorAndItsTruthInTheIntervals) {
   // 20 repetitions: means within four Monte Carlo errors, deviation / sqrt(effective size); variances within four of
   // theirs, sqrt(2 / size) relative. The true values lie inside the 90 % intervals in 18 of 20; 16 are asked.
   int inside[2] = {0, 0};
@@ -181,7 +181,7 @@ TEST(ParticleFilter, a_linear_model_has_its_exact_posterior_and_its_truth_in_the
   EXPECT_GE(inside[1], 16);
 }
 
-TEST(ParticleFilter, evidence_of_a_flat_prior_is_one_over_its_volume_times_the_integral) {
+TEST(ParticleFilter, EvidenceOfAFlatPriorIsOneOverItsVolumeTimesTheIntegral) {
   // One parameter, one observation y = 0.3 of variance 0.01, prior on [-2, 2]: the integral is 1, the evidence 1/4.
   const Prior prior{{{"a", "1", "", -2, 2, Scale::linear}}};
   const Ensemble ensemble = members_at(prior, sobol(4096, 1, 0));
@@ -190,7 +190,7 @@ TEST(ParticleFilter, evidence_of_a_flat_prior_is_one_over_its_volume_times_the_i
   EXPECT_NEAR(f.log_evidence[0], std::log(0.25), 1e-3);
 }
 
-TEST(Posterior, moments_and_quantiles_of_weights) {
+TEST(Posterior, MomentsAndQuantilesOfWeights) {
   Matrix values(3, 2);
   values << 1, 10, 2, 30, 4, 20;
   const Vector weight = (Vector(3) << 0.5, 0.25, 0.25).finished();
@@ -203,7 +203,7 @@ TEST(Posterior, moments_and_quantiles_of_weights) {
   EXPECT_DOUBLE_EQ(weighted_quantile(values.col(0), weight, 0.99), 4);
 }
 
-TEST(Posterior, a_density_integrates_to_one_and_is_the_normal_it_came_from) {
+TEST(Posterior, ADensityIntegratesToOneAndIsTheNormalItCameFrom) {
   const Range range{"a", "1", "", 1, 100, Scale::log};
   const Matrix u = halton(4000, {2}, 1);
   Vector values(4000), weight(4000);
@@ -222,7 +222,7 @@ TEST(Posterior, a_density_integrates_to_one_and_is_the_normal_it_came_from) {
   EXPECT_NEAR(d.density[80], 1 / (deviation * std::sqrt(2 * M_PI)), 0.01 / deviation);
 }
 
-TEST(Proposal, importance_makes_draws_from_any_proposal_stand_for_the_prior) {
+TEST(Proposal, ImportanceMakesDrawsFromAnyProposalStandForThePrior) {
   // Expectations under the flat prior: mean 1/2, variance 1/12 of each coordinate.
   const Matrix points = halton(50, {2, 3}, 1) * 0.4;  // a corner of the square
   const Vector weight = Vector::Constant(50, 0.02);
@@ -241,7 +241,7 @@ TEST(Proposal, importance_makes_draws_from_any_proposal_stand_for_the_prior) {
   }
 }
 
-TEST(Proposal, kernels_have_silverman_s_width) {
+TEST(Proposal, KernelsHaveSilvermansWidth) {
   // h = (4 / ((d + 2) n))^(1 / (d + 4)) times the deviation: of 50 even weights in the plane, h^2 = (1/50)^(1/3).
   const Matrix points = halton(50, {2, 3}, 1);
   const Vector even = Vector::Constant(50, 0.02);
@@ -256,14 +256,14 @@ TEST(Proposal, kernels_have_silverman_s_width) {
   EXPECT_EQ(law.prior_share, 0.2);
 }
 
-TEST(Rounds, density_of_a_gaussian_is_the_textbook_s) {
+TEST(Rounds, DensityOfAGaussianIsTheTextbookS) {
   // Covariance [[4, 2], [2, 10]] = L L^T with L = [[2, 0], [1, 3]], determinant 36; at (2, 4) from the mean the form is
   // (10 * 4 - 2 * 2 * 8 + 4 * 16) / 36 = 2.
   const Gaussian g{1, Vector(Eigen::Vector2d(1, -1)), Matrix((Eigen::Matrix2d() << 2, 0, 1, 3).finished())};
   EXPECT_NEAR(log_density(g, Vector(Eigen::Vector2d(3, 3))), -1 - std::log(6.0) - std::log(2 * M_PI), 1e-14);
 }
 
-TEST(Proposal, the_number_of_gaussians_follows_the_points) {
+TEST(Proposal, TheNumberOfGaussiansFollowsThePoints) {
   Matrix points(400, 2);
   const Matrix u = halton(400, {2, 3}, 1);
   for (Eigen::Index i = 0; i < 400; ++i)  // two narrow clouds
@@ -274,7 +274,7 @@ TEST(Proposal, the_number_of_gaussians_follows_the_points) {
   EXPECT_GT(two.law().log_density(Eigen::Vector2d(0.2, 0.2)), std::log(50));
 }
 
-TEST(Proposal, tempering_keeps_as_many_sets_as_asked) {
+TEST(Proposal, TemperingKeepsAsManySetsAsAsked) {
   Vector weight = Vector::LinSpaced(100, 0, -500).array().exp();
   weight /= weight.sum();
   double power = 0;
@@ -285,7 +285,7 @@ TEST(Proposal, tempering_keeps_as_many_sets_as_asked) {
   EXPECT_EQ(power, 1);
 }
 
-TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_with_sixty_runs_a_round) {
+TEST(Proposal, ResamplingReachesTheExactPosteriorOfANarrowLikelihoodWithSixtyRunsARound) {
   // The posterior's deviations are about 1 % of the prior's range, which 60 sets of the first round miss.
   const auto resampled = [](bool kernel, bool keep) {
     const LinearModel model(42, 0.05);
@@ -314,7 +314,7 @@ TEST(Proposal, resampling_reaches_the_exact_posterior_of_a_narrow_likelihood_wit
   EXPECT_GT(resampled(true, true), 1.2 * resampled(true, false));
 }
 
-TEST(Rounds, together_stand_for_the_prior_whatever_each_was_drawn_from) {
+TEST(Rounds, TogetherStandForThePriorWhateverEachWasDrawnFrom) {
   const Prior unit{{{"a", "1", "", 0, 1, Scale::linear}, {"b", "1", "", 0, 1, Scale::linear}}};
   const Vector even = Vector::Constant(50, 0.02);
   const Ensemble first = members_at(unit, sobol(500, 2, 1));
@@ -340,7 +340,7 @@ TEST(Rounds, together_stand_for_the_prior_whatever_each_was_drawn_from) {
   EXPECT_LT(twice.log_importance.cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(Rounds, go_through_tables_unchanged_and_broken_ones_are_refused) {
+TEST(Rounds, GoThroughTablesUnchangedAndBrokenOnesAreRefused) {
   const Proposal proposal = Proposal::mixture(halton(50, {2, 3}, 1) * 0.4, Vector::Constant(50, 0.02), 3, 0.2);
   const std::vector<Round> rounds = {{{{}, 1, 1}, 500}, {proposal.law(), 60}, {{{}, 1, 1}, 7}, {proposal.law(), 40}};
   const io::Series table = rounds_table(rounds, 2);

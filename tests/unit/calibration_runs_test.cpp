@@ -31,7 +31,7 @@ std::string mistake(const std::string& text, const Choice& choice = {}) {
   return "";
 }
 
-TEST(Observations, all_columns_or_those_asked_for_up_to_a_station) {
+TEST(Observations, AllColumnsOrThoseAskedForUpToAStation) {
   const Observations all = observed();
   EXPECT_EQ(all.station.name, "strain_axial");
   ASSERT_EQ(all.observables.size(), 2u);
@@ -41,7 +41,7 @@ TEST(Observations, all_columns_or_those_asked_for_up_to_a_station) {
   EXPECT_EQ(some.observables[0].columns, (std::vector<std::string>{"strain_xx", "strain_yy"}));
 }
 
-TEST(Observations, what_cannot_be_used_is_said) {
+TEST(Observations, WhatCannotBeUsedIsSaid) {
   EXPECT_EQ(mistake("x\ty\n1\tnan\n"),
             "lab.tsv: row 1: y is not finite; take the row out, or leave the column out by --observe");
   EXPECT_EQ(mistake("x\ty\n1\t1\n1\t2\n"), "lab.tsv: row 2: x 1 is not above 1; sort the rows, keep one of equal ones");
@@ -71,7 +71,7 @@ struct Runs {
 const Choice compared{"strain_axial", {"ratio", "strain_radial=strain_xx,strain_yy"}, {}, {{"stage", 1}}};
 const std::string header = "stage\tstrain_axial [1]\tratio\tstrain_xx [1]\tstrain_yy [1]\n";
 
-TEST(Runs, are_interpolated_at_the_stations_in_the_units_of_the_observations) {
+TEST(Runs, AreInterpolatedAtTheStationsInTheUnitsOfTheObservations) {
   Runs runs;
   runs.add(header + "0\t0.5\t9\t9\t9\n1\t0\t1\t0\t0\n1\t0.01\t2\t-0.002\t-0.004\n1\t0.03\t6\t-0.004\t-0.004\n");
   const Simulated s = runs.read(compared);
@@ -85,7 +85,7 @@ TEST(Runs, are_interpolated_at_the_stations_in_the_units_of_the_observations) {
   EXPECT_EQ(runs.sources[0].role, "runs");
 }
 
-TEST(Runs, deviate_from_the_observations_by_root_mean_squares) {
+TEST(Runs, DeviateFromTheObservationsByRootMeanSquares) {
   Runs runs;
   runs.add(header + "1\t0\t2\t0\t0\n1\t0.03\t2\t0\t0\n");  // ratio 2 everywhere, radial strain 0
   runs.add(header + "1\t0\t2\t0\t0\n1\t0.01\t2\t0\t0\n");  // too short
@@ -107,7 +107,7 @@ TEST(Runs, deviate_from_the_observations_by_root_mean_squares) {
   EXPECT_EQ(curves.at("ratio_observed").values, (std::vector<double>{2, 3, 4}));
 }
 
-TEST(Runs, have_no_relative_deviation_from_an_observation_of_zero) {
+TEST(Runs, HaveNoRelativeDeviationFromAnObservationOfZero) {
   Runs runs;
   runs.add(header + "1\t0\t2\t0\t0\n1\t0.03\t2\t0\t0\n");
   Observations zero = observed(compared);
@@ -118,7 +118,7 @@ TEST(Runs, have_no_relative_deviation_from_an_observation_of_zero) {
   EXPECT_TRUE(std::isnan(table_of(a, groups_of(a), "runs").at("ratio_misfit_relative").values[0]));
 }
 
-TEST(Runs, are_compared_by_their_greatest_values_where_no_station_is_known) {
+TEST(Runs, AreComparedByTheirGreatestValuesWhereNoStationIsKnown) {
   Runs runs;
   runs.add("stage\tratio\n0\t9\n1\t2\n1\t5\n1\t3\n");
   runs.add("stage\tratio\n1\t2\n1\tnan\n");
@@ -132,7 +132,7 @@ TEST(Runs, are_compared_by_their_greatest_values_where_no_station_is_known) {
   EXPECT_NE(mistake(two, choice).find("2 rows where --greatest compares one value of a run"), std::string::npos);
 }
 
-TEST(Runs, that_are_missing_or_unfit_have_no_values_and_a_reason) {
+TEST(Runs, ThatAreMissingOrUnfitHaveNoValuesAndAReason) {
   Runs runs;
   const std::string good = header + "1\t0\t1\t0\t0\n1\t0.03\t6\t0\t0\n";
   runs.add(good);
@@ -171,7 +171,7 @@ TEST(Runs, that_are_missing_or_unfit_have_no_values_and_a_reason) {
             << group.name << " " << column.name;
 }
 
-TEST(Runs, a_column_that_is_not_there_is_an_error_of_the_whole) {
+TEST(Runs, AColumnThatIsNotThereIsAnErrorOfTheWhole) {
   Runs runs;
   runs.add("stage\tstrain_axial [1]\trate\n1\t0\t1\n");
   EXPECT_THROW(runs.read(compared), DataError);
@@ -179,7 +179,7 @@ TEST(Runs, a_column_that_is_not_there_is_an_error_of_the_whole) {
   EXPECT_THROW(runs.read(compared), DataError);
 }
 
-TEST(Runs, one_table_holds_the_runs_of_all_members) {
+TEST(Runs, OneTableHoldsTheRunsOfAllMembers) {
   const io::test::Folder folder;
   io::test::put_bytes(folder / "runs.tsv",
                       "id\tstrain_axial [%]\tratio\tstrain_radial [%]\n"
@@ -191,7 +191,7 @@ TEST(Runs, one_table_holds_the_runs_of_all_members) {
   EXPECT_THROW(simulated("{nonsense}", {1}, observed(), {}, sources), UsageError);
 }
 
-TEST(Runs, the_series_of_run_files_are_read_without_their_states) {
+TEST(Runs, TheSeriesOfRunFilesAreReadWithoutTheirStates) {
   const io::test::Folder folder;
   const io::RunFile run = io::test::example_run();
   io::write_run(folder / "0.h5", run, {});
@@ -204,7 +204,7 @@ TEST(Runs, the_series_of_run_files_are_read_without_their_states) {
   EXPECT_THROW(io::read_run_series(folder / "2.h5"), DataError);
 }
 
-TEST(Ensembles, go_through_files_and_tables_unchanged) {
+TEST(Ensembles, GoThroughFilesAndTablesUnchanged) {
   const io::test::Folder folder;
   const Prior prior{{{"E", "Pa", "modulus", 1e7, 1e11, Scale::log}, {"mu", "deg", "friction", 0, 60, Scale::linear}}};
   Ensemble e = members_at(prior, halton(5, {2, 3}, 1), 10);
@@ -233,7 +233,7 @@ TEST(Ensembles, go_through_files_and_tables_unchanged) {
   EXPECT_THROW(read_ensemble(folder / "less.h5", {}, sources), DataError);
 }
 
-TEST(Ensembles, tables_that_are_none_are_refused) {
+TEST(Ensembles, TablesThatAreNoneAreRefused) {
   const io::test::Folder folder;
   std::vector<io::Source> sources;
   const auto mistake = [&](const std::string& text) -> std::string {
@@ -255,7 +255,7 @@ TEST(Ensembles, tables_that_are_none_are_refused) {
             "e.tsv: weight: holds nan; every member needs a finite number");
 }
 
-TEST(Ensembles, sets_outside_of_their_prior_are_refused) {
+TEST(Ensembles, SetsOutsideOfTheirPriorAreRefused) {
   const io::test::Folder folder;
   const Prior prior{{{"E", "Pa", "modulus", 1e7, 1e11, Scale::log}, {"mu", "deg", "friction", 0, 60, Scale::linear}}};
   io::test::put_bytes(folder / "prior.toml", prior_text(prior));

@@ -15,7 +15,7 @@
 namespace soilweave::calibration {
 namespace {
 
-TEST(Sampling, radical_inverse_mirrors_the_digits) {
+TEST(Sampling, RadicalInverseMirrorsTheDigits) {
   EXPECT_EQ(radical_inverse(0, 2), 0);
   EXPECT_EQ(radical_inverse(6, 2), 0.375);                    // 110 -> 0.011
   EXPECT_DOUBLE_EQ(radical_inverse(5, 3), 7.0 / 9);           // 12 -> 0.21
@@ -29,7 +29,7 @@ double mirrored(std::uint64_t index, std::uint64_t base) {
   return static_cast<double>(numerator) / static_cast<double>(denominator);
 }
 
-TEST(Sampling, the_thesis_s_table_has_bases_2_5_7_9_11_and_begins_with_the_origin) {
+TEST(Sampling, TheTableOfTheThesisHasItsBasesAndBeginsWithTheOrigin) {
   const std::vector<unsigned> bases = parse_bases("2,5,7,9,11");
   const Matrix points = halton(2000, bases, 0);
   EXPECT_EQ(points.row(0).norm(), 0);
@@ -44,7 +44,7 @@ TEST(Sampling, the_thesis_s_table_has_bases_2_5_7_9_11_and_begins_with_the_origi
   EXPECT_DOUBLE_EQ(drawn.values(1, 4), 60.0 / 11);
 }
 
-TEST(Sampling, the_table_of_100_sets_agrees_in_every_printed_digit) {
+TEST(Sampling, TheTableOf100SetsAgreesInEveryPrintedDigit) {
   const auto table = soilweave::test::reference_table("ch2/mc100_parameters.csv");
   if (table.empty()) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
   const Prior prior = test::contact_prior({5.4e8, 0, 0.5, 0.1, 29}, {5.5e8, 0.2, 0.6, 0.2, 31});
@@ -60,7 +60,7 @@ TEST(Sampling, the_table_of_100_sets_agrees_in_every_printed_digit) {
     }
 }
 
-TEST(Sampling, bases_that_share_a_factor_or_are_none_are_refused) {
+TEST(Sampling, BasesThatShareAFactorOrAreNoneAreRefused) {
   EXPECT_EQ(prime_bases(5), (std::vector<unsigned>{2, 3, 5, 7, 11}));
   EXPECT_THROW(parse_bases("2,4"), UsageError);
   EXPECT_THROW(parse_bases("9,3"), UsageError);
@@ -68,7 +68,7 @@ TEST(Sampling, bases_that_share_a_factor_or_are_none_are_refused) {
   EXPECT_THROW(parse_bases("2,"), UsageError);
 }
 
-TEST(Sampling, sobol_fills_every_dyadic_box_once) {
+TEST(Sampling, SobolFillsEveryDyadicBoxOnce) {
   // 16 points from the origin on, two dimensions: a (0, 4, 2)-net has one point in each box of 2^-a x 2^-(4-a).
   const Matrix points = sobol(16, 2, 0);
   for (int a = 0; a <= 4; ++a) {
@@ -81,7 +81,7 @@ TEST(Sampling, sobol_fills_every_dyadic_box_once) {
   EXPECT_THROW(sobol(1, 41, 0), DataError);
 }
 
-TEST(Sampling, a_latin_hypercube_has_one_point_in_each_slice) {
+TEST(Sampling, ALatinHypercubeHasOnePointInEachSlice) {
   const Matrix points = latin_hypercube(50, 3, 7);
   for (Eigen::Index k = 0; k < 3; ++k) {
     std::set<int> slices;
@@ -108,7 +108,7 @@ std::string mistake(const std::string& text) {
   return "";
 }
 
-TEST(Prior, is_read_with_units_and_written_back) {
+TEST(Prior, IsReadWithUnitsAndWrittenBack) {
   const Prior prior =
       read("[[parameter]]\nname = \"E\"\nunit = \"Pa\"\nscale = \"log\"\nlow = \"10 MPa\"\nhigh = 1e11\n");
   EXPECT_EQ(prior.ranges[0].low, 1e7);
@@ -120,7 +120,7 @@ TEST(Prior, is_read_with_units_and_written_back) {
   EXPECT_EQ(again.ranges[0].high, 1e11);
 }
 
-TEST(Prior, what_is_wrong_is_said_with_the_line) {
+TEST(Prior, WhatIsWrongIsSaidWithTheLine) {
   EXPECT_EQ(mistake(""), "prior.toml:1: no parameters; give [[parameter]] tables with name, low and high");
   EXPECT_EQ(mistake("[[parameter]]\nname = \"E\"\nlow = 2\nhigh = 1\n"),
             "prior.toml:4: parameter.0.high: 1 is not above low, 2");

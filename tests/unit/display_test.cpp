@@ -365,7 +365,7 @@ TEST(DisplayTable, CsvHasAHeaderAndShortestExactNumbers) {
   EXPECT_EQ(to_csv(table), "a,b\n0.1,1e-09\n2,-3\n");
 }
 
-TEST(Display, a_mesh_whose_numbers_name_nothing_is_refused) {
+TEST(Display, AMeshWhoseNumbersNameNothingIsRefused) {
   const auto column = [](const std::string& name, const std::vector<double>& values) {
     return Column{name, "1", name, values};
   };

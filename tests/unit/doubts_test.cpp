@@ -22,7 +22,7 @@ io::History made_by(const std::string& tool) {
   return io::extend({}, invocation);
 }
 
-TEST(Doubts, are_said_once_each_and_kept_in_order) {
+TEST(Doubts, AreSaidOnceEachAndKeptInOrder) {
   testing::internal::CaptureStderr();
   Doubts doubts("run-dem");
   doubts.add(many_rattlers);
@@ -34,7 +34,7 @@ TEST(Doubts, are_said_once_each_and_kept_in_order) {
   EXPECT_EQ(doubts.all()[1].key, "isotropy");
 }
 
-TEST(Doubts, of_a_silent_process_are_kept_alone) {
+TEST(Doubts, OfASilentProcessAreKeptAlone) {
   testing::internal::CaptureStderr();
   Doubts doubts;
   doubts.add(many_rattlers);
@@ -42,7 +42,7 @@ TEST(Doubts, of_a_silent_process_are_kept_alone) {
   EXPECT_EQ(doubts.all().size(), 1U);
 }
 
-TEST(Doubts, lie_in_the_record_of_the_run_that_wrote_the_file) {
+TEST(Doubts, LieInTheRecordOfTheRunThatWroteTheFile) {
   const io::test::Folder folder;
   const io::Snapshot state = io::test::example_state();
   Doubts doubts;
@@ -62,7 +62,7 @@ TEST(Doubts, lie_in_the_record_of_the_run_that_wrote_the_file) {
   EXPECT_NE(io::test::bytes_of(folder / "plain.h5"), io::test::bytes_of(folder / "doubtful.h5"));
 }
 
-TEST(Doubts, of_an_input_stay_in_its_record) {
+TEST(Doubts, OfAnInputStayInItsRecord) {
   Doubts doubts;
   doubts.add(many_rattlers);
   tool::Invocation invocation;

@@ -32,7 +32,7 @@ std::vector<Vec2> straight(double length, std::size_t bars, double y = 0) {
   return nodes;
 }
 
-TEST(Bars, a_pulled_chain_bears_its_stiffness_times_its_strain) {
+TEST(Bars, APulledChainBearsItsStiffnessTimesItsStrain) {
   BarsSetup setup = sheet();
   setup.chain = straight(1, 20);
   setup.start = {0, 0};
@@ -48,7 +48,7 @@ TEST(Bars, a_pulled_chain_bears_its_stiffness_times_its_strain) {
   EXPECT_LT(std::abs(e.error()), 1e-8 * e.end_work) << "leap-frog leaves 1e-9";
 }
 
-TEST(Bars, compression_is_borne_by_choice) {
+TEST(Bars, CompressionIsBorneByChoice) {
   for (const bool compression : {true, false}) {
     BarsSetup setup = sheet();
     setup.chain = straight(1, 4);
@@ -64,7 +64,7 @@ TEST(Bars, compression_is_borne_by_choice) {
 }
 
 // A nearly inextensible chain 1.2 m long between supports 1 m apart follows y = a cosh(x/a), 2 a sinh(1/(2a)) = 1.2.
-TEST(Bars, hangs_in_a_catenary) {
+TEST(Bars, HangsInACatenary) {
   const std::size_t n = 40;
   BarsSetup setup = sheet();
   setup.stiffness = 1e5;
@@ -97,7 +97,7 @@ TEST(Bars, hangs_in_a_catenary) {
 
 // A chain pressed on a smooth guide by 20 kPa through a flat side of three edges costs mu N when pulled out, also while
 // its disks pass from one edge to the next.
-TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
+TEST(Bars, PullsOutOfFlatSidesAtMuTimesTheLoad) {
   BarsSetup setup = sheet();
   const double r = setup.radius, pressure = 20e3, length = 0.6;
   setup.interface = {{0, 0}, {0.2, 0}, {0.4, 0}, {0.6, 0}};
@@ -129,7 +129,7 @@ TEST(Bars, pulls_out_of_flat_sides_at_mu_times_the_load) {
   EXPECT_NEAR((e.friction + e.elastic + e.damping) / e.end_work, 1, 2e-3) << "contacts and motion store the rest";
 }
 
-TEST(Bars, break_at_their_strength_and_say_so) {
+TEST(Bars, BreakAtTheirStrengthAndSaySo) {
   BarsSetup setup = sheet();
   setup.chain = straight(1, 4);
   setup.strength = 500;
@@ -144,7 +144,7 @@ TEST(Bars, break_at_their_strength_and_say_so) {
   EXPECT_EQ(bars.broken_bars(), 1U);
 }
 
-TEST(Bars, goes_on_bit_by_bit) {
+TEST(Bars, GoesOnBitByBit) {
   BarsSetup setup = sheet();
   setup.interface = {{0, 0}, {0.3, 0}};
   setup.chain = chain_beside(setup.interface, setup.radius, 0.01, 0);
@@ -164,7 +164,7 @@ TEST(Bars, goes_on_bit_by_bit) {
   EXPECT_EQ(one.energies().friction, other.energies().friction);
 }
 
-TEST(Bars, chains_lie_a_diameter_outside_with_corners_on_the_bisector) {
+TEST(Bars, ChainsLieADiameterOutsideWithCornersOnTheBisector) {
   const std::vector<Vec2> line = {{1, 0}, {1, 1}, {0, 1}};
   const std::vector<Vec2> chain = chain_beside(line, 5e-3, 0.1, 0);
   EXPECT_THROW(chain_beside(line, 5e-3, 1e-9, 0), DataError);

@@ -22,7 +22,7 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-TEST(Mesh, rectangles_fill_their_area_and_name_their_sides) {
+TEST(Mesh, RectanglesFillTheirAreaAndNameTheirSides) {
   for (const Shape shape : {Shape::triangle3, Shape::quadrilateral8}) {
     const Mesh mesh = rectangle(1.2, 0.8, 4, 3, shape);
     mesh.check("a rectangle");
@@ -38,7 +38,7 @@ TEST(Mesh, rectangles_fill_their_area_and_name_their_sides) {
   }
 }
 
-TEST(Mesh, shape_functions_are_one_at_their_node_and_sum_to_one) {
+TEST(Mesh, ShapeFunctionsAreOneAtTheirNodeAndSumToOne) {
   for (const Shape shape : {Shape::triangle3, Shape::quadrilateral8}) {
     const Vec2 at(0.31, 0.17);
     EXPECT_NEAR(shape_functions(shape, at).sum(), 1, 1e-15);
@@ -49,7 +49,7 @@ TEST(Mesh, shape_functions_are_one_at_their_node_and_sum_to_one) {
   EXPECT_NEAR(shape_functions(Shape::quadrilateral8, middle).cwiseAbs().sum(), 1, 1e-15);
 }
 
-TEST(Mesh, is_that_of_the_thesis) {
+TEST(Mesh, IsThatOfTheThesis) {
   for (const auto& [number, squares] : std::vector<std::pair<std::string, Index>>{{"3", 6}, {"4", 8}, {"5", 10}}) {
     const auto nodes = test::reference_table("ch6/mesh" + number + "_nodes.csv");
     auto triangles = test::reference_table("ch6/mesh" + number + "_triangles.csv");
@@ -146,7 +146,7 @@ $Elements
 $EndElements
 )";
 
-TEST(Gmsh, both_formats_give_the_same_mesh) {
+TEST(Gmsh, BothFormatsGiveTheSameMesh) {
   for (const std::string& text : {two_triangles_2, two_triangles_4}) {
     const Mesh mesh = read_gmsh(text, "two.msh");
     EXPECT_EQ(mesh.elements.size(), 2U);
@@ -160,7 +160,7 @@ TEST(Gmsh, both_formats_give_the_same_mesh) {
   }
 }
 
-TEST(Gmsh, refuses_with_the_line_and_the_remedy) {
+TEST(Gmsh, RefusesWithTheLineAndTheRemedy) {
   const auto refused = [](const std::string& from, const std::string& to, const std::string& words) {
     std::string text = two_triangles_2;
     text.replace(text.find(from), from.size(), to);
@@ -177,7 +177,7 @@ TEST(Gmsh, refuses_with_the_line_and_the_remedy) {
   io::test::expect_error<DataError>([] { read_gmsh("solid", "x.msh"); }, "does not begin with $MeshFormat");
 }
 
-TEST(Mesh, names_the_nearest_boundary) {
+TEST(Mesh, NamesTheNearestBoundary) {
   const Mesh mesh = rectangle(1, 1, 1, 1, Shape::triangle3);
   io::test::expect_error<DataError>([&] { mesh.boundary("botom"); }, "did you mean 'bottom'");
   io::test::expect_error<DataError>([&] { mesh.line({"left", "right"}); }, "not connected to one line");

@@ -40,7 +40,7 @@ ModelSetup strained(Index squares, const Mat2& gradient) {
   return setup;
 }
 
-TEST(Model, one_element_is_its_packing_loaded_alone_bit_for_bit) {
+TEST(Model, OneElementIsItsPackingLoadedAloneBitForBit) {
   const double rate = 0x1p-4;
   const int steps = 12;
   Model model(strained(1, (Mat2() << 0, 0, 0, -rate).finished()));
@@ -69,7 +69,7 @@ TEST(Model, one_element_is_its_packing_loaded_alone_bit_for_bit) {
   }
 }
 
-TEST(Rve, follows_gradients_that_do_not_commute_in_their_order) {
+TEST(Rve, FollowsGradientsThatDoNotCommuteInTheirOrder) {
   // Shear along x, then along y, gives F = (I + g e_y e_x)(I + g e_x e_y), in which only the lower right corner is 1 +
   // g^2. Both shears are nilpotent, so sixteenths of them add up exactly.
   const Grains g = grains();
@@ -94,7 +94,7 @@ io::ContactsRecord normals_at(const std::vector<double>& degrees) {
   return contacts;
 }
 
-TEST(Rve, anisotropy_is_twice_the_second_harmonic_of_the_contact_normals) {
+TEST(Rve, AnisotropyIsTwiceTheSecondHarmonicOfTheContactNormals) {
   // F_a = 2 |mean of exp(2 i theta)| does not depend on the sense of the normals.
   EXPECT_EQ(anisotropy({}), -1);
   EXPECT_NEAR(anisotropy(normals_at({20, 110})), 0, 1e-15);
@@ -111,7 +111,7 @@ TEST(Rve, anisotropy_is_twice_the_second_harmonic_of_the_contact_normals) {
   EXPECT_NEAR(anisotropy(normals_at(drawn)), 0.4, 1e-3) << "one in 36,000 too many or too few";
 }
 
-TEST(Model, equal_strain_gives_every_point_the_same_bits) {
+TEST(Model, EqualStrainGivesEveryPointTheSameBits) {
   Model model(strained(3, (Mat2() << 0x1p-6, 0x1p-5, -0x1p-7, -0x1p-5).finished()));
   for (int k = 0; k < 10; ++k) model.step();
   const io::Snapshot first = *model.points()[0]->packing();
@@ -121,7 +121,7 @@ TEST(Model, equal_strain_gives_every_point_the_same_bits) {
   }
 }
 
-TEST(Model, a_turned_packing_turns_its_stress) {
+TEST(Model, ATurnedPackingTurnsItsStress) {
   // Disks that spin with the cell rotate with it as a whole. The straight steps of the cell, a hundred per milliradian,
   // widen it by 2e-6, which takes 1.7e-4 of the pressure; contacts turn by chords.
   const Grains g = grains(false);
@@ -138,7 +138,7 @@ TEST(Model, a_turned_packing_turns_its_stress) {
   EXPECT_NEAR(rve.local().rotation, 0.2, 3e-4);
 }
 
-TEST(Rve, begins_without_rotation_whatever_its_packing_has_been_through) {
+TEST(Rve, BeginsWithoutRotationWhateverItsPackingHasBeenThrough) {
   double rolled = 0;
   for (const Vec4& q : disks().grains.orientation) rolled += std::abs(q[3]);
   EXPECT_GT(rolled, 0.1) << "compaction has turned the disks";
@@ -146,7 +146,7 @@ TEST(Rve, begins_without_rotation_whatever_its_packing_has_been_through) {
   EXPECT_EQ(Rve(prepare(disks(), g), g, step, 16).local().rotation, 0);
 }
 
-TEST(Rve, is_bounded_by_the_stiffness_of_a_network_of_central_forces) {
+TEST(Rve, IsBoundedByTheStiffnessOfANetworkOfCentralForces) {
   const Grains g = grains();
   const Rve rve(prepare(disks(), g), g, step, 16);
   const Mat3 t = rve.tangent();
@@ -157,7 +157,7 @@ TEST(Rve, is_bounded_by_the_stiffness_of_a_network_of_central_forces) {
   for (const double third : {t(0, 1), t(1, 0), t(2, 2)}) EXPECT_EQ(third, t(0, 0) / 3) << "Cauchy's relations";
 }
 
-TEST(Record, points_have_stress_and_strain_compression_positive_and_rotation_counter_clockwise) {
+TEST(Record, PointsHaveStressAndStrainCompressionPositiveAndRotationCounterClockwise) {
   // Every node follows one velocity gradient. The strains are its sum over the steps, the stress is Hooke's except for
   // the squared strain, 1e-5.
   const Mat2 gradient = (Mat2() << -0.02, 0.005, 0.013, 0.01).finished();
@@ -232,7 +232,7 @@ void expect_same(const Model& a, const Model& b) {
   EXPECT_EQ(a.balance().stored, b.balance().stored);
 }
 
-TEST(Model, has_the_same_bits_on_any_number_of_threads_and_after_a_stop) {
+TEST(Model, HasTheSameBitsOnAnyNumberOfThreadsAndAfterAStop) {
   Model one(pulled(1)), two(pulled(2)), three(pulled(3)), resumed(pulled(2));
   const int half = 20;
   for (int k = 0; k < half; ++k) one.step();
@@ -247,7 +247,7 @@ TEST(Model, has_the_same_bits_on_any_number_of_threads_and_after_a_stop) {
   expect_same(one, three);
 }
 
-TEST(Model, accounts_for_all_work) {
+TEST(Model, AccountsForAllWork) {
   Model model(pulled(1));
   for (int k = 0; k < 150; ++k) model.step();
   const Balance b = model.balance();
@@ -258,7 +258,7 @@ TEST(Model, accounts_for_all_work) {
   EXPECT_NO_THROW(model.check_steps());
 }
 
-TEST(Model, records_tables_and_gives_a_point_as_a_run) {
+TEST(Model, RecordsTablesAndGivesAPointAsARun) {
   Model model(pulled(1));
   io::MultiscaleFile file;
   record(model, {3}, file);
@@ -278,7 +278,7 @@ TEST(Model, records_tables_and_gives_a_point_as_a_run) {
   io::test::expect_same(read.frames.at(1), file.frames.at(1));
 }
 
-TEST(Model, refuses_what_cannot_work) {
+TEST(Model, RefusesWhatCannotWork) {
   ModelSetup setup = pulled(1);
   setup.time_step = 1;
   io::test::expect_error<DataError>([&] { Model model(setup); }, "is over the stable one of");
@@ -290,7 +290,7 @@ TEST(Model, refuses_what_cannot_work) {
   io::test::expect_error<DataError>([&] { Model model(setup); }, "needs disks");
 }
 
-TEST(Model, names_the_element_whose_grains_are_crushed) {
+TEST(Model, NamesTheElementWhoseGrainsAreCrushed) {
   ModelSetup setup = strained(1, (Mat2() << 0, 0, 0, -200).finished());
   setup.soil.density = 1e12;
   Model model(setup);

@@ -48,7 +48,7 @@ std::vector<Mat2> stresses(const Points& points) {
 
 std::vector<Vec2> none(const Soil& soil) { return std::vector<Vec2>(soil.positions().size(), Vec2::Zero()); }
 
-TEST(Soil, passes_the_patch_test_to_round_off) {
+TEST(Soil, PassesThePatchTestToRoundOff) {
   for (const Case& c : cases) {
     const Mat2 gradient = (Mat2() << 0.3, -0.2, 0.5, 0.1).finished();
     Soil soil({distorted(c.shape), c.integration, 2000, 0, {{"all", {}, {}, gradient}}, {}});
@@ -75,7 +75,7 @@ TEST(Soil, passes_the_patch_test_to_round_off) {
   }
 }
 
-TEST(Soil, lumps_positive_masses_that_sum_to_the_whole) {
+TEST(Soil, LumpsPositiveMassesThatSumToTheWhole) {
   for (const Case& c : cases) {
     const Soil soil({distorted(c.shape), c.integration, 2000, 0, {}, {}});
     EXPECT_NEAR(std::accumulate(soil.masses().begin(), soil.masses().end(), 0.0), 2000 * 1.2 * 0.9, 1e-9);
@@ -83,7 +83,7 @@ TEST(Soil, lumps_positive_masses_that_sum_to_the_whole) {
   }
 }
 
-TEST(Soil, lumps_an_element_by_the_diagonal_of_its_consistent_mass) {
+TEST(Soil, LumpsAnElementByTheDiagonalOfItsConsistentMass) {
   // Hinton, Rock & Zienkiewicz: the integral of N^2 over the square, scaled to the whole. Corners and middles of the
   // serendipity element are as 3 to 16, and 4 (3 + 16) = 76; the three nodes of a triangle are equal.
   const double density = 2000, area = 0.6 * 0.4;
@@ -98,7 +98,7 @@ TEST(Soil, lumps_an_element_by_the_diagonal_of_its_consistent_mass) {
   for (const double m : third.masses()) EXPECT_NEAR(m / (density * 0.24), 1.0 / 3, 1e-14);
 }
 
-TEST(Soil, points_of_integration_stand_for_their_part_of_the_area) {
+TEST(Soil, PointsOfIntegrationStandForTheirPartOfTheArea) {
   for (const Case& c : cases) {
     const Soil soil({distorted(c.shape), c.integration, 2000, 0, {}, {}});
     double area = 0;
@@ -113,7 +113,7 @@ TEST(Soil, points_of_integration_stand_for_their_part_of_the_area) {
   }
 }
 
-TEST(Soil, bounds_the_eigenvalue_of_the_whole_mesh) {
+TEST(Soil, BoundsTheEigenvalueOfTheWholeMesh) {
   // With one element the bound is its own largest eigenvalue. A right triangle of unit legs, modulus and density
   // without shear stiffness has masses 1/6 and K = 1/2 g g^T with g = (-1,1,0) along x: eigenvalue 2 * (1/2)/(1/6).
   Mesh mesh;
@@ -125,7 +125,7 @@ TEST(Soil, bounds_the_eigenvalue_of_the_whole_mesh) {
   EXPECT_NEAR(soil.largest_eigenvalue([&](Index) { return tangent; }), 6, 1e-12);
 }
 
-TEST(Soil, a_rigid_rotation_leaves_no_stress) {
+TEST(Soil, ARigidRotationLeavesNoStress) {
   for (const Case& c : cases) {
     Soil soil({distorted(c.shape), c.integration, 2000, 0, {}, {}});
     const Points points = elastic(soil);
@@ -147,7 +147,7 @@ TEST(Soil, a_rigid_rotation_leaves_no_stress) {
       << "stress turns with the material";
 }
 
-TEST(Soil, one_step_of_thirty_degrees_turns_the_stress_exactly) {
+TEST(Soil, OneStepOfThirtyDegreesTurnsTheStressExactly) {
   // The gradient R - I has the midway spin 2 tan(15 deg), whose Cayley transform (Hughes & Winget) is R itself.
   ContinuumLaw law;
   law.initial_stress = Vec3(-1e3, -3e3, -2e3);
@@ -161,7 +161,7 @@ TEST(Soil, one_step_of_thirty_degrees_turns_the_stress_exactly) {
   EXPECT_NEAR(point.out_of_plane_stress(), -2e3, 1e-12 * 2e3);
 }
 
-TEST(Soil, a_stretch_strains_by_the_gradient_of_the_configuration_midway) {
+TEST(Soil, AStretchStrainsByTheGradientOfTheConfigurationMidway) {
   // Stretch by 1.2 in one step: du/dx halfway is 0.2/1.1. The shear strain 2 eps_xy of u_x = 0.02 y is 0.02/1.1 too.
   ContinuumPoint point(ContinuumLaw{1e7, 0.25, {}, 0, 0, Vec3::Zero()});
   point.advance((Mat2() << 0.2, 0, 0, 0).finished());
@@ -173,7 +173,7 @@ TEST(Soil, a_stretch_strains_by_the_gradient_of_the_configuration_midway) {
   EXPECT_NEAR(point.energy().stored / (0.5 * (lame + 2 * shear) * strain * strain), 1, 1e-14);
 }
 
-TEST(Soil, a_pressure_on_a_block_goes_to_its_nodes_by_the_shape_functions_of_the_edge) {
+TEST(Soil, APressureOnABlockGoesToItsNodesByTheShapeFunctionsOfTheEdge) {
   // Without stress and damping the first step gives every node the velocity of its load: m v = f dt. An edge of length
   // 1 gives its two nodes half of its load each; with a node in between the shares are 1/6, 2/3, 1/6 (integrals of the
   // quadratic shape functions).
@@ -197,7 +197,7 @@ TEST(Soil, a_pressure_on_a_block_goes_to_its_nodes_by_the_shape_functions_of_the
   }
 }
 
-TEST(Soil, a_block_under_the_tractions_of_its_uniform_stress_stays_at_rest) {
+TEST(Soil, ABlockUnderTheTractionsOfItsUniformStressStaysAtRest) {
   // Internal forces of a uniform stress balance the consistent loads of its tractions at every node.
   const Mat2 stress = (Mat2() << -300, 120, 120, -500).finished();
   const auto side = [&](const std::string& name, const Vec2& outward) { return Traction{name, stress * outward}; };
@@ -215,7 +215,7 @@ TEST(Soil, a_block_under_the_tractions_of_its_uniform_stress_stays_at_rest) {
   }
 }
 
-TEST(Soil, tractions_and_viscosity_move_a_free_block_as_one) {
+TEST(Soil, TractionsAndViscosityMoveAFreeBlockAsOne) {
   for (const Case& c : cases) {
     const double c_viscous = 3, dt = 1e-4;
     Soil soil({rectangle(2, 1, 2, 1, c.shape),
@@ -243,7 +243,7 @@ TEST(Soil, tractions_and_viscosity_move_a_free_block_as_one) {
   }
 }
 
-TEST(Soil, a_crushed_element_is_named) {
+TEST(Soil, ACrushedElementIsNamed) {
   const Mat2 gradient = (Mat2() << 0, 0, 0, -1).finished();
   Soil soil({rectangle(1, 1, 1, 1, Shape::triangle3), Integration::reduced, 1000, 0, {{"all", {}, {}, gradient}}, {}});
   const Points points = elastic(soil);
@@ -251,7 +251,7 @@ TEST(Soil, a_crushed_element_is_named) {
   io::test::expect_error<PhysicsError>([&] { soil.step(stresses(points), none(soil), 0.1); }, "element 0 has the area");
 }
 
-TEST(MohrCoulomb, returns_to_the_surface_and_stays_inside) {
+TEST(MohrCoulomb, ReturnsToTheSurfaceAndStaysInside) {
   io::test::Numbers any;
   const double bulk = 1e7, shear = 5e6, cohesion = 2e3;
   for (int k = 0; k < 2000; ++k) {
@@ -273,7 +273,7 @@ TEST(MohrCoulomb, returns_to_the_surface_and_stays_inside) {
   }
 }
 
-TEST(MohrCoulomb, sheared_at_constant_volume_carries_p_sin_phi) {
+TEST(MohrCoulomb, ShearedAtConstantVolumeCarriesPSinPhi) {
   ContinuumLaw law;
   law.friction_angle = 30 * pi / 180;
   law.initial_stress = Vec3::Constant(-1e4);

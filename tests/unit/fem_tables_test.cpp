@@ -51,7 +51,7 @@ io::MultiscaleFile file() {
   return f;
 }
 
-TEST(Tables, loading_is_tractions_friction_and_balance_of_the_series) {
+TEST(Tables, LoadingIsTractionsFrictionAndBalanceOfTheSeries) {
   const io::Series t = loading(file());
   std::string names;
   for (const io::Column& c : t.columns) names += c.name + " ";
@@ -68,13 +68,13 @@ TEST(Tables, loading_is_tractions_friction_and_balance_of_the_series) {
   EXPECT_EQ(t.at("energy_error").values, (Values{0, 0.1, 0.2}));
 }
 
-TEST(Tables, loading_of_soil_without_a_chain_has_no_friction) {
+TEST(Tables, LoadingOfSoilWithoutAChainHasNoFriction) {
   io::MultiscaleFile f = file();
   std::erase_if(f.series.columns, [](const io::Column& c) { return c.name.starts_with("interface"); });
   EXPECT_EQ(loading(f).find("interface_friction"), nullptr);
 }
 
-TEST(Tables, those_there_are_go_by_their_names) {
+TEST(Tables, ThoseThereAreGoByTheirNames) {
   EXPECT_EQ(table(file(), "series", "run.h5").rows(), 3U);
   EXPECT_EQ(table(file(), "loading", "run.h5").rows(), 3U);
   EXPECT_EQ(table(file(), "points", "run.h5").rows(), 8U);
@@ -82,7 +82,7 @@ TEST(Tables, those_there_are_go_by_their_names) {
             "--table bars: run.h5 has the tables loading, series, elements, nodes, points");
 }
 
-TEST(Tables, a_state_is_all_rows_of_one_step) {
+TEST(Tables, AStateIsAllRowsOfOneStep) {
   const io::Series points = table(file(), "points", "run.h5");
   EXPECT_EQ(of_state(points, "last", "points").at("q").values, (Values{11, 12, 13, 14}));
   EXPECT_EQ(of_state(points, "0", "points").at("q").values, (Values{1, 2, 3, 4}));
@@ -93,7 +93,7 @@ TEST(Tables, a_state_is_all_rows_of_one_step) {
             "--state last: the table elements is of no state; leave --state out");
 }
 
-TEST(Tables, a_place_is_the_point_nearest_to_it_at_the_start) {
+TEST(Tables, APlaceIsThePointNearestToItAtTheStart) {
   EXPECT_EQ(near(file(), "points", {0.9, 1}).at("q").values, (Values{4, 14}));
   EXPECT_EQ(near(file(), "points", {0.5, 0.5}).at("q").values, (Values{1, 11}));  // all are equally near: the first
   EXPECT_EQ(near(file(), "nodes", {0.9, 0.8}).at("node").values, Values{2});

@@ -31,7 +31,7 @@ class Files : public testing::Test {
   std::filesystem::path path = folder / "file.h5";
 };
 
-TEST_F(Files, packing_comes_back_bit_for_bit) {
+TEST_F(Files, PackingComesBackBitForBit) {
   for (const int dimension : {2, 3})
     for (const bool planes : {false, true})
       for (const std::size_t grains : {2, 12, 3000}) {
@@ -45,14 +45,14 @@ TEST_F(Files, packing_comes_back_bit_for_bit) {
       }
 }
 
-TEST_F(Files, packing_without_contacts_and_history_comes_back) {
+TEST_F(Files, PackingWithoutContactsAndHistoryComesBack) {
   Snapshot state = test::example_state();
   state.contacts = {};
   write_packing(path, state, {});
   expect_same(state, read_packing(path).state);
 }
 
-TEST_F(Files, run_comes_back_bit_for_bit) {
+TEST_F(Files, RunComesBackBitForBit) {
   for (const bool planes : {false, true})
     for (const std::size_t grains : {12, 1500}) {
       const RunFile run = test::example_run(grains, planes);
@@ -68,7 +68,7 @@ TEST_F(Files, run_comes_back_bit_for_bit) {
     }
 }
 
-TEST_F(Files, run_whose_grains_change_their_order_comes_back) {
+TEST_F(Files, RunWhoseGrainsChangeTheirOrderComesBack) {
   RunFile run = test::example_run();
   std::swap(run.snapshots[1].grains.body_id[0], run.snapshots[1].grains.body_id[1]);
   run.snapshots[2].grains.material_id[4] = 7;
@@ -85,7 +85,7 @@ FieldsFile example_fields() {
   return fields;
 }
 
-TEST_F(Files, fields_come_back_in_their_order) {
+TEST_F(Files, FieldsComeBackInTheirOrder) {
   const FieldsFile fields = example_fields();
   write_fields(path, fields, test::example_history());
   const FieldsFile back = read_fields(path);
@@ -98,7 +98,7 @@ TEST_F(Files, fields_come_back_in_their_order) {
   expect_same(test::example_history(), back.source.history);
 }
 
-TEST_F(Files, equal_content_gives_equal_bytes) {
+TEST_F(Files, EqualContentGivesEqualBytes) {
   const auto other = folder / "other.h5";
   write_run(path, test::example_run(1500), test::example_history());
   write_run(other, read_run(path), read_history(path));
@@ -108,7 +108,7 @@ TEST_F(Files, equal_content_gives_equal_bytes) {
   EXPECT_EQ(test::bytes_of(path), test::bytes_of(other));
 }
 
-TEST_F(Files, states_come_from_packings_and_runs) {
+TEST_F(Files, StatesComeFromPackingsAndRuns) {
   write_run(path, test::example_run(), {});
   expect_same(test::example_run().snapshots.back(), read_state(path).state);
   EXPECT_EQ(read_states(path).snapshots.size(), 3U);
@@ -120,7 +120,7 @@ TEST_F(Files, states_come_from_packings_and_runs) {
   expect_same(test::example_history(), read_history(path));
 }
 
-TEST_F(Files, wrong_kind_says_both_kinds) {
+TEST_F(Files, WrongKindSaysBothKinds) {
   write_packing(path, test::example_state(), {});
   expect_error<DataError>([&] { read_run(path); }, path.string() + ": holds packing, but run is needed here");
   expect_error<DataError>([&] { read_fields(path); }, "holds packing, but fields is needed here");
@@ -128,7 +128,7 @@ TEST_F(Files, wrong_kind_says_both_kinds) {
   expect_error<DataError>([&] { read_state(path); }, "holds fields, but packing or run is needed here");
 }
 
-TEST_F(Files, what_is_no_file_of_ours_is_told_apart) {
+TEST_F(Files, WhatIsNoFileOfOursIsToldApart) {
   expect_error<MissingInput>([&] { read_packing(path); }, path.string() + ": no such file");
   expect_error<MissingInput>([&] { read_text(path, "scenario"); }, "no such file");
   expect_error<DataError>([&] { read_packing(folder.path()); }, ": a directory; name a file in it");
@@ -152,7 +152,7 @@ std::string head(const std::vector<std::int64_t>& version, const std::string& ki
   return file.image();
 }
 
-TEST_F(Files, newer_major_version_is_refused_and_newer_minor_read) {
+TEST_F(Files, NewerMajorVersionIsRefusedAndNewerMinorRead) {
   test::put_bytes(path, head({2, 5}, "packing"));
   expect_error<DataError>([&] { read_packing(path); }, "has the format version 2.5, this program reads 1.3 at most");
   test::put_bytes(path, head({1, 9}, "packing"));
@@ -161,7 +161,7 @@ TEST_F(Files, newer_major_version_is_refused_and_newer_minor_read) {
   expect_error<DataError>([&] { read_packing(path); }, "unknown kind \"tapestry\"");
 }
 
-TEST_F(Files, every_truncation_is_told) {
+TEST_F(Files, EveryTruncationIsTold) {
   write_run(path, test::example_run(), test::example_history());
   const std::string whole = test::bytes_of(path);
   for (std::size_t length = 0; length < whole.size(); length += length < 100 ? 1 : 97) {
@@ -171,7 +171,7 @@ TEST_F(Files, every_truncation_is_told) {
 }
 
 /// After bit flips a file reads as it was, or the damage is reported. It never crashes and never gives other numbers.
-TEST_F(Files, damaged_bytes_never_give_other_states) {
+TEST_F(Files, DamagedBytesNeverGiveOtherStates) {
   const RunFile run = test::example_run(200);
   write_run(path, run, test::example_history());
   const std::string whole = test::bytes_of(path);
@@ -200,7 +200,7 @@ TEST_F(Files, damaged_bytes_never_give_other_states) {
 // ---- Writing
 // ---------------------------------------------------------------------------------------------------------
 
-TEST_F(Files, failed_writing_leaves_the_former_file) {
+TEST_F(Files, FailedWritingLeavesTheFormerFile) {
   write_packing(path, test::example_state(), {});
   const std::string former = test::bytes_of(path);
   Snapshot broken = test::example_state(20);
@@ -211,20 +211,20 @@ TEST_F(Files, failed_writing_leaves_the_former_file) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST_F(Files, output_that_cannot_be_created_is_told) {
+TEST_F(Files, OutputThatCannotBeCreatedIsTold) {
   const Snapshot state = test::example_state();
   expect_error<CannotCreate>([&] { write_packing(folder.path(), state, {}); }, ": a directory");
   expect_error<CannotCreate>([&] { write_packing(folder / "none/file.h5", state, {}); }, "cannot be created");
   expect_error<CannotCreate>([&] { write_packing("", state, {}); }, "no output file named");
 }
 
-TEST_F(Files, full_device_is_an_io_error) {
+TEST_F(Files, FullDeviceIsAnIoError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   expect_error<IoError>([&] { write_packing("/dev/full", test::example_state(), {}); }, "/dev/full: writing failed");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST_F(Files, link_is_written_through) {
+TEST_F(Files, LinkIsWrittenThrough) {
   const auto link = folder / "link.h5";
   write_packing(path, test::example_state(3), {});
   std::filesystem::create_symlink("file.h5", link);
@@ -252,7 +252,7 @@ int in_child(int descriptor, const std::filesystem::path& file, const std::funct
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(Files, dash_is_the_same_file_through_a_pipe) {
+TEST_F(Files, DashIsTheSameFileThroughAPipe) {
   const Snapshot state = test::example_state(500);
   write_packing(path, state, {});
   const auto copied = folder / "copied.h5";
@@ -264,7 +264,7 @@ TEST_F(Files, dash_is_the_same_file_through_a_pipe) {
   EXPECT_EQ(in_child(0, "/dev/null", [&] { read_packing("-"); }), static_cast<int>(Exit::bad_data));
 }
 
-TEST_F(Files, frames_of_a_run_must_be_alike) {
+TEST_F(Files, FramesOfARunMustBeAlike) {
   RunFile run = test::example_run();
   run.snapshots[2] = test::example_state(13);
   expect_error<DataError>([&] { write_run(path, run, {}); }, "state 2 differs from state 0 in its number of grains");
@@ -275,7 +275,7 @@ TEST_F(Files, frames_of_a_run_must_be_alike) {
   expect_error<DataError>([&] { write_run(path, run, {}); }, "no state to write");
 }
 
-TEST_F(Files, columns_must_have_names_and_one_length) {
+TEST_F(Files, ColumnsMustHaveNamesAndOneLength) {
   RunFile run = test::example_run();
   run.series.columns[2].name = "a/b";
   expect_error<DataError>([&] { write_run(path, run, {}); }, "\"a/b\" cannot name a column");
@@ -289,7 +289,7 @@ TEST_F(Files, columns_must_have_names_and_one_length) {
 // ---- Checks
 // ----------------------------------------------------------------------------------------------------------
 
-TEST(Check, tells_what_is_wrong_with_a_state) {
+TEST(Check, TellsWhatIsWrongWithAState) {
   const auto wrong = [](const std::string& words, const std::function<void(Snapshot&)>& spoil) {
     Snapshot state = test::example_state(12, 3, true);
     check(state, "here");
@@ -324,7 +324,7 @@ TEST(Check, tells_what_is_wrong_with_a_state) {
   wrong("plane 1: normal is no unit vector", [](Snapshot& s) { s.planes.normal[1] *= 2; });
 }
 
-TEST(Check, disks_stay_in_their_plane) {
+TEST(Check, DisksStayInTheirPlane) {
   Snapshot state = test::example_state(5, 2);
   check(state, "disks");
   state.grains.position[2].z() = 1e-9;

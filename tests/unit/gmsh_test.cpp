@@ -41,7 +41,7 @@ void refused(const std::string& text, const std::string& words) {
   io::test::expect_error<DataError>([&] { read_gmsh(text, "x.msh"); }, words);
 }
 
-TEST(Gmsh, an_element_of_several_groups_counts_once) {
+TEST(Gmsh, AnElementOfSeveralGroupsCountsOnce) {
   const Mesh mesh = read_gmsh(file_2(square, {"1 2 1 1 1 2", "1 2 4 1 1 2", "1 2 4 3 3 4", "2 2 3 1 1 2 3",
                                               "2 2 3 1 1 3 4", "2 2 5 1 1 2 3", "2 2 5 1 3 4 1"}),
                               "x.msh");
@@ -59,7 +59,7 @@ TEST(Gmsh, an_element_of_several_groups_counts_once) {
   EXPECT_EQ(twice.doubts[1].sentence, "x.msh: a node of no element left out: 4");
 }
 
-TEST(Gmsh, clockwise_elements_are_turned_with_their_sides) {
+TEST(Gmsh, ClockwiseElementsAreTurnedWithTheirSides) {
   const Mesh triangles = read_gmsh(file_2(square, {"1 2 1 1 2 1", "2 2 3 1 1 3 2", "2 2 3 1 1 3 4"}), "x.msh");
   EXPECT_EQ(area_of(triangles), 1);
   ASSERT_EQ(triangles.doubts.size(), 1U);
@@ -86,7 +86,7 @@ std::string file_4(const std::string& bottom, const std::string& sections, const
          curve + " 1 1\n1 10 20\n2 " + surface + " 2 2\n2 10 20 30\n3 10 30 40\n$EndElements\n";
 }
 
-TEST(Gmsh, a_sign_is_a_sense_and_partitions_keep_their_groups) {
+TEST(Gmsh, ASignIsASenseAndPartitionsKeepTheirGroups) {
   for (const std::string bottom : {"1", "-1"}) {
     const Mesh mesh = read_gmsh(file_4(bottom, ""), "x.msh");
     EXPECT_EQ(mesh.boundary("bottom").ends.size(), 1U) << bottom;
@@ -101,7 +101,7 @@ TEST(Gmsh, a_sign_is_a_sense_and_partitions_keep_their_groups) {
   EXPECT_TRUE(read_gmsh(file_4("1", parts, "8", "9"), "x.msh").boundaries.empty());
 }
 
-TEST(Gmsh, sections_of_no_concern_are_skipped) {
+TEST(Gmsh, SectionsOfNoConcernAreSkipped) {
   const std::string text =
       "$Comments\nmade by hand: $Nodes\n$EndComments\n" + file_4("1", "") +
       "$Periodic\n1\n1 1 2\n0\n0\n$EndPeriodic\n$NodeData\n1\n\"p\"\n1\n0\n3\n0\n1\n0\n$EndNodeData\n";
@@ -113,7 +113,7 @@ TEST(Gmsh, sections_of_no_concern_are_skipped) {
   EXPECT_EQ(area_of(read_gmsh(parametric, "x.msh")), 1);
 }
 
-TEST(Gmsh, elements_are_refused_by_what_they_are) {
+TEST(Gmsh, ElementsAreRefusedByWhatTheyAre) {
   refused(file_2(square, {"3 2 3 1 1 2 3 4"}),
           "x.msh:19: the mesh has, as element 1, a 4-node quadrilateral; taken are 3-node triangles and 8-node "
           "quadrilaterals");
@@ -126,7 +126,7 @@ TEST(Gmsh, elements_are_refused_by_what_they_are) {
           "element 2 is a 8-node quadrilateral, element 1 before it a 3-node triangle");
 }
 
-TEST(Gmsh, elements_without_area_are_refused_by_their_number) {
+TEST(Gmsh, ElementsWithoutAreaAreRefusedByTheirNumber) {
   refused(file_2({{0, 0}, {0.1, 0.1}, {0.3, 0.3}}, {"2 2 3 1 1 2 3"}),
           "x.msh:18: element 1 has no area: its corners 1 2 3");
   refused(file_2(square, {"2 2 3 1 1 2 2"}), "names a node twice: 1 2 2");
@@ -139,7 +139,7 @@ TEST(Gmsh, elements_without_area_are_refused_by_their_number) {
           "element 2 and element 1 lie on the same side of the edge from node 1 to node 2: they overlap");
 }
 
-TEST(Gmsh, nodes_and_boundaries_are_refused_by_their_numbers) {
+TEST(Gmsh, NodesAndBoundariesAreRefusedByTheirNumbers) {
   const auto with_node = [](const std::string& line) {
     return head_2 + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n" + line +
            "\n$EndNodes\n$Elements\n2\n1 2 2 3 1 1 2 3\n2 2 2 3 1 1 3 4\n$EndElements\n";
@@ -162,7 +162,7 @@ const std::string unmerged =
     file_2({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1}, {1, 1}, {1, 2}, {0, 2}},
            {"1 2 1 1 1 2", "2 2 3 1 1 2 3", "2 2 3 1 1 3 4", "2 2 3 2 5 6 7", "2 2 3 2 5 7 8"});
 
-TEST(Gmsh, pieces_and_slits_are_taken_where_they_are_meant) {
+TEST(Gmsh, PiecesAndSlitsAreTakenWhereTheyAreMeant) {
   const Mesh mesh = read_gmsh(unmerged, "x.msh");
   EXPECT_EQ(mesh.coincident(), (std::vector<std::array<Index, 2>>{{2, 5}, {3, 4}}));
   ASSERT_EQ(mesh.pieces().size(), 2U);

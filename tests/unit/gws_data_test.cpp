@@ -21,7 +21,7 @@ std::string refusal(const std::string& name) {
   return "";
 }
 
-TEST(GwsData, geotextiles_are_found_by_name_and_multiple) {
+TEST(GwsData, GeotextilesAreFoundByNameAndMultiple) {
   const Geotextile PP = find_geotextile("PP"), half = find_geotextile("0.5PP");
   EXPECT_DOUBLE_EQ(PP.stiffness, 232e3);
   EXPECT_DOUBLE_EQ(PP.strength, 31.754e3);
@@ -31,13 +31,13 @@ TEST(GwsData, geotextiles_are_found_by_name_and_multiple) {
   EXPECT_EQ(half.name, "0.5PP");
 }
 
-TEST(GwsData, unknown_geotextiles_are_told_with_the_nearest) {
+TEST(GwsData, UnknownGeotextilesAreToldWithTheNearest) {
   EXPECT_NE(refusal("PF").find("did you mean 'PE'?"), std::string::npos);
   EXPECT_NE(refusal("0PP").find("must be above 0"), std::string::npos);
   EXPECT_NE(refusal("./absent.toml").find("absent.toml"), std::string::npos);
 }
 
-TEST(GwsData, a_geotextile_file_is_checked_whole) {
+TEST(GwsData, AGeotextileFileIsCheckedWhole) {
   try {
     read_geotextile("name = \"x\"\nstiffness = -1\nstrenght = 5\nfailure_strain = 0.1\n", "x.toml");
     FAIL();
@@ -49,7 +49,7 @@ TEST(GwsData, a_geotextile_file_is_checked_whole) {
   }
 }
 
-TEST(GwsData, the_soil_that_comes_with_the_tools_is_table_5_2) {
+TEST(GwsData, TheSoilThatComesWithTheToolsIsTable52) {
   std::vector<io::Source> sources;
   std::string resolved;
   const SoilFile file = find_soil("toyoura-gws", {}, sources, resolved);
@@ -65,7 +65,7 @@ TEST(GwsData, the_soil_that_comes_with_the_tools_is_table_5_2) {
   EXPECT_THROW(find_soil("toyoura-gws", {"failure_line.N=1"}, sources, resolved), DataError);
 }
 
-TEST(GwsData, another_folder_of_data_can_be_named) {
+TEST(GwsData, AnotherFolderOfDataCanBeNamed) {
   setenv("SOILWEAVE_DATA", "/nonexistent", 1);
   EXPECT_THROW(data_file("geotextiles", "PP.toml"), MissingInput);
   unsetenv("SOILWEAVE_DATA");

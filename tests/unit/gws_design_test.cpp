@@ -16,7 +16,7 @@ const StiffnessRange range{1e3, 1e8};
 
 Case nothing_yet() { return test::bag_of(0, 0, 0); }
 
-TEST(GwsDesign, the_designed_bag_settles_as_admitted_and_fails_at_the_safety) {
+TEST(GwsDesign, TheDesignedBagSettlesAsAdmittedAndFailsAtTheSafety) {
   for (const double surcharge : {50e3, 300e3, 1000e3})
     for (const double settlement : {0.04, 0.08})
       for (const double lateral : {0.0, 10e3}) {
@@ -33,7 +33,7 @@ TEST(GwsDesign, the_designed_bag_settles_as_admitted_and_fails_at_the_safety) {
       }
 }
 
-TEST(GwsDesign, geotextiles_of_one_kind_are_held_to_their_strength) {
+TEST(GwsDesign, GeotextilesOfOneKindAreHeldToTheirStrength) {
   const Demand demand{300e3, 0.05, 4};
   Case bag = test::bag_of("PP");
   const Design design = smallest_geotextile(bag, demand, range);
@@ -45,7 +45,7 @@ TEST(GwsDesign, geotextiles_of_one_kind_are_held_to_their_strength) {
   EXPECT_LT(response.at_surcharge(300e3).settlement(), 0.05);
 }
 
-TEST(GwsDesign, compaction_counts_settlement_from_there) {
+TEST(GwsDesign, CompactionCountsSettlementFromThere) {
   Case bag = nothing_yet();
   bag.initial_surcharge = 50e3;
   const Design design = smallest_geotextile(bag, {300e3, 0.03, 1}, range);
@@ -55,7 +55,7 @@ TEST(GwsDesign, compaction_counts_settlement_from_there) {
   EXPECT_NEAR((response.at_surcharge(300e3).settlement() - response.start().settlement()) / 0.03, 1, 1e-3);
 }
 
-TEST(GwsDesign, the_allowable_surcharge_is_the_lesser_of_the_two) {
+TEST(GwsDesign, TheAllowableSurchargeIsTheLesserOfTheTwo) {
   const Case bag = test::bag_of("PP");
   const Response response(bag);
   const Allowance by_settlement = allowable_surcharge(bag, 0.05, 1.5),
@@ -66,13 +66,13 @@ TEST(GwsDesign, the_allowable_surcharge_is_the_lesser_of_the_two) {
   EXPECT_NEAR(by_strength.surcharge, response.last().surcharge / 1.5, 1e-6);
 }
 
-TEST(GwsDesign, what_no_stiffness_carries_is_said) {
+TEST(GwsDesign, WhatNoStiffnessCarriesIsSaid) {
   EXPECT_THROW(smallest_geotextile(nothing_yet(), {300e3, 0.001, 1}, range), TargetNotReached);
   EXPECT_THROW(smallest_geotextile(nothing_yet(), {1e3, 0.1, 1}, range), DataError);
   EXPECT_THROW(smallest_geotextile(nothing_yet(), {300e3, 0.1, 0.5}, range), DataError);
 }
 
-TEST(GwsDesign, a_chart_is_the_responses_of_its_bags) {
+TEST(GwsDesign, AChartIsTheResponsesOfItsBags) {
   const auto rows = design_chart(test::bag_of("PP"), {300e3, 0.06, 2}, {232e3, 5 * 232e3}, 5);
   ASSERT_EQ(rows.size(), 5u);
   const Response one(test::bag_of("PP")), five(test::bag_of("5PP"));
@@ -86,7 +86,7 @@ TEST(GwsDesign, a_chart_is_the_responses_of_its_bags) {
   }
 }
 
-TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
+TEST(GwsSensitivity, DerivativesAreThoseOfTheResponse) {
   const Case bag = test::bag_of("PP");
   const auto rows = sensitivities(bag, {"test", bag.soil, {}}, 0.1);
   EXPECT_EQ(rows.size(), constants().size() + 5);
@@ -107,7 +107,7 @@ TEST(GwsSensitivity, derivatives_are_those_of_the_response) {
   }
 }
 
-TEST(GwsSensitivity, bands_of_a_known_scatter_have_its_width) {
+TEST(GwsSensitivity, BandsOfAKnownScatterHaveItsWidth) {
   // Only xi scatters, so little that the capacity is linear in it: quantiles follow the t distribution.
   const Case bag = test::bag_of("PP");
   const double error = 1e-4;
@@ -125,7 +125,7 @@ TEST(GwsSensitivity, bands_of_a_known_scatter_have_its_width) {
   EXPECT_EQ(again.capacity.low, bands.capacity.low);
 }
 
-TEST(GwsSensitivity, draws_out_of_range_are_counted) {
+TEST(GwsSensitivity, DrawsOutOfRangeAreCounted) {
   const Case bag = test::bag_of("PP");
   const SoilFile soil{"test", bag.soil, {{{"stiffness.poisson_ratio"}, {0.2}, {1}, 1e6}}};
   const Bands bands = monte_carlo(bag, soil, 200, 7, 2);

@@ -20,7 +20,7 @@
 namespace soilweave::gws {
 namespace {
 
-TEST(GwsFit, a_straight_line_has_the_textbook_errors) {
+TEST(GwsFit, AStraightLineHasTheTextbookErrors) {
   // y = 1 + 2x has residuals +-0.1: slope variance s2 / sum (x - mean)2, intercept s2 (1/n + mean2 / sum).
   const std::vector<double> x{0, 1, 2, 3}, y{1.1, 2.9, 4.9, 7.1};
   const Fit found = fit("line", y, {0, 1}, [&](const double* p, double* fitted) {
@@ -36,7 +36,7 @@ TEST(GwsFit, a_straight_line_has_the_textbook_errors) {
   EXPECT_NEAR(found.determination, 1 - 0.04 / 20.04, 1e-9);
 }
 
-TEST(GwsFit, too_few_points_and_undetermined_constants_are_refused) {
+TEST(GwsFit, TooFewPointsAndUndeterminedConstantsAreRefused) {
   const auto constant = [](const double* p, double* fitted) { fitted[0] = fitted[1] = fitted[2] = p[0] + p[1]; };
   EXPECT_THROW(fit("f", {1}, {0, 1}, constant), DataError);
   EXPECT_THROW(fit("f", {1, 2, 3}, {0, 1}, constant), DataError);
@@ -70,7 +70,7 @@ const Line& line_named(const Identification& found, std::string_view name) {
   throw std::runtime_error("no line " + std::string(name));
 }
 
-TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
+TEST(GwsIdentify, TheModelsOwnDataGiveBackItsConstants) {
   std::mt19937_64 random(1);
   std::vector<BagSeries> series;
   for (const char* name : geotextiles) series.push_back(made(name, 200, 0, 0, random));
@@ -92,7 +92,7 @@ TEST(GwsIdentify, the_model_s_own_data_give_back_its_constants) {
   EXPECT_NEAR(found.soil.soil.beta, soil.beta, 1e-3);
 }
 
-TEST(GwsIdentify, intervals_hold_the_constants_in_90_of_100_noisy_repetitions) {
+TEST(GwsIdentify, IntervalsHoldTheConstantsIn90Of100NoisyRepetitions) {
   // Scatter of 0.5 % in stress and 0.02 % in strain is about that of the discrete-element series around their lines.
   const Soil soil;
   std::map<std::string, int> inside;
@@ -122,7 +122,7 @@ TEST(GwsIdentify, intervals_hold_the_constants_in_90_of_100_noisy_repetitions) {
   }
 }
 
-TEST(GwsIdentify, discrete_element_points_reproduce_table_5_2_as_far_as_they_can) {
+TEST(GwsIdentify, DiscreteElementPointsReproduceTable52AsFarAsTheyCan) {
   std::vector<BagSeries> series;
   std::vector<io::Source> sources;
   for (const char* name : {"PE", "PP", "3PP"}) {
@@ -156,7 +156,7 @@ TEST(GwsIdentify, discrete_element_points_reproduce_table_5_2_as_far_as_they_can
   }
 }
 
-TEST(GwsIdentify, the_first_points_of_the_near_failure_line_are_reported_as_outliers_and_kept) {
+TEST(GwsIdentify, TheFirstPointsOfTheNearFailureLineAreReportedAsOutliersAndKept) {
   std::mt19937_64 random(3);
   BagSeries series = made("PP", 30, 0.002, 0, random);
   series.deviatoric_stress[10] *= 1.2;
@@ -166,7 +166,7 @@ TEST(GwsIdentify, the_first_points_of_the_near_failure_line_are_reported_as_outl
   EXPECT_GT(std::abs(line.fit.studentized[10]), outlier_distance);
 }
 
-TEST(GwsIdentify, one_geotextile_leaves_the_stiffness_unidentified_with_the_reason) {
+TEST(GwsIdentify, OneGeotextileLeavesTheStiffnessUnidentifiedWithTheReason) {
   std::mt19937_64 random(4);
   const Identification found =
       identify({made("PP", 30, 0.001, 0, random)}, {"test", {}, {}}, {}, {}, Difference::central, Method::thesis);
@@ -174,7 +174,7 @@ TEST(GwsIdentify, one_geotextile_leaves_the_stiffness_unidentified_with_the_reas
   EXPECT_EQ(found.left_out[0], "stiffness: 1 points for 2 constants; give more");
 }
 
-TEST(GwsIdentify, series_are_read_in_any_unit_up_to_failure) {
+TEST(GwsIdentify, SeriesAreReadInAnyUnitUpToFailure) {
   const io::Series table = io::from_tsv(
       "strain_axial [%]\tstrain_volumetric [%]\tmean_stress [kPa]\tdeviatoric_stress [kPa]\ttensile_stiffness [kN/m]\n"
       "0\t0\t10\t12\t53\n1\t0.5\t20\t25\t53\n2\t0.4\t30\t40\t53\n3\t0.1\t25\t30\t53\n",
@@ -189,7 +189,7 @@ TEST(GwsIdentify, series_are_read_in_any_unit_up_to_failure) {
   EXPECT_NEAR(bag_series(table, "table", 0, true).strain_volumetric[2], 1 - std::exp(-0.004), 1e-15);
 }
 
-TEST(GwsIdentify, a_soil_file_keeps_constants_and_scatter) {
+TEST(GwsIdentify, ASoilFileKeepsConstantsAndScatter) {
   SoilFile file{"made", {}, {}};
   file.soil.kappa = 1.4321;
   file.scatter.push_back({{"near_failure_line.kappa", "near_failure_line.xi"}, {0.01, 0.002}, {1, 0.5, 0.5, 1}, 40});

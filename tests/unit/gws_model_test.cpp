@@ -13,7 +13,7 @@
 namespace soilweave::gws {
 namespace {
 
-TEST(GwsModel, begins_where_the_table_of_constants_says) {
+TEST(GwsModel, BeginsWhereTheTableOfConstantsSays) {
   const Soil soil;
   const SoilState start = soil_state(soil, soil.young_modulus(232e3), soil.p_0, {});
   EXPECT_EQ(start.end, End::none);
@@ -27,13 +27,13 @@ TEST(GwsModel, begins_where_the_table_of_constants_says) {
   EXPECT_NEAR(surcharge({}, start, 0), 4169, 0.5);
 }
 
-TEST(GwsModel, youngs_modulus_is_the_power_of_the_stiffness) {
+TEST(GwsModel, YoungsModulusIsThePowerOfTheStiffness) {
   const Soil soil;
   EXPECT_NEAR(soil.young_modulus(53e3) / 1e6, 2.97, 5e-3);
   EXPECT_NEAR(soil.young_modulus(232e3) / 1e6, 8.85, 5e-3);
 }
 
-TEST(GwsModel, stress_ratio_solves_its_implicit_equation) {
+TEST(GwsModel, StressRatioSolvesItsImplicitEquation) {
   // eta and eps_d depend on each other (Eqs. 5.4, 5.7): the closed form must satisfy both.
   const Soil soil;
   for (const double p : {5e3, 50e3, 500e3, 3e6}) {
@@ -47,7 +47,7 @@ TEST(GwsModel, stress_ratio_solves_its_implicit_equation) {
   }
 }
 
-TEST(GwsModel, slope_of_the_path_is_its_own_derivative) {
+TEST(GwsModel, SlopeOfThePathIsItsOwnDerivative) {
   // s = dq/dp and d eps_a^p/dp are solved together; along the path they must equal difference quotients.
   const Soil soil;
   Path path(soil, soil.young_modulus(232e3), 1e-9);
@@ -65,7 +65,7 @@ TEST(GwsModel, slope_of_the_path_is_its_own_derivative) {
   }
 }
 
-TEST(GwsModel, generalized_stress_is_equation_5_14) {
+TEST(GwsModel, GeneralizedStressIsEquation514) {
   Soil soil;
   for (const double K_psi : {-0.28, -0.6})
     for (const double s : {1.2, 1.5}) {
@@ -75,7 +75,7 @@ TEST(GwsModel, generalized_stress_is_equation_5_14) {
     }
 }
 
-TEST(GwsModel, forces_balance_on_every_face) {
+TEST(GwsModel, ForcesBalanceOnEveryFace) {
   // Eqs. 5.1 and 5.2 with one tension: both balances of the cuboid, whose common factor (1 - eps_h) cancels.
   const Bag bag{0.5, 0.1};
   SoilState s;
@@ -90,7 +90,7 @@ TEST(GwsModel, forces_balance_on_every_face) {
               1e-9);
 }
 
-TEST(GwsModel, lateral_stress_and_bag_leave_the_path_of_the_soil_alone) {
+TEST(GwsModel, LateralStressAndBagLeaveThePathOfTheSoilAlone) {
   // Only E enters the path: at equal p, strains are the same with any lateral stress and bag.
   Case one = test::bag_of("PP"), other = one;
   other.lateral = LateralStress::constant(50e3);
@@ -101,7 +101,7 @@ TEST(GwsModel, lateral_stress_and_bag_leave_the_path_of_the_soil_alone) {
   EXPECT_LT(a.surcharge, b.surcharge);
 }
 
-TEST(GwsModel, every_end_has_a_reason) {
+TEST(GwsModel, EveryEndHasAReason) {
   for (int end = 0; end <= static_cast<int>(End::resolution); ++end)
     EXPECT_FALSE(reason(static_cast<End>(end)).empty()) << end;
 }

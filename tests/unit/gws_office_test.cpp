@@ -17,7 +17,7 @@
 namespace soilweave::gws {
 namespace {
 
-TEST(GwsMatsuokaLiu, the_closed_form_has_its_published_capacity) {
+TEST(GwsMatsuokaLiu, TheClosedFormHasItsPublishedCapacity) {
   // PP, 0.4 x 0.08 m, phi 33.4 deg: 2584 kPa with the whole strength, in proportion with less.
   const LongBag bag{0.4, 0.08, 31.754e3, passive_ratio(1.35)};
   EXPECT_NEAR(friction_angle(1.35) * 180 / std::numbers::pi, 33.4, 0.05);
@@ -25,7 +25,7 @@ TEST(GwsMatsuokaLiu, the_closed_form_has_its_published_capacity) {
   EXPECT_NEAR(capacity(bag, 10e3) - capacity(bag, 0), bag.passive_ratio * 10e3, 1e-6);
 }
 
-TEST(GwsMatsuokaLiu, at_small_strain_ours_differs_by_the_hoops_along_the_bag_alone) {
+TEST(GwsMatsuokaLiu, AtSmallStrainOursDiffersByTheHoopsAlongTheBagAlone) {
   SoilState state;
   state.p = 200e3;
   state.obliquity = 1.4;  // strains are zero
@@ -39,7 +39,7 @@ TEST(GwsMatsuokaLiu, at_small_strain_ours_differs_by_the_hoops_along_the_bag_alo
   }
 }
 
-TEST(GwsMatsuokaLiu, the_whole_response_of_a_flat_stiff_bag_agrees_with_it) {
+TEST(GwsMatsuokaLiu, TheWholeResponseOfAFlatStiffBagAgreesWithIt) {
   Case bag = test::bag_of(1e8, 80, 1);
   bag.bag.height = 0.004;
   const Point last = Response(bag).last();
@@ -52,7 +52,7 @@ TEST(GwsMatsuokaLiu, the_whole_response_of_a_flat_stiff_bag_agrees_with_it) {
   EXPECT_NEAR(Response(thick).last().surcharge / capacity(by_M, 0), 1.34, 0.01);
 }
 
-TEST(GwsDataSheet, a_straight_sheet_is_one_stiffness) {
+TEST(GwsDataSheet, AStraightSheetIsOneStiffness) {
   const Geotextile sheet = of_sheet("straight", {4e3, 10e3, 20e3, 0.1}, "here");
   Case one = test::bag_of(200e3, 20e3, 0.1), by_curve = one;
   by_curve.geotextile = sheet;
@@ -64,7 +64,7 @@ TEST(GwsDataSheet, a_straight_sheet_is_one_stiffness) {
   }
 }
 
-TEST(GwsDataSheet, the_secant_is_that_of_the_strain_reached) {
+TEST(GwsDataSheet, TheSecantIsThatOfTheStrainReached) {
   // Stiffer in the beginning: PET after its data sheet in the machine direction has 35.7 and 73.9 kN/m at 2 and 5 %.
   Case bag = test::bag_of(0, 0, 0);
   bag.geotextile = of_sheet("PET", {35.7e3, 73.9e3, 160e3, 0.12}, "here");
@@ -86,7 +86,7 @@ TEST(GwsDataSheet, the_secant_is_that_of_the_strain_reached) {
   for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GT(points[i].settlement(), points[i - 1].settlement());
 }
 
-TEST(GwsDataSheet, the_lesser_of_both_directions_counts_unless_one_is_chosen) {
+TEST(GwsDataSheet, TheLesserOfBothDirectionsCountsUnlessOneIsChosen) {
   const std::string text =
       "name = \"x\"\n[machine]\ntension_at_2 = \"20 kN/m\"\nstrength = \"100 kN/m\"\nfailure_strain = \"10 %\"\n"
       "[cross]\ntension_at_2 = \"25 kN/m\"\nstrength = \"60 kN/m\"\nfailure_strain = \"12 %\"\n";
@@ -98,7 +98,7 @@ TEST(GwsDataSheet, the_lesser_of_both_directions_counts_unless_one_is_chosen) {
   EXPECT_DOUBLE_EQ(cross.layers(3).curve.tension_at(0.02), 75e3);
 }
 
-TEST(GwsFactors, a_weaker_soil_carries_less_and_settles_at_service_as_before) {
+TEST(GwsFactors, AWeakerSoilCarriesLessAndSettlesAtServiceAsBefore) {
   Factors factors;
   EXPECT_FALSE(factors.weakened({}).has_value());
   factors.soil = 1.25;
@@ -117,7 +117,7 @@ TEST(GwsFactors, a_weaker_soil_carries_less_and_settles_at_service_as_before) {
   EXPECT_GT(weaker.geotextile.strength, strong.geotextile.strength);
 }
 
-TEST(GwsEstimate, the_soil_has_the_strength_and_stiffness_it_is_estimated_from) {
+TEST(GwsEstimate, TheSoilHasTheStrengthAndStiffnessItIsEstimatedFrom) {
   Triaxial test{38, 8, 40e6, 0.6, 1e5};
   const Soil soil = estimated(test);
   const double sine = std::sin(38 * std::numbers::pi / 180), at_failure = 6 * sine / (3 - sine);

@@ -23,7 +23,7 @@ constexpr Expected expected[] = {{"PE", 585, 11.67, 4.0, 3.8, 8.9, 0.20, 0.25},
                                  {"PP", 1731, 12.50, 1.4, 2.1, 6.3, 0.20, 0.25},
                                  {"3PP", 4862, 15.65, 0.9, 2.0, 7.0, 0.20, 0.25}};
 
-TEST(GwsRespond, meets_the_reference_curves) {
+TEST(GwsRespond, MeetsTheReferenceCurves) {
   for (const Expected& e : expected) {
     const test::Columns curve = test::reference_table(std::string("ch5/ref_model_uc_") + e.name + ".csv");
     if (curve.empty()) GTEST_SKIP() << "no SOILWEAVE_REFERENCE";
@@ -60,7 +60,7 @@ double misfit(const std::vector<double>& series, std::size_t rows, const Model& 
   return 100 * std::sqrt(squares) / greatest;
 }
 
-TEST(GwsRespond, is_as_near_to_the_discrete_elements_as_the_reference) {
+TEST(GwsRespond, IsAsNearToTheDiscreteElementsAsTheReference) {
   for (const Expected& e : expected) {
     const test::Columns dem = test::reference_table(std::string("ch5/dem_uc_") + e.name + ".csv");
     if (dem.empty()) GTEST_SKIP() << "no SOILWEAVE_REFERENCE";
@@ -89,7 +89,7 @@ TEST(GwsRespond, is_as_near_to_the_discrete_elements_as_the_reference) {
   }
 }
 
-TEST(GwsRespond, settlements_order_as_the_thesis_says) {
+TEST(GwsRespond, SettlementsOrderAsTheThesisSays) {
   double before = 0;
   for (const char* name : {"PE", "0.5PP", "PP", "2PP", "3PP", "4PP", "5PP"}) {
     const Response response(bag_of(name));
@@ -99,7 +99,7 @@ TEST(GwsRespond, settlements_order_as_the_thesis_says) {
   EXPECT_LT(Response(bag_of("PP")).last().settlement(), Response(bag_of("3PP")).last().settlement());
 }
 
-TEST(GwsRespond, triaxial_starts_are_the_reference_s) {
+TEST(GwsRespond, TriaxialStartsAreTheReferenceS) {
   // sigma_rs = 10, 50, 100 kPa: 7.50, 20.84, 37.50 kPa; hoops begin in compression, at -6.2 % for PE under 100 kPa.
   const double starts[][2] = {{10e3, 7.50}, {50e3, 20.84}, {100e3, 37.50}};
   for (const auto& [lateral, start] : starts) {
@@ -115,7 +115,7 @@ TEST(GwsRespond, triaxial_starts_are_the_reference_s) {
   }
 }
 
-TEST(GwsRespond, halving_the_tolerance_changes_less_than_the_tolerance) {
+TEST(GwsRespond, HalvingTheToleranceChangesLessThanTheTolerance) {
   for (const char* name : {"PE", "PP", "5PP"})
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
       Case coarse = bag_of(name);
@@ -128,14 +128,14 @@ TEST(GwsRespond, halving_the_tolerance_changes_less_than_the_tolerance) {
     }
 }
 
-TEST(GwsRespond, a_history_of_one_stress_is_that_stress) {
+TEST(GwsRespond, AHistoryOfOneStressIsThatStress) {
   Case constant = bag_of("PP"), history = constant;
   constant.lateral = LateralStress::constant(30e3);
   history.lateral = {{0, 100e3, 1e6}, {30e3, 30e3, 30e3}};
   EXPECT_NEAR(Response(constant).last().surcharge, Response(history).last().surcharge, 1e-6);
 }
 
-TEST(GwsRespond, a_history_is_straight_between_its_rows_and_level_beyond_them) {
+TEST(GwsRespond, AHistoryIsStraightBetweenItsRowsAndLevelBeyondThem) {
   const LateralStress history{{10e3, 30e3, 50e3}, {5e3, 9e3, 8e3}};
   const double expected[][2] = {{1e3, 5e3},    {10e3, 5e3}, {25e3, 8e3}, {30e3, 9e3},
                                 {40e3, 8.5e3}, {50e3, 8e3}, {1e6, 8e3}};
@@ -143,7 +143,7 @@ TEST(GwsRespond, a_history_is_straight_between_its_rows_and_level_beyond_them) {
   EXPECT_EQ(LateralStress().at(1e5), 0);
 }
 
-TEST(GwsRespond, a_history_is_followed_and_balanced) {
+TEST(GwsRespond, AHistoryIsFollowedAndBalanced) {
   Case bag = bag_of("PP");
   bag.lateral = {{20e3, 500e3}, {0, 100e3}};
   const Response response(bag);
@@ -154,7 +154,7 @@ TEST(GwsRespond, a_history_is_followed_and_balanced) {
   }
 }
 
-TEST(GwsRespond, compaction_shifts_the_beginning_and_nothing_else) {
+TEST(GwsRespond, CompactionShiftsTheBeginningAndNothingElse) {
   const Case bag = bag_of("PP");
   const Response whole(bag);
   Case by_settlement = bag, by_pressure = bag;
@@ -167,7 +167,7 @@ TEST(GwsRespond, compaction_shifts_the_beginning_and_nothing_else) {
   EXPECT_THROW(compacted.at_strain(0.01), DataError);
 }
 
-TEST(GwsRespond, points_are_equal_steps_of_settlement) {
+TEST(GwsRespond, PointsAreEqualStepsOfSettlement) {
   const Response response(bag_of("PE"));
   const auto points = response.points(10);
   ASSERT_EQ(points.size(), 11u);
@@ -185,7 +185,7 @@ std::string refusal(const Case& bag) {
   return "";
 }
 
-TEST(GwsRespond, refuses_what_is_inadmissible_with_range_and_reason) {
+TEST(GwsRespond, RefusesWhatIsInadmissibleWithRangeAndReason) {
   const auto changed = [](const auto& change) {
     Case bag = bag_of("PP");
     change(bag);
@@ -214,7 +214,7 @@ TEST(GwsRespond, refuses_what_is_inadmissible_with_range_and_reason) {
   EXPECT_NE(changed([](Case& c) { c.soil.M = 0.01; }).find("its constants allow no state"), std::string::npos);
 }
 
-TEST(GwsRespond, ends_with_the_failure_strain_where_that_comes_first) {
+TEST(GwsRespond, EndsWithTheFailureStrainWhereThatComesFirst) {
   Case bag = bag_of("PP");
   bag.geotextile.failure_strain = 0.03;
   const Response response(bag);

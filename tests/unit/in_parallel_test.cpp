@@ -10,7 +10,7 @@
 namespace soilweave {
 namespace {
 
-TEST(InParallel, uses_every_number_once) {
+TEST(InParallel, UsesEveryNumberOnce) {
   for (const int threads : {1, 2, 3}) {
     std::vector<int> used(50, 0);
     in_parallel(used.size(), threads, [&](std::size_t i) { ++used[i]; });
@@ -18,7 +18,7 @@ TEST(InParallel, uses_every_number_once) {
   }
 }
 
-TEST(InParallel, sums_have_the_same_bits_on_any_number_of_threads) {
+TEST(InParallel, SumsHaveTheSameBitsOnAnyNumberOfThreads) {
   const auto value = [](std::size_t i) { return std::sqrt(static_cast<double>(i)) - 3; };
   const double one = sum_in_parallel(1000, 64, 1, value);
   double in_order = 0;
@@ -29,7 +29,7 @@ TEST(InParallel, sums_have_the_same_bits_on_any_number_of_threads) {
   EXPECT_EQ(sum_in_parallel(0, 64, 2, value), 0);
 }
 
-TEST(InParallel, finds_the_largest) {
+TEST(InParallel, FindsTheLargest) {
   const auto value = [](std::size_t i) { return i == 17 ? 5.0 : -1.0; };
   for (const int threads : {1, 2, 3}) {
     EXPECT_EQ(largest_in_parallel(40, threads, value), 5);

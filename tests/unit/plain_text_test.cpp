@@ -17,7 +17,7 @@ void refuses(const std::string& bytes, const std::string& words) {
   io::test::expect_error<DataError>([&] { read(bytes); }, "f.tsv: " + words);
 }
 
-TEST(PlainText, ends_every_line_by_one_line_feed) {
+TEST(PlainText, EndsEveryLineByOneLineFeed) {
   EXPECT_EQ(read("a\nb\n"), "a\nb\n");
   EXPECT_EQ(read("a\r\nb\r\n"), "a\nb\n");
   EXPECT_EQ(read("a\rb\r"), "a\nb\n");
@@ -26,14 +26,14 @@ TEST(PlainText, ends_every_line_by_one_line_feed) {
   EXPECT_EQ(read("\t\f\v1"), "\t\f\v1\n");
 }
 
-TEST(PlainText, skips_a_byte_order_mark_and_keeps_other_letters) {
+TEST(PlainText, SkipsAByteOrderMarkAndKeepsOtherLetters) {
   EXPECT_EQ(read("\xef\xbb\xbf"
                  "1 2"),
             "1 2\n");
   EXPECT_EQ(read("\u00b5m \u202f \U0001F600"), "\u00b5m \u202f \U0001F600\n");
 }
 
-TEST(PlainText, names_wide_characters_with_the_way_to_convert_them) {
+TEST(PlainText, NamesWideCharactersWithTheWayToConvertThem) {
   refuses(
       "\xff\xfe"
       "1\0\n\0"s,
@@ -48,7 +48,7 @@ TEST(PlainText, names_wide_characters_with_the_way_to_convert_them) {
   refuses("1\0\0\0 \0\0\0"s, "UTF-32LE text");
 }
 
-TEST(PlainText, names_files_of_other_kinds) {
+TEST(PlainText, NamesFilesOfOtherKinds) {
   refuses("\x89HDF\r\n\x1a\n\0"s, "an HDF5 file where a text belongs (the grading)");
   refuses("\x1f\x8b\x08\0\0"s, "a gzip file where a text belongs (the grading); unpack it with gunzip");
   refuses("PK\x03\x04\x14", "a ZIP archive, as Excel's .xlsx");
@@ -63,7 +63,7 @@ TEST(PlainText, names_files_of_other_kinds) {
   EXPECT_NE(binary_kind("$MeshFormat\n4.1 1 8\n\x01\0\0\0"s), "");
 }
 
-TEST(PlainText, refuses_what_stands_in_no_text) {
+TEST(PlainText, RefusesWhatStandsInNoText) {
   refuses("", "the file is empty (the grading)");
   refuses("\xef\xbb\xbf\r\n \t\n", "the file is empty");
   refuses("1 2\n3\0 4\n"s, "holds zero bytes");

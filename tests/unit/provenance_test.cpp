@@ -7,7 +7,7 @@
 namespace soilweave::io {
 namespace {
 
-TEST(Sha256, agrees_with_the_standard) {
+TEST(Sha256, AgreesWithTheStandard) {
   // FIPS 180-4 examples (NIST), and the digest of nothing.
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -25,7 +25,7 @@ tool::Invocation called(const std::string& name, std::uint64_t seed = 0) {
   return invocation;
 }
 
-TEST(History, of_outside_data_is_one_record) {
+TEST(History, OfOutsideDataIsOneRecord) {
   const History history = extend({{"grading", "aa", {}}}, called("pack-generate", 7), "a = 1\n");
   ASSERT_EQ(history.size(), 1U);
   EXPECT_EQ(history[0].tool, "pack-generate");
@@ -37,7 +37,7 @@ TEST(History, of_outside_data_is_one_record) {
   EXPECT_EQ(history[0].inputs[0].sha256, "aa");
 }
 
-TEST(History, names_the_record_that_made_each_input) {
+TEST(History, NamesTheRecordThatMadeEachInput) {
   const History packing = extend({}, called("pack-generate"));
   const History run = extend({{"packing", "bb", packing}, {"scenario", "cc", {}}}, called("run-dem"));
   ASSERT_EQ(run.size(), 2U);
@@ -45,7 +45,7 @@ TEST(History, names_the_record_that_made_each_input) {
   EXPECT_EQ(run[1].inputs[1].origin, -1);
 }
 
-TEST(History, keeps_all_parents_each_once) {
+TEST(History, KeepsAllParentsEachOnce) {
   const History packing = extend({}, called("pack-generate"));
   const History other = extend({}, called("pack-generate", 2));
   const History one = extend({{"packing", "bb", packing}}, called("run-dem", 1));
@@ -59,14 +59,14 @@ TEST(History, keeps_all_parents_each_once) {
   EXPECT_EQ(merged[4].inputs[1].origin, 3);
 }
 
-TEST(History, same_digest_from_two_makers_stays_two) {
+TEST(History, SameDigestFromTwoMakersStaysTwo) {
   const History one = extend({}, called("pack-generate", 1));
   const History two = extend({}, called("pack-generate", 2));
   const History merged = extend({{"a", "00", one}, {"b", "00", two}}, called("fabric"));
   EXPECT_EQ(merged.size(), 3U);
 }
 
-TEST(History, is_told_one_paragraph_a_record) {
+TEST(History, IsToldOneParagraphARecord) {
   const History packing = extend({{"grading", "aa", {}}}, called("pack-generate", 7));
   const History run = extend({{"packing", "bb", packing}}, called("run-dem"), "[law]\nname = \"linear\"\n");
   EXPECT_EQ(describe(run),

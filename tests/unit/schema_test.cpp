@@ -20,7 +20,7 @@ namespace {
 const std::string begin_mark = "<!-- tables: printed from schema.cpp -->\n", end_mark = "<!-- end of tables -->\n";
 
 /// Compares FORMAT.md with the schema. SOILWEAVE_GOLDEN=write (make golden) writes the tables into the page instead.
-TEST(Schema, is_what_the_page_says) {
+TEST(Schema, IsWhatThePageSays) {
   const std::filesystem::path page = "lib/files/FORMAT.md";
   if (!std::filesystem::exists(page)) GTEST_SKIP() << "not run in the root of the source tree";
   const std::string text = test::bytes_of(page);
@@ -35,7 +35,7 @@ TEST(Schema, is_what_the_page_says) {
     EXPECT_EQ(text, printed) << "run: make golden, or correct the schema";
 }
 
-TEST(Schema, shapes_become_numbers) {
+TEST(Schema, ShapesBecomeNumbers) {
   const Extents extents = {{'F', 3}, {'N', 100}, {'D', 2}};
   EXPECT_EQ(resolve("F N D", extents), (Shape{3, 100, 2}));
   EXPECT_EQ(resolve("F 3 3", extents), (Shape{3, 3, 3}));
@@ -51,7 +51,7 @@ TEST(Schema, shapes_become_numbers) {
   EXPECT_THROW(entry("/nowhere"), std::out_of_range);
 }
 
-TEST(Schema, names_each_path_once_with_unit_and_meaning) {
+TEST(Schema, NamesEachPathOnceWithUnitAndMeaning) {
   std::set<std::string_view> paths;
   for (const Section& section : schema())
     for (const Entry& e : section.entries) {
@@ -99,7 +99,7 @@ void check_datasets(const Reader& file, const std::string& group, std::set<std::
   }
 }
 
-TEST(Schema, holds_every_dataset_that_is_written_and_no_other) {
+TEST(Schema, HoldsEveryDatasetThatIsWrittenAndNoOther) {
   const test::Folder folder;
   const auto path = folder / "file.h5";
   std::set<std::string> seen;

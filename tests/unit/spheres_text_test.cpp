@@ -43,7 +43,7 @@ class Spheres : public testing::Test {
   std::filesystem::path path = folder / "spheres.txt";
 };
 
-TEST_F(Spheres, periodic_text_gives_cell_and_masses) {
+TEST_F(Spheres, PeriodicTextGivesCellAndMasses) {
   const Snapshot state = read("##PERIODIC:: 0.1 0.2 0.3\n# x y z r\n0 0.1 0.2 0.01\n1e-2\t0\t0\t0.02 # last\n");
   EXPECT_TRUE(state.cell.matrix.isApprox(Vec3(0.1, 0.2, 0.3).asDiagonal().toDenseMatrix(), 0));
   EXPECT_EQ(state.cell.periodic, (std::array<bool, 3>{true, true, true}));
@@ -55,7 +55,7 @@ TEST_F(Spheres, periodic_text_gives_cell_and_masses) {
   EXPECT_EQ(state.contacts.size(), 0U);
 }
 
-TEST_F(Spheres, table_with_a_header_takes_the_callers_cell) {
+TEST_F(Spheres, TableWithAHeaderTakesTheCallersCell) {
   CellRecord cell;
   cell.matrix = Mat3::Identity() * 0.5;
   const Snapshot state = read("x_m,y_m,z_m,radius_m\n0.1,0.2,0.3,0.05\n", cell);
@@ -64,14 +64,14 @@ TEST_F(Spheres, table_with_a_header_takes_the_callers_cell) {
   EXPECT_TRUE(state.cell.periodic[2]);
 }
 
-TEST_F(Spheres, without_a_cell_nothing_is_periodic) {
+TEST_F(Spheres, WithoutACellNothingIsPeriodic) {
   const Snapshot state = read("0.1 0.2 -0.3 0.05\n");
   EXPECT_EQ(state.cell.periodic, (std::array<bool, 3>{false, false, false}));
   EXPECT_NEAR(state.cell.matrix(0, 0), 0.15, 1e-15);
   EXPECT_NEAR(state.cell.matrix(2, 2), 0.35, 1e-15);
 }
 
-TEST_F(Spheres, errors_tell_line_and_column) {
+TEST_F(Spheres, ErrorsTellLineAndColumn) {
   refuses("0 0 0 1\n0 0 x 1\n", "line 2, column 3: \"x\" is no finite number");
   refuses("0 0 0\n", "line 1: 3 numbers; without a header a line is x y z r (disks: x y r, with --dimension 2)");
   refuses("0 0 0 1\n0 0 0\n", "line 2, column 4: 3 values where 4 belong, separated by blanks");
@@ -86,7 +86,7 @@ TEST_F(Spheres, errors_tell_line_and_column) {
   expect_error<MissingInput>([&] { import_spheres(folder / "none", {2650, {}, {}}); }, "no such file");
 }
 
-TEST_F(Spheres, first_lines_are_numbers_headers_or_errors) {
+TEST_F(Spheres, FirstLinesAreNumbersHeadersOrErrors) {
   refuses("nan 1 1 0.5\n3 1 1 0.5\n", "line 1, column 1: \"nan\" is no finite number");
   refuses("1.0D+00 1 1 0.5\n3 1 1 0.5\n", "line 1, column 1: \"1.0D+00\" is no finite number: write 1.0e+00");
   refuses("##PERIODIC:: 4 4 4\n1.0O 1 1 0.5\n", "line 2, column 1: \"1.0O\" is no finite number");
@@ -99,7 +99,7 @@ TEST_F(Spheres, first_lines_are_numbers_headers_or_errors) {
   refuses("x,y,z,r,\n1,1,1,0.5,7\n", "column 5 has no name");
 }
 
-TEST_F(Spheres, columns_go_by_their_names) {
+TEST_F(Spheres, ColumnsGoByTheirNames) {
   reads("x y z r\n1 2 3 0.25\n4 5 6 0.5\n");
   reads("R\tZ\tY\tX\n0.25\t3\t2\t1\n0.5\t6\t5\t4\n");
   reads("x\ty\tz\tr\tmass [g]\n1\t2\t3\t0.25\t\n4\t5\t6\t0.5\t7\n");
@@ -124,7 +124,7 @@ TEST_F(Spheres, columns_go_by_their_names) {
   EXPECT_TRUE(import("x y z r\n1 2 3 0.25\n").notes.empty());
 }
 
-TEST_F(Spheres, separators_are_not_guessed) {
+TEST_F(Spheres, SeparatorsAreNotGuessed) {
   refuses("10,5\t20,5\t30,5\t5,0\n",
           "line 1, column 1: \"10,5\" is no finite number: write 10.5, with a decimal point");
   refuses("10,5 20,5 30,5 5,0\n", "line 1, column 1: \"10,5\" is no finite number: write 10.5");
@@ -136,7 +136,7 @@ TEST_F(Spheres, separators_are_not_guessed) {
   refuses("1;2;3;0.5\n1 2 3 0.5\n", "line 2, column 2: 1 values where 4 belong, separated by semicolons");
 }
 
-TEST_F(Spheres, periods_are_told_whole_and_once) {
+TEST_F(Spheres, PeriodsAreToldWholeAndOnce) {
   refuses("## PERIODIC: 1 1 1\n0 0 0 0.1\n", "line 1: write ##PERIODIC:: Lx Ly Lz (disks: Lx Ly), as it stands here");
   refuses("##periodic:: 1 1 1\n0 0 0 0.1\n", "line 1: write ##PERIODIC:: Lx Ly Lz");
   refuses("##PERIODIC:: 1 1 1\n##PERIODIC:: 1 1 1\n0 0 0 0.1\n", "line 2: a second ##PERIODIC:: line");
@@ -149,7 +149,7 @@ TEST_F(Spheres, periods_are_told_whole_and_once) {
     expect_error<UsageError>([&] { periodic_cell(wrong, "--cell"); }, "give three positive lengths, of disks two");
 }
 
-TEST_F(Spheres, disks_are_read_from_text) {
+TEST_F(Spheres, DisksAreReadFromText) {
   const Snapshot state = read("##PERIODIC:: 0.5 0.25\n0.1 0.2 0.01\n0.2 0.1 0.02\n");
   EXPECT_EQ(state.grains.dimension, 2);
   EXPECT_EQ(state.cell.periodic, (std::array<bool, 3>{true, true, false}));
@@ -169,7 +169,7 @@ TEST_F(Spheres, disks_are_read_from_text) {
                           "holds disks, whose cell has 2 lengths");
 }
 
-TEST_F(Spheres, formats_of_other_programs_are_named_with_a_way_to_convert_them) {
+TEST_F(Spheres, FormatsOfOtherProgramsAreNamedWithAWayToConvertThem) {
   refuses("ITEM: TIMESTEP\n0\nITEM: ATOMS id type x y z radius\n1 1 1 1 1 0.5\n",
           "a dump of LAMMPS or LIGGGHTS; take its first step by: awk ");
   refuses("ITEM: TIMESTEP\n0\nITEM: ATOMS id type xs ys zs\n1 1 1 1 1\n",
@@ -189,7 +189,7 @@ TEST_F(Spheres, formats_of_other_programs_are_named_with_a_way_to_convert_them) 
   refuses("[contact]\nlaw = \"linear\"\n", "a TOML, JSON or similar file");
 }
 
-TEST_F(Spheres, disks_come_back_exactly) {
+TEST_F(Spheres, DisksComeBackExactly) {
   for (const char* cell : {"##PERIODIC:: 0.3333333333333333 0.7\n", ""}) {
     const Snapshot state = read(std::string(cell) + "x y r\n0.1 0.20000000000000004 0.01\n0.2 0.1 0.02\n");
     const Snapshot back = read(export_spheres(state));
@@ -201,7 +201,7 @@ TEST_F(Spheres, disks_come_back_exactly) {
   }
 }
 
-TEST_F(Spheres, come_back_exactly) {
+TEST_F(Spheres, ComeBackExactly) {
   Snapshot state = test::example_state(50);
   state.cell.matrix = Vec3(1.0 / 3, 1, 0.9).asDiagonal();
   const Snapshot back = read(export_spheres(state));
@@ -212,7 +212,7 @@ TEST_F(Spheres, come_back_exactly) {
   EXPECT_EQ(export_spheres(state).find("PERIODIC"), std::string::npos);
 }
 
-TEST_F(Spheres, of_other_programs_are_read) {
+TEST_F(Spheres, OfOtherProgramsAreRead) {
   const std::filesystem::path table = soilweave::test::reference_file("ch2/toyoura_rv_1000.csv");
   if (table.empty()) GTEST_SKIP() << "SOILWEAVE_REFERENCE is not set";
   const Snapshot state = import_spheres(table, {2640, {}, {}}).state;

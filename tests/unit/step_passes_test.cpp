@@ -32,7 +32,7 @@ Reached random_reach(std::size_t chunks, std::mt19937& engine) {
   return reached;
 }
 
-TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
+TEST(ChunkPlan, MovesSweepsAndCollectsEveryChunkOnceAndInOrder) {
   std::mt19937 engine(7);
   for (const int threads : {1, 2, 3, 16})
     for (const std::size_t chunks : {0u, 1u, 2u, 9u, 40u}) {
@@ -61,7 +61,7 @@ TEST(ChunkPlan, moves_sweeps_and_collects_every_chunk_once_and_in_order) {
 }
 
 // The last chunks of a bag are nodes, which have no pairs of their own.
-TEST(ChunkPlan, shares_hold_equal_work_however_it_is_spread) {
+TEST(ChunkPlan, SharesHoldEqualWorkHoweverItIsSpread) {
   std::vector<std::size_t> work(20, 1);
   std::fill(work.begin(), work.begin() + 10, 100);
   const std::size_t total = std::accumulate(work.begin(), work.end(), std::size_t{0});
@@ -116,7 +116,7 @@ struct Stepper : testing::EngineParts {
   int rebuilt = 0;
 };
 
-TEST(StepPasses, within_the_sweep_give_the_bits_of_one_pass_after_the_other) {
+TEST(StepPasses, WithinTheSweepGiveTheBitsOfOnePassAfterTheOther) {
   Stepper apart(1), within(1), shared(2);
   ASSERT_GT(apart.contacts.chunks.size(), 3u);
   int moved_within = 0;

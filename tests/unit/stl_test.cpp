@@ -60,7 +60,7 @@ std::string replaced(std::string in, const std::string& from, const std::string&
   return in.replace(in.find(from), from.size(), to);
 }
 
-TEST(Stl, is_read_as_text_and_binary) {
+TEST(Stl, IsReadAsTextAndBinary) {
   expect_tetrahedron(read_stl(text(), "x.stl"));
   expect_tetrahedron(read_stl(binary("made by a program"), "x.stl"));
   expect_tetrahedron(read_stl(binary("solid, as many programs write in binary files"), "x.stl"));
@@ -73,7 +73,7 @@ TEST(Stl, is_read_as_text_and_binary) {
   EXPECT_EQ(read_stl(text() + text(), "x.stl").triangles.size(), 8U) << "two solids";
 }
 
-TEST(Stl, what_is_none_is_refused_with_its_line_or_length) {
+TEST(Stl, WhatIsNoneIsRefusedWithItsLineOrLength) {
   const auto refused = [](const std::string& bytes, const std::string& words) {
     test::expect_error<DataError>([&] { read_stl(bytes, "x.stl"); }, words);
   };
@@ -93,7 +93,7 @@ TEST(Stl, what_is_none_is_refused_with_its_line_or_length) {
   refused(replaced(good, "vertex 1", "vertex x1"), "x.stl:6: the surface has \"x1\"");
 }
 
-TEST(Memory, more_than_is_at_hand_is_named) {
+TEST(Memory, MoreThanIsAtHandIsNamed) {
   EXPECT_EQ(lack_of_memory(1), "");
   EXPECT_GT(memory_at_hand(), 1e8);
   test::expect_error<DataError>([] { demand_memory(1e15, "1e12 grains", "give fewer"); },

@@ -34,7 +34,7 @@ std::string example_image(std::size_t rows = 20000) {
   return file.image();
 }
 
-TEST(Store, gives_back_what_it_was_given) {
+TEST(Store, GivesBackWhatItWasGiven) {
   const Reader file(example_image(), "file");
   const std::vector<double> numbers = file.read<double>("/a/b/numbers", {20000, 3});
   for (std::size_t k = 0; k < numbers.size(); ++k) ASSERT_EQ(numbers[k], 1.0 / static_cast<double>(k + 1));
@@ -53,7 +53,7 @@ TEST(Store, gives_back_what_it_was_given) {
   EXPECT_EQ(file.text_attribute("/a/b/numbers", "long_name"), "numbers");
 }
 
-TEST(Store, tells_groups_names_and_types) {
+TEST(Store, TellsGroupsNamesAndTypes) {
   const Reader file(example_image(), "file");
   EXPECT_TRUE(file.is_group("/a/b"));
   EXPECT_FALSE(file.is_group("/a/whole"));
@@ -64,7 +64,7 @@ TEST(Store, tells_groups_names_and_types) {
   EXPECT_FALSE(file.is_integer("/a/b/numbers"));
 }
 
-TEST(Store, keeps_files_apart_that_are_open_together) {
+TEST(Store, KeepsFilesApartThatAreOpenTogether) {
   Writer one, two;
   one.write_text("/text", "one", {"1", "text"});
   two.write_text("/text", "two", {"1", "text"});
@@ -73,15 +73,15 @@ TEST(Store, keeps_files_apart_that_are_open_together) {
   EXPECT_EQ(second.read_text("/text"), "two");
 }
 
-TEST(Store, same_calls_give_the_same_bytes) { EXPECT_EQ(example_image(), example_image()); }
+TEST(Store, SameCallsGiveTheSameBytes) { EXPECT_EQ(example_image(), example_image()); }
 
-TEST(Store, large_arrays_are_packed_and_small_ones_lie_in_the_header) {
+TEST(Store, LargeArraysArePackedAndSmallOnesLieInTheHeader) {
   Writer zeros;
   zeros.write<double>("/zeros", std::vector<double>(1000000), {1000000}, {"1", "zeros"});
   EXPECT_LT(zeros.image().size(), 100000U);
 }
 
-TEST(Store, tells_what_does_not_fit) {
+TEST(Store, TellsWhatDoesNotFit) {
   const Reader file(example_image(), "file.h5");
   expect_error<DataError>([&] { file.read<double>("/a/c", {1}); }, "file.h5: /a/c is missing");
   expect_error<DataError>([&] { file.read<double>("/a", {1}); }, "file.h5: /a is no dataset");
@@ -102,7 +102,7 @@ TEST(Store, tells_what_does_not_fit) {
   expect_error<IoError>([] { Writer().write<double>("/x", std::vector<double>(3), {2}, {"1", "x"}); }, "/x: HDF5");
 }
 
-TEST(Store, superblock_tells_where_the_file_ends) {
+TEST(Store, SuperblockTellsWhereTheFileEnds) {
   const std::string image = example_image();
   EXPECT_EQ(stated_end(image), image.size());
   expect_error<DataError>(
@@ -114,7 +114,7 @@ TEST(Store, superblock_tells_where_the_file_ends) {
   EXPECT_EQ(Reader(image + std::string(100, '\0'), "file.h5").read_text("/nothing"), "");
 }
 
-TEST(Store, chunks_notice_a_flipped_bit) {
+TEST(Store, ChunksNoticeAFlippedBit) {
   std::string image = example_image();
   // The middle of the file holds nothing but packed numbers.
   image[image.size() / 2] = static_cast<char>(image[image.size() / 2] ^ 1);

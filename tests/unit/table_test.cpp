@@ -15,20 +15,20 @@ namespace {
 
 using test::expect_error;
 
-TEST(Table, is_written_with_units_and_shortest_numbers) {
+TEST(Table, IsWrittenWithUnitsAndShortestNumbers) {
   const Series series = {{{"time", "s", "", {0, 0.1}}, {"p", "Pa", "", {1e5, 1.0 / 3}}, {"n", "", "", {2, -0.0}}}};
   EXPECT_EQ(to_tsv(series), "time [s]\tp [Pa]\tn\n0\t1e+05\t2\n0.1\t0.3333333333333333\t-0\n");
   EXPECT_EQ(to_tsv({}), "\n");
 }
 
-TEST(Table, comes_back_exactly) {
+TEST(Table, ComesBackExactly) {
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   const Series series = {{{"a", "kg m-3", "", {least, most, -0.0}}, {"b", "1", "", {0.1 + 0.2, INFINITY, -1e-300}}}};
   test::expect_same(series, from_tsv(to_tsv(series), "table"));
   EXPECT_TRUE(std::isnan(from_tsv("a\nnan\n", "table").at("a").values[0]));
 }
 
-TEST(Table, takes_comments_blanks_and_other_line_ends) {
+TEST(Table, TakesCommentsBlanksAndOtherLineEnds) {
   const Series series = from_tsv("# from a spreadsheet\r\n a [m] \tb\r\n\r\n 1\t+2 \r\n# end\n3\t4", "table");
   ASSERT_EQ(series.columns.size(), 2U);
   EXPECT_EQ(series.columns[0].name, "a");
@@ -37,7 +37,7 @@ TEST(Table, takes_comments_blanks_and_other_line_ends) {
   EXPECT_EQ(series.columns[1].values, (std::vector<double>{2, 4}));
 }
 
-TEST(Table, tells_line_and_column) {
+TEST(Table, TellsLineAndColumn) {
   expect_error<DataError>([] { from_tsv("a\tb\n1\t2\n3\tx\n", "t.tsv"); },
                           "t.tsv: line 3, column 2: \"x\" is no number");
   expect_error<DataError>([] { from_tsv("# c\na\tb\n1\n", "t.tsv"); }, "t.tsv: line 3, column 2: 1 values where the");
@@ -51,7 +51,7 @@ TEST(Table, tells_line_and_column) {
   expect_error<DataError>([] { from_tsv("a\n1e999\n", "t.tsv"); }, "line 2, column 1: \"1e999\" is no number");
 }
 
-TEST(Table, takes_the_separator_of_its_header) {
+TEST(Table, TakesTheSeparatorOfItsHeader) {
   for (const std::string separator : {"\t", ",", ";", " ; ", ", "}) {
     const Series series =
         from_tsv("\"diameter [mm]\"" + separator + "finer\u00a0[1]\n\"1.5\"" + separator + "\u202f2\u00a0\n", "t");
@@ -71,7 +71,7 @@ TEST(Table, takes_the_separator_of_its_header) {
   EXPECT_EQ(round.columns[3].name, "r ()");
 }
 
-TEST(Table, tells_separators_and_decimal_commas) {
+TEST(Table, TellsSeparatorsAndDecimalCommas) {
   const auto refuses = [](const std::string& text, const std::string& words) {
     expect_error<DataError>([&] { from_tsv(text, "t"); }, words);
   };
@@ -89,7 +89,7 @@ TEST(Table, tells_separators_and_decimal_commas) {
   refuses("a\tb\n1.0D+00\t2\n", "\"1.0D+00\" is no number: write 1.0e+00");
 }
 
-TEST(Table, converts_columns_by_their_units) {
+TEST(Table, ConvertsColumnsByTheirUnits) {
   const Series table = from_tsv("a [%]\tb [um]\tc [N/mm\u00b2]\td\te [KPa]\tf [\u2030]\n50\t200\t2\t0.5\t1\t5\n", "t");
   EXPECT_EQ(in_unit(table, "a", "1", "t"), std::vector<double>{0.5});
   EXPECT_DOUBLE_EQ(in_unit(table, "b", "m", "t")[0], 200e-6);
@@ -105,14 +105,14 @@ TEST(Table, converts_columns_by_their_units) {
   refuses("x", "Pa", "t: no column x among a, b, c, d, e, f");
 }
 
-TEST(Table, of_a_hundred_thousand_columns_is_read_and_named_in_short) {
+TEST(Table, OfAHundredThousandColumnsIsReadAndNamedInShort) {
   std::string head = "c0", row = "0";
   for (int k = 1; k < 100'000; ++k) head += "\tc" + std::to_string(k), row += "\t0";
   const Series table = from_tsv(head + "\n" + row + "\n", "t");
   EXPECT_LT(column_names(table).size(), 200U);
 }
 
-TEST(Table, names_the_nearest_column) {
+TEST(Table, NamesTheNearestColumn) {
   const Series series = {{{"mean_stress", "Pa", "", {}}, {"deviatoric_stress", "Pa", "", {}}}};
   EXPECT_EQ(series.at("mean_stress").unit, "Pa");
   EXPECT_EQ(series.find("void_ratio"), nullptr);
@@ -121,7 +121,7 @@ TEST(Table, names_the_nearest_column) {
   expect_error<DataError>([] { Series().at("p"); }, "no column p: the table is empty");
 }
 
-TEST(Table, columns_of_other_lengths_are_no_table) {
+TEST(Table, ColumnsOfOtherLengthsAreNoTable) {
   const Series series = {{{"a", "", "", {1, 2}}, {"b", "", "", {1}}}};
   expect_error<DataError>([&] { to_tsv(series); }, "column b has another length");
 }
