@@ -1,7 +1,5 @@
 // fabric: arrangement of contacts and forces. Reads a packing or a run, writes fabric tensors, rose and histogram.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -10,7 +8,9 @@
 #include "analysis/tables/tables.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
+#include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 
 namespace {
@@ -44,12 +44,10 @@ struct FabricTool {
 
   void validate() const {
     std::vector<std::string> wrong;
-    if (!tsv && output.empty()) wrong.emplace_back("nothing to do: give --tsv or -o FILE");
+    io::TableOutput{tsv, output}.check_needed(wrong);
     if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
-    if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
-    if (!analysis::names_states(state))
-      wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
-    if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
+    io::check_states(state, wrong);
+    io::demand_none(wrong);
   }
 
   void run(const tool::Invocation& invocation) const {
@@ -59,7 +57,7 @@ struct FabricTool {
     Group histogram{"histogram", "grains by number of contacts", {}};
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
-    for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string())) {
+    for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string())) {
       // Only reinforced soil is described, by all its contacts, with soil, geotextile, plates and fill, as the thesis
       // counts them.
       const io::Snapshot& all = file.snapshots[n];

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +15,9 @@
 #include "fem/run/record.h"
 #include "fem/run/run.h"
 #include "fem/run/tables.h"
+#include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 #include "files/safe_output.h"
 #include "store/bytes.h"
@@ -74,8 +75,9 @@ struct FemDem {
       throw UsageError("--check, --take and --table exclude each other");
     if (table.empty() && !(columns.empty() && state == "all" && place.empty()))
       throw UsageError("--columns, --state and --near belong to --table: give it, too");
-    if (!analysis::names_states(state))
-      throw UsageError(fmt::format("--state {}: give all, first, last or a number", state));
+    std::vector<std::string> wrong;
+    io::check_states(state, wrong);
+    io::demand_none(wrong);
     if (!place.empty()) parsed_place();
     if (!table.empty() && !output.empty()) throw UsageError("--table prints: leave -o out, and put > FILE at the end");
     if (take && *take != std::floor(*take)) throw UsageError(fmt::format("--take {}: points are whole numbers", *take));
@@ -129,13 +131,8 @@ struct FemDem {
   }
 
   Vec2 parsed_place() const {
-    const std::vector<std::string> words = io::cells(place, ',');
-    std::vector<double> numbers;
-    for (const std::string& word : words)
-      if (const std::optional<double> number = number_of(word); number && std::isfinite(*number))
-        numbers.push_back(*number);
-    if (words.size() != 2 || numbers.size() != 2)
-      throw UsageError(fmt::format("--near {}: give x and y in m, as in 0.6,1.2", place));
+    const std::vector<double> numbers = numbers_of_list(place);
+    if (numbers.size() != 2) throw UsageError(fmt::format("--near {}: give x and y in m, as in 0.6,1.2", place));
     return {numbers[0], numbers[1]};
   }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -12,7 +11,10 @@
 #include "analysis/tables/tables.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
+#include "core/text/number_word.h"
+#include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 #include "packing/expand/run_tables.h"
 
@@ -77,24 +79,23 @@ struct Homogenize {
     if (!tsv && !list && output.empty()) wrong.emplace_back("nothing to do: give --tsv, --list or -o FILE");
     if (list && (tsv || !output.empty())) wrong.emplace_back("--list excludes --tsv and -o");
     if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
-    if (tsv && output == "-") wrong.emplace_back("--tsv and -o - both write to standard output: give one of them");
-    if (!analysis::names_states(state))
-      wrong.push_back(fmt::format("--state {}: give all, first, last or a number", state));
+    io::TableOutput{tsv, output}.check(wrong);
+    io::check_states(state, wrong);
     for (const std::string& text : boxes) {
-      const std::vector<double> b = parse(text);
+      const std::vector<double> b = numbers_of_list(text);
       if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
         wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
     }
     if (table == "volumes" && boxes.empty() && !copies && !groups)
       wrong.emplace_back("--table volumes needs --box, --copies or --groups");
-    if (!wrong.empty()) throw UsageError(fmt::format("{}", fmt::join(wrong, "\n")));
+    io::demand_none(wrong);
   }
 
   void run(const tool::Invocation& invocation) const {
     const io::RunFile file = io::read_states(input);
     if (list) return print_list(file);
     Tables tables;
-    for (const std::size_t n : analysis::chosen_states(state, file.snapshots.size(), input.string()))
+    for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string()))
       add(file.snapshots.front(), file.snapshots[n], tables);
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
@@ -132,7 +133,7 @@ struct Homogenize {
     if (groups)
       for (analysis::Volume& group : analysis::groups(s)) volumes.push_back(std::move(group));
     for (const std::string& text : boxes) {
-      const std::vector<double> b = parse(text);
+      const std::vector<double> b = numbers_of_list(text);
       volumes.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
     }
     return volumes;
@@ -175,17 +176,6 @@ struct Homogenize {
     for (Group* group : tables.all())
       if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
     io::write_fields(output, fields, io::extend({source}, invocation));
-  }
-
-  static std::vector<double> parse(const std::string& text) {
-    std::vector<double> numbers;
-    for (const char* at = text.c_str(); *at;) {
-      char* end = nullptr;
-      numbers.push_back(std::strtod(at, &end));
-      if (end == at || (*end && *end != ',') || !std::isfinite(numbers.back())) return {};
-      at = *end ? end + 1 : end;
-    }
-    return numbers;
   }
 };
 

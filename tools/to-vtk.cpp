@@ -1,6 +1,5 @@
 // to-vtk: files of the other tools for ParaView; also a file's history, and packings as text.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,6 +15,8 @@
 #include "display/display_table.h"
 #include "display/paraview.h"
 #include "files/exchange/spheres_text.h"
+#include "files/exchange/state_choice.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 #include "files/provenance.h"
 #include "store/bytes.h"
@@ -28,14 +29,6 @@ constexpr Parameter force_scale_parameter = {
     .unit = "m/N",
     .low = 0,
     .sentence = "tube radius of a contact per newton of normal force; by default the greatest is half a grain"};
-
-/// Returns the value of --state as an index; nothing for "last" and "all".
-std::optional<std::size_t> index_in(const std::string& state) {
-  std::size_t index = 0;
-  const auto [end, failure] = std::from_chars(state.data(), state.data() + state.size(), index);
-  if (failure != std::errc() || end != state.data() + state.size()) return std::nullopt;
-  return index;
-}
 
 struct Frame {
   std::string group;
@@ -65,7 +58,7 @@ struct ToVtk {
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run, fields or multiscale file");
     table.output_folder(output, "folder for the VTK files; with --history and --text a file");
-    table.option(state, "state", "last|all|N", "states to write: the last, all, or number N, counted from 0");
+    table.option(state, "state", "WHICH", "states to write: all, first, last or a number from 0");
     table.option(fields, "fields", "FILE", "fields whose group \"grains\" is joined to the grains by body_id");
     table.option(force_scale, force_scale_parameter);
     table.flag(unwrapped, "unwrapped", "show grains where they have travelled to, not inside the periodic cell");
@@ -75,12 +68,11 @@ struct ToVtk {
   }
 
   void validate() const {
-    std::string mistakes;
-    if (history && text) mistakes += "\n--history and --text exclude each other";
-    if (!history && !text && output == "-") mistakes += "\nname a folder for the VTK files with -o";
-    if (state != "all" && state != "last" && !index_in(state))
-      mistakes += "\n--state is last, all or a number counted from 0, not \"" + state + "\"";
-    if (!mistakes.empty()) throw UsageError(mistakes.substr(1));
+    std::vector<std::string> wrong;
+    if (history && text) wrong.emplace_back("--history and --text exclude each other");
+    if (!history && !text && output == "-") wrong.emplace_back("name a folder for the VTK files with -o");
+    io::check_states(state, wrong);
+    io::demand_none(wrong);
   }
 
   void run(const tool::Invocation& invocation) const {
@@ -96,16 +88,7 @@ struct ToVtk {
   /// Returns the indices of the requested states.
   std::vector<std::size_t> chosen(std::size_t count) const {
     if (count == 0) throw DataError(input.string() + " holds no state to show");
-    if (state == "last") return {count - 1};
-    if (const auto index = index_in(state)) {
-      if (*index >= count)
-        throw UsageError("--state " + state + ": " + input.string() + " holds " + std::to_string(count) +
-                         (count == 1 ? " state, number 0" : " states, 0 to " + std::to_string(count - 1)));
-      return {*index};
-    }
-    std::vector<std::size_t> all(count);
-    for (std::size_t i = 0; i < count; ++i) all[i] = i;
-    return all;
+    return io::chosen_states(state, count, input.string());
   }
 
   std::optional<io::Series> grain_fields() const {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/text/number_word.h"
 #include "core/text/units.h"
 #include "files/exchange/table.h"
 #include "files/provenance.h"
@@ -18,15 +19,10 @@ namespace {
 
 /// Parses "NAME=COLUMN,COLUMN": the observed column and those of a run.
 Observable observable(const std::string& text, const io::Series& table) {
-  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::size_t equals = text.find('=');
   const io::Column& column = table.at(text.substr(0, equals));
   Observable one{column.name, column.unit, {}};
-  for (std::size_t at = equals + 1; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    one.columns.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  if (one.columns.empty()) one.columns.push_back(column.name);
+  one.columns = equals == std::string::npos ? std::vector{column.name} : parts_of_list(text.substr(equals + 1));
   return one;
 }
 

@@ -5,35 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
+#include "core/text/number_word.h"
 #include "files/exchange/table.h"
 
 namespace soilweave::calibration {
 namespace {
 
-/// Parses "0.1,0.2"; empty if a part is no number.
-std::vector<double> numbers(const std::string& text) {
-  std::vector<double> list;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    double value = 0;
-    const auto [stop, status] = std::from_chars(text.data() + at, text.data() + end, value);
-    if (status != std::errc() || stop != text.data() + end || !std::isfinite(value)) return {};
-    list.push_back(value);
-    at = end + 1;
-  }
-  return list;
-}
-
 /// Parses COLUMN=NUMBER; an empty name for any other form.
 std::pair<std::string, double> condition(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return {};
-  const std::vector<double> value = numbers(text.substr(equals + 1));
+  const std::vector<double> value = numbers_of_list(text.substr(equals + 1));
   return value.size() == 1 ? std::pair{text.substr(0, equals), value.front()} : std::pair<std::string, double>{};
 }
 
@@ -69,7 +53,7 @@ void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
   else if (error.empty() && variance.empty() && covariance == "component")
     mistakes.emplace_back("--covariance component: give --error with a standard deviation for each observable");
   for (const auto& [name, text] : {std::pair{"--error", error}, std::pair{"--variance", variance}}) {
-    const std::vector<double> sizes = numbers(text);
+    const std::vector<double> sizes = numbers_of_list(text);
     if (!text.empty() && (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) <= 0))
       mistakes.push_back(fmt::format("{} {}: give numbers above 0, as 0.1 or 0.1,0.02", name, text));
   }
@@ -77,7 +61,7 @@ void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
     if (condition(text).first.empty())
       mistakes.push_back(fmt::format("--where {}: write COLUMN=NUMBER, as stage=1", text));
   for (const std::string& text : stations)
-    if (numbers(text).empty()) mistakes.push_back(fmt::format("--at {}: give a number", text));
+    if (numbers_of_list(text).empty()) mistakes.push_back(fmt::format("--at {}: give a number", text));
 }
 
 Choice ComparisonOptions::choice() const {
@@ -87,8 +71,8 @@ Choice ComparisonOptions::choice() const {
 }
 
 ErrorModel ComparisonOptions::model() const {
-  if (!variance.empty()) return {error_kind(covariance), numbers(variance)};
-  std::vector<double> sizes = error.empty() ? std::vector<double>{1} : numbers(error);
+  if (!variance.empty()) return {error_kind(covariance), numbers_of_list(variance)};
+  std::vector<double> sizes = error.empty() ? std::vector<double>{1} : numbers_of_list(error);
   if (squared(covariance))
     for (double& size : sizes) size *= size;
   return {error_kind(covariance), sizes};
@@ -103,25 +87,23 @@ std::optional<std::string> ComparisonOptions::remark() const {
 std::vector<double> ComparisonOptions::chosen_stations() const {
   std::vector<double> list;
   for (const std::string& text : stations)
-    for (const double at : numbers(text)) list.push_back(at);
+    for (const double at : numbers_of_list(text)) list.push_back(at);
   return list;
 }
 
 void Output::declare(tool::Table& table, std::string_view sentence) {
-  table.flag(tsv, "tsv", "print tab-separated text");
+  TableOutput::declare(table, "print tab-separated text", std::string(sentence));
   table.unrecorded("tsv");
-  table.optional_output(file, std::string(sentence));
 }
 
 void Output::check(std::vector<std::string> mistakes, bool needed) const {
-  if (tsv && file == "-") mistakes.emplace_back("--tsv and -o - both write to standard output: give one of them");
-  if (needed && !tsv && file.empty()) mistakes.emplace_back("nothing to do: give --tsv or -o FILE");
-  if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  needed ? check_needed(mistakes) : TableOutput::check(mistakes);
+  io::demand_none(mistakes);
 }
 
 void Output::put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
                  const std::vector<io::Source>& sources, const tool::Invocation& invocation) const {
-  if (file != "-") std::fputs(tsv ? io::to_tsv(table).c_str() : text.c_str(), stdout);
+  print(table, text);
   if (!file.empty()) io::write_ensemble(file, ensemble, io::extend(sources, invocation, ensemble.prior));
 }
 

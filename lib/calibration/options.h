@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "calibration/observations.h"
 #include "calibration/particle_filter.h"
 #include "core/cli/tool.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 
 namespace soilweave::calibration {
@@ -57,10 +57,7 @@ struct ComparisonOptions {
 };
 
 /// Output of a verb: a text, a table as TSV, or a file.
-struct Output {
-  bool tsv = false;
-  std::filesystem::path file;
-
+struct Output : io::TableOutput {
   /// Declares the options in a tool's table.
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.

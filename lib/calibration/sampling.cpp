@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "core/text/number_word.h"
 
 namespace soilweave::calibration {
 namespace {
@@ -41,20 +42,18 @@ std::vector<unsigned> prime_bases(std::size_t dimension) {
 
 std::vector<unsigned> parse_bases(std::string_view text) {
   std::vector<unsigned> bases;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
+  for (const std::string& part : parts_of_list(text)) {
     unsigned base = 0;
-    const auto [stop, status] = std::from_chars(text.data() + at, text.data() + end, base);
-    if (status != std::errc() || stop != text.data() + end || base < 2)
-      throw UsageError(fmt::format("--bases {}: '{}' is no base; give whole numbers from 2 on, as in 2,3,5", text,
-                                   text.substr(at, end - at)));
+    const auto [stop, status] = std::from_chars(part.data(), part.data() + part.size(), base);
+    if (status != std::errc() || stop != part.data() + part.size() || base < 2)
+      throw UsageError(
+          fmt::format("--bases {}: '{}' is no base; give whole numbers from 2 on, as in 2,3,5", text, part));
     for (const unsigned other : bases)
       if (std::gcd(base, other) > 1)
         throw UsageError(
             fmt::format("--bases {}: {} and {} share a factor, so that the points would lie on lines; choose others",
                         text, other, base));
     bases.push_back(base);
-    at = end + 1;
   }
   return bases;
 }

@@ -22,6 +22,12 @@ double memory_at_hand() {
   return bytes;
 }
 
+double peak_memory() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
 std::string lack_of_memory(double bytes) {
   const double at_hand = memory_at_hand();
   if (bytes <= at_hand) return "";

@@ -9,6 +9,9 @@ namespace soilweave {
 /// Returns the bytes that this process may use: the machine's memory, or a lower limit (ulimit -v).
 double memory_at_hand();
 
+/// Returns the most bytes of memory that this process has used so far.
+double peak_memory();
+
 /// Returns "take about 20 TB of memory, and 24 GB are at hand" if `bytes` exceeds the memory at hand; otherwise an
 /// empty text.
 std::string lack_of_memory(double bytes);

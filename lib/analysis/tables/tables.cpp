@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -16,6 +15,7 @@
 #include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
 #include "core/error.h"
+#include "core/text/number_word.h"
 #include "core/text/text.h"
 
 namespace soilweave::analysis {
@@ -224,40 +224,12 @@ io::Series chosen_columns(const io::Series& table, const std::string& names) {
   io::Series chosen;
   std::vector<std::string> known;
   for (const io::Column& column : table.columns) known.push_back(column.name);
-  for (std::size_t at = 0; at <= names.size();) {
-    const std::size_t end = std::min(names.find(',', at), names.size());
-    const std::string name = names.substr(at, end - at);
-    at = end + 1;
+  for (const std::string& name : parts_of_list(names)) {
     const io::Column* column = table.find(name);
     if (!column) throw UsageError(fmt::format("--columns: no column '{}'{}", name, suggestion(name, known)));
     if (chosen.find(name)) throw UsageError(fmt::format("--columns: {} is named twice", name));
     chosen.columns.push_back(*column);
   }
-  return chosen;
-}
-
-bool names_states(const std::string& which) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(which.data(), which.data() + which.size(), number);
-  const bool whole_number = error == std::errc{} && end == which.data() + which.size();
-  return whole_number || which == "all" || which == "first" || which == "last";
-}
-
-std::vector<std::size_t> chosen_states(const std::string& which, std::size_t count, const std::string& where) {
-  const auto n = static_cast<std::int64_t>(count);
-  std::vector<std::size_t> chosen;
-  if (which == "all") {
-    chosen.resize(count);
-    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-    return chosen;
-  }
-  std::int64_t number = which == "last" ? n - 1 : 0;
-  if (which != "last") std::from_chars(which.data(), which.data() + which.size(), number);
-  if (number < 0) number += n;
-  if (number < 0 || number >= n)
-    throw UsageError(fmt::format("--state {}: {} holds {}", which, where,
-                                 n == 1 ? "1 state, number 0" : fmt::format("{} states, 0 to {}", n, n - 1)));
-  chosen.push_back(static_cast<std::size_t>(number));
   return chosen;
 }
 

@@ -50,9 +50,4 @@ void put_chains(io::Series& table, const io::Snapshot& state);
 /// UsageError naming the nearest column, or a column listed twice.
 io::Series chosen_columns(const io::Series& table, const std::string& names);
 
-/// Returns whether the text can name states: all, first, last or a whole number.
-bool names_states(const std::string& which);
-/// Returns the named states, numbered from 0, or from the end if negative. Throws UsageError for a missing state.
-std::vector<std::size_t> chosen_states(const std::string& which, std::size_t count, const std::string& where);
-
 }  // namespace soilweave::analysis

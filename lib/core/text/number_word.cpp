@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace soilweave {
@@ -90,6 +91,26 @@ std::string number_remedy(std::string_view word) {
 std::string no_number(std::string_view word, std::string_view what) {
   const std::string remedy = number_remedy(word);
   return fmt::format("\"{}\" is no {}{}{}", word, what, remedy.empty() ? "" : ": ", remedy);
+}
+
+std::vector<std::string> parts_of_list(std::string_view list) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    parts.emplace_back(trimmed(list.substr(at, end - at)));
+    at = end + 1;
+  }
+  return parts;
+}
+
+std::vector<double> numbers_of_list(std::string_view list) {
+  std::vector<double> numbers;
+  for (const std::string& part : parts_of_list(list)) {
+    const std::optional<double> number = number_of(part);
+    if (!number || !std::isfinite(*number)) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 }  // namespace soilweave

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace soilweave {
 
@@ -25,5 +26,11 @@ std::string number_remedy(std::string_view word);
 /// Returns the sentence `"10,5" is no number: write 10.5, with a decimal point`. `what`: the expected kind, such as
 /// "finite number".
 std::string no_number(std::string_view word, std::string_view what = "number");
+
+/// Returns the parts of a list with commas, without blanks at their ends: "a, b," gives "a", "b" and an empty part. A
+/// text without commas is one part.
+std::vector<std::string> parts_of_list(std::string_view list);
+/// Returns the numbers of a list with commas; no numbers if some part is no finite number.
+std::vector<double> numbers_of_list(std::string_view list);
 
 }  // namespace soilweave

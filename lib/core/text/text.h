@@ -20,6 +20,9 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
 /// Returns the shortest decimal text that reads back as the same double. Long rows of zeros become an exponent.
 std::string number_text(double value);
 
+/// Returns a duration in seconds, minutes, hours or days, with two or three figures: "45 s", "3.5 min", "12.4 h".
+std::string time_text(double seconds);
+
 /// Round a positive number to two significant digits, up or down. A value named as a remedy then lies on the safe side
 /// of its limit.
 double rounded_up(double value);

@@ -3,13 +3,13 @@
 #include "dem/run/forecast.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "core/memory.h"
+#include "core/text/text.h"
 #include "dem/engine/homogeneous.h"
 #include "dem/run/prepare.h"
 #include "files/files.h"
@@ -17,9 +17,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Limits of the trial: number of steps and time. They average over a few evaluations of the stiffness.
-constexpr int tried_steps = 200;
-constexpr double tried_seconds = 1;
+constexpr double tried_seconds = 1;  // longest trial
 // Steps until grains are at rest after a station, per e-fold of the unbalanced force and over the damping: measured on
 // 60 to 1000 grains. Across more than 20 grains a wave takes longer.
 constexpr double settling = 20;
@@ -118,18 +116,6 @@ double bytes_of(const io::Snapshot& s) {
   return of_grain * static_cast<double>(s.grains.size()) + of_contact * static_cast<double>(s.contacts.size());
 }
 
-double peak_memory() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
-std::string time_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
-  return seconds < 172800 ? fmt::format("{:.3g} h", seconds / 3600) : fmt::format("{:.3g} days", seconds / 86400);
-}
-
 // Times the first steps of the run.
 Cost tried(Simulation& simulation, const Scenario& scenario, int dimension) {
   Servo servo(scenario.servo);
@@ -137,15 +123,13 @@ Cost tried(Simulation& simulation, const Scenario& scenario, int dimension) {
   simulation.set_damping(first.damping.value_or(scenario.numerics.damping));
   if (first.friction) simulation.set_model(with_friction(scenario.model, *first.friction));
   if (first.reset_strain) simulation.set_reference();
-  const auto start = std::chrono::steady_clock::now();
-  Cost cost;
-  while (cost.steps < tried_steps && cost.stepping < tried_seconds) {
+  const Trial trial = try_steps(tried_seconds, [&] {
     servo.drive(first.path->goals(0, {dimension, simulation.measures().stress, simulation.strain()}), dimension,
                 simulation);
     simulation.step();
-    ++cost.steps;
-    cost.stepping = Seconds(std::chrono::steady_clock::now() - start).count();
-  }
+  });
+  Cost cost;
+  cost.steps = trial.steps, cost.stepping = trial.seconds;
   cost.contact_steps = simulation.contact_steps();
   cost.times = simulation.step_times();
   return cost;

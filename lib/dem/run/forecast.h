@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,26 @@ struct Forecast {
   /// Returns the lines for the user.
   std::string text() const;
 };
+
+/// The first steps of a run, taken to know the time of all others.
+struct Trial {
+  std::int64_t steps = 0;
+  double seconds = 0;
+};
+/// Calls step() two hundred times, but stops once `most` seconds have passed.
+template <class Step>
+Trial try_steps(double most, Step step) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::int64_t wanted = 200;  // they average over a few evaluations of the stiffness
+  const auto start = Clock::now();
+  Trial trial;
+  while (trial.steps < wanted && trial.seconds < most) {
+    step();
+    ++trial.steps;
+    trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return trial;
+}
 
 /// start: as for run(). Throws what the first steps of a run throw.
 Forecast forecast(const io::Snapshot& start, const Scenario& scenario);

@@ -56,18 +56,18 @@ class Keeper {
   double seconds_ = 0;
 };
 
-/// Calls work.run(). If the work is kept, errors say what is whole and how to go on. A guard then leaves
-/// work.snapshot() for inspection; so does an unreached target if show_unreached.
+/// Calls work.run(). If the work is kept, errors say what is whole and how to go on. A guard then leaves work.left()
+/// for inspection: a state, or a function that writes a file. So does an unreached target if show_unreached.
 template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();
   try {
     return work.run();
   } catch (const PhysicsError& error) {
-    throw part->stopped(error, work.snapshot());
+    throw part->stopped(error, work.left());
   } catch (const TargetNotReached& error) {
     if (!show_unreached) throw;
-    throw part->stopped(error, work.snapshot());
+    throw part->stopped(error, work.left());
   } catch (const Error& error) {
     throw part->explained(error);
   } catch (const std::bad_alloc&) {

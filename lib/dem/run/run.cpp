@@ -112,7 +112,7 @@ class Runner {
     return {std::move(result_), cost};
   }
 
-  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+  io::Snapshot left() const { return simulation_.snapshot(); }
 
  private:
   void go_on() {

@@ -3,15 +3,18 @@
 #include "fem/run/run.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/error.h"
+#include "core/memory.h"
+#include "core/text/text.h"
 #include "dem/run/checkpoint.h"
+#include "dem/run/forecast.h"
 #include "fem/run/record.h"
 
 namespace soilweave::fem {
@@ -80,6 +83,12 @@ class Runner {
     return {std::move(file_), cost()};
   }
 
+  /// Returns a function that leaves the present state as a file for inspection.
+  std::function<void(const std::filesystem::path&)> left() {
+    return [this](const std::filesystem::path& path) { leave(path); };
+  }
+
+ private:
   /// Leaves the present state as a file for inspection.
   void leave(const std::filesystem::path& path) {
     try {
@@ -94,7 +103,6 @@ class Runner {
     io::write_multiscale(path, file_, history_);
   }
 
- private:
   void reached() {
     since_output_ = 0;
     if (!scenario_.quasi_static) return output();
@@ -241,24 +249,12 @@ class Runner {
 
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks) {
-  io::Part* part = safekeeping.part;
   Runner runner(scenario, packings, report, safekeeping, history, ranks);
-  if (!part) return runner.run();
-  const auto leave = [&](const std::filesystem::path& path) { runner.leave(path); };
-  try {
-    return runner.run();
-  } catch (const PhysicsError& error) {
-    throw part->stopped(error, leave);
-  } catch (const TargetNotReached& error) {
-    throw part->stopped(error, leave);
-  } catch (const Error& error) {
-    throw part->explained(error);
-  }
+  return dem::carry_out<true>(runner, safekeeping.part);
 }
 
 std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings) {
-  constexpr double tried_seconds = 3;
-  constexpr int tried_steps = 200;
+  constexpr double tried_seconds = 3;  // a step of the soil is many of the grains
   Model model(with_packings(scenario, packings));
   const double dt = model.time_step();
   const std::int64_t outputs = outputs_of(scenario), steps = outputs * steps_of_output(scenario, dt);
@@ -276,21 +272,17 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
                     static_cast<double>(steps * model.substeps()) * static_cast<double>(model.points().size()));
   if (model.bars())
     text += fmt::format("{} bars, steps of {:.4g} s\n", model.bars()->bars(), model.bars()->time_step());
-  const auto began = Clock::now();
-  int tried = 0;
-  while (tried < tried_steps && since(began) < tried_seconds) model.step(), ++tried;
-  const double seconds = since(began) / tried * static_cast<double>(steps);
+  const dem::Trial trial = dem::try_steps(tried_seconds, [&] { model.step(); });
+  const double seconds = trial.seconds / static_cast<double>(trial.steps) * static_cast<double>(steps);
   io::MultiscaleFile file;
   record(model, scenario.recorded, file);
   double numbers = static_cast<double>(file.frames.size()) * 30.0 * static_cast<double>(grains);
   for (const auto& group : file.groups) numbers += static_cast<double>(group.table.rows() * group.table.columns.size());
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
+  const double bytes = 8 * numbers * static_cast<double>(outputs + 1);
   text +=
-      fmt::format("file about {:.3g} MB, memory about {:.3g} MB\n", 8e-6 * numbers * static_cast<double>(outputs + 1),
-                  1.1e-3 * static_cast<double>(usage.ru_maxrss) + 16e-6 * numbers * static_cast<double>(outputs + 1));
-  return text + fmt::format("about {:.3g} s on {} thread{}, {:.3g} h; contacts grow, and with them the time\n", seconds,
-                            scenario.model.threads, scenario.model.threads == 1 ? "" : "s", seconds / 3600);
+      fmt::format("file about {}, memory about {}\n", bytes_text(bytes), bytes_text(1.1 * peak_memory() + 2 * bytes));
+  return text + fmt::format("about {} on {} thread{}; contacts grow, and with them the time\n", time_text(seconds),
+                            scenario.model.threads, scenario.model.threads == 1 ? "" : "s");
 }
 
 }  // namespace soilweave::fem

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "analysis/tables/tables.h"
 #include "core/error.h"
+#include "files/exchange/state_choice.h"
 
 namespace soilweave::fem {
 namespace {
@@ -102,7 +102,7 @@ io::Series of_state(const io::Series& table, const std::string& which, const std
     throw UsageError(fmt::format("--state {}: the table {} is of no state; leave --state out", which, name));
   const std::vector<std::size_t> starts = starts_of_states(table);
   std::vector<std::size_t> rows;
-  for (const std::size_t n : analysis::chosen_states(which, starts.size() - 1, "the table " + name))
+  for (const std::size_t n : io::chosen_states(which, starts.size() - 1, "the table " + name))
     for (std::size_t r = starts[n]; r < starts[n + 1]; ++r) rows.push_back(r);
   return rows_of(table, rows);
 }

@@ -18,7 +18,7 @@ io::Series table(const io::MultiscaleFile& file, const std::string& name, const 
 /// normal force between soil and chain, positive if it resists a pull at the chain's end, NaN without contact.
 io::Series loading(const io::MultiscaleFile& file);
 
-/// Returns the rows of the states that `which` names: all, first, last or a number from 0 (analysis::chosen_states).
+/// Returns the rows of the states that `which` names: all, first, last or a number from 0 (io::chosen_states).
 /// Throws UsageError for a missing state, or if the table has no column `step`.
 io::Series of_state(const io::Series& table, const std::string& which, const std::string& name);
 

@@ -249,7 +249,7 @@ bool upright(const Snapshot& state) {
 
 CellRecord periodic_cell(const std::string& lengths, const std::string& what) {
   CellRecord cell;
-  const std::vector<std::string> parts = cells(lengths, ',');
+  const std::vector<std::string> parts = parts_of_list(lengths);
   const std::string remedy = "give three positive lengths, of disks two, in m, as in 0.0462,0.0461,0.0921";
   if (parts.size() != 2 && parts.size() != 3) throw UsageError(fmt::format("{} {}: {}", what, lengths, remedy));
   for (std::size_t a = 0; a < parts.size(); ++a) {

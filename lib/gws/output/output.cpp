@@ -2,23 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/output/output.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-
 #include "core/error.h"
-#include "files/exchange/table.h"
 
 namespace soilweave::gws {
 
 void Output::declare(tool::Table& table) {
-  table.flag(tsv, "tsv", "print tab-separated text in SI units");
-  table.optional_output(file, "fields file to write");
+  TableOutput::declare(table, "print tab-separated text in SI units", "fields file to write");
 }
 
 void Output::check(std::vector<std::string> mistakes) const {
-  if (tsv && file == "-") mistakes.emplace_back("--tsv and -o - both write to standard output: give one of them");
-  if (!mistakes.empty()) throw UsageError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  TableOutput::check(mistakes);
+  io::demand_none(mistakes);
 }
 
 std::size_t Output::place_of(const Groups& groups, const std::string& table) const {
@@ -33,7 +27,7 @@ void Output::put(const Groups& groups, std::size_t chosen, const std::string& te
                  const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const {
   Doubts said(invocation.tool);
   said.add_all(doubts);
-  if (file != "-") std::fputs(tsv ? io::to_tsv(groups.at(chosen).table).c_str() : text.c_str(), stdout);
+  print(tsv ? groups.at(chosen).table : io::Series(), text);
   if (file.empty()) return;
   const io::History history = io::extend(sources, invocation, scenario);
   io::write_fields(file, {groups, {}}, io::with_doubts(history, said));

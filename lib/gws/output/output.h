@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/cli/tool.h"
 #include "core/doubts.h"
+#include "files/exchange/table_output.h"
 #include "files/files.h"
 
 namespace soilweave::gws {
@@ -15,10 +15,7 @@ namespace soilweave::gws {
 using Groups = std::vector<io::FieldsFile::Group>;
 
 /// Output of a verb.
-struct Output {
-  bool tsv = false;
-  std::filesystem::path file;
-
+struct Output : io::TableOutput {
   /// Declares the options in a tool's table.
   void declare(tool::Table& table);
   /// Throws UsageError with these mistakes and its own.

@@ -91,7 +91,7 @@ class Grower {
     return {std::move(state), fill_, std::move(history_), clock_.cost(simulation_, keeper_.seconds())};
   }
 
-  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+  io::Snapshot left() const { return simulation_.snapshot(); }
 
  private:
   void enter(Stage stage) {

@@ -89,7 +89,7 @@ class Compaction {
     return {std::move(state), simulation_.void_ratio(), at_.lowest, cost, unheld()};
   }
 
-  io::Snapshot snapshot() const { return simulation_.snapshot(); }
+  io::Snapshot left() const { return simulation_.snapshot(); }
 
  private:
   void enter(Phase phase) {

@@ -1,0 +1,32 @@
+// Output of a tool that prints a text or a table and may write a file: its options, their mistakes, what it prints.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cli/tool.h"
+#include "files/records.h"
+
+namespace soilweave::io {
+
+/// The options --tsv and -o of a tool, or of one of its verbs.
+struct TableOutput {
+  bool tsv = false;
+  std::filesystem::path file;  // empty: none; - for standard output
+
+  /// Declares the options. printed: sentence for --tsv. written: sentence for -o.
+  void declare(tool::Table& table, const std::string& printed, const std::string& written);
+  /// Adds a mistake if both options write to standard output.
+  void check(std::vector<std::string>& mistakes) const;
+  /// Adds that mistake, and one if neither option is given, for a tool that would have nothing to do.
+  void check_needed(std::vector<std::string>& mistakes) const;
+  /// Prints the table (--tsv) or the text, unless the file itself goes to standard output.
+  void print(const Series& table, const std::string& text) const;
+};
+
+/// Throws UsageError with the mistakes, one a line, if there are any.
+void demand_none(const std::vector<std::string>& mistakes);
+
+}  // namespace soilweave::io
