@@ -158,6 +158,9 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
+# Files that objects take in whole (core/embedded.h).
+$(call object,lib/display/show_script.cpp): lib/display/show.py
+$(call object,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
 # The check of the processor must run on any processor.
 $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
 	@mkdir -p $(@D)

@@ -12,7 +12,6 @@
 #include "files/exchange/spheres_text.h"
 #include "files/files.h"
 #include "files/safe_output.h"
-#include "packing/generate/cloud.h"
 #include "packing/generate/doubtful.h"
 #include "packing/generate/generate.h"
 #include "packing/generate/grading.h"
@@ -164,14 +163,7 @@ struct PackGenerate {
     auto n = static_cast<std::size_t>(grains);
     if (std::none_of(invocation.arguments.begin(), invocation.arguments.end(), names_grains))
       n = packing::enough_grains(room, void_ratio, n);
-    if (void_ratio) room.at(*void_ratio).demand(n);
-    room.demand(n);
-    std::vector<double> radii = room.curve.radii(n, room.dimension);
-    if (mean_radius)
-      packing::scale_to_mean(*mean_radius, radii);
-    else if (grading == "toyoura")
-      packing::scale_to_thesis(radii);
-    return packing::cloud(radii, cloud_void_ratio, room.proportions, room.dimension, rho, invocation.seed);
+    return packing::new_cloud(room, n, {grading == "toyoura", mean_radius}, void_ratio, rho, invocation.seed);
   }
 
   bool is_ours() const { return import.extension() == ".h5"; }

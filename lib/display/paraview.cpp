@@ -80,7 +80,7 @@ void ParaviewFolder::finish() const {
     for (const auto& [time, file] : frames) text += pvd_line(time, file);
     write_own_bytes(folder_ / (group + ".pvd"), text + "  </Collection>\n</VTKFile>\n");
   }
-  write_own_bytes(folder_ / "show.py", show_script);
+  write_own_bytes(folder_ / "show.py", show_script());
 }
 
 }  // namespace soilweave::io

@@ -6,6 +6,7 @@
 
 namespace soilweave::io {
 
-extern const std::string_view show_script;
+/// Returns the script, show.py as it was when this program was built.
+std::string_view show_script();
 
 }  // namespace soilweave::io

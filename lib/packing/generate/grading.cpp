@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/embedded.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "files/exchange/table.h"
+
+SOILWEAVE_EMBED(toyoura, "data/gradings/toyoura.tsv")
 
 namespace soilweave::packing {
 namespace {
@@ -49,10 +52,7 @@ Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   return g;
 }
 
-Grading Grading::toyoura() {
-  return {{5.75e-3, 6.85e-3, 8.16e-3, 9.69e-3, 11.50e-3, 13.69e-3, 16.26e-3},
-          {0.013, 0.021, 0.058, 0.174, 0.811, 0.927, 1.0}};
-}
+Grading Grading::toyoura() { return from_tsv({toyoura_begin, toyoura_end}, "grading toyoura"); }
 
 std::string Grading::left_out() const {
   if (!(finer.front() > 0) || diameter.size() == 1) return "";

@@ -18,7 +18,7 @@ struct Grading {
   /// Reads a table with the columns diameter (a length, as [mm]) and finer_by_mass (a share: [%] or [1]). Throws
   /// DataError naming document and row.
   static Grading from_tsv(std::string_view text, const std::string& where);
-  /// Returns the curve of thesis §3.2.2 (data/gradings/toyoura.tsv).
+  /// Returns the curve of thesis §3.2.2: data/gradings/toyoura.tsv, as it was when this program was built.
   static Grading toyoura();
 
   /// Returns what the packing lacks of the curve: "the part finer than 0.075 mm, 10 % of the mass, is left out"; empty

@@ -12,6 +12,7 @@
 #include "core/text/text.h"
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
+#include "packing/generate/cloud.h"
 
 namespace soilweave::packing {
 namespace {
@@ -60,19 +61,28 @@ std::string default_material(double mean_radius) {
       default_rotational_stiffness(mean_radius));
 }
 
-void scale_to_mean(double mean_radius, std::vector<double>& radii) {
-  double sum = 0;
-  for (const double r : radii) sum += r;
-  const double factor = mean_radius * static_cast<double>(radii.size()) / sum;
+std::vector<double> grain_radii(const Room& room, std::size_t n, const GrainSize& size) {
+  std::vector<double> radii = room.curve.radii(n, room.dimension);
+  const auto grains = static_cast<double>(n);
+  double factor = 1;
+  if (size.mean_radius) {
+    double sum = 0;
+    for (const double r : radii) sum += r;
+    factor = *size.mean_radius * grains / sum;
+  } else if (size.as_thesis) {
+    double cubes = 0;
+    for (const double r : radii) cubes += r * r * r;
+    factor = std::cbrt(thesis_solids * grains / (4.0 / 3.0 * std::numbers::pi * cubes));
+  }
   for (double& r : radii) r *= factor;
+  return radii;
 }
 
-void scale_to_thesis(std::vector<double>& radii) {
-  double cubes = 0;
-  for (const double r : radii) cubes += r * r * r;
-  const double factor =
-      std::cbrt(thesis_solids * static_cast<double>(radii.size()) / (4.0 / 3.0 * std::numbers::pi * cubes));
-  for (double& r : radii) r *= factor;
+io::Snapshot new_cloud(const Room& room, std::size_t n, const GrainSize& size, std::optional<double> void_ratio,
+                       double density, std::uint64_t seed) {
+  if (void_ratio) room.at(*void_ratio).demand(n);
+  room.demand(n);
+  return cloud(grain_radii(room, n, size), room.void_ratio, room.proportions, room.dimension, density, seed);
 }
 
 std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, std::size_t least) {

@@ -68,10 +68,17 @@ struct Room {
   Room at(double other_void_ratio) const { return {curve, dimension, proportions, other_void_ratio}; }
 };
 
-/// Scales radii, m, to a mean radius.
-void scale_to_mean(double mean_radius, std::vector<double>& radii);
-/// Scales radii, m, to the thesis's solid volume per grain: the size of the built-in grading for any number of grains.
-void scale_to_thesis(std::vector<double>& radii);
+/// Size of the grains of a grading: as the curve says, or scaled.
+struct GrainSize {
+  bool as_thesis = false;             // to the thesis's solid volume per grain, for any number of grains
+  std::optional<double> mean_radius;  // to this mean radius, m; overrules the other
+};
+/// Returns the radii of n grains of the room's curve, m.
+std::vector<double> grain_radii(const Room& room, std::size_t n, const GrainSize& size);
+/// Returns n such grains at random places of the room (cloud.h), with a density in kg/m3. Throws DataError with
+/// remedies if the room is too narrow for them, now or at the void ratio to reach.
+io::Snapshot new_cloud(const Room& room, std::size_t n, const GrainSize& size, std::optional<double> void_ratio,
+                       double density, std::uint64_t seed);
 
 /// Returns `least`, or the number of grains that a wide grading needs, if that is larger and still moderate.
 std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, std::size_t least);
