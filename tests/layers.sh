@@ -105,6 +105,11 @@ for file in "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}"; do
   head -1 "$file" | grep -q 'SPDX' && fault "$file: the first line does not say what the file is"
 done
 
+# A test is named by a sentence in one word, as WidthsAreTheDistancesOfItsFaces.
+while IFS= read -r line; do
+  fault "$line: name it by a sentence of capitalised words without _"
+done < <(grep -rnE '^(TYPED_)?TEST(_F|_P)?\(\w+, *([a-z]\w*|\w*_\w*)\)' tests --include='*.cpp')
+
 # Unfinished work is finished or filed, not marked. The brackets keep this line from finding itself.
 while IFS= read -r line; do
   fault "$line: unfinished"

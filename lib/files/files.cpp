@@ -198,21 +198,6 @@ void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensem
   });
 }
 
-PackingFile read_packing(const std::filesystem::path& path, std::string role) {
-  OpenFile file(path, std::move(role));
-  file.demand_kind("packing");
-  std::vector<Snapshot> states = states_in(file);
-  if (states.size() != 1)
-    file.reader.fail("/particles/grains", fmt::format("holds {} states, a packing one", states.size()));
-  return {std::move(states.front()), std::move(file.source)};
-}
-
-RunFile read_run(const std::filesystem::path& path, std::string role) {
-  OpenFile file(path, std::move(role));
-  file.demand_kind("run");
-  return run_in(file);
-}
-
 RunFile read_states(const std::filesystem::path& path, std::string role) {
   if (is_folder(path)) return read_run_so_far(path, std::move(role));
   OpenFile file(path, std::move(role));

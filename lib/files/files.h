@@ -86,8 +86,6 @@ void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensem
 
 /// Read each kind of file. Throw DataError for an unknown kind, a newer major version, a truncated file, NaN, or arrays
 /// whose lengths disagree; also MissingInput, IoError. `role` names the input in provenance.
-PackingFile read_packing(const std::filesystem::path& path, std::string role = "packing");
-RunFile read_run(const std::filesystem::path& path, std::string role = "run");
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
 MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");
 EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role = "ensemble");

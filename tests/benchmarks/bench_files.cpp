@@ -26,7 +26,7 @@ void write_state(benchmark::State& state) {
 void read_state_back(benchmark::State& state) {
   const test::Folder folder;
   write_packing(folder / "state.h5", chain(state), {});
-  for (auto _ : state) benchmark::DoNotOptimize(read_packing(folder / "state.h5"));
+  for (auto _ : state) benchmark::DoNotOptimize(read_state(folder / "state.h5"));
   tell(state, folder / "state.h5");
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fem/model/model.h"
+#include "support/fem_parts.h"
 
 namespace soilweave::fem {
 namespace {
@@ -35,7 +36,7 @@ double wave_error(Index elements, Shape shape, bool fixed_both) {
   std::vector<Vec2> v;
   for (const Vec2& x : model.soil().positions())
     v.emplace_back(amplitude * omega * std::sin(k * x[0]) * std::cos(0.5 * omega * model.time_step()), 0);
-  model.soil().set_velocities(v);
+  test::set_velocities(model.soil(), v);
   while (model.time() < end * (1 - 1e-9)) model.step();
   double sum = 0;
   const auto& nodes = model.soil().mesh().nodes;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "support/law_examples.h"
+#include "support/vector_lanes.h"
 
 namespace soilweave::dem::test {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "dem/contact/laws.h"
+#include "support/vector_lanes.h"
 
 namespace soilweave::dem {
 namespace {

@@ -37,7 +37,7 @@ TEST_F(Files, PackingComesBackBitForBit) {
       for (const std::size_t grains : {2, 12, 3000}) {
         const Snapshot state = test::example_state(grains, dimension, planes);
         write_packing(path, state, test::example_history());
-        const PackingFile back = read_packing(path, "start");
+        const PackingFile back = read_state(path, "start");
         expect_same(state, back.state);
         expect_same(test::example_history(), back.source.history);
         EXPECT_EQ(back.source.role, "start");
@@ -49,7 +49,7 @@ TEST_F(Files, PackingWithoutContactsAndHistoryComesBack) {
   Snapshot state = test::example_state();
   state.contacts = {};
   write_packing(path, state, {});
-  expect_same(state, read_packing(path).state);
+  expect_same(state, read_state(path).state);
 }
 
 TEST_F(Files, RunComesBackBitForBit) {
@@ -57,7 +57,7 @@ TEST_F(Files, RunComesBackBitForBit) {
     for (const std::size_t grains : {12, 1500}) {
       const RunFile run = test::example_run(grains, planes);
       write_run(path, run, test::example_history());
-      const RunFile back = read_run(path);
+      const RunFile back = read_states(path);
       ASSERT_EQ(back.snapshots.size(), run.snapshots.size());
       for (std::size_t f = 0; f < run.snapshots.size(); ++f) expect_same(run.snapshots[f], back.snapshots[f]);
       expect_same(run.series, back.series);
@@ -73,7 +73,7 @@ TEST_F(Files, RunWhoseGrainsChangeTheirOrderComesBack) {
   std::swap(run.snapshots[1].grains.body_id[0], run.snapshots[1].grains.body_id[1]);
   run.snapshots[2].grains.material_id[4] = 7;
   write_run(path, run, {});
-  const RunFile back = read_run(path);
+  const RunFile back = read_states(path);
   for (std::size_t f = 0; f < run.snapshots.size(); ++f) expect_same(run.snapshots[f], back.snapshots[f]);
 }
 
@@ -101,7 +101,7 @@ TEST_F(Files, FieldsComeBackInTheirOrder) {
 TEST_F(Files, EqualContentGivesEqualBytes) {
   const auto other = folder / "other.h5";
   write_run(path, test::example_run(1500), test::example_history());
-  write_run(other, read_run(path), read_history(path));
+  write_run(other, read_states(path), read_history(path));
   EXPECT_EQ(test::bytes_of(path), test::bytes_of(other));
   write_packing(path, test::example_state(), test::example_history());
   write_packing(other, test::example_state(), test::example_history());
@@ -122,24 +122,25 @@ TEST_F(Files, StatesComeFromPackingsAndRuns) {
 
 TEST_F(Files, WrongKindSaysBothKinds) {
   write_packing(path, test::example_state(), {});
-  expect_error<DataError>([&] { read_run(path); }, path.string() + ": holds packing, but run is needed here");
+  expect_error<DataError>([&] { read_multiscale(path); },
+                          path.string() + ": holds packing, but multiscale is needed here");
   expect_error<DataError>([&] { read_fields(path); }, "holds packing, but fields is needed here");
   write_fields(path, example_fields(), {});
   expect_error<DataError>([&] { read_state(path); }, "holds fields, but packing or run is needed here");
 }
 
 TEST_F(Files, WhatIsNoFileOfOursIsToldApart) {
-  expect_error<MissingInput>([&] { read_packing(path); }, path.string() + ": no such file");
+  expect_error<MissingInput>([&] { read_state(path); }, path.string() + ": no such file");
   expect_error<MissingInput>([&] { read_text(path, "scenario"); }, "no such file");
-  expect_error<DataError>([&] { read_packing(folder.path()); }, ": a directory; name a file in it");
+  expect_error<DataError>([&] { read_fields(folder.path()); }, ": a directory; name a file in it");
   test::put_bytes(path, "");
-  expect_error<DataError>([&] { read_packing(path); }, ": empty");
+  expect_error<DataError>([&] { read_state(path); }, ": empty");
   test::put_bytes(path, "x y z r\n");
-  expect_error<DataError>([&] { read_packing(path); }, ": not an HDF5 file");
+  expect_error<DataError>([&] { read_state(path); }, ": not an HDF5 file");
   Writer foreign;
   foreign.group("/data");
   test::put_bytes(path, foreign.image());
-  expect_error<DataError>([&] { read_packing(path); }, "none of soilweave's");
+  expect_error<DataError>([&] { read_state(path); }, "none of soilweave's");
 }
 
 /// Returns a packing with one change; `change` writes in place of the part that is left out.
@@ -154,11 +155,11 @@ std::string head(const std::vector<std::int64_t>& version, const std::string& ki
 
 TEST_F(Files, NewerMajorVersionIsRefusedAndNewerMinorRead) {
   test::put_bytes(path, head({2, 5}, "packing"));
-  expect_error<DataError>([&] { read_packing(path); }, "has the format version 2.5, this program reads 1.3 at most");
+  expect_error<DataError>([&] { read_state(path); }, "has the format version 2.5, this program reads 1.3 at most");
   test::put_bytes(path, head({1, 9}, "packing"));
-  expect_error<DataError>([&] { read_packing(path); }, "/particles/grains/box has no attribute dimension");
+  expect_error<DataError>([&] { read_state(path); }, "/particles/grains/box has no attribute dimension");
   test::put_bytes(path, head({1, 0}, "tapestry"));
-  expect_error<DataError>([&] { read_packing(path); }, "unknown kind \"tapestry\"");
+  expect_error<DataError>([&] { read_state(path); }, "unknown kind \"tapestry\"");
 }
 
 TEST_F(Files, EveryTruncationIsTold) {
@@ -166,7 +167,7 @@ TEST_F(Files, EveryTruncationIsTold) {
   const std::string whole = test::bytes_of(path);
   for (std::size_t length = 0; length < whole.size(); length += length < 100 ? 1 : 97) {
     test::put_bytes(path, std::string_view(whole).substr(0, length));
-    EXPECT_THROW(read_run(path), DataError) << length;
+    EXPECT_THROW(read_states(path), DataError) << length;
   }
 }
 
@@ -186,7 +187,7 @@ TEST_F(Files, DamagedBytesNeverGiveOtherStates) {
     }
     test::put_bytes(path, damaged);
     try {
-      const RunFile back = read_run(path);
+      const RunFile back = read_states(path);
       ASSERT_EQ(back.snapshots.size(), run.snapshots.size());
       for (std::size_t f = 0; f < run.snapshots.size(); ++f) expect_same(run.snapshots[f], back.snapshots[f]);
     } catch (const DataError&) {
@@ -230,7 +231,7 @@ TEST_F(Files, LinkIsWrittenThrough) {
   std::filesystem::create_symlink("file.h5", link);
   write_packing(link, test::example_state(5), {});
   EXPECT_TRUE(std::filesystem::is_symlink(link));
-  EXPECT_EQ(read_packing(path).state.grains.size(), 5U);
+  EXPECT_EQ(read_state(path).state.grains.size(), 5U);
 }
 
 /// Runs `act` in a child process whose standard input or output is this file; returns its exit status.
@@ -258,10 +259,10 @@ TEST_F(Files, DashIsTheSameFileThroughAPipe) {
   const auto copied = folder / "copied.h5";
   EXPECT_EQ(in_child(1, copied, [&] { write_packing("-", state, {}); }), 0);
   EXPECT_EQ(test::bytes_of(path), test::bytes_of(copied));
-  EXPECT_EQ(in_child(0, copied, [&] { write_packing(folder / "back.h5", read_packing("-").state, {}); }), 0);
+  EXPECT_EQ(in_child(0, copied, [&] { write_packing(folder / "back.h5", read_state("-").state, {}); }), 0);
   EXPECT_EQ(test::bytes_of(path), test::bytes_of(folder / "back.h5"));
   EXPECT_EQ(in_child(1, "/dev/full", [&] { write_packing("-", state, {}); }), static_cast<int>(Exit::io));
-  EXPECT_EQ(in_child(0, "/dev/null", [&] { read_packing("-"); }), static_cast<int>(Exit::bad_data));
+  EXPECT_EQ(in_child(0, "/dev/null", [&] { read_state("-"); }), static_cast<int>(Exit::bad_data));
 }
 
 TEST_F(Files, FramesOfARunMustBeAlike) {

@@ -280,7 +280,7 @@ TEST_F(PartTest, LeavesAStateThatIsBrokenToBeLookedAt) {
   const fs::path left = folder_ / "out.h5.part/stopped.h5";
   EXPECT_EQ(std::string(error.what()), "step 7: broken; " + left.string() + " shows it (to-vtk); " +
                                            kept.last().string() + " is the last good state");
-  EXPECT_EQ(io::read_packing(left).state.grains.size(), broken.grains.size() - 1);
+  EXPECT_EQ(io::read_state(left).state.grains.size(), broken.grains.size() - 1);
 }
 
 // Steps of a station count from the start of its loading, even if the run was stopped on the way.

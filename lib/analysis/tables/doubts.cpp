@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "analysis/measure/fabric.h"
+#include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
 #include "analysis/tables/bag.h"
 #include "dem/state/bodies.h"
@@ -17,14 +18,6 @@
 namespace soilweave::analysis {
 namespace {
 
-// Narrowest cell, in diameters of its largest grain. Six packings of 1000 grains of the thesis are 4.8 wide and agree
-// within their scatter.
-constexpr double narrowest_cell = 4;
-// Largest share of rattlers; the six packings have 10 to 15 % at 1 kPa.
-constexpr double most_rattlers = 0.25;
-// Largest q/p of an isotropic state, since an upright cell cannot relieve shear stress. Five of the six packings are
-// below.
-constexpr double largest_obliquity = 0.1;
 // Least mean number of contacts in a bag; soil grown into a bag has 2.5 (packing::Growth).
 constexpr double loosest_bag = 2;
 // Largest inertial number. Linear springs at 10 %/s and 3e-3 are up to 6 % off the answer at rest.
@@ -180,20 +173,17 @@ std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
 }  // namespace
 
 std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
-  const double largest = 2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end());
-  // The distance of opposite faces is the volume over the area that the other two vectors span.
-  for (int a = 0; a < state.grains.dimension; ++a) {
-    if (!state.cell.periodic[static_cast<std::size_t>(a)]) continue;
-    const Mat3& h = state.cell.matrix;
-    const Vec3 across = h.col((a + 1) % 3).cross(h.col((a + 2) % 3));
-    const double width = std::abs(h.col(a).dot(across)) / across.norm();
-    if (width < narrowest_cell * largest)
-      return {
-          {"cell-over-grain",
-           fmt::format("the cell is {:.2g} diameters of the largest grain ({:.3g} m) wide along {}, below {:.0f}: its "
-                       "faces shape the answer; take {:.0f} times the grains, or leave out the largest",
-                       width / largest, largest, "xyz"[a], narrowest_cell,
-                       std::ceil(std::pow(narrowest_cell * largest / width, state.grains.dimension)))}};
+  const int dimension = state.grains.dimension;
+  const double narrowest = loaded_packing(dimension).cell;
+  const Vec3 widths = cell_over_grain(state);
+  for (int a = 0; a < dimension; ++a) {
+    if (!state.cell.periodic[static_cast<std::size_t>(a)] || widths[a] >= narrowest) continue;
+    return {
+        {"cell-over-grain",
+         fmt::format("the cell is {:.2g} diameters of the largest grain ({:.3g} m) wide along {}, below {:.0f}: its "
+                     "faces shape the answer; take {:.0f} times the grains, or leave out the largest",
+                     widths[a], 2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end()), "xyz"[a],
+                     narrowest, std::ceil(std::pow(narrowest / widths[a], dimension)))}};
   }
   return {};
 }
@@ -201,26 +191,24 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
 std::vector<Doubt> compaction_doubts(const io::Snapshot& state) {
   std::vector<Doubt> doubts;
   if (state.contacts.size() == 0) return doubts;
-  const int dimension = state.grains.dimension;
+  const SoundLimits limits = loaded_packing(state.grains.dimension);
   const Coordination z = coordination(state);
-  const double rattlers = static_cast<double>(z.rattlers) / static_cast<double>(state.grains.size());
-  if (rattlers > most_rattlers)
+  const double rattlers = rattler_share(state, z.rattlers);
+  if (rattlers > limits.rattlers)
     doubts.push_back(
         {"rattlers", fmt::format("{:.0f} % of the grains bear nothing, more than {:.0f} %: void ratio and fabric count "
                                  "them all the same; take a denser packing, or leave out the finest grains",
-                                 100 * rattlers, 100 * most_rattlers)});
-  if (z.all < dimension)
+                                 100 * rattlers, 100 * limits.rattlers)});
+  if (z.all < limits.coordination)
     doubts.push_back({"coordination",
                       fmt::format("2 Nc/N is {:.2f} after an isotropic compression, below {}: the packing hardly holds "
                                   "itself; take a denser one",
-                                  z.all, dimension)});
-  const Mat3 stress = cell_stress(state);
-  const double p = mean(stress, dimension), obliquity = p > 0 ? deviatoric_stress(stress, dimension) / p : 0;
-  if (obliquity > largest_obliquity)
+                                  z.all, limits.coordination)});
+  if (const double obliquity = stress_obliquity(state); !(obliquity <= limits.obliquity))
     doubts.push_back(
         {"isotropy", fmt::format("q/p is {:.2g} in a state that should be isotropic, more than {:.2g}: an upright cell "
                                  "leaves its shear stress; take more grains, or another seed",
-                                 obliquity, largest_obliquity)});
+                                 obliquity, limits.obliquity)});
   return doubts;
 }
 

@@ -88,12 +88,4 @@ inline Vec3 vector_of(const Lane4& r) { return {r[0], r[1], r[2]}; }
 inline V3<double> from_eigen(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 inline Vec3 to_eigen(const V3<double>& v) { return {v.x, v.y, v.z}; }
 
-/// Take one lane out; put one lane in.
-inline V3<double> lane(const V3<Lane4>& v, int i) { return {v.x[i], v.y[i], v.z[i]}; }
-inline void set_lane(V3<Lane4>& v, int i, const V3<double>& value) {
-  v.x[i] = value.x;
-  v.y[i] = value.y;
-  v.z[i] = value.z;
-}
-
 }  // namespace soilweave

@@ -27,7 +27,6 @@ class ContinuumPoint : public MaterialPoint {
   Mat3 tangent() const override;
   PointEnergy energy() const override;
   void archive(Archive& archive, const std::string& prefix) override;
-  double out_of_plane_stress() const { return out_of_plane_; }
 
  private:
   void limit();

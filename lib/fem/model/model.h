@@ -83,7 +83,6 @@ class Model {
   Soil& soil() { return *soil_; }
   const Points& points() const { return points_; }
   const Bars* bars() const { return bars_.get(); }
-  const std::vector<Index>& interface_nodes() const { return line_; }
   /// Brings the points of all processes to the first one; all must call it. On other processes points() lag behind.
   void collect();
   /// Throws PhysicsError if the step of the soil or of a point's grains exceeds its limit.

@@ -99,8 +99,6 @@ class Soil {
 
   /// Holds supports still, or releases them. damping: replaces the scenario's viscous coefficient.
   void hold(bool held, std::optional<double> damping = std::nullopt);
-  /// Sets the velocities of all nodes, m/s.
-  void set_velocities(std::vector<Vec2> velocities) { velocities_ = std::move(velocities); }
   /// Keeps or restores everything that steps change.
   void archive(Archive& archive);
 

@@ -28,7 +28,6 @@ class Path {
 
   double first() const { return nodes_.front().x; }  // ln p, like all arguments below
   double last() const { return nodes_.back().x; }
-  double before_last() const { return nodes_.size() > 1 ? nodes_[nodes_.size() - 2].x : first(); }
   /// Returns the state at ln p = x, between first() and last().
   SoilState at(double x) const;
 

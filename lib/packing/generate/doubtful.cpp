@@ -4,12 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/measure/fabric.h"
-#include "analysis/measure/stress.h"
+#include "analysis/measure/soundness.h"
 #include "core/error.h"
 
 namespace soilweave::packing {
@@ -18,10 +17,8 @@ namespace {
 // Factor beyond which a stiffness, larger or smaller than the thesis's, means another soil.
 constexpr double far_off = 10;
 constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
-// Thresholds. The packings of the studies, 1000 grains of Toyoura sand at rest, have 14 % rattlers, 4.2 contacts per
-// grain, a cell of 4.8 largest grains and a q/p of 0.08, all in shear stresses, which no servo controls.
-constexpr double most_rattlers = 0.3, least_coordination = 3, least_cell = 3, most_obliquity = 0.25,
-                 most_overlap = 0.05;
+constexpr analysis::SoundLimits limits = analysis::made_packing;
+constexpr double most_overlap = 0.05;            // mean overlap over the mean radius
 constexpr double median_error = 0.1;             // share of the median diameter by mass
 constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
@@ -39,30 +36,24 @@ double median_ratio(const Room& room, std::size_t grains) {
 }
 
 void doubt_stress(const io::Snapshot& state, std::vector<Doubt>& doubts) {
-  const int d = state.grains.dimension;
-  const Mat3 stress = analysis::cell_stress(state);
-  const double p = mean(stress, d);
-  Mat3 s = Mat3::Zero();
-  s.topLeftCorner(d, d) = stress.topLeftCorner(d, d) - p * Mat3::Identity().topLeftCorner(d, d);
-  const double ratio = std::sqrt((d == 2 ? 0.5 : 1.5) * s.squaredNorm()) / p;
-  if (!(ratio <= most_obliquity))
+  const double ratio = analysis::stress_obliquity(state);
+  if (!(ratio <= limits.obliquity))
     doubts.push_back(
         {"obliquity", fmt::format("q/p is {:.2g} in a state that should be isotropic, above {:.2g}: more grains "
                                   "(--grains) even it out",
-                                  ratio, most_obliquity)});
+                                  ratio, limits.obliquity)});
 }
 
 void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
   const int d = state.grains.dimension;
-  const double width = state.cell.matrix.inverse().rowwise().norm().cwiseInverse().head(d).minCoeff();
-  const double ratio = width / (2 * *std::max_element(state.grains.radius.begin(), state.grains.radius.end()));
-  if (ratio >= least_cell) return;
-  const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(least_cell / ratio, d);
+  const double ratio = analysis::cell_over_grain(state).head(d).minCoeff();
+  if (ratio >= limits.cell) return;
+  const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(limits.cell / ratio, d);
   doubts.push_back(
       {"cell",
        fmt::format("the cell is {:.2g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
                    "would fill one wide enough",
-                   ratio, least_cell, more)});
+                   ratio, limits.cell, more)});
 }
 
 }  // namespace
@@ -105,18 +96,18 @@ std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& mod
   if (auto doubt = stiffness_doubt(model, mean_radius(state))) doubts.push_back(*doubt);
   if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
   const analysis::Coordination c = analysis::coordination(state);
-  const double rattlers = static_cast<double>(c.rattlers) / static_cast<double>(state.grains.size());
-  if (rattlers > most_rattlers)
+  const double rattlers = analysis::rattler_share(state, c.rattlers);
+  if (rattlers > limits.rattlers)
     doubts.push_back(
         {"rattlers",
          fmt::format("{:.0f} % of the grains are rattlers, above {:.0f} %: small grains lie loose in "
                      "the voids of large ones; leave the finest sizes out, or count the grains that bear load",
-                     100 * rattlers, 100 * most_rattlers)});
-  if (c.all < least_coordination)
+                     100 * rattlers, 100 * limits.rattlers)});
+  if (c.all < limits.coordination)
     doubts.push_back(
         {"coordination", fmt::format("the coordination number is {:.2f}, below {}: {:.2f} among the grains that "
                                      "bear load; a higher pressure or a lower void ratio raises it",
-                                     c.all, least_coordination, c.backbone)});
+                                     c.all, limits.coordination, c.backbone)});
   doubt_cell(state, doubts);
   doubt_stress(state, doubts);
   double overlap = 0;
