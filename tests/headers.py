@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Refuses headers that lean on the includes of others, as far as a script can see it.
+
+usage: headers.py   Prints one line per fault; exit status 1 if there are any.
+
+A precompiled header brings the standard library to every source, so that a header without its own includes goes
+unnoticed. Two rules stand in for compiling each header alone, which takes minutes (make headers):
+1. For each name of the standard library that a header uses, it or a header of the project that it includes has to
+   include a header of the library that declares it.
+2. A source with a header of its own includes it before any other, so that compiling the source checks the header.
+   Headers without a source are compiled alone by make lint.
+"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import functools
+import pathlib
+import re
+import sys
+
+DECLARED = {
+    "array": "array",
+    "vector": "vector",
+    "string": "string",
+    "to_string": "string",
+    "string_view": "string_view string",
+    "optional nullopt": "optional",
+    "variant visit monostate get_if holds_alternative": "variant",
+    "map multimap": "map",
+    "set": "set",
+    "function": "functional",
+    "unique_ptr shared_ptr make_unique make_shared": "memory",
+    "span": "span",
+    "pair move swap exchange forward": "utility map vector string memory algorithm functional",
+    "tuple tie": "tuple",
+    "sort max min clamp fill copy copy_n any_of all_of none_of count find find_if transform": "algorithm",
+    "accumulate iota partial_sum": "numeric",
+    "sqrt abs pow fma cbrt hypot isfinite lround llround floor ceil exp log sin cos atan2": "cmath",
+    "int8_t uint8_t int16_t uint16_t int32_t uint32_t int64_t uint64_t": "cstdint",
+    "size_t": "cstddef array string string_view vector map span memory",
+    "numeric_limits": "limits",
+    "numbers": "numbers",
+    "chrono": "chrono",
+    "filesystem": "filesystem",
+    "atomic": "atomic",
+    "thread": "thread",
+    "mutex lock_guard": "mutex",
+    "exception_ptr": "exception",
+    "runtime_error": "stdexcept",
+    "memcpy memcmp": "cstring",
+    "bit_cast": "bit",
+    "is_same_v conditional_t enable_if_t decay_t": "type_traits",
+    "same_as": "concepts",
+    "initializer_list": "initializer_list vector string",
+    "bad_alloc": "new",
+    "ostream ostringstream": "ostream iostream sstream",
+    "source_location": "source_location",
+}
+HEADERS_OF = {name: set(headers.split()) for names, headers in DECLARED.items() for name in names.split()}
+WORDS = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+ROOTS = (pathlib.Path("lib"), pathlib.Path("tests"))
+HALVES = {"lib/core/simd/columns8.h", "lib/core/simd/lanes8.h"}  # parts of the headers that include them
+
+
+def found(name):
+    """Returns the path of a header of the project, or None."""
+    return next((root / name for root in ROOTS if (root / name).exists()), None)
+
+
+@functools.cache
+def includes(path):
+    """Returns the headers of the library that a header includes, also through headers of the project."""
+    text = path.read_text(encoding="utf-8")
+    reached = set(re.findall(r"^ *#include <([\w.]+)>", text, re.M))
+    for name in re.findall(r'^ *#include "([^"]+)"', text, re.M):
+        if found(name):
+            reached |= includes(found(name))
+    return reached
+
+
+def faults_of_header(path):
+    """Returns the names of the standard library without an include."""
+    code = WORDS.sub("", path.read_text(encoding="utf-8"))
+    for name in sorted(set(re.findall(r"\bstd::(\w+)", code))):
+        if name in HEADERS_OF and not HEADERS_OF[name] & includes(path):
+            yield f"{path}: uses std::{name} and does not include <{min(HEADERS_OF[name], key=len)}>"
+
+
+def main():
+    faults = []
+    for path in sorted(header for root in ROOTS for header in root.rglob("*.h")):
+        if str(path) in HALVES:
+            continue
+        faults.extend(faults_of_header(path))
+        source = path.with_suffix(".cpp")
+        if source.exists():
+            own = re.search(r'^#include "([^"]+)"', source.read_text(encoding="utf-8"), re.M)
+            if not own or found(own[1]) != path:
+                faults.append(f"{source}: does not include its own header before all others")
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
