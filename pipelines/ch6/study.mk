@@ -42,10 +42,11 @@ c6_mesh = --set mesh.columns=$(c6_squares) --set mesh.rows=$(c6_squares) --set r
 c6_time = --set time.duration=$(call c6_number,25 / $(c6_speed)) --set time.output_interval=$(call c6_number,25 / $(c6_speed) / $(1))
 c6_pull = $(BIN)/fem-dem $(C6)/pullout.toml $< $(c6_mesh) --set geosynthetic.end.x=$(c6_velocity) $(1) $(call c6_time,167)
 C6_WAYS := --resume --force --threads $(C6_THREADS) --quiet
+c6_shape = $(BIN)/fem-dem $(C6)/shape.toml $< $(c6_mesh) --set geosynthetic.start.y=-$(c6_velocity) --set geosynthetic.end.y=-$(c6_velocity) \
+  $(call c6_time,100)
 $(C6O)/shape_%.h5: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
 	@echo '  run   $@'
-	@$(BIN)/fem-dem $(C6)/shape.toml $< $(c6_mesh) --set geosynthetic.start.y=-$(c6_velocity) --set geosynthetic.end.y=-$(c6_velocity) \
-	  $(call c6_time,100) $(C6_WAYS) -o $@
+	@$(c6_shape) $(C6_WAYS) -o $@
 $(C6O)/pullout_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@echo '  run   $@'
 	@$(call c6_pull) $(C6_WAYS) -o $@
@@ -53,6 +54,12 @@ $(C6O)/pullout_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 $(C6O)/swinging_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@echo '  run   $@'
 	@$(call c6_pull,--set soil.damping=0.2) $(C6_WAYS) -o $@
+
+# What each run will take, by its own word.
+$(C6O)/shape_%.check: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
+	@$(c6_shape) --check --threads 1 2>&1 $(call whole,$@)
+$(C6O)/pullout_%.check $(C6O)/swinging_%.check: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
+	@$(call c6_pull) --check --threads 1 2>&1 $(call whole,$@)
 
 # Tables: how each run was loaded; of the main ones the history of point A or B, and the last state.
 C6_KINDS := local elements points nodes bars
