@@ -1,6 +1,8 @@
 """Results of the runs of chapter 4: a cell of reinforced soil in drained compression, the same of soil alone, sections of both forms."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
 import functools
+import itertools
 import pathlib
 import tomllib
 
@@ -93,16 +95,29 @@ class Cell(Soil):
 
 
 class Runs:
-    """The tables of a folder: the cells by form and geotextile, soil alone, contacts at the start, bands and sections."""
+    """The tables of a folder: the cells by form and geotextile, soil alone, contacts at the start, bands and sections.
 
-    def __init__(self, out):
-        self.folder = Folder(out)
+    kept: whether they are those of kept runs, of which some may be missing: whatever needs these is then NotMade.
+    """
+
+    def __init__(self, out, kept=False):
+        self.folder = Folder(out, "not among the kept runs" if kept else "")
         self.absent = Folder(out, "this profile does not make the run")
 
     @functools.cache
     def cell(self, form, geotextile):
         """Returns the Cell of a form with a geotextile."""
         return Cell(self.folder(f"{form}_{geotextile}"))
+
+    def cells(self):
+        """Returns the cells that there are. Raises NotMade for none."""
+        found = []
+        for form, geotextile in itertools.product(FORMS, GEOTEXTILES):
+            with contextlib.suppress(NotMade):
+                found.append(self.cell(form, geotextile))
+        if not found:
+            raise NotMade("no cell is among the kept runs")
+        return found
 
     def shape(self, form):
         """Returns the height and the yarns' length of a form, as it was placed and after it was compacted."""

@@ -1,8 +1,11 @@
 """Figures of chapter 4: the two assemblies, the response of the cells and of their reinforced soil, stress paths, void ratios, sections."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
+import itertools
+
 import numpy
 from matplotlib.collections import EllipseCollection
-from study import Drawn, figures, panel
+from study import Drawn, NotMade, figures, panel
 
 from .cells import FORMS, GEOTEXTILES, GROUPS, MIDDLING
 
@@ -14,8 +17,13 @@ MOST_STRAIN = 0.6  # deviatoric strain at the end of the scale of colours
 
 
 def of_cells(runs):
-    """Returns the six cells as they are drawn: wrapped ones solid, layered ones dashed."""
-    return [Drawn(f"{g}, {form}", runs.cell(form, g), figures.GEOTEXTILE[g], LINES[form]) for g in GEOTEXTILES for form in FORMS]
+    """Returns the cells that there are as they are drawn: wrapped ones solid, layered ones dashed. Raises NotMade for none."""
+    runs.cells()
+    drawn = []
+    for g, form in itertools.product(GEOTEXTILES, FORMS):
+        with contextlib.suppress(NotMade):
+            drawn.append(Drawn(f"{g}, {form}", runs.cell(form, g), figures.GEOTEXTILE[g], LINES[form]))
+    return drawn
 
 
 def soil(runs):

@@ -184,3 +184,12 @@ def test_the_state_is_that_of_the_extreme_void_ratio(tmp_path):
     assert (sections.state(steps, loading, "least"), sections.state(steps, loading, "greatest")) == (3, 5)
     with pytest.raises(StudyError, match='step 40 was not recorded; record "stations"'):
         sections.state(steps[:-1], loading, "greatest")
+
+
+def test_of_kept_runs_those_that_there_are_are_measured(folder):
+    for path in (*folder.glob("layered*.tsv"), *folder.glob("*_5PP.tsv")):
+        path.unlink(missing_ok=True)
+    measures = chapter.build(types.SimpleNamespace(out=folder, kept=True, profile="thesis")).measures
+    pyplot.close("all")
+    assert measures["peak_wrapped_PP"].value == pytest.approx(24) and measures["lateral_held"].value is not None
+    assert "not among the kept runs" in measures["peak_layered_PP"].reason and "not among the kept runs" in measures["gap_grows"].reason
