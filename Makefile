@@ -16,17 +16,24 @@ MAKEFLAGS += --no-builtin-rules
 #   make SANITIZE=1     build/sanitize/   address and undefined-behaviour sanitizers
 #   make COVERAGE=1     build/coverage/   gcov counters
 #   make FUZZ=1         build/fuzz/       clang's libFuzzer and sanitizers
+#   make PORTABLE=1     build/portable/   loops in place of x86-64's vector instructions, as on other processors
+#   make NO_PCH=1       build/plain/      without the precompiled header, so that each source includes what it uses
+# A compiler for another processor builds in build/PROCESSOR.
 PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
 CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),g++,$(CXX)))
 CLANG := $(findstring clang,$(shell $(CXX) --version 2>/dev/null))
-VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz)))
-B := build$(addprefix /,$(VARIANT))
+VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz,$(if $(PORTABLE),portable,$(if $(NO_PCH),plain)))))
+MACHINE := $(firstword $(subst -, ,$(shell $(CXX) -dumpmachine 2>/dev/null)))
+X86 := $(filter x86_64,$(MACHINE))
+B := $(subst $() ,/,$(strip build $(filter-out $(shell uname -m),$(MACHINE)) $(VARIANT)))
 
 # ---- Flags ----------------------------------------------------------------------------------------------------------
 # -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/simd/lanes.h).
 OPTIMISE_ := -O3 -DNDEBUG
+OPTIMISE_portable := $(OPTIMISE_) -DSOILWEAVE_PORTABLE
+OPTIMISE_plain := $(OPTIMISE_)
 # Null pointers, overruns and wrong types show as address errors; a second check would double the compile time. Reports name
 # functions; SANITIZE_DEBUG=-g1 adds lines, which take a tenth of the compile time.
 SANITIZE_DEBUG ?= -g0
@@ -38,7 +45,7 @@ OPTIMISE_coverage := -Og -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
 # clang-tidy watch instead. No warning stops who builds, with whichever compiler: lint alone takes them for errors.
-WARNINGS := -Wall -Wextra -Wpedantic -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized \
+WARNINGS := -Wall -Wextra -Wpedantic -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized $(if $(X86),,-Wno-psabi) \
   $(if $(CLANG),-Wno-unknown-warning-option)$(if $(FUZZ), -Wno-unknown-pragmas)
 PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
 # The standard library of GCC 14 has limits of __float128, and Boost defines them once more for clang.
@@ -46,7 +53,8 @@ CLANG_ONLY := -DBOOST_MATH_DISABLE_FLOAT128
 system = $(patsubst -I%,-isystem %,$(1))
 
 CPPFLAGS += -Ilib -isystem /usr/include/eigen3 $(call system,$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
-CXXFLAGS += -std=c++20 -march=x86-64-v3 -ffp-contract=off -fopenmp $(OPTIMISE_$(VARIANT)) $(WARNINGS)
+ARCHITECTURE := $(if $(X86),-march=x86-64-v3)
+CXXFLAGS += -std=c++20 $(ARCHITECTURE) -ffp-contract=off -fopenmp $(OPTIMISE_$(VARIANT)) $(WARNINGS)
 CPPFLAGS += $(if $(CLANG),$(CLANG_ONLY))
 LDLIBS += $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) -lmpfr -lgmp -pthread
 
@@ -122,10 +130,10 @@ PRECOMPILED := $(B)/precompiled/soilweave.h
 PRECOMPILED_TESTS := $(B)/precompiled/tests.h
 $(PRECOMPILED_TESTS).gch: PRECOMPILE_ALSO := \#include <gtest/gtest.h>
 
-$(B)/obj/%.o: %.cpp $(B)/flags $(PRECOMPILED).gch
+$(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@mkdir -p $(@D)
 	@echo '  c++   $<'
-	@$(call compile,$(CPPFLAGS) -include $(PRECOMPILED) $(CXXFLAGS) -MMD -MP -c $< -o $@)
+	@$(call compile,$(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
 $(call object,lib/analysis/measure/tessellation.cpp lib/packing/container/surface.cpp): private CXXFLAGS += -frounding-math \
@@ -152,8 +160,9 @@ HOT := $(call object,lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.
 # The loops over contacts and grains once more, eight at a time, for processors with AVX-512; vector_width.cpp beside them
 # chooses. Inline functions of these objects must stay their own: the linker would hand them to all.
 WIDE := lib/dem/sweep/contact_sweep lib/dem/sweep/grain_motion
-EIGHT := $(if $(VARIANT),,$(WIDE:%=$(B)/obj/%.avx512.o))
-$(HOT) $(EIGHT): private CXXFLAGS += $(if $(CLANG),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
+# NO_AVX512=1 builds without them.
+EIGHT := $(if $(filter-out plain,$(VARIANT))$(NO_AVX512)$(if $(X86),,other),,$(WIDE:%=$(B)/obj/%.avx512.o))
+$(HOT) $(EIGHT): private CXXFLAGS += $(if $(CLANG)$(if $(X86),,other),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
 # AVX-512 roots: GCC's headers leave a register unset on purpose (bug 105593).
 $(EIGHT): private CXXFLAGS += -Wno-uninitialized
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
@@ -173,15 +182,15 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 # Files that objects take in whole (core/embedded.h).
 $(call object,lib/display/show_script.cpp): lib/display/show.py
 $(call object,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
-# The check of the processor must run on any processor.
+# The check of the processor must run on any x86-64.
 $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (any processor)'
-	@$(call compile,$(CPPFLAGS) $(subst -march=x86-64-v3,-march=x86-64,$(CXXFLAGS)) -c $< -o $@)
+	@$(call compile,$(CPPFLAGS) $(subst $(ARCHITECTURE),$(if $(X86),-march=x86-64),$(CXXFLAGS)) -c $< -o $@)
 # Tests need not be fast, but must compile fast; bench times the library.
 TEST_OBJECTS := $(call object,$(foreach t,$(TESTED),$(call tests_of,$(t))) $(SUPPORT) $(TEST_MAIN))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
-$(TEST_OBJECTS): $(PRECOMPILED_TESTS).gch
+$(TEST_OBJECTS): $(if $(NO_PCH),,$(PRECOMPILED_TESTS).gch)
 $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
 $(TEST_OBJECTS) $(PRECOMPILED_TESTS).gch: private CXXFLAGS += $(if $(SANITIZE),-O0,-O1)
 
@@ -292,7 +301,7 @@ skip = { echo "== $(1): skipped: $(3)"; printf '%s\t%s\t%s\n' '$(1)' '$(2)' '$(3
 # One process per core takes small shares of the tests, so that all cores end together.
 SHARES = $(shell echo $$((8 * $(JOBS))))
 run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(SHARES) - 1)) | \
-  GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} "$$t" --gtest_brief=1; done
+  GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} $(EMULATOR) "$$t" --gtest_brief=1; done
 
 # A check runs the unit tests once, under the sanitizers, and the property tests once, without, because compiling them twice would
 # take as long as all the tools. Unit tests call every contact law, so that the sanitizers see those.
@@ -346,6 +355,10 @@ build/paraview/pvpython:
 .PHONY: other-release
 other-release: ## build and check on the other of Debian 12 and 13, and compare bytes (as root; WHOLE=1: every study)
 	@tests/releases.sh
+
+.PHONY: other-processor
+other-processor: ## unit tests on aarch64, emulated, with the same bits (needs g++-aarch64-linux-gnu and qemu-user-static)
+	@tests/processors.sh
 
 .PHONY: soak
 soak: $(TOOLS) $(B)/tests/soak ## runs killed at hundreds of moments and on failing disks, and a million steps at rest (minutes)
@@ -412,7 +425,7 @@ format-check:
 # stamp per group. Folders of a group have namespaces of their own, or unlike names.
 TIDY_GROUPS := core store+files+display dem+analysis+packing calibration+gws+fem
 # It runs without OpenMP, because neither clang-tidy nor all versions of the compiler have an omp.h that it reads.
-TIDY_FLAGS = -std=c++20 -march=x86-64-v3 -Wall -Wextra -Wpedantic -Wno-unknown-pragmas -Wno-unknown-warning-option $(CLANG_ONLY)
+TIDY_FLAGS = -std=c++20 $(ARCHITECTURE) -Wall -Wextra -Wpedantic -Wno-unknown-pragmas -Wno-unknown-warning-option $(CLANG_ONLY)
 TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL)
 group_of = $(or $(strip $(foreach g,$(TIDY_GROUPS),$(if $(filter $(1),$(subst +, ,$g)),$g))),$(1))
 tidied_with = build/lint/$(if $(filter lib/%,$(1)),$(call group_of,$(word 2,$(subst /, ,$(1)))),tools).tidy
@@ -423,12 +436,12 @@ build/lint/%.tidy: .clang-tidy
 	@for f in $(filter $(TIDY_SOURCES),$^); do n=$$(basename $$f .cpp); \
 	  printf '#define main %s_main\n#include "%s"\n#undef main\n' "$${n//-/_}" "$$f"; done > build/lint/$*.cpp
 	@clang-tidy --quiet build/lint/$*.cpp -- -I. $(CPPFLAGS) $(VTK_CPPFLAGS) $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
-	@$(CXX) -std=c++20 -march=x86-64-v3 -fopenmp -I. $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
+	@$(CXX) -std=c++20 $(ARCHITECTURE) -fopenmp -I. $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
 $(foreach f,$(TIDY_SOURCES),$(eval $(call tidied_with,$(f)): $(f)))
 -include $(addsuffix .d,$(TIDY))
 
-# columns8.h and lanes8.h are halves of the headers that include them.
-WHOLE := $(filter-out lib/core/simd/columns8.h lib/core/simd/lanes8.h,$(HEADERS))
+# columns8.h, lanes8.h, lanes_x86.h and lanes_portable.h are parts of the headers that include them.
+WHOLE := $(filter-out lib/core/simd/columns8.h lib/core/simd/lanes8.h lib/core/simd/lanes_%.h,$(HEADERS))
 # Headers without a source of their own, each as the only one of a source, with the standard library precompiled. The
 # others are the first include of their source. tests/headers.py looks for what the precompiled header hides.
 BARE := $(patsubst %,$(B)/headers/%.bare,$(foreach h,$(WHOLE),$(if $(wildcard $(h:.h=.cpp)),,$(h))))

@@ -6,6 +6,7 @@
 
 namespace {
 
+#ifdef __x86_64__
 // This file is compiled for any x86-64 (Makefile). It runs before the constructors of other files, which are not. It
 // may call nothing but the system.
 [[gnu::constructor(101)]] void demand_processor() {
@@ -17,6 +18,7 @@ namespace {
   [[maybe_unused]] const auto told = write(STDERR_FILENO, message, sizeof message - 1);
   _exit(soilweave::old_processor_status);
 }
+#endif
 
 }  // namespace
 

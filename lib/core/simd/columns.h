@@ -34,7 +34,7 @@ void to_rows(const Lane4& a, const Lane4& b, const Lane4& c, const Lane4& d, con
 template <class Half>
 void to_halves(const Lane4& a, const Lane4& b, const Half& half) {
   const Lane4 t0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), t1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  _mm256_storeu2_m128d(half(2), half(0), t0), _mm256_storeu2_m128d(half(3), half(1), t1);
+  store_halves(half(0), half(2), t0), store_halves(half(1), half(3), t1);
 }
 
 }  // namespace soilweave

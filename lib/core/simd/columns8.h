@@ -34,8 +34,8 @@ template <class Half>
 void to_halves(const Lane8& a, const Lane8& b, const Half& half) {
   const Lane8 even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
   const Lane8 odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-  _mm256_storeu2_m128d(half(2), half(0), low(even)), _mm256_storeu2_m128d(half(3), half(1), low(odd));
-  _mm256_storeu2_m128d(half(6), half(4), high(even)), _mm256_storeu2_m128d(half(7), half(5), high(odd));
+  store_halves(half(0), half(2), low(even)), store_halves(half(1), half(3), low(odd));
+  store_halves(half(4), half(6), high(even)), store_halves(half(5), half(7), high(odd));
 }
 
 }  // namespace soilweave

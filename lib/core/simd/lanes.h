@@ -4,8 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <immintrin.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -14,8 +12,9 @@
 
 namespace soilweave {
 
-/// Four contacts at once, the width of x86-64-v3. Lanes and scalars need -ffp-contract=off for equal bits, since the
-/// compiler may otherwise fuse a multiplication with an addition in only one of them.
+/// Four contacts at once, the width of x86-64-v3; other processors take two registers. Lanes and scalars need
+/// -ffp-contract=off for equal bits, since the compiler may otherwise fuse a multiplication with an addition in only
+/// one of them.
 using Lane4 = double __attribute__((vector_size(32)));
 
 template <class T>
@@ -34,14 +33,10 @@ T select(const Mask<T>& mask, const T& yes, const T& no) {
 /// Returns the square root, correctly rounded, for lanes and scalars alike.
 inline double square_root(double x) { return std::sqrt(x); }
 
-inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
-
 /// Returns a b + c, rounded once, for lanes and scalars alike.
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
-inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fmadd_pd(a, b, c); }
 /// Returns c - a b, rounded once.
 inline double fused_less(double a, double b, double c) { return std::fma(-a, b, c); }
-inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fnmadd_pd(a, b, c); }
 
 /// Returns a register with one number in every lane.
 template <class T>
@@ -68,15 +63,22 @@ void store(double* to, const T& x) {
   std::memcpy(to, &x, sizeof(T));
 }
 
-/// Returns an integer whose bit i is lane i of the mask.
-inline unsigned bits(const Mask<Lane4>& mask) {
-  Lane4 signs;
-  std::memcpy(&signs, &mask, sizeof signs);
-  return static_cast<unsigned>(_mm256_movemask_pd(signs));
-}
-
 }  // namespace soilweave
 
+// Four lanes: square_root(), fused(), fused_less(), store_halves(), and bits(), an integer whose bit i is lane i of a
+// mask.
+#include "core/simd/lanes_portable.h"
+#if defined(__x86_64__) && !defined(SOILWEAVE_PORTABLE)
+#include "core/simd/lanes_x86.h"
+#else
+namespace soilweave {
+using portable::bits;
+using portable::fused;
+using portable::fused_less;
+using portable::square_root;
+using portable::store_halves;
+}  // namespace soilweave
+#endif
 #ifdef SOILWEAVE_EIGHT_LANES
 #include "core/simd/lanes8.h"
 #endif

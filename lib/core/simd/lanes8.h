@@ -9,7 +9,7 @@ using Lane8 = double __attribute__((vector_size(64)));
 
 inline Lane4 low(const Lane8& x) { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
 
-#ifdef __AVX512F__
+#if defined(__AVX512F__) && !defined(SOILWEAVE_PORTABLE)
 inline Lane4 high(const Lane8& x) { return _mm512_extractf64x4_pd(x, 1); }
 // The intrinsic takes one instruction; GCC makes three from a shuffle.
 inline Lane8 join(const Lane4& a, const Lane4& b) { return _mm512_insertf64x4(_mm512_castpd256_pd512(a), b, 1); }
