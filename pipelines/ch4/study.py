@@ -176,7 +176,7 @@ def build(arguments):
                    grains=f"{bands('grains', '1').sum():.0f}")
         study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
     for draw in drawing.OF_ALL if arguments.kept else drawing.OF_ALL + drawing.OF_RUNS:
-        # Of kept runs a figure is drawn as soon as it has what it shows.
+        # A figure of kept runs is drawn as soon as its data are there.
         with contextlib.suppress(NotMade):
             draw(study, runs)
     return study

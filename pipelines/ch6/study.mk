@@ -55,7 +55,7 @@ $(C6O)/swinging_%.h5: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@echo '  run   $@'
 	@$(call c6_pull,--set soil.damping=0.2) $(C6_WAYS) -o $@
 
-# What each run will take, by its own word.
+# Forecasts of each run, as fem-dem --check prints them.
 $(C6O)/shape_%.check: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
 	@$(c6_shape) --check --threads 1 2>&1 $(call whole,$@)
 $(C6O)/pullout_%.check $(C6O)/swinging_%.check: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem

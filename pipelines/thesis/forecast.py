@@ -132,7 +132,7 @@ def two_scale_seconds(text):
 
 @dataclasses.dataclass
 class Chapter:
-    """What a chapter takes: seconds of one core, megabytes of memory of its largest process, and of disk."""
+    """Cost of a chapter: seconds of one core, megabytes of memory of its largest process, and of disk."""
 
     name: str
     seconds: float = 0

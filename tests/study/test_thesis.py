@@ -89,5 +89,5 @@ def test_the_page_tells_done_running_stopped_failed_and_waiting(tmp_path):
     assert [row.state for row in rows] == list(made)
     assert rows[1].words == "about 7 min left" and rows[2].words == "make thesis goes on from here"
     assert rows[3].words == "run-dem: a grain is lost (exit status 70)"
-    # What was made again has not failed.
+    # A file that was made again has not failed.
     assert status.failures(log + f"  run   {tmp_path}/ch3/failed.h5\n") == {}
