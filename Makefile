@@ -256,7 +256,7 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
   libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy python3-matplotlib python3-jinja2 python3-pytest hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
+  python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
 
 .PHONY: deps
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
@@ -453,7 +453,7 @@ $(B)/headers/%.bare: % $(PRECOMPILED_TESTS).gch
 -include $(addsuffix .d,$(BARE))
 
 .PHONY: lint
-lint: $(TIDY) $(BARE) build/lint/shellcheck warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, headers, file sizes, comments
+lint: $(TIDY) $(BARE) build/lint/shellcheck build/lint/workflows warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, headers, file sizes, comments
 	@bash tests/layers.sh && $(PYTHON) tests/headers.py && $(PYTHON) tests/comments.py && echo "== lint: clean"
 
 # Each header as the only one of a source, without anything precompiled: minutes on two cores, so that no check runs it.
@@ -473,6 +473,11 @@ warnings:
 	@found=0; for tree in build build/sanitize; do for source in $(SOURCES); do \
 	  for log in $$tree/obj/$${source%.cpp}{,.avx512,.eight}.o.warnings; do \
 	    if [ -s $$log ] && [ $$log -nt $$source ]; then cat $$log >&2; found=1; fi; done; done; done; exit $$found
+
+# Workflows of hosted machines have to be YAML whose jobs each have steps.
+build/lint/workflows: $(wildcard .github/workflows/*.yml)
+	@mkdir -p $(@D)
+	@$(PYTHON) -c 'import sys, yaml; [job["steps"] for f in sys.argv[1:] for job in yaml.safe_load(open(f))["jobs"].values()]' $^ && touch $@
 
 build/lint/shellcheck: $(SCRIPTS)
 	@mkdir -p $(@D)
