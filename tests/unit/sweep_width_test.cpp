@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
@@ -70,7 +69,10 @@ struct Stepper : testing::EngineParts {
   // Moves disks as if they were spheres.
   void lift() {
     in_space = true;
-    for (Grain& g : bodies.grains) g.spin[2] = std::exchange(g.velocity[2], 0);
+    for (Grain& g : bodies.grains) {
+      g.spin[2] = g.velocity[2];
+      g.velocity[2] = 0;
+    }
   }
 
   bool in_space = false;
