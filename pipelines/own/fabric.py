@@ -1,6 +1,6 @@
 """The geotextile of own.toml: a name, a data sheet or a product of a catalogue, as the numbers that bags and the solution need.
 
-Keys, and the curve through a sheet's points, are those of gws-solve (lib/gws/data_sheet.h), which judges the file that is written here.
+Keys, and the curve through a sheet's points, are those of gws-solve (lib/gws/solution/data_sheet.h), which judges the file that is written here.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses

@@ -21,7 +21,7 @@ constexpr double thesis_radius = 2.953e-3;
 
 io::Snapshot sparse(std::size_t grains, double void_ratio = 2.0) {
   const Room room{Grading::toyoura(), 3, {1, 1, 1}, void_ratio};
-  return cloud(grain_radii(room, grains, {.as_thesis = true}), void_ratio, {1, 1, 1}, 3, 2650e3, 3);
+  return cloud(grain_radii(room, grains, GrainSize{true, {}}), void_ratio, {1, 1, 1}, 3, 2650e3, 3);
 }
 
 // Returns the state with all lengths times `factor`, at the same density.
