@@ -93,7 +93,20 @@ TEST_MAIN := tests/main.cpp
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT) $(TEST_MAIN)
 HEADERS := $(sort $(shell find lib tests -name '*.h'))
 SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benchmarks/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
-  tests/tools/*.bash tests/tools/*.bats))
+  tests/tools/*.bash tests/tools/*.bats tests/extension/*.bats))
+
+# A contact law, a loading path, a container or a table of homogenize is one header in its folder that states its name,
+# and its class has the file's name: round_box.h holds RoundBox. $(B)/lists/NAME.h includes these headers and names the
+# classes, so that a new one needs no other change. LISTING reads the lists.
+LISTED_laws := lib/dem/contact/laws
+LISTED_paths := lib/dem/loading/paths
+LISTED_containers := lib/packing/container/shapes
+LISTED_tables := lib/packing/expand/tables
+LISTS := laws paths containers tables
+LISTING := tests/property/laws_test.cpp lib/dem/contact/law_list.cpp lib/dem/sweep/contact_sweep.cpp lib/dem/loading/path_list.cpp lib/packing/container/container_list.cpp \
+  lib/packing/expand/run_tables.cpp
+X := $(B)/extended
+headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
@@ -130,13 +143,23 @@ PRECOMPILED := $(B)/precompiled/soilweave.h
 PRECOMPILED_TESTS := $(B)/precompiled/tests.h
 $(PRECOMPILED_TESTS).gch: PRECOMPILE_ALSO := \#include <gtest/gtest.h>
 
+# $(call print_list,NAME,HEADERS) prints a list. A header outside lib/ is included by its whole path.
+print_list = printf '%s\n' $(foreach h,$(2),$(or $(patsubst lib/%,%,$(filter lib/%,$h)),$(abspath $h))) | \
+  awk -v list='$(1)' 'BEGIN { print "// The list of $(1), made by the build from the files in their folder." } \
+  { print "\#include \"" $$0 "\""; n = split($$0, at, "/"); sub(/\.h$$/, "", at[n]); m = split(at[n], word, "_"); \
+    all = all (NR > 1 ? ", " : ""); for (k = 1; k <= m; ++k) all = all toupper(substr(word[k], 1, 1)) substr(word[k], 2) } \
+  END { print "\#define SOILWEAVE_" toupper(list) " " all }'
+$(LISTS:%=$(B)/lists/%.h): $(B)/lists/%.h: always
+	@mkdir -p $(@D)
+	@$(call print_list,$*,$(call headers_of,$*)) > $@.new; cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
+
 $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@mkdir -p $(@D)
 	@echo '  c++   $<'
 	@$(call compile,$(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(call object,lib/analysis/measure/tessellation.cpp lib/packing/container/surface.cpp): private CXXFLAGS += -frounding-math \
+$(call object,lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp): private CXXFLAGS += -frounding-math \
   $(if $(SANITIZE),-fno-sanitize=undefined)
 # Sources without long loops compile under the sanitizers without optimisation, in two thirds of the time. A precompiled header
 # holds for one level of optimisation.
@@ -155,7 +178,7 @@ $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
-HOT := $(call object,lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp \
+HOT := $(X)/obj/lib/dem/sweep/contact_sweep.o $(call object,lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp \
   lib/dem/contact/contacts.cpp)
 # The loops over contacts and grains once more, eight at a time, for processors with AVX-512; vector_width.cpp beside them
 # chooses. Inline functions of these objects must stay their own: the linker would hand them to all.
@@ -182,6 +205,8 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 # Files that objects take in whole (core/embedded.h).
 $(call object,lib/display/show_script.cpp): lib/display/show.py
 $(call object,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
+$(call object,$(LISTING)) $(EIGHT) $(LOWERED): private CPPFLAGS += -I$(B)
+$(call object,$(LISTING)) $(EIGHT) $(LOWERED): | $(LISTS:%=$(B)/lists/%.h)
 # The check of the processor must run on any x86-64.
 $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/flags
 	@mkdir -p $(@D)
@@ -225,6 +250,33 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 	@mkdir -p $(@D)
 	@echo '  link  $@'
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
+
+# ---- Extensions -----------------------------------------------------------------------------------------------------
+# Tools that know what a folder outside lib/ holds besides: FOLDER/laws, FOLDER/paths, FOLDER/containers, FOLDER/tables.
+# Only the sources that read the lists are compiled again, and linked before the archive, which then gives the others.
+# The sweep takes four contacts at a time.
+EXTENSIONS ?= tests/extension
+EXTENDED := $(patsubst %.cpp,$(X)/obj/%.o,$(filter lib/%,$(LISTING)) lib/dem/sweep/vector_width.cpp)
+$(LISTS:%=$(X)/lists/%.h): $(X)/lists/%.h: always
+	@mkdir -p $(@D)
+	@$(call print_list,$*,$(call headers_of,$*) $(sort $(wildcard $(EXTENSIONS)/$*/*.h))) > $@.new; \
+	  cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
+$(X)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
+	@mkdir -p $(@D)
+	@echo '  c++   $< (extended)'
+	@$(call compile,-I$(X) $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
+-include $(EXTENDED:.o=.d)
+$(X)/bin/%: $(B)/obj/tools/%.o $(EXTENDED) $(B)/libsoilweave.a
+	@mkdir -p $(@D)
+	@echo '  link  $@'
+	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
+
+.PHONY: extended
+extended: $(addprefix $(X)/bin/,pack-generate run-dem filter-expand homogenize) ## tools that know your own laws, paths, shapes and tables too: EXTENSIONS=FOLDER
+
+.PHONY: test-extensions
+test-extensions: extended ## a law, a path, a container and a table from outside lib/, one file each
+	@BIN=$(CURDIR)/$(X)/bin OMP_NUM_THREADS=1 bats tests/extension/extension.bats
 
 define test_program
 $(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT) $(TEST_MAIN)) $(if $(filter unit,$(1)),$(LOWERED)) $(B)/libsoilweave.a
@@ -283,7 +335,7 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@$(AGAIN) warnings
 	@$(AGAIN) test-release
 	@$(call run_tests,build/sanitize/tests/unit)
-	@$(AGAIN) test-tools test-study
+	@$(AGAIN) test-tools test-extensions test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
 # The sanitizers' tree is built beside the release's, so that no core waits for the last source of either.
@@ -384,6 +436,10 @@ fuzz: $(TOOLS) hostile ## every reader under libFuzzer, FUZZ_TIME=600 s each (ne
 golden: $(B)/tests/unit ## print the tables of lib/files/FORMAT.md anew from the schema; review them with git diff
 	@SOILWEAVE_GOLDEN=write $< --gtest_brief=1 --gtest_filter=Schema.IsWhatThePageSays
 
+.PHONY: pages
+pages: $(TOOLS) ## print the keys of the tools into the pages of lib/ anew; review them with git diff
+	@BIN=$(B)/bin bash tests/pages.sh write
+
 .PHONY: bench
 bench: $(B)/tests/bench ## time the hot loops with Google Benchmark
 	@$(B)/tests/bench $(BENCH_FLAGS)
@@ -430,13 +486,13 @@ TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TO
 group_of = $(or $(strip $(foreach g,$(TIDY_GROUPS),$(if $(filter $(1),$(subst +, ,$g)),$g))),$(1))
 tidied_with = build/lint/$(if $(filter lib/%,$(1)),$(call group_of,$(word 2,$(subst /, ,$(1)))),tools).tidy
 TIDY := $(sort $(foreach f,$(TIDY_SOURCES),$(call tidied_with,$(f))))
-build/lint/%.tidy: .clang-tidy
+build/lint/%.tidy: .clang-tidy | $(LISTS:%=$(B)/lists/%.h)
 	@mkdir -p $(@D)
 	@echo '  tidy  $*'
 	@for f in $(filter $(TIDY_SOURCES),$^); do n=$$(basename $$f .cpp); \
 	  printf '#define main %s_main\n#include "%s"\n#undef main\n' "$${n//-/_}" "$$f"; done > build/lint/$*.cpp
-	@clang-tidy --quiet build/lint/$*.cpp -- -I. $(CPPFLAGS) $(VTK_CPPFLAGS) $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
-	@$(CXX) -std=c++20 $(ARCHITECTURE) -fopenmp -I. $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
+	@clang-tidy --quiet build/lint/$*.cpp -- -I. -I$(B) $(CPPFLAGS) $(VTK_CPPFLAGS) $(TIDY_FLAGS) 2>$@.log || { cat $@.log >&2; exit 1; }
+	@$(CXX) -std=c++20 $(ARCHITECTURE) -fopenmp -I. -I$(B) $(CPPFLAGS) $(VTK_CPPFLAGS) -MM -MP -MT $@ -MF $@.d build/lint/$*.cpp && touch $@
 $(foreach f,$(TIDY_SOURCES),$(eval $(call tidied_with,$(f)): $(f)))
 -include $(addsuffix .d,$(TIDY))
 
@@ -461,10 +517,10 @@ ALONE := $(patsubst %,$(B)/headers/%.alone,$(WHOLE))
 .PHONY: headers
 headers: $(ALONE) ## compile each header of the library and the tests alone (minutes)
 	@echo "== headers: clean"
-$(B)/headers/%.alone: % $(B)/flags
+$(B)/headers/%.alone: % $(B)/flags | $(LISTS:%=$(B)/lists/%.h)
 	@mkdir -p $(@D)
 	@echo '  c++   $< (alone)'
-	@$(CXX) $(CPPFLAGS) -Itests $(CXXFLAGS) -Werror -include $< -fsyntax-only -MMD -MP -MT $@ -MF $@.d -x c++ /dev/null && touch $@
+	@$(CXX) $(CPPFLAGS) -Itests $(CXXFLAGS) -Werror -I$(B) -include $< -fsyntax-only -MMD -MP -MT $@ -MF $@.d -x c++ /dev/null && touch $@
 -include $(addsuffix .d,$(ALONE))
 
 # Prints the compiler's warnings about the present sources, where it has compiled them.
@@ -494,10 +550,10 @@ coverage: ## lines of lib/ that the tests run (report in build/coverage/report);
 	  --print-summary --html-details build/coverage/report/index.html --txt build/coverage/report/lines.txt \
 	  --fail-under-line 90 build/coverage/obj; status=$$?; tail -3 build/coverage/report/lines.txt; exit $$status
 
-compile_commands.json: Makefile $(B)/sources ## for editors and clang tools
+compile_commands.json: Makefile $(B)/sources $(LISTS:%=$(B)/lists/%.h) ## for editors and clang tools
 	@{ echo '['; first=1; for f in $(SOURCES); do [ $$first ] || echo ','; first=; \
 	  printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"}' '$(CURDIR)' "$$f" \
-	  '$(CXX) $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests $(CXXFLAGS)' "$$f"; done; echo; echo ']'; } > $@
+	  '$(CXX) $(CPPFLAGS) $(VTK_CPPFLAGS) -Itests -I$(B) $(CXXFLAGS)' "$$f"; done; echo; echo ']'; } > $@
 
 # ---- Manual pages and installation ----------------------------------------------------------------------------------
 MAN := $(TOOLS:$(B)/bin/%=build/man/%.1)

@@ -14,6 +14,7 @@
 #include "core/text/number_word.h"
 #include "fem/run/record.h"
 #include "fem/run/run.h"
+#include "fem/run/scenario.h"
 #include "fem/run/tables.h"
 #include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
@@ -67,6 +68,7 @@ struct FemDem {
     t.option(state, "state", "WHICH", "states whose rows --table prints: all, first, last or a number from 0");
     t.option(place, "near", "X,Y", "rows of the point or node alone that was nearest to this place, m, at the start");
     t.resume(interval);
+    t.keys("a scenario of fem-dem", &fem::scenario_keys);
     t.threads();
   }
 

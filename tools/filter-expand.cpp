@@ -42,6 +42,7 @@ struct FilterExpand {
     table.also_output(history, "history", "write the measurements of each round as tab-separated text");
     table.option(overrides, "set", "KEY=VALUE", "replace one value of the plan, as in growth.factor=1.0002");
     table.resume(interval);
+    table.keys("a plan of filter-expand", &packing::plan_keys);
     table.threads();
   }
 

@@ -33,7 +33,7 @@ struct Tables {
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
-  std::vector<Group> of_run;  // packing/expand/run_tables.h
+  std::vector<Group> of_run;  // packing/run_tables.h
 
   std::vector<Group*> all() {
     std::vector<Group*> groups = {&cell, &volumes, &grains, &bag, &yarns, &broken, &series};
@@ -54,10 +54,9 @@ struct Homogenize {
     t.example("homogenize run.h5 --tsv", "the cell's stress and strain, one row per snapshot, as text");
     t.example("homogenize run.h5 --copies --grains -o fields.h5", "volumes of interest and grains, as a file");
     t.input(input, "INPUT", "packing, run or RUN.part of one under way, - for standard input");
-    t.choice(
-        table, "table",
-        {"cell", "volumes", "grains", "series", "bag", "yarns", "broken", "loading", "path", "reinforced", "interface"},
-        "table that --tsv prints; grains and yarns need no flag then");
+    std::vector<std::string> names = {"cell", "volumes", "grains", "series", "bag", "yarns", "broken"};
+    for (const packing::RunTable& one : packing::run_tables()) names.emplace_back(one.name);
+    t.choice(table, "table", names, "table that --tsv prints; grains and yarns need no flag then");
     t.flag(tsv, "tsv", "print one table as tab-separated text");
     t.option(columns, "columns", "NAME,NAME", "columns that --tsv prints, in this order; all of them otherwise");
     t.unrecorded("columns");

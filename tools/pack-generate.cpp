@@ -74,6 +74,7 @@ struct PackGenerate {
     table.output(output, "packing to write");
     table.resume(interval);
     table.seed();
+    table.keys("a material file of pack-generate", &packing::Contacts::keys);
     table.threads();
   }
 

@@ -31,6 +31,7 @@ struct Draw {
     t.example("pf-weight draw prior.toml --samples 100 -o ensemble.h5", "an ensemble, for assimilate");
     t.example("pf-weight draw prior.toml -n 100 --tsv > sets.tsv", "a table whose rows feed GNU parallel");
     t.input(prior, "PRIOR", "parameters with their ranges and scales (TOML)");
+    t.keys("a prior of pf-weight", &calibration::prior_keys);
     t.option(samples, calibration::samples_range);
     t.choice(method, "method", {"halton", "sobol", "latin-hypercube"}, "sequence, or slices at random");
     t.option(bases, "bases", "B,B,...", "bases of the Halton sequence, one a parameter; else the first primes");
@@ -176,11 +177,10 @@ struct Resample {
         calibration::members_from(proposal, before.prior, static_cast<std::size_t>(samples), invocation.seed, next_id);
     output.put(calibration::ensemble_file(keep ? calibration::together(before, next) : next),
                calibration::members_table(next), "", sources, invocation);
-    Progress progress("pf-weight", invocation.quiet);
-    if (power < 1)
-      progress.note(
-          fmt::format("pf-weight resample: weights raised to the power {:.3g} to have {:.3g} of the sets effective",
-                      power, least_size));
+    if (power == 1) return;
+    Progress("pf-weight", invocation.quiet)
+        .note(fmt::format("pf-weight resample: weights raised to the power {:.3g} to have {:.3g} of the sets effective",
+                          power, least_size));
   }
 };
 

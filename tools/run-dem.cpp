@@ -51,6 +51,7 @@ struct RunDem {
     table.instead_of_output(check, "check", "check the input and say how long the run will take; write nothing");
     table.resume(interval);
     table.seed();
+    table.keys("a scenario of run-dem", &dem::scenario_keys);
     table.threads();
   }
 

@@ -30,10 +30,13 @@ bool is_column_name(const std::string& name) {
 
 Range read_range(Settings& table, const std::set<std::string>& before) {
   Range range;
-  range.name = table.text("name");
-  range.unit = table.text("unit", "1");
-  range.long_name = table.text("long_name", range.name);
-  range.scale = table.choice("scale", {"linear", "log"}, "linear") == "log" ? Scale::log : Scale::linear;
+  range.name = table.text({"name", "name of the parameter: the column of the ensemble"});
+  range.unit = table.text({"unit", "unit of the parameter"}, "1");
+  range.long_name = table.text({"long_name", "meaning of the parameter, for axes"}, range.name);
+  range.scale = table.choice({"scale", "whether values or their logarithms are drawn evenly"}, {"linear", "log"},
+                             "linear") == "log"
+                    ? Scale::log
+                    : Scale::linear;
   try {
     demand_unit(range.unit);
   } catch (const DataError& error) {
@@ -104,6 +107,10 @@ Prior read_prior(Settings& document) {
   }
   if (prior.ranges.empty()) document.mistake("", "no parameters; give [[parameter]] tables with name, low and high");
   return prior;
+}
+
+std::vector<Key> prior_keys() {
+  return keys_of([](Settings& document) { read_prior(document); });
 }
 
 std::string prior_text(const Prior& prior) {

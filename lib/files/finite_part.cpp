@@ -15,6 +15,9 @@ bool finite(const GrainsRecord& g, std::size_t i) {
 }
 
 bool finite(const ContactsRecord& c, std::size_t k) {
+  for (const OwnHistory& field : c.own)
+    for (std::size_t j = 0; j < field.width; ++j)
+      if (!std::isfinite(field.values[field.width * k + j])) return false;
   return c.normal[k].allFinite() && c.branch_vector[k].allFinite() && c.shear_force[k].allFinite() &&
          c.rolling_moment[k].allFinite() && std::isfinite(c.normal_force[k]) && std::isfinite(c.twisting_moment[k]) &&
          std::isfinite(c.overlap[k]);
@@ -74,11 +77,8 @@ Snapshot finite_part(const Snapshot& state) {
     if (second >= 0) second = place[static_cast<std::size_t>(second)];
     const bool plane = all.bodies[k][1] < 0;
     if (first < 0 || (second < 0 && !plane) || !finite(all, k)) continue;
-    c.bodies.push_back({first, second});
-    take(c.image, all.image, k), take(c.normal, all.normal, k), take(c.branch_vector, all.branch_vector, k);
-    take(c.overlap, all.overlap, k), take(c.normal_force, all.normal_force, k), take(c.shear_force, all.shear_force, k);
-    take(c.rolling_moment, all.rolling_moment, k), take(c.twisting_moment, all.twisting_moment, k);
-    take(c.sliding, all.sliding, k);
+    c.append(all, k);
+    c.bodies.back() = {first, second};
   }
   YarnsRecord& y = left.yarns;
   for (std::size_t k = 0; k < state.yarns.size(); ++k) {

@@ -36,6 +36,13 @@ struct GrainsRecord {
   std::size_t size() const { return position.size(); }
 };
 
+/// A field of history that only one contact law keeps: one number a contact, or three for a vector.
+struct OwnHistory {
+  std::string name, unit, long_name;
+  std::size_t width = 1;       // 1 or 3
+  std::vector<double> values;  // width numbers a contact, contact by contact
+};
+
 /// M contacts, sorted by (first, second). Grains are indices into GrainsRecord, first < second; a rigid plane is -1 -
 /// (its number) in `second`. The contact's history is complete, so that a run can continue bit by bit.
 struct ContactsRecord {
@@ -49,11 +56,16 @@ struct ContactsRecord {
   std::vector<Vec3> rolling_moment;     // N m, on the second body
   std::vector<double> twisting_moment;  // N m, about `normal`, on the second body
   std::vector<std::uint8_t> sliding;    // 1 if the Coulomb limit holds the shear force
+  std::vector<OwnHistory> own = {};     // further fields of the contact law; a number stays with its contact
 
   /// Returns the number of contacts.
   std::size_t size() const { return bodies.size(); }
   /// Returns the force on the second body, normal_force * normal + shear_force, N.
   Vec3 force(std::size_t c) const { return normal_force[c] * normal[c] + shear_force[c]; }
+  /// Appends contact c of another record, whose fields it has or, if it is empty, takes over.
+  void append(const ContactsRecord& from, std::size_t c);
+  /// Appends the law's own fields of contact c alone. side: factor on vectors, -1 if the bodies change places.
+  void append_own(const ContactsRecord& from, std::size_t c, double side = 1);
 };
 
 /// Rigid planes (aperiodic runs): a point, and the unit normal towards the grains.

@@ -55,6 +55,9 @@ class Check {
     const ContactsRecord& c = state_.contacts;
     equal("contacts", c.size(), c.image, c.normal, c.branch_vector, c.overlap, c.normal_force, c.shear_force,
           c.rolling_moment, c.twisting_moment, c.sliding);
+    for (const OwnHistory& field : c.own)
+      if (field.values.size() != field.width * c.size())
+        fail(fmt::format("contacts have {} numbers of {} for {} contacts", field.values.size(), field.name, c.size()));
     const PlanesRecord& p = state_.planes;
     equal("planes", p.point.size(), p.normal, p.velocity, p.material_id);
     if (!p.partners.empty()) equal("planes", p.point.size(), p.partners);
@@ -148,6 +151,9 @@ class Check {
     if (!c.branch_vector[k].allFinite() || !std::isfinite(c.overlap[k])) bad("geometry is not finite");
     if (!std::isfinite(c.normal_force[k]) || !c.shear_force[k].allFinite()) bad("force is not finite");
     if (!c.rolling_moment[k].allFinite() || !std::isfinite(c.twisting_moment[k])) bad("moment is not finite");
+    for (const OwnHistory& field : c.own)
+      for (std::size_t j = 0; j < field.width; ++j)
+        if (!std::isfinite(field.values[field.width * k + j])) bad((field.name + " is not finite").c_str());
   }
 
   const Snapshot& state_;

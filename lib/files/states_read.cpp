@@ -136,6 +136,27 @@ class StatesReader {
       const std::vector<T> values = get<T>(path + "/" + name, in_schema);
       assign(contacts.*member, values.data(), shape[0], shape.size() > 1 ? shape[1] : 1);
     });
+    read_own(path, contacts);
+  }
+
+  // Reads the fields of the law that made the contacts: all datasets that not every law has.
+  void read_own(const std::string& path, ContactsRecord& contacts) {
+    for (const std::string& name : file_.children(path)) {
+      bool of_every_law = false;
+      of_contacts([&](const std::string& known, auto) { of_every_law = of_every_law || known == name; });
+      if (of_every_law) continue;
+      const std::string place = path + "/" + name;
+      const Shape shape = file_.shape(place);
+      if (shape.size() > 2 || (shape.size() == 2 && shape[1] != 3))
+        file_.fail(place, "has the shape " + print(shape) + "; a field of a contact law is M or M x 3");
+      OwnHistory field{name,
+                       file_.text_attribute(place, "units"),
+                       file_.text_attribute(place, "long_name"),
+                       shape.size() == 2 ? std::size_t{3} : std::size_t{1},
+                       {}};
+      field.values = file_.read<double>(place, field.width == 3 ? Shape{extents_['M'], 3} : Shape{extents_['M']});
+      contacts.own.push_back(std::move(field));
+    }
   }
 
   const Reader& file_;

@@ -140,6 +140,12 @@ class StatesWriter {
       append(values, contacts.*member, resolve(entry(in_schema).shape, extents_).back());
       put(contacts_of(frame) + "/" + name, in_schema, values);
     });
+    for (const OwnHistory& field : contacts.own) {
+      const std::string path = contacts_of(frame) + "/" + field.name;
+      const Shape shape = field.width == 1 ? Shape{contacts.size()} : Shape{contacts.size(), field.width};
+      file_.write<double>(path, field.values, shape, {field.unit, field.long_name});
+      put_unit(path, field.unit);
+    }
   }
 
   Writer& file_;

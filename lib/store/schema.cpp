@@ -87,7 +87,9 @@ Section contacts() {
            {"/contacts/<frame>/rolling_moment", float64, "M 3", "N m", "rolling moment on the second body"},
            {"/contacts/<frame>/twisting_moment", float64, "M", "N m",
             "twisting moment about the normal on the second body"},
-           {"/contacts/<frame>/sliding", uint8, "M", "1", "1 where the Coulomb limit holds the shear force"}},
+           {"/contacts/<frame>/sliding", uint8, "M", "1", "1 where the Coulomb limit holds the shear force"},
+           {"/contacts/<frame>/<field>", float64, "M", "its own", "its own: a field of the contact law (M 3: a vector)",
+            true}},
           {}};
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/scenario.h"
 #include "packing/expand/tile.h"
 #include "support/assemblies.h"
@@ -22,8 +23,8 @@ constexpr int settling = 200;  // steps in which the grains come to rest under t
 
 /// Returns dense grains at rest under 0.1 MPa, made once; more than 1000 are copies of 1000 on top of each other.
 const io::Snapshot& assembly(std::size_t grains, const Model& model) {
-  static std::map<std::pair<std::size_t, std::size_t>, io::Snapshot> made;
-  const std::pair key(model.materials.index(), grains);
+  static std::map<std::pair<std::string_view, std::size_t>, io::Snapshot> made;
+  const std::pair key(model.materials.law(), grains);
   const auto known = made.find(key);
   if (known != made.end()) return known->second;
   constexpr double slippery = 5 * testing::degree;

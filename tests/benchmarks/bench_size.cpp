@@ -26,7 +26,7 @@ const io::Snapshot& dense(const Model& model, std::size_t grains) {
   constexpr double slippery = 5 * testing::degree;
   static const io::Snapshot spheres = testing::packed(with_friction(testing::sand(), slippery), 1e5, base);
   static const io::Snapshot few = testing::packed(with_friction(testing::linear_sand(), slippery), 1e5, 400);
-  return model.materials.index() == 0 && grains == base ? spheres : few;
+  return model.materials.law() == "hertz-mindlin" && grains == base ? spheres : few;
 }
 
 // Returns copies in a nearly cubic array.

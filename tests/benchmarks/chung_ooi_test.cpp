@@ -4,6 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "support/impact.h"
 #include "support/pair.h"
 

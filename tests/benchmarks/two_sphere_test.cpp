@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "support/pair.h"
 #include "support/worse.h"
 

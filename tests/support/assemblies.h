@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "dem/loading/control.h"
 #include "packing/generate/cloud.h"
 #include "packing/generate/generate.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "packing/container/cushion.h"
+#include "packing/container/shapes/cushion.h"
 
 namespace soilweave::testing {
 

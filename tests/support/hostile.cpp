@@ -22,7 +22,7 @@
 #include "files/files.h"
 #include "gws/solution/geotextile.h"
 #include "gws/solution/soil.h"
-#include "packing/container/surface.h"
+#include "packing/container/shapes/surface.h"
 #include "packing/expand/plan.h"
 #include "packing/generate/grading.h"
 

@@ -23,7 +23,7 @@ template <class Law>
 struct Pair {
   typename Law::MaterialPair mixed;
   Body one, two;
-  ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
+  HistoryOf<Law, double> history{};
   bool touching = false;
   V3<double> normal{};
   Kinematics<double> kinematics{};
@@ -48,11 +48,19 @@ struct Pair {
     return k;
   }
 
+  /// Returns the gap across which the law acts, m.
+  double range() const {
+    if constexpr (ActsAcrossGaps<Law>)
+      return Law::range(mixed);
+    else
+      return 0;
+  }
+
   /// Evaluates the law at the present positions. Without contact everything is zero and the history is lost.
   void update(double dt) {
     kinematics = motion(dt);
-    if (kinematics.overlap < 0) {
-      history = {{0, 0, 0}, {0, 0, 0}, 0};
+    if (kinematics.overlap < -range()) {
+      history = {};
       response = {};
       energies = {};
       touching = false;

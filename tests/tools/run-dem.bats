@@ -188,8 +188,8 @@ off() {
 }
 
 @test "errors: laws and their parameters" {
-  off "contact.law: 'hertz' is not one of hertz-mindlin, linear; did you mean 'hertz-mindlin'?" contact.law=hertz
-  off "contact.law: 'lineer' is not one of hertz-mindlin, linear; did you mean 'linear'?" contact.law=lineer
+  off "contact.law: 'hertz' is not one of hertz-mindlin, linear, linear-adhesion; did you mean 'hertz-mindlin'?" contact.law=hertz
+  off "contact.law: 'lineer' is not one of hertz-mindlin, linear, linear-adhesion; did you mean 'linear'?" contact.law=lineer
   off "contact.law: 3 is not a text" contact.law=3
   off "young_modulus: -1 is out of range: must be from 1000 to 1e13 Pa" contact.young_modulus=-1
   off "'nan' is not a finite number" contact.young_modulus=nan
@@ -209,7 +209,7 @@ off() {
 }
 
 @test "errors: stages, steps and tolerances out of range; units of another kind" {
-  off "stage.0.path: 'triaxal' is not one of isotropic, k0, triaxial, constant-p, constant-volume, free, uniaxial, drive; did you mean" \
+  off "stage.0.path: 'triaxal' is not one of constant-p, constant-volume, drive, free, isotropic, k0, triaxial, uniaxial; did you mean" \
     stage.0.path=triaxal
   off "stage: is not a list of tables; write [[stage]]" stage=1
   off "confining_pressure: -5 is out of range: must be between 0 and 1e12 Pa" stage.0.confining_pressure=-5
@@ -277,4 +277,42 @@ broken() {
   exits 74 bash -c 'run-dem --quiet packing.h5 short.toml -o - > /dev/full'
   said=$(without_doubts)
   [[ $said == "run-dem: standard output: "* && $said != *$'\n'* ]] || show "a full disk"
+}
+
+@test "a law with adhesion runs a triaxial test: contacts pull across gaps, and the soil is stronger" {
+  for work in 0 20; do
+    cat > "$work.toml" << TOML
+[contact]
+law = "linear-adhesion"
+young_modulus = 5e8
+stiffness_ratio = 0.1
+friction_angle = 30
+work_of_adhesion = $work
+adhesion_range = "0.05 mm"
+[equilibrium]
+unbalanced_force = 1e-2
+[[stage]]
+path = "isotropic"
+pressure = "100 kPa"
+[[stage]]
+path = "triaxial"
+confining_pressure = "100 kPa"
+axial_strain = 0.02
+increment = 0.02
+rate = 0.5
+TOML
+    exits 0 run-dem --quiet packing.h5 "$work.toml" -o "$work.h5"
+  done
+  "$PYTHON" - << 'END'
+import h5py
+with h5py.File("0.h5") as dry, h5py.File("20.h5") as moist:
+    q = [f["series/deviatoric_stress"][-1] for f in (dry, moist)]
+    assert q[1] > 1.02 * q[0], q
+    last = moist["contacts"][sorted(moist["contacts"])[-1]]
+    gap = last["overlap"][:] < 0
+    assert gap.any() and (last["normal_force"][:][gap] < 0).all() and last["overlap"][:].min() > -5e-5 * (1 + 1e-9)
+    assert abs(last["shear_force"][:][gap]).max() == 0
+    error = abs(moist["series/energy_error"][-1])
+    assert error < 1e-2 * abs(moist["series/boundary_work"][-1]), error
+END
 }

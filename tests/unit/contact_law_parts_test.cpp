@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "dem/contact/laws.h"
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "support/vector_lanes.h"
 
 namespace soilweave::dem {

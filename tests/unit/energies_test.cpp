@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
 #include "support/pair.h"

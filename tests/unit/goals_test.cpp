@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/forecast.h"
 #include "dem/run/run.h"
 #include "support/assemblies.h"

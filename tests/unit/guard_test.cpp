@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "core/error.h"
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "dem/engine/simulation.h"
 #include "dem/loading/control.h"
 #include "support/assemblies.h"
@@ -95,13 +97,13 @@ TEST(Guard, StopsAGrainThatEscapesBetweenPlanes) {
 
 Model smooth_linear() {
   Model model = testing::linear_sand();
-  for (auto& m : std::get<std::vector<Linear::Material>>(model.materials)) m.rolling = m.twisting = {};
+  for (auto& m : model.materials.of<Linear::Material>()) m.rolling = m.twisting = {};
   return model;
 }
 
 Model bouncing_sand() {
   Model model = testing::sand();
-  for (auto& m : std::get<std::vector<HertzMindlin::Material>>(model.materials)) {
+  for (auto& m : model.materials.of<HertzMindlin::Material>()) {
     m.rolling = m.twisting = {};
     m.restitution = 0.7;
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/run.h"
 #include "support/assemblies.h"
 #include "support/worse.h"
@@ -222,7 +223,7 @@ TEST(Scenario, NoLimitAndALimitOfZeroAreDifferentThings) {
   const auto rolling = [](const std::string& limit) {
     const Scenario plan =
         scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n", {"contact.rolling.limit=" + limit});
-    return std::get<std::vector<HertzMindlin::Material>>(plan.model.materials)[0].rolling.limit;
+    return plan.model.materials.of<HertzMindlin::Material>()[0].rolling.limit;
   };
   EXPECT_FALSE(rolling("\"none\"").has_value());
   EXPECT_EQ(rolling("0").value(), 0);

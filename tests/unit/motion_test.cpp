@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "dem/contact/laws/linear.h"
 #include "dem/contact/pair_geometry.h"
 #include "support/assemblies.h"
 #include "support/engine_parts.h"

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/step_bound.h"
 #include "packing/generate/ahead.h"
@@ -65,7 +66,7 @@ TEST(Standard, ThesisGrainsHaveTheThesisStiffnessAndOthersByTheCubeOfTheirSize) 
   EXPECT_DOUBLE_EQ(default_rotational_stiffness(8e-3), 8 * default_rotational_stiffness(4e-3));
   EXPECT_NE(default_material(thesis_radius).find("stiffness = 0.13\n"), std::string::npos);
   const Contacts contacts(default_material(1e-4), "default");
-  EXPECT_EQ(std::get<std::vector<dem::HertzMindlin::Material>>(contacts.model.materials)[0].twisting.stiffness,
+  EXPECT_EQ(contacts.model.materials.of<dem::HertzMindlin::Material>()[0].twisting.stiffness,
             default_rotational_stiffness(1e-4));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "dem/contact/laws/linear.h"
 #include "dem/engine/guard.h"
 #include "dem/run/cost.h"
 #include "dem/run/record.h"

@@ -9,6 +9,7 @@
 
 #include "core/archive.h"
 #include "core/stop_signals.h"
+#include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/run.h"
 #include "files/files.h"
 #include "files/part.h"
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 Model bouncing_sand() {
   Model model = testing::sand();
-  auto& material = std::get<std::vector<HertzMindlin::Material>>(model.materials)[0];
+  auto& material = model.materials.of<HertzMindlin::Material>()[0];
   material.restitution = 0.7;
   return model;
 }

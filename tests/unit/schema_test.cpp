@@ -64,6 +64,7 @@ TEST(Schema, NamesEachPathOnceWithUnitAndMeaning) {
 std::string in_schema(const std::string& path) {
   const std::vector<std::pair<std::regex, std::string>> rules = {
       {std::regex("/contacts/[0-9]{6}/"), "/contacts/<frame>/"},
+      {std::regex("^(/contacts/<frame>)/own_.*"), "$1/<field>"},
       {std::regex("/provenance/[0-9]{6}/"), "/provenance/<n>/"},
       {std::regex("^/fields/[^/]+/step$"), "/fields/<group>/step"},
       {std::regex("^/fields/[^/]+/(?!step$).*"), "/fields/<group>/<column>"},
@@ -109,6 +110,7 @@ TEST(Schema, HoldsEveryDatasetThatIsWrittenAndNoOther) {
   check_datasets(Reader(test::bytes_of(path), "packing"), "/", seen);
   Snapshot wrapped = test::example_state(5, 3, true);
   wrapped.planes.partners = {1, 2};
+  wrapped.contacts.own = {{"own_overlap", "m", "largest overlap so far", 1, wrapped.contacts.overlap}};
   wrapped.yarns = {{{0, 1}}, {0}, {0}, {0}, {5e-3}, {0.01}, {1.5}, {0}, {0}, {Vec3::Zero()}};
   write_packing(path, wrapped, {});
   check_datasets(Reader(test::bytes_of(path), "packing with yarns"), "/", seen);

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear.h"
 #include "dem/loading/path.h"
 #include "packing/expand/tile.h"
 #include "support/assemblies.h"
@@ -93,7 +95,7 @@ TEST(Simulation, GoesOnFromASnapshotBitByBitWithSeveralChunks) {
 
 TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
   const io::Snapshot start = testing::packed(testing::sand(), 1e5);
-  const auto material = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
+  const auto material = testing::sand().materials.of<HertzMindlin::Material>()[0];
   io::Snapshot mixed = start;
   for (std::size_t i = 0; i < mixed.grains.size(); ++i)
     mixed.grains.material_id[i] = static_cast<int>((7 * i + i / 5) % 3);
@@ -191,7 +193,7 @@ TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
     // The balance accepts any friction, since the law's own energy is the remainder of the work on its springs. That
     // energy must therefore be small by itself. Linear: the law slips by full radii, the surfaces by the overlap less,
     // 1e-3 of them. Hertz: a spring sheared while its overlap falls keeps its force, not its energy (2.6 %).
-    const bool is_linear = std::holds_alternative<std::vector<Linear::Material>>(model.materials);
+    const bool is_linear = model.materials.are<Linear::Material>();
     EXPECT_LT(std::abs(e.law), (is_linear ? 3e-3 : 0.04) * e.boundary_work);
   }
 }

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include "dem/contact/laws/hertz_mindlin.h"
+#include "dem/contact/laws/linear_adhesion.h"
 #include "support/assemblies.h"
 #include "support/engine_parts.h"
 #include "support/worse.h"
@@ -116,12 +118,21 @@ TEST(SweepWidth, GivesTheSameBitsWithAPlane) {
 }
 
 TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
-  auto rough = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
+  auto rough = testing::sand().materials.of<HertzMindlin::Material>()[0];
   io::Snapshot state = testing::packed(testing::sand(), 1e5, 300);
   for (std::size_t i = 0; i < state.grains.size(); ++i) state.grains.material_id[i] = static_cast<int>(i % 3);
   auto smooth = rough, lossy = rough;
   smooth.friction_angle = 0.1, lossy.restitution = 0.5;
   expect_same_bits({std::vector<HertzMindlin::Material>{rough, smooth, lossy}}, state);
+}
+
+TEST(SweepWidth, GivesTheSameBitsAcrossGaps) {
+  LinearAdhesion::Material moist;
+  static_cast<Linear::Material&>(moist) = testing::linear_sand().materials.of<Linear::Material>()[0];
+  moist.work_of_adhesion = 0.1, moist.adhesion_range = 1e-4;
+  const Model model{std::vector<LinearAdhesion::Material>{moist}};
+  expect_same_bits(model, testing::packed(testing::linear_sand(), 1e5, 301), true);
+  expect_same_bits(model, testing::packed(testing::linear_sand(), 1e5, 302, 2));
 }
 
 TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
@@ -152,7 +163,7 @@ TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
 // Shear forces are numbers in the plane and vectors in space, rotated to the third order of a pair's motion in a step.
 TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
   constexpr double rounding = 1e-9;
-  auto lossy = std::get<std::vector<HertzMindlin::Material>>(testing::sand().materials)[0];
+  auto lossy = testing::sand().materials.of<HertzMindlin::Material>()[0];
   lossy.restitution = 0.5;
   for (const Model& model :
        {testing::sand(), testing::linear_sand(), Model{std::vector<HertzMindlin::Material>{lossy}}}) {

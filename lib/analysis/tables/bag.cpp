@@ -133,22 +133,15 @@ bool is_reinforced(const io::Snapshot& state) {
 io::Snapshot soil_contacts(const io::Snapshot& state, bool alone) {
   const std::vector<bool> soil = those(parts(state), Part::soil);
   io::Snapshot left = state;
-  io::ContactsRecord& c = left.contacts;
-  std::size_t n = 0;
+  const io::ContactsRecord& c = state.contacts;
+  left.contacts = {};
   for (std::size_t k = 0; k < c.size(); ++k) {
     const auto [first, second] = c.bodies[k];
     const bool from_soil = soil[static_cast<std::size_t>(first)];
     const bool to_soil = second >= 0 && soil[static_cast<std::size_t>(second)];
     if (alone ? !from_soil || !to_soil : !from_soil && !to_soil) continue;
-    c.bodies[n] = c.bodies[k], c.image[n] = c.image[k], c.normal[n] = c.normal[k];
-    c.branch_vector[n] = c.branch_vector[k], c.overlap[n] = c.overlap[k], c.normal_force[n] = c.normal_force[k];
-    c.shear_force[n] = c.shear_force[k], c.rolling_moment[n] = c.rolling_moment[k];
-    c.twisting_moment[n] = c.twisting_moment[k], c.sliding[n] = c.sliding[k];
-    ++n;
+    left.contacts.append(c, k);
   }
-  c.bodies.resize(n), c.image.resize(n), c.normal.resize(n), c.branch_vector.resize(n), c.overlap.resize(n);
-  c.normal_force.resize(n), c.shear_force.resize(n), c.rolling_moment.resize(n), c.twisting_moment.resize(n);
-  c.sliding.resize(n);
   return left;
 }
 

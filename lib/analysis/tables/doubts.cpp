@@ -14,6 +14,7 @@
 #include "analysis/measure/stress.h"
 #include "analysis/tables/bag.h"
 #include "dem/state/bodies.h"
+#include "dem/sweep/contact_sweep.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -170,6 +171,28 @@ std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
   return static_cast<std::size_t>(std::count(out.begin(), out.end(), true));
 }
 
+// Doubts about history of contacts that only one law keeps, at the change from law to law.
+std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario& scenario) {
+  if (start.contacts.size() == 0) return {};
+  const auto sweep = dem::make_contact_sweep(scenario.model);
+  const auto fields = sweep->own_history();
+  const std::vector<io::OwnHistory>& given = start.contacts.own;
+  std::vector<Doubt> doubts;
+  for (const io::OwnHistory& g : given)
+    if (std::none_of(fields.begin(), fields.end(), [&](const auto& f) { return f.name == g.name; }))
+      doubts.push_back(
+          {"left-" + g.name, fmt::format("the input's contacts keep {}, which the law \"{}\" does not know: "
+                                         "it is left out; give the law that made them to go on with it",
+                                         g.name, scenario.model.materials.law())});
+  for (const dem::HistoryField& f : fields)
+    if (std::none_of(given.begin(), given.end(), [&](const auto& g) { return g.name == f.name; }))
+      doubts.push_back({"new-" + std::string(f.name),
+                        fmt::format("the input's contacts have no {}, which the law \"{}\" keeps: it begins at zero; "
+                                    "start from a run of this law if its value matters",
+                                    f.name, scenario.model.materials.law())});
+  return doubts;
+}
+
 }  // namespace
 
 std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
@@ -239,6 +262,7 @@ std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario&
   std::vector<Doubt> doubts = cell_doubts(start);
   append(doubts, bag_doubts(start));
   append(doubts, inertia_doubts(start, scenario, planned(start, scenario)));
+  append(doubts, history_doubts(start, scenario));
   return doubts;
 }
 
@@ -252,6 +276,7 @@ std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& 
   if (const io::Snapshot* compacted = last_compacted(scenario, run, start.grains.dimension))
     append(doubts, compaction_doubts(*compacted));
   append(doubts, inertia_doubts(start, scenario, carried_out(start, scenario, run.series)));
+  append(doubts, history_doubts(start, scenario));
   return doubts;
 }
 

@@ -79,6 +79,10 @@ std::string asked_text(Table::Impl& table, Ask ask) {
       return man_text(table);
     case Ask::completion:
       return completion_text(table);
+    case Ask::keys:
+      return keys_as_text(table.keys());
+    case Ask::schema:
+      return keys_as_schema(table.keys(), table.keys_title);
     case Ask::nothing:
       break;
   }

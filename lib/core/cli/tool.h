@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "core/parameter.h"
+#include "core/text/keys.h"
 
 namespace soilweave::tool {
 
@@ -90,6 +91,8 @@ class Table {
   void resume(double& interval);
   /// Declares a flag with which the tool writes no file, so that none need be named.
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
+  /// Declares --keys, which prints every key of the tool's TOML document. title: what the document is.
+  void keys(std::string title, std::vector<Key> (*of)());
   void seed();     // --seed N, into Invocation::seed
   void threads();  // --threads N, into Invocation::threads
 
@@ -108,7 +111,7 @@ struct Program {
 };
 
 /// Parses, validates and runs a tool, and translates errors to one line and an exit status. Handles --help, --version,
-/// --man and --completion. A broken pipe counts as success. Standard output is closed and checked.
+/// --man, --completion and --keys. A broken pipe counts as success. Standard output is closed and checked.
 int start(int argc, char** argv, const Program& program);
 
 template <class Tool>

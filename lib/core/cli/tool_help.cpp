@@ -89,6 +89,9 @@ std::string help_text(Table::Impl& table) {
   general.emplace_back("-h, --help, --version", "this text; name, version and licence");
   general.emplace_back("--man, --completion", "manual page (pipe it into 'man -l -'); completion script for bash");
 
+  if (table.keys)
+    general.emplace_back("--keys [text|json]", fmt::format("every key of {}, also as JSON Schema", table.keys_title));
+
   std::size_t column = 0;
   for (const auto* rows : {&verbs, &files, &own, &general})
     for (const Row& row : *rows)

@@ -64,13 +64,17 @@ std::string options_man(const Table::Impl& table) {
   return text;
 }
 
-std::string informing_man() {
+std::string informing_man(const Table::Impl& table) {
   constexpr std::string_view informing =
       ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint a summary on one screen.\n"
       ".TP\n\\fB\\-\\-version\\fR\nPrint name, version and licence.\n"
       ".TP\n\\fB\\-\\-man\\fR\nPrint this page as roff source.\n"
       ".TP\n\\fB\\-\\-completion\\fR\nPrint a completion script for bash.\n";
-  return std::string(informing);
+  if (!table.keys) return std::string(informing);
+  return std::string(informing) +
+         fmt::format(
+             ".TP\n\\fB\\-\\-keys\\fR [\\fItext\\fR|\\fIjson\\fR]\nPrint every key of {}, as text or as JSON Schema.\n",
+             roff(table.keys_title));
 }
 
 std::string files_man(const Table::Impl& table) {
@@ -114,7 +118,7 @@ std::string completion_function(const Table::Impl& table) {
       cases += fmt::format("    {}) return ;;\n", names);
   }
   std::vector<std::string> names = table.names();
-  names.insert(names.end(), {"--help", "--version", "--man", "--completion"});
+  for (const std::string& name : table.informing()) names.push_back(name);
   return fmt::format(
       "{0}() {{\n"
       "  local current=\"${{COMP_WORDS[COMP_CWORD]}}\" previous=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
@@ -148,7 +152,7 @@ std::string man_text(Table::Impl& table) {
     text += options_man(table);
   else
     text += ".SH OPTIONS\nEach verb has options of its own; these are of them all.\n";
-  text += informing_man();
+  text += informing_man(table);
   for (Table& verb : table.verbs) text += verb_man(verb.impl());
   if (!table.examples.empty()) text += ".SH EXAMPLES\n";
   for (const auto& [command, sentence] : table.examples)
@@ -173,12 +177,12 @@ std::string completion_text(Table::Impl& table) {
     text += fmt::format(
         "{}() {{\n"
         "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
-        "    mapfile -t COMPREPLY < <(compgen -W \"{}--help --version --man --completion\" -- \"${{COMP_WORDS[1]}}\")\n"
+        "    mapfile -t COMPREPLY < <(compgen -W \"{}{}\" -- \"${{COMP_WORDS[1]}}\")\n"
         "    return\n"
         "  fi\n"
         "  case \"${{COMP_WORDS[1]}}\" in\n{}    *) ;;\n  esac\n"
         "}}\n",
-        function, verbs, cases);
+        function, verbs, words(table.informing()), cases);
   }
   return text + fmt::format("complete -o filenames -F {} {}\n", function, table.name);
 }

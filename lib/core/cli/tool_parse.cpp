@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "core/cli/tool_table.h"
 #include "core/text/text.h"
@@ -20,6 +21,7 @@ std::string cli_name(const Entry& entry) {
 
 struct Asked {
   bool help = false, version = false, man = false, completion = false;
+  std::optional<std::string> keys;  // form in which the keys are asked for
 };
 
 /// Declares the options to CLI11; every value stays text here.
@@ -30,6 +32,11 @@ void declare(CLI::App& app, Table::Impl& table, std::vector<std::string>& files,
   app.add_flag("--version", asked.version);
   app.add_flag("--man", asked.man);
   app.add_flag("--completion", asked.completion);
+  if (table.keys)
+    app.add_option_function<std::vector<std::string>>(
+           "--keys",
+           [&asked](const std::vector<std::string>& words) { asked.keys = words.empty() ? "" : words.front(); })
+        ->expected(0, 1);
   for (Entry& entry : table.options) {
     if (entry.kind == Kind::flag)
       app.add_flag_callback(cli_name(entry), [&entry] { entry.given.emplace_back(); });
@@ -48,7 +55,7 @@ void assign_options(Table::Impl& table, std::vector<std::string>& mistakes) {
 void report_unknown(const Table::Impl& table, const std::vector<std::string>& extras,
                     std::vector<std::string>& mistakes) {
   std::vector<std::string> known = table.names();
-  known.insert(known.end(), {"--help", "--version", "--man", "--completion"});
+  for (const std::string& name : table.informing()) known.push_back(name);
   for (const std::string& extra : extras) {
     const std::string name = extra.substr(0, extra.find('='));
     const std::string near = nearest(name, known);
@@ -111,6 +118,9 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   if (asked.version) return Ask::version;
   if (asked.man) return Ask::man;
   if (asked.completion) return Ask::completion;
+  if (asked.keys == "json") return Ask::schema;
+  if (asked.keys == "text" || asked.keys == "") return Ask::keys;
+  if (asked.keys) mistakes.push_back(fmt::format("--keys {}: give text, json or no word", *asked.keys));
   const std::vector<std::string> extras = app.remaining();
   report_unknown(table, extras, mistakes);
   assign_options(table, mistakes);

@@ -263,6 +263,16 @@ void Table::resume(double& interval) {
   unrecorded("resume");
 }
 
+void Table::keys(std::string title, std::vector<Key> (*of)()) {
+  impl_->keys_title = std::move(title), impl_->keys = of;
+}
+
+std::vector<std::string> Table::Impl::informing() const {
+  std::vector<std::string> all = {"--help", "--version", "--man", "--completion"};
+  if (keys) all.emplace_back("--keys");
+  return all;
+}
+
 void Table::instead_of_output(bool& field, std::string_view name, std::string_view sentence) {
   flag(field, name, sentence);
   unrecorded(name);

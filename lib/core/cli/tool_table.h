@@ -54,9 +54,11 @@ struct Table::Impl {
   std::deque<Entry> options;  // a deque, so that references stay valid while options are added
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
-  const bool* no_output = nullptr;  // flag with which nothing is written
-  bool understood = true;           // false: an option is unknown, so the rest may be misread
-  std::deque<Table> verbs;          // option tables of a tool's verbs, for its help
+  std::string keys_title;                // what the document is whose keys --keys prints
+  std::vector<Key> (*keys)() = nullptr;  // those keys; nullptr: the tool has no --keys
+  const bool* no_output = nullptr;       // flag with which nothing is written
+  bool understood = true;                // false: an option is unknown, so the rest may be misread
+  std::deque<Table> verbs;               // option tables of a tool's verbs, for its help
   Invocation invocation;
 
   /// Adds an option. A name such as "pressure,p" gives it a letter too.
@@ -66,10 +68,12 @@ struct Table::Impl {
   /// Returns whether this run writes a file.
   bool writes() const { return output != nullptr && !(no_output && *no_output); }
   std::vector<std::string> names() const;  // names as typed, --long or -l
+  /// Returns the options that ask for information, as typed.
+  std::vector<std::string> informing() const;
 };
 
 /// Option that asks for information; the tool then does nothing else.
-enum class Ask { nothing, help, version, man, completion };
+enum class Ask { nothing, help, version, man, completion, keys, schema };
 
 /// Returns the last word of a table's name, which the user types.
 std::string verb_name(Table& verb);

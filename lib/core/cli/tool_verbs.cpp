@@ -24,6 +24,7 @@ void describe(Table& table, const Suite& suite, std::filesystem::path& verb) {
   for (const Suite::Verb& one : suite.verbs) {
     Table& listed = table.impl().verbs.emplace_back();
     one.program.options(listed);
+    if (listed.impl().keys) table.keys(listed.impl().keys_title, listed.impl().keys);
     const auto& examples = listed.impl().examples;
     if (!examples.empty()) table.example(examples.front().first, examples.front().second);
   }

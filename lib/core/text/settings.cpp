@@ -2,68 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/settings.h"
 
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <deque>
-#include <map>
-#include <set>
 #include <sstream>
 #include <utility>
 
 #include "core/mistakes.h"
 #include "core/terminal.h"
+#include "core/text/settings_document.h"
 #include "core/text/text.h"
 #include "core/text/toml_depth.h"
 #include "core/text/units.h"
 
 namespace soilweave {
 
-struct Settings::Document {
-  struct Mistake {
-    std::uint32_t line;
-    std::string key, text;
-    bool operator<(const Mistake& other) const { return line < other.line; }
-  };
-  std::string name;
-  toml::table root;
-  std::deque<toml::table> absent;                      // targets of handles to absent tables
-  std::map<std::string, std::set<std::string>> asked;  // table path -> keys that were read
-  std::map<std::string, std::string> assigned;         // full key -> the --set that gave it
-  std::vector<Mistake> mistakes;
-  std::set<std::string> unread;    // tables whose one mistake leaves open which keys they may have
-  std::set<std::string> misspelt;  // full keys that are absent because they were misspelt
-
-  bool is_unread(const std::string& path) const {
-    return std::any_of(unread.begin(), unread.end(),
-                       [&](const std::string& table) { return path == table || path.starts_with(table + "."); });
-  }
-  void add(const std::string& key, std::uint32_t line, std::string_view what) {
-    auto by_set = assigned.find(key);
-    // A table that only --set made has no line of its own.
-    if (by_set == assigned.end() && line == 0)
-      by_set = std::find_if(assigned.begin(), assigned.end(),
-                            [&](const auto& made) { return made.first.starts_with(key + "."); });
-    line = std::max<std::uint32_t>(1, line);
-    if (by_set != assigned.end())
-      mistakes.push_back({0, key, fmt::format("--set {}: {}", by_set->second, what)});
-    else
-      mistakes.push_back({line, key, fmt::format("{}:{}: {}", name, line, what)});
-  }
-};
-
 namespace {
 
 using Document = Settings::Document;
 
-toml::table& as_table(void* table) { return *static_cast<toml::table*>(table); }
-
-std::string joined(std::string_view path, std::string_view key) {
-  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
-}
+using settings_parts::as_table, settings_parts::joined;
 
 std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
 
@@ -127,49 +84,6 @@ void find_unknown(Document& document, const std::string& path, const toml::table
   }
 }
 
-/// Returns entry `index` of an array, from text such as "0".
-toml::node& entry(toml::array& array, const std::string& index, std::string_view assignment) {
-  std::size_t i = 0;
-  const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), i);
-  const bool number = status == std::errc() && end == index.data() + index.size();
-  if (!number || i >= array.size())
-    throw UsageError(fmt::format("--set {}: '{}' is no entry of the list; it has {}, counted from 0", assignment, index,
-                                 array.size()));
-  return array[i];
-}
-
-/// Returns the table or list under one part of a dotted key; makes a missing table.
-toml::node& step_into(toml::node& node, const std::string& part, std::string_view assignment) {
-  auto* array = node.as_array();
-  toml::node* next = array != nullptr ? &entry(*array, part, assignment) : node.as_table()->get(part);
-  if (next == nullptr) next = &node.as_table()->insert(part, toml::table{}).first->second;
-  if (!next->is_table() && !next->is_array())
-    throw UsageError(fmt::format("--set {}: '{}' is a value and holds no keys", assignment, part));
-  return *next;
-}
-
-/// Parses a TOML value; text that is none ("100 kPa", hertz-mindlin) stands for itself.
-toml::table value_of(std::string_view text) {
-  if (const std::string excess = toml_excess(text); !excess.empty())
-    throw UsageError(fmt::format("--set: the value has {}", excess.substr(excess.find(' ') + 1)));
-  try {
-    return toml::parse(fmt::format("value = {}", text));
-  } catch (const toml::parse_error&) {
-    return toml::table{{"value", text}};
-  }
-}
-
-void assign(toml::node& place, const std::string& key, toml::table holder, std::string_view assignment) {
-  toml::node& value = *holder.get("value");
-  if (auto* array = place.as_array()) {
-    const toml::node& old = entry(*array, key, assignment);
-    const auto at = std::find_if(array->begin(), array->end(), [&](const toml::node& n) { return &n == &old; });
-    array->insert(array->erase(at), std::move(value));
-  } else {
-    place.as_table()->insert_or_assign(key, std::move(value));
-  }
-}
-
 toml::node* asked_node(Document& document, const std::string& path, void* table, std::string_view key) {
   document.asked[path].emplace(key);
   return as_table(table).get(key);
@@ -197,24 +111,13 @@ Settings Settings::parse(std::string_view text, std::string name) {
   return {std::move(document), "", root};
 }
 
-void Settings::set(std::string_view assignment) {
-  const std::size_t equals = assignment.find('=');
-  const std::string key(assignment.substr(0, equals));
-  if (equals == std::string_view::npos || key.empty())
-    throw UsageError(fmt::format("--set {}: write KEY=VALUE, as in --set stage.0.pressure=1e5", assignment));
-  if (!toml_excess(key).empty()) throw UsageError(fmt::format("--set: {} is no key", key.substr(0, 60) + " ..."));
-  toml::node* node = &as_table(table_);
-  std::size_t at = 0;
-  for (std::size_t dot = key.find('.'); dot != std::string::npos; at = dot + 1, dot = key.find('.', at))
-    node = &step_into(*node, key.substr(at, dot - at), assignment);
-  assign(*node, key.substr(at), value_of(assignment.substr(equals + 1)), assignment);
-  document_->assigned[joined(path_, key)] = assignment;
+bool Settings::has(std::string_view key) const {
+  if (document_->recorder) return document_->recorder->has(path_, key);
+  return asked_node(*document_, path_, table_, key) != nullptr;
 }
 
-bool Settings::has(std::string_view key) const { return asked_node(*document_, path_, table_, key) != nullptr; }
-
 void Settings::mistake(std::string_view key, std::string_view what) {
-  if (document_->is_unread(path_)) return;
+  if (document_->recorder || document_->is_unread(path_)) return;
   const toml::table& table = as_table(table_);
   const toml::node* node = key.empty() ? nullptr : table.get(key);
   const std::string full = key.empty() ? path_ : joined(path_, key);
@@ -223,6 +126,7 @@ void Settings::mistake(std::string_view key, std::string_view what) {
 }
 
 double Settings::number(const Parameter& parameter, std::optional<double> fallback) {
+  if (document_->recorder) return noted(parameter, Key::Type::number, fallback);
   const toml::node* node = asked_node(*document_, path_, table_, parameter.name);
   if (node == nullptr) {
     if (!fallback) mistake(parameter.name, fmt::format("is missing; give {}", expected(parameter)));
@@ -237,9 +141,10 @@ double Settings::number(const Parameter& parameter, std::optional<double> fallba
 }
 
 std::int64_t Settings::integer(const Parameter& parameter, std::optional<std::int64_t> fallback) {
-  const std::size_t before = document_->mistakes.size();
   std::optional<double> standard;
   if (fallback) standard = static_cast<double>(*fallback);
+  if (document_->recorder) return std::llround(noted(parameter, Key::Type::integer, standard));
+  const std::size_t before = document_->mistakes.size();
   const double value = number(parameter, standard);
   const bool fine = document_->mistakes.size() == before;
   if (fine && value != std::floor(value))
@@ -252,6 +157,10 @@ std::int64_t Settings::integer(const Parameter& parameter, std::optional<std::in
 }
 
 std::optional<double> Settings::number_or(const Parameter& parameter, std::string_view word) {
+  if (document_->recorder) {
+    const double value = noted(parameter, Key::Type::number, std::nullopt, {std::string(word)});
+    return document_->recorder->decide(path_, parameter.name, 2) == 0 ? std::optional(value) : std::nullopt;
+  }
   const toml::node* node = asked_node(*document_, path_, table_, parameter.name);
   if (node == nullptr) {
     mistake(parameter.name, fmt::format("is missing; give \"{}\" or {}", word, expected(parameter)));
@@ -267,6 +176,10 @@ std::optional<double> Settings::number_or(const Parameter& parameter, std::strin
 }
 
 std::vector<double> Settings::numbers(const Parameter& parameter, std::optional<std::vector<double>> fallback) {
+  if (document_->recorder) {
+    const double value = noted(parameter, Key::Type::numbers, std::nullopt, {}, fallback ? list_text(*fallback) : "");
+    return fallback.value_or(std::vector<double>{value});
+  }
   const toml::node* node = asked_node(*document_, path_, table_, parameter.name);
   if (node == nullptr && fallback) return *fallback;
   std::vector<double> values;
@@ -285,6 +198,11 @@ std::vector<double> Settings::numbers(const Parameter& parameter, std::optional<
 }
 
 Vec3 Settings::vector(const Parameter& parameter, std::optional<Vec3> fallback) {
+  if (document_->recorder) {
+    const std::string standard = fallback ? list_text({(*fallback)[0], (*fallback)[1], (*fallback)[2]}) : "";
+    const double each = noted(parameter, Key::Type::vector, std::nullopt, {}, standard);
+    return fallback.value_or(Vec3::Constant(each));
+  }
   if (!has(parameter.name) && fallback) return *fallback;
   const std::size_t before = document_->mistakes.size();
   const std::vector<double> values = numbers(parameter);
@@ -295,6 +213,11 @@ Vec3 Settings::vector(const Parameter& parameter, std::optional<Vec3> fallback) 
 }
 
 std::optional<Vec3> Settings::vector_or(const Parameter& parameter, std::string_view word) {
+  if (document_->recorder) {
+    const double each = noted(parameter, Key::Type::vector, std::nullopt, {std::string(word)});
+    if (document_->recorder->decide(path_, parameter.name, 2) == 1) return std::nullopt;
+    return Vec3::Constant(each);
+  }
   const toml::node* node = asked_node(*document_, path_, table_, parameter.name);
   if (const auto* text = node ? node->as_string() : nullptr; text != nullptr) {
     if (text->get() == word) return std::nullopt;
@@ -304,7 +227,12 @@ std::optional<Vec3> Settings::vector_or(const Parameter& parameter, std::string_
   return vector(parameter);
 }
 
-std::string Settings::text(std::string_view key, std::optional<std::string> fallback) {
+std::string Settings::text(const Word& word, std::optional<std::string> fallback) {
+  if (document_->recorder) {
+    note_word(word, Key::Type::text, {}, fallback ? fmt::format("\"{}\"", *fallback) : "");
+    return fallback.value_or("");
+  }
+  const std::string_view key = word.name;
   const toml::node* node = asked_node(*document_, path_, table_, key);
   if (node == nullptr) {
     if (!fallback) mistake(key, "is missing; give a text");
@@ -316,8 +244,10 @@ std::string Settings::text(std::string_view key, std::optional<std::string> fall
   return fallback.value_or("");
 }
 
-std::string Settings::choice(std::string_view key, const std::vector<std::string>& values,
+std::string Settings::choice(const Word& word, const std::vector<std::string>& values,
                              std::optional<std::string> fallback) {
+  if (document_->recorder) return noted_choice(word, values, fallback, false);
+  const std::string_view key = word.name;
   const std::size_t before = document_->mistakes.size();
   if (!has(key) && !fallback) {
     mistake(key, fmt::format("is missing; give one of {}", fmt::join(values, ", ")));
@@ -332,14 +262,20 @@ std::string Settings::choice(std::string_view key, const std::vector<std::string
   return fallback.value_or(values.front());
 }
 
-std::string Settings::kind(std::string_view key, const std::vector<std::string>& values) {
+std::string Settings::kind(const Word& word, const std::vector<std::string>& values) {
+  if (document_->recorder) return noted_choice(word, values, std::nullopt, true);
   const std::size_t before = document_->mistakes.size();
-  std::string value = choice(key, values);
+  std::string value = choice(word, values);
   if (document_->mistakes.size() > before) document_->unread.insert(path_);
   return value;
 }
 
-bool Settings::flag(std::string_view key, bool fallback) {
+bool Settings::flag(const Word& word, bool fallback) {
+  if (document_->recorder) {
+    note_word(word, Key::Type::flag, {}, fallback ? "true" : "false");
+    return (document_->recorder->decide(path_, word.name, 2) == 1) != fallback;
+  }
+  const std::string_view key = word.name;
   const toml::node* node = asked_node(*document_, path_, table_, key);
   if (node == nullptr) return fallback;
   if (const auto* value = node->as_boolean()) return value->get();
@@ -348,6 +284,7 @@ bool Settings::flag(std::string_view key, bool fallback) {
 }
 
 Settings Settings::table(std::string_view key) {
+  if (document_->recorder) return {document_, joined(path_, key), &document_->root};
   toml::node* node = asked_node(*document_, path_, table_, key);
   toml::table* table = node == nullptr ? nullptr : node->as_table();
   if (node != nullptr && table == nullptr) {
@@ -359,6 +296,7 @@ Settings Settings::table(std::string_view key) {
 }
 
 std::vector<Settings> Settings::tables(std::string_view key) {
+  if (document_->recorder) return {{document_, joined(path_, key) + "[]", &document_->root}};
   toml::node* node = asked_node(*document_, path_, table_, key);
   std::vector<Settings> found;
   if (node == nullptr) return found;
@@ -374,6 +312,7 @@ std::vector<Settings> Settings::tables(std::string_view key) {
 }
 
 void Settings::finish() const {
+  if (document_->recorder) return;
   Document& document = *document_;
   find_unknown(document, "", document.root);
   std::vector<Document::Mistake> mistakes = document.mistakes;

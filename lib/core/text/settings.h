@@ -12,14 +12,33 @@
 
 #include "core/parameter.h"
 #include "core/tensor.h"
+#include "core/text/keys.h"
 
 namespace soilweave {
+
+class KeyRecorder;
+
+/// Description of a key whose value is a text, a choice or a flag.
+struct Word {
+  std::string_view name;           // the key
+  std::string_view sentence = "";  // meaning, as one sentence without a full stop
+
+  constexpr Word(std::string_view key, std::string_view meaning) : name(key), sentence(meaning) {}
+  /// A key that another reader has described.
+  template <class Text>
+  constexpr Word(const Text& key) : name(key) {}
+};
+
+/// Returns numbers as a TOML list: "[1, 2]".
+std::string list_text(const std::vector<double>& numbers);
 
 /// One table of the document, as a cheap handle. All handles of a document share its list of mistakes.
 class Settings {
  public:
   /// Parses TOML text. name: what messages call the document (its path). Throws DataError with line and column.
   static Settings parse(std::string_view text, std::string name);
+  /// Returns an empty document that notes what its reader asks for, and answers by the recorder (keys.h).
+  static Settings describing(KeyRecorder& recorder);
   /// Applies one --set key=value. Dotted keys reach into tables, "stage.0.pressure" into arrays of tables.
   void set(std::string_view assignment);
 
@@ -35,14 +54,14 @@ class Settings {
   /// Returns a vector, or nullopt for the word `word` (as in point = "touch").
   std::optional<Vec3> vector_or(const Parameter& parameter, std::string_view word);
   /// Return texts. choice() accepts only the listed values and names the nearest one in its mistake.
-  std::string text(std::string_view key, std::optional<std::string> fallback = std::nullopt);
-  std::string choice(std::string_view key, const std::vector<std::string>& values,
+  std::string text(const Word& key, std::optional<std::string> fallback = std::nullopt);
+  std::string choice(const Word& key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);
   /// Returns a choice that decides which other keys the table has. After a wrong choice no further mistake of the table
   /// is reported.
-  std::string kind(std::string_view key, const std::vector<std::string>& values);
+  std::string kind(const Word& key, const std::vector<std::string>& values);
   /// Returns true or false; the fallback if the key is absent.
-  bool flag(std::string_view key, bool fallback);
+  bool flag(const Word& key, bool fallback);
 
   Settings table(std::string_view key);                // empty table if absent
   std::vector<Settings> tables(std::string_view key);  // array of tables; empty if absent
@@ -58,6 +77,12 @@ class Settings {
 
  private:
   Settings(std::shared_ptr<Document> document, std::string path, void* table);
+  // Note a key for the recorder. noted() returns a value that the key may have, noted_choice() one of the words.
+  double noted(const Parameter& parameter, Key::Type type, std::optional<double> fallback,
+               std::vector<std::string> words = {}, std::string standard = "");
+  void note_word(const Word& word, Key::Type type, std::vector<std::string> words, std::string standard);
+  std::string noted_choice(const Word& word, const std::vector<std::string>& values,
+                           const std::optional<std::string>& fallback, bool governs);
   std::shared_ptr<Document> document_;
   std::string path_;
   void* table_;

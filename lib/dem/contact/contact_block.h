@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/simd/v3.h"
 #include "dem/contact/laws/contact.h"
@@ -96,13 +97,15 @@ struct PairHistory {
   ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
   double normal_force = 0;  // N
   bool touching = false, sliding = false;
+  std::vector<double> own = {};  // numbers that only its law keeps
 };
 
-/// Returns the history in a lane.
-PairHistory history_of(const ContactBlock& block, int lane);
-/// Stores a history in a lane.
-void set_history(ContactBlock& block, int lane, const PairHistory& history);
-/// Copies the history of a lane into a lane that holds zeros.
-void copy_history(const ContactBlock& from, int lane, ContactBlock& to, int to_lane);
+/// Returns the history in a lane. own: the law's own arrays of the block, `arrays` of them.
+PairHistory history_of(const ContactBlock& block, int lane, const double* own = nullptr, std::size_t arrays = 0);
+/// Stores a history in a lane, and its own numbers in the arrays at `own`.
+void set_history(ContactBlock& block, int lane, const PairHistory& history, double* own = nullptr);
+/// Copies the history of a lane into a lane that holds zeros, and the law's own `arrays` if there are any.
+void copy_history(const ContactBlock& from, const double* own, int lane, std::size_t arrays, ContactBlock& to,
+                  double* own_to, int to_lane);
 
 }  // namespace soilweave::dem

@@ -48,19 +48,23 @@ bool is_far(const Pair& pair, std::size_t chunk) {
 // Pairs that a chunk had before, in order.
 class Known {
  public:
-  Known(const LargeVector<ContactBlock>& chunk, const std::vector<CellOffset>& images, const PairOrder& before)
+  Known(const LargeVector<ContactBlock>& chunk, const std::vector<double>& own, std::size_t numbers,
+        const std::vector<CellOffset>& images, const PairOrder& before)
       : block_(chunk.data()), end_(block_ + chunk.size()), images_(images), before_(before) {
+    own_ = own.data(), numbers_ = numbers;
     settle();
   }
-  /// Copies the history of a pair into a lane. Pairs must be asked for in order.
-  void pass_on(const Pair& pair, ContactBlock& to, int lane) {
+  /// Returns how many numbers of its own the law keeps for a pair.
+  std::size_t own_numbers() const { return numbers_; }
+  /// Copies the history of a pair into a lane, and its own numbers into arrays. Pairs must be asked for in order.
+  void pass_on(const Pair& pair, ContactBlock& to, double* own_to, int lane) {
     while (block_ != end_ && before_(pair_, pair)) next();
-    if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, lane_, to, lane);
+    if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, own_, lane_, numbers_, to, own_to, lane);
   }
 
  private:
   void next() {
-    if (++lane_ == block_->count) ++block_, lane_ = 0;
+    if (++lane_ == block_->count) ++block_, lane_ = 0, own_ += numbers_ * ContactBlock::size;
     settle();
   }
   void settle() {
@@ -68,6 +72,8 @@ class Known {
   }
 
   const ContactBlock *block_, *end_;
+  const double* own_ = nullptr;  // of the block
+  std::size_t numbers_ = 0;
   int lane_ = 0;
   const std::vector<CellOffset>& images_;
   PairOrder before_;
@@ -84,12 +90,15 @@ void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far)
 }
 
 // Fills the blocks of a chunk with pairs and their history. Pairs with grains of other chunks get loads from `load` on.
-void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const Pair> pairs, std::size_t load,
-          const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
+void fill(LargeVector<ContactBlock>& blocks, std::vector<double>& own, std::size_t chunk, std::span<const Pair> pairs,
+          std::size_t load, const std::vector<CellOffset>& images, const PairOrder& order, Known known) {
   const std::size_t begin = chunk * grains_per_chunk;
-  blocks.clear();
+  blocks.clear(), own.clear();
+  const std::size_t own_size = known.own_numbers() * ContactBlock::size;
   for (auto at = pairs.begin(); at != pairs.end();) {
     ContactBlock& block = blocks.emplace_back();
+    own.resize(own.size() + own_size);
+    double* const own_of_block = own.data() + (own.size() - own_size);
     const Pair& like = *at;
     for (; block.count < ContactBlock::size && at != pairs.end() && order.same_materials(*at, like);
          ++at, ++block.count) {
@@ -101,7 +110,7 @@ void fill(LargeVector<ContactBlock>& blocks, std::size_t chunk, std::span<const 
       block.image[k] = place(at->image, images);
       block.folded = ContactBlock::with_bit(block.folded, k, block.image[k] != 0);
       block.far = block.far || far;
-      known.pass_on(*at, block, k);
+      known.pass_on(*at, block, own_of_block, k);
     }
     if (block.count < ContactBlock::size) leave_empty(block, block.count, begin, images.size() - 1);
   }
@@ -159,46 +168,69 @@ void Contacts::list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_
   if (images.size() > std::numeric_limits<std::uint16_t>::max())
     throw DataError(fmt::format("grains touch across {} cell offsets, more than can be told apart", images.size()));
   planes.list(std::move(with_planes), bodies);
-  chunks.resize(chunks_of(bodies.size()));
+  chunks.resize(chunks_of(bodies.size())), own.resize(chunks.size());
   look_across(pairs);
   name_single_loads(bodies);
   plan = ChunkPlan(reached_, work_, threads);
   std::vector<std::size_t> first_load(chunks.size());
   std::transform_exclusive_scan(across_.begin(), across_.end(), first_load.begin(), bodies.size(), std::plus<>(),
                                 [](const auto& grains) { return grains.size(); });
-  known_.resize(static_cast<std::size_t>(threads));
+  known_.resize(static_cast<std::size_t>(threads)), known_own_.resize(known_.size());
   const PairOrder order(bodies);
   in_parallel(known_.size(), threads, [&](std::size_t share) {
     LargeVector<ContactBlock>& known = known_[share];
     const std::size_t end = (share + 1) * chunks.size() / known_.size();
     for (std::size_t chunk = share * chunks.size() / known_.size(); chunk < end; ++chunk) {
-      known.swap(chunks[chunk]);
-      fill(chunks[chunk], chunk, of_chunk(std::span(pairs), chunk), first_load[chunk], images, order,
-           Known(known, known_images, order));
+      known.swap(chunks[chunk]), known_own_[share].swap(own[chunk]);
+      fill(chunks[chunk], own[chunk], chunk, of_chunk(std::span(pairs), chunk), first_load[chunk], images, order,
+           Known(known, known_own_[share], own_numbers_, known_images, order));
     }
   });
 }
 
+void Contacts::keep_own(std::span<const HistoryField> fields) {
+  own_fields = fields, own_numbers_ = 0;
+  for (const HistoryField& field : fields) own_numbers_ += field.numbers();
+  planes.keep_own(own_numbers_);
+}
+
 Pair Contacts::pair(const ContactBlock& block, int k) const { return pair_of(block, k, images); }
+
+namespace {
+
+// Calls use(number) for each number of history that a record of disks keeps as a vector: the shear force, then the
+// law's own vectors, contact by contact.
+template <class AnyContacts, class Use>
+void numbers_of_disks(AnyContacts& contacts, const Use& use) {
+  for (std::size_t chunk = 0; chunk < contacts.chunks.size(); ++chunk)
+    for (std::size_t b = 0; b < contacts.chunks[chunk].size(); ++b) {
+      auto& block = contacts.chunks[chunk][b];
+      for (int k = 0; k < block.count; ++k) {
+        if (!((block.touching >> k) & 1)) continue;
+        use(block.shear[2][k]);
+        auto* own = contacts.own_of(chunk, b) + k;
+        for (const HistoryField& field : contacts.own_fields) {
+          if (field.kind == HistoryField::Kind::along) use(own[2 * ContactBlock::size]);
+          own += field.numbers() * ContactBlock::size;
+        }
+      }
+    }
+}
+
+}  // namespace
 
 std::vector<double> shear_forces_of_disks(const Contacts& contacts) {
   std::vector<double> forces;
-  for (const auto& chunk : contacts.chunks)
-    for (const ContactBlock& block : chunk)
-      for (int k = 0; k < block.count; ++k)
-        if ((block.touching >> k) & 1) forces.push_back(block.shear[2][k]);
+  numbers_of_disks(contacts, [&](double number) { forces.push_back(number); });
   return forces;
 }
 
 void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts) {
   auto next = forces.begin();
-  for (auto& chunk : contacts.chunks)
-    for (ContactBlock& block : chunk)
-      for (int k = 0; k < block.count; ++k) {
-        if (!((block.touching >> k) & 1)) continue;
-        if (next == forces.end()) throw DataError("shear_force: is of fewer contacts; begin anew");
-        block.shear[2][k] = *next++;
-      }
+  numbers_of_disks(contacts, [&](double& number) {
+    if (next == forces.end()) throw DataError("shear_force: is of fewer contacts; begin anew");
+    number = *next++;
+  });
   if (next != forces.end()) throw DataError("shear_force: is of more contacts; begin anew");
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dem/contact/contact_block.h"
@@ -37,6 +38,10 @@ struct Contacts {
   };
   std::vector<SingleLoad> single_loads;
   std::vector<std::uint32_t> single_loads_start;
+  // Fields of history that only the law keeps, and their numbers by chunk: for each block an array of eight for each
+  // number, one after the other (sweep/own_history.h). Empty for laws without such fields.
+  std::span<const HistoryField> own_fields;
+  std::vector<std::vector<double>> own;
   int threads = 1;  // number that share the chunks
   ChunkPlan plan;
 
@@ -44,6 +49,17 @@ struct Contacts {
   /// Resizes the loads, which must be zero. Throws DataError beyond 65,000 cell offsets or 33 million grains.
   void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
 
+  /// Sets the fields that only the law keeps. Must be called before any pair is listed.
+  void keep_own(std::span<const HistoryField> fields);
+  /// Returns the law's own numbers of a block, array by array.
+  double* own_of(std::size_t chunk, std::size_t block) {
+    return own[chunk].data() + block * own_numbers_ * ContactBlock::size;
+  }
+  const double* own_of(std::size_t chunk, std::size_t block) const {
+    return own[chunk].data() + block * own_numbers_ * ContactBlock::size;
+  }
+  /// Returns how many numbers a contact keeps for these fields.
+  std::size_t own_numbers() const { return own_numbers_; }
   /// Returns the pair in a lane of a block.
   Pair pair(const ContactBlock& block, int lane) const;
 
@@ -51,6 +67,8 @@ struct Contacts {
   void look_across(const std::vector<Pair>& pairs);
   void name_single_loads(Bodies& bodies);
 
+  std::size_t own_numbers_ = 0;
+  std::vector<std::vector<double>> known_own_;       // like known_, the law's own numbers
   std::vector<LargeVector<ContactBlock>> known_;     // blocks of one chunk while it is listed anew, by thread
   std::vector<std::vector<std::uint32_t>> reached_;  // other chunks that a chunk's pairs reach
   std::vector<std::vector<std::int32_t>> across_;    // second grains in other chunks, pair by pair, by chunk
@@ -59,6 +77,7 @@ struct Contacts {
 };
 
 /// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.
+/// Each is followed by the vectors that only the law keeps.
 std::vector<double> shear_forces_of_disks(const Contacts& contacts);
 /// Restores these shear forces. Throws DataError if their number differs.
 void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts);

@@ -9,23 +9,44 @@ namespace soilweave::dem {
 namespace {
 
 // Returns the touching pairs of a chunk, sorted by grains.
-std::vector<std::pair<Pair, PairHistory>> in_order_of_grains(const LargeVector<ContactBlock>& chunk,
-                                                             const Contacts& contacts) {
+std::vector<std::pair<Pair, PairHistory>> in_order_of_grains(std::size_t chunk, const Contacts& contacts) {
   std::vector<std::pair<Pair, PairHistory>> found;
-  for (const ContactBlock& block : chunk)
+  for (std::size_t b = 0; b < contacts.chunks[chunk].size(); ++b) {
+    const ContactBlock& block = contacts.chunks[chunk][b];
     for (int k = 0; k < block.count; ++k)
-      if ((block.touching >> k) & 1) found.emplace_back(contacts.pair(block, k), history_of(block, k));
+      if ((block.touching >> k) & 1)
+        found.emplace_back(contacts.pair(block, k),
+                           history_of(block, k, contacts.own_of(chunk, b), contacts.own_numbers()));
+  }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return before(a.first, b.first); });
   return found;
 }
 
-// Returns a history with the shear force as a vector: disks hold a number along the contact (space.h).
-PairHistory in_space(PairHistory h, const Vec3& normal) {
+// Calls use(number) for the place of each vector among the law's own numbers.
+template <class Use>
+void own_vectors(std::span<const HistoryField> fields, const Use& use) {
+  std::size_t at = 0;
+  for (const HistoryField& field : fields) {
+    if (field.kind == HistoryField::Kind::along) use(at);
+    at += field.numbers();
+  }
+}
+
+// Returns a history with its vectors along the contact as vectors: disks hold a number each (space.h).
+PairHistory in_space(PairHistory h, const Vec3& normal, std::span<const HistoryField> fields) {
+  own_vectors(fields, [&](std::size_t at) {
+    const V2<double> v = joined(0.0, V2<double>{normal[0], normal[1]}, h.own[at + 2]);
+    h.own[at] = v.x, h.own[at + 1] = v.y, h.own[at + 2] = 0;
+  });
   const V2<double> force = joined(0.0, V2<double>{normal[0], normal[1]}, h.history.shear.z);
   h.history.shear = {force.x, force.y, 0};
   return h;
 }
-PairHistory in_plane(PairHistory h, const Vec3& normal) {
+PairHistory in_plane(PairHistory h, const Vec3& normal, std::span<const HistoryField> fields) {
+  own_vectors(fields, [&](std::size_t at) {
+    h.own[at + 2] = along(V2<double>{normal[0], normal[1]}, V2<double>{h.own[at], h.own[at + 1]});
+    h.own[at] = h.own[at + 1] = 0;
+  });
   const V3<double>& force = h.history.shear;
   h.history.shear = {0, 0, along(V2<double>{normal[0], normal[1]}, V2<double>{force.x, force.y})};
   return h;
@@ -41,11 +62,32 @@ std::vector<PlanePair> in_order_of_grains(const PlaneContacts& planes) {
   return found;
 }
 
+// Returns the law's own numbers of contact c, zeros for a field that the record lacks.
+std::vector<double> own_numbers(const io::ContactsRecord& r, std::size_t c, std::span<const HistoryField> fields) {
+  std::vector<double> numbers;
+  for (const HistoryField& field : fields) {
+    const auto same = [&](const io::OwnHistory& f) { return f.name == field.name && f.width == field.numbers(); };
+    const auto found = std::find_if(r.own.begin(), r.own.end(), same);
+    for (std::size_t k = 0; k < field.numbers(); ++k)
+      numbers.push_back(found == r.own.end() ? 0 : found->values[field.numbers() * c + k]);
+  }
+  return numbers;
+}
+
+// Appends these numbers to the fields of a record.
+void put_own(const std::vector<double>& numbers, io::ContactsRecord& r) {
+  auto next = numbers.begin();
+  for (io::OwnHistory& field : r.own)
+    for (std::size_t k = 0; k < field.width; ++k) field.values.push_back(*next++);
+}
+
 }  // namespace
 
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
                                    const Planes& planes) {
   io::ContactsRecord r;
+  for (const HistoryField& f : contacts.own_fields)
+    r.own.push_back({std::string(f.name), std::string(f.unit), std::string(f.sentence), f.numbers(), {}});
   const auto add = [&r](const PairHistory& h, std::int32_t first, std::int32_t second, const Vec3i& image,
                         const Vec3& normal, const Vec3& branch, double overlap) {
     r.bodies.push_back({first, second});
@@ -58,6 +100,7 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
     r.rolling_moment.push_back(to_eigen(h.history.rolling));
     r.twisting_moment.push_back(h.history.twisting);
     r.sliding.push_back(h.sliding);
+    put_own(h.own, r);
   };
   const auto add_plane = [&](const PlanePair& pair) {
     const Plane& plane = planes.all[static_cast<std::size_t>(pair.plane)];
@@ -71,7 +114,7 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
   const auto add_planes_up_to = [&](std::int32_t grain) {
     for (; with_plane != with_planes.end() && with_plane->grain <= grain; ++with_plane) add_plane(*with_plane);
   };
-  for (const auto& chunk : contacts.chunks)
+  for (std::size_t chunk = 0; chunk < contacts.chunks.size(); ++chunk)
     for (const auto& [pair, history] : in_order_of_grains(chunk, contacts)) {
       const auto [first, second, image] = pair;
       add_planes_up_to(first);
@@ -80,8 +123,8 @@ io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodie
           vector_of(bodies.grains[j].position) - vector_of(bodies.grains[i].position) + shift_of(image, cell.matrix());
       const double distance = branch.norm();
       const Vec3 normal = branch / distance;
-      add(bodies.dimension == 2 ? in_space(history, normal) : history, first, second, cells_of(image), normal, branch,
-          bodies.radius(i) + bodies.radius(j) - distance);
+      add(bodies.dimension == 2 ? in_space(history, normal, contacts.own_fields) : history, first, second,
+          cells_of(image), normal, branch, bodies.radius(i) + bodies.radius(j) - distance);
     }
   add_planes_up_to(static_cast<std::int32_t>(bodies.size()));
   return r;
@@ -94,13 +137,14 @@ void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contac
     const PairHistory history{{from_eigen(r.shear_force[k]), from_eigen(r.rolling_moment[k]), r.twisting_moment[k]},
                               r.normal_force[k],
                               true,
-                              r.sliding[k] != 0};
+                              r.sliding[k] != 0,
+                              own_numbers(r, k, contacts.own_fields)};
     const auto [first, second] = std::pair(r.bodies[k][0], r.bodies[k][1]);
     if (second < 0)
       with_planes.push_back({first, -1 - second, history});
     else
-      known.push_back(
-          {{first, second, cell_offset(r.image[k])}, bodies.dimension == 2 ? in_plane(history, r.normal[k]) : history});
+      known.push_back({{first, second, cell_offset(r.image[k])},
+                       bodies.dimension == 2 ? in_plane(history, r.normal[k], contacts.own_fields) : history});
   }
   std::sort(known.begin(), known.end(),
             [in_order = PairOrder(bodies)](const auto& a, const auto& b) { return in_order(a.first, b.first); });
@@ -108,9 +152,10 @@ void list_recorded(const io::ContactsRecord& r, Bodies& bodies, Contacts& contac
   for (const auto& [pair, history] : known) pairs.push_back(pair);
   contacts.list(pairs, std::move(with_planes), bodies);
   auto next = known.begin();
-  for (auto& chunk : contacts.chunks)
-    for (ContactBlock& block : chunk)
-      for (int lane = 0; lane < block.count; ++lane) set_history(block, lane, next++->second);
+  for (std::size_t chunk = 0; chunk < contacts.chunks.size(); ++chunk)
+    for (std::size_t b = 0; b < contacts.chunks[chunk].size(); ++b)
+      for (int lane = 0; lane < contacts.chunks[chunk][b].count; ++lane)
+        set_history(contacts.chunks[chunk][b], lane, next++->second, contacts.own_of(chunk, b));
 }
 
 }  // namespace soilweave::dem

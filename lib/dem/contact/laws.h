@@ -1,28 +1,86 @@
-// Requirements on a contact law, and the list of all laws. A new law is registered by its name in that list.
+// Requirements on a contact law, and what the list of laws tells of each.
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A law is one header in laws/. It declares its name, its materials with their keys, and its answer to a contact. Two
+// things it may declare besides, and the engine provides for both:
+//
+//   history   fields that only this law keeps for each contact, as the largest overlap so far. They are carried with
+//             the contact, kept in files and checkpoints, and given back to the law in the next step.
+//   range     the gap across which two bodies still act on each other. Pairs are then searched that far.
+//
+// The build lists the headers of the folder (Makefile), so that no other file names a law.
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <type_traits>
 #include <vector>
 
-#include "dem/contact/laws/hertz_mindlin.h"
-#include "dem/contact/laws/linear.h"
+#include "dem/contact/laws/contact.h"
+#include "dem/contact/materials.h"
+
+namespace soilweave {
+class Settings;
+}
 
 namespace soilweave::dem {
+
+/// A law that keeps history of its own: `history`, an array of HistoryField, and `Own<T, Space>`, their values, whose
+/// fields() ties them in that order.
+template <class L>
+concept KeepsHistory = requires {
+  L::history.size();
+};
+
+/// A law that acts across gaps: range(mixed) is the largest gap, m. A pair that is farther apart comes to respond()
+/// with an overlap of -range, and must get neither force nor energy.
+template <class L>
+concept ActsAcrossGaps = requires(const typename L::MaterialPair& mixed) {
+  { L::range(mixed) } -> std::same_as<double>;
+};
+
+template <class L, class T, class Space>
+struct HistoryOfLaw {
+  using type = ContactHistory<T, Space>;
+};
+template <KeepsHistory L, class T, class Space>
+struct HistoryOfLaw<L, T, Space> {
+  using type = HistoryWithOwn<T, Space, typename L::template Own<T, Space>>;
+};
+/// History of a contact as law L has it.
+template <class L, class T, class Space = Spatial>
+using HistoryOf = typename HistoryOfLaw<L, T, Space>::type;
+
+/// Returns the fields of history that only law L keeps.
+template <class L>
+constexpr std::span<const HistoryField> history_fields() {
+  if constexpr (KeepsHistory<L>)
+    return L::history;
+  else
+    return {};
+}
+/// Returns how many numbers a contact keeps for these fields.
+constexpr std::size_t numbers_of(std::span<const HistoryField> fields) {
+  std::size_t n = 0;
+  for (const HistoryField& f : fields) n += f.numbers();
+  return n;
+}
 
 /// A stateless law: materials are mixed once per pair of materials. Pure functions then turn kinematics and history
 /// into forces, for one contact or several at once.
 template <class L>
 concept ContactLaw = requires(const typename L::Material& material, const typename L::MaterialPair& mixed,
-                              const Kinematics<double>& kinematics, double dt, ContactHistory<double>& history,
+                              const Kinematics<double>& kinematics, double dt, HistoryOf<L, double>& history,
                               ContactEnergies<double>& energies, const Kinematics<Lane4>& four,
-                              ContactHistory<Lane4>& histories_of_four, ContactEnergies<Lane4>& energies_of_four,
+                              HistoryOf<L, Lane4>& histories_of_four, ContactEnergies<Lane4>& energies_of_four,
                               Settings& table) {
   { L::read(table) } -> std::same_as<typename L::Material>;
   { L::name } -> std::convertible_to<std::string_view>;
+  { L::examples[1] } -> std::convertible_to<std::string_view>;
+  { L::modulus(material) } -> std::same_as<double>;
   { L::mix(material, material) } -> std::same_as<typename L::MaterialPair>;
   { L::uses_masses(mixed) } -> std::same_as<bool>;
   { L::uses_moments(mixed) } -> std::same_as<bool>;
@@ -31,27 +89,13 @@ concept ContactLaw = requires(const typename L::Material& material, const typena
   requires std::same_as<typename L::Material::Law, L>;
 };
 
-/// A list of laws: the variant of their materials, and their names for scenarios.
+/// A list of laws.
 template <ContactLaw... Law>
-struct LawList {
-  using Materials = std::variant<std::vector<typename Law::Material>...>;
+struct LawList {};
 
-  static std::vector<std::string> names() { return {std::string(Law::name)...}; }
-  /// Reads each table as a material of the law `name`, which must be one of names().
-  static Materials read(std::string_view name, std::vector<Settings>& tables) {
-    Materials all;
-    const auto take = [&]<class L>() {
-      if (L::name != name) return;
-      std::vector<typename L::Material> materials;
-      for (Settings& table : tables) materials.push_back(L::read(table));
-      all = std::move(materials);
-    };
-    (take.template operator()<Law>(), ...);
-    return all;
-  }
-};
-
-using Laws = LawList<HertzMindlin, Linear>;
-using AnyMaterials = Laws::Materials;
+/// Returns the names of all laws, for scenarios.
+const std::vector<std::string>& law_names();
+/// Reads each table as a material of the law `name`, which must be one of law_names().
+Materials read_materials(std::string_view name, std::vector<Settings>& tables);
 
 }  // namespace soilweave::dem

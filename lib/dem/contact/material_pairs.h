@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem/contact/contacts.h"
+#include "dem/contact/laws.h"
 
 namespace soilweave::dem {
 
@@ -43,6 +44,14 @@ class MaterialPairs {
   /// Returns whether the force of some pair of materials depends on the masses.
   bool use_masses() const {
     return std::any_of(all_.begin(), all_.end(), [](const auto& mixed) { return Law::uses_masses(mixed); });
+  }
+
+  /// Returns the largest gap across which some pair of materials acts, m.
+  double range() const {
+    double largest = 0;
+    if constexpr (ActsAcrossGaps<Law>)
+      for (const auto& mixed : all_) largest = std::max(largest, Law::range(mixed));
+    return largest;
   }
 
   /// Returns whether some pair of materials resists rolling or twisting. If none does, moments in the history mean

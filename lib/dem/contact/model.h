@@ -4,19 +4,17 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/tensor.h"
-#include "dem/contact/laws.h"
+#include "dem/contact/materials.h"
 #include "dem/contact/wire.h"
 
 namespace soilweave::dem {
 
-/// Contact law with its materials, indexed by material_id, planes included. One alternative per registered law
-/// (laws.h).
+/// Contact law with its materials, indexed by material_id, planes included.
 struct Model {
-  AnyMaterials materials;                   // vector of one law's materials, as std::vector<HertzMindlin::Material>
+  Materials materials;
   std::vector<WireCurve> geotextiles = {};  // curves by geotextile_id
 };
 

@@ -67,6 +67,17 @@ RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, con
           inverse_distance,          touching};
 }
 
+/// Returns the position of a pair that acts across gaps up to `range`, m. A pair farther apart has an overlap of
+/// -range.
+template <class T, class Space>
+RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, const T& r1, const T& r2, const T& range) {
+  RelativePosition<T, Space> relative = relative_position<T, Space>(branch, r1, r2);
+  const T reach = r1 + r2, distance = square_root(norm2(branch));
+  relative.touching = distance <= reach + range;
+  relative.overlap = select<T>(relative.touching, T(reach - distance), T(0.0 - range));
+  return relative;
+}
+
 /// Sets the motion over a step dt that led to the position. The caller sets the masses.
 template <class T, class Space>
 void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
@@ -83,20 +94,21 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
 
 /// Returns the geometry of a grain and a plane with a constant inward normal. velocity: the plane's, relative to the
 /// grain. Levers are the full radius for slip and torque alike, hence work-conjugate and exact in the rigid limit.
-/// listed: mask of the pairs that exist.
+/// listed: mask of the pairs that exist. range: the gap across which they act, m.
 template <class T>
 PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
-                               const T& height, const V3<T>& inward, const Mask<T>& listed, double dt) {
+                               const T& height, const V3<T>& inward, const Mask<T>& listed, double dt,
+                               double range = 0) {
   const V3<T> zero{};
   const PairMotion<T> motion{velocity, spin, zero, radius, T{}, 1.0 / radius};
   PairGeometry<T> g;
   Kinematics<T>& k = g.kinematics;
-  g.touching = listed & (radius >= height);
+  g.touching = listed & (range > 0 ? Mask<T>(radius + range >= height) : Mask<T>(radius >= height));
   const T time = masked(g.touching, broadcast<T>(dt));
   k.normal = -inward;
   set_increments(motion, time, k);
   k.approach_speed = masked(g.touching, k.approach_speed);
-  k.overlap = masked(g.touching, radius - height);
+  k.overlap = select<T>(g.touching, T(radius - height), broadcast<T>(range > 0 ? -range : 0.0));
   k.r1 = k.r2 = k.R_star = radius;
   k.per_reach = 0.5 / radius;
   k.m1 = mass, k.m2 = broadcast<T>(std::numeric_limits<double>::infinity());

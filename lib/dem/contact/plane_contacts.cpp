@@ -9,9 +9,10 @@ namespace soilweave::dem {
 
 std::vector<PlanePair> PlaneContacts::pairs() const {
   std::vector<PlanePair> all;
-  for (const PlaneBlock& block : blocks_)
-    for (int k = 0; k < block.pairs.count; ++k)
-      all.push_back({ContactBlock::index(block.pairs.first[k]), block.plane, history_of(block.pairs, k)});
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (int k = 0; k < blocks_[b].pairs.count; ++k)
+      all.push_back({ContactBlock::index(blocks_[b].pairs.first[k]), blocks_[b].plane,
+                     history_of(blocks_[b].pairs, k, own(b), own_arrays_)});
   return all;
 }
 
@@ -22,7 +23,7 @@ void PlaneContacts::list(std::vector<PlanePair> pairs, const Bodies& bodies) {
             [&place](const PlanePair& a, const PlanePair& b) { return place(a) < place(b); });
   const std::vector<PlanePair> known = this->pairs();
   auto old = known.begin();
-  blocks_.clear();
+  blocks_.clear(), own_.clear();
   const PlanePair* like = nullptr;
   for (PlanePair& p : pairs) {
     while (old != known.end() && place(*old) < place(p)) ++old;
@@ -31,12 +32,13 @@ void PlaneContacts::list(std::vector<PlanePair> pairs, const Bodies& bodies) {
         material(*like) != material(p)) {
       PlaneBlock& block = blocks_.emplace_back();
       block.plane = p.plane;
+      own_.resize(own_.size() + own_arrays_ * ContactBlock::size);
       std::fill_n(block.pairs.first, ContactBlock::size, grain_distance(static_cast<std::size_t>(p.grain)));
     }
     like = &p;
     ContactBlock& block = blocks_.back().pairs;
     block.first[block.count] = grain_distance(static_cast<std::size_t>(p.grain));
-    set_history(block, block.count++, p.history);
+    set_history(block, block.count++, p.history, own(blocks_.size() - 1));
   }
 }
 

@@ -29,6 +29,11 @@ class PlaneContacts {
   /// Returns the blocks, plane by plane, sorted by material and grain.
   LargeVector<PlaneBlock>& blocks() { return blocks_; }
   const LargeVector<PlaneBlock>& blocks() const { return blocks_; }
+  /// Returns the law's own numbers of a block, array by array (Contacts::own).
+  double* own(std::size_t block) { return own_.data() + block * own_arrays_ * ContactBlock::size; }
+  const double* own(std::size_t block) const { return own_.data() + block * own_arrays_ * ContactBlock::size; }
+  /// Sets how many numbers of its own the law keeps for a contact. Must be called before any pair is listed.
+  void keep_own(std::size_t arrays) { own_arrays_ = arrays; }
   /// Returns all listed pairs, in the order of the blocks.
   std::vector<PlanePair> pairs() const;
 
@@ -39,6 +44,8 @@ class PlaneContacts {
 
  private:
   LargeVector<PlaneBlock> blocks_;
+  std::size_t own_arrays_ = 0;
+  std::vector<double> own_;
 };
 
 }  // namespace soilweave::dem

@@ -43,7 +43,7 @@ void demand_inside(const io::Snapshot& state, const Model& model) {
 }  // namespace
 
 const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
-  const auto materials = std::visit([](const auto& m) { return m.size(); }, model.materials);
+  const std::size_t materials = model.materials.size();
   demand_known(state.grains.material_id, materials, "grains of material", "[[material]]");
   demand_known(state.planes.material_id, materials, "planes of material", "[[material]]");
   demand_known(state.yarns.geotextile_id, model.geotextiles.size(), "yarns of geotextile", "[[geotextile]]");

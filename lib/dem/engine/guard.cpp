@@ -89,7 +89,7 @@ void Guard::room(std::int64_t step, const Cell& cell) const {
 }
 
 void Guard::balance(std::int64_t step, const Energies& e) const {
-  const double turned_over = e.turned_over + std::abs(e.initial) + e.kinetic + e.elastic();
+  const double turned_over = e.turned_over + std::abs(e.initial) + e.kinetic + std::abs(e.elastic());
   if (!(std::abs(e.error()) > limits_.energy_error * turned_over)) return;
   throw PhysicsError(
       fmt::format("step {}: {:.3g} J of energy {}, {:.3g} % of the {:.3g} J turned over, more than the {:.3g} % of "

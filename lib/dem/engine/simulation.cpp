@@ -45,9 +45,9 @@ struct Simulation::Impl {
         cell(state.cell, state.grains.dimension),
         planes(state.planes),
         yarns(state.yarns, bodies.size(), model.geotextiles),
-        neighbours(bodies.largest_radius()),
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
+        neighbours(bodies.largest_radius(), sweep->range()),
         guard(settings, bodies, cell, planes),
         smallest(bodies),
         time(state.time),
@@ -55,6 +55,7 @@ struct Simulation::Impl {
     bodies.set_fabric(yarns.fabric_of());
     smallest = Smallest(bodies);  // nodes do not rotate
     contacts.threads = numerics.threads;
+    contacts.keep_own(sweep->own_history());
     list_recorded(state.contacts, bodies, contacts);
     record.contacts = {};
     record.grains = Bodies::identities(std::move(record.grains));
@@ -284,9 +285,9 @@ struct Simulation::Impl {
   Planes planes;
   Yarns yarns;
   Clamps clamps;
-  Neighbours neighbours;
   Motion motion;
   std::unique_ptr<ContactSweep> sweep;
+  Neighbours neighbours;
   Guard guard;
   Contacts contacts;
   SweepSums sums;
@@ -360,7 +361,7 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   const Energies before = s.stored();
   s.bodies.scale_radii(factor, stretch);
   s.smallest = Smallest(s.bodies);
-  s.neighbours = Neighbours(s.bodies.largest_radius());
+  s.neighbours = Neighbours(s.bodies.largest_radius(), s.sweep->range());
   s.neighbours.rebuild(s.bodies, s.cell, s.planes, s.contacts);
   s.meet();
   s.clamps.take(s.numerics.gravity, 0, s.bodies);

@@ -1,48 +1,10 @@
-// The list of loading paths, and the keys they share.
+// Keys that loading paths share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/loading/path.h"
 
-#include <array>
 #include <cmath>
 
-#include "dem/loading/paths/constant_p.h"
-#include "dem/loading/paths/constant_volume.h"
-#include "dem/loading/paths/drive.h"
-#include "dem/loading/paths/free.h"
-#include "dem/loading/paths/isotropic.h"
-#include "dem/loading/paths/k0.h"
-#include "dem/loading/paths/triaxial.h"
-#include "dem/loading/paths/uniaxial.h"
-
 namespace soilweave::dem {
-namespace {
-
-struct Entry {
-  std::string_view name;
-  std::unique_ptr<Path> (*read)(Settings&);
-};
-
-template <class P>
-constexpr Entry entry() {
-  return {P::name, [](Settings& table) -> std::unique_ptr<Path> { return std::make_unique<P>(P::read(table)); }};
-}
-
-constexpr std::array list = {entry<Isotropic>(),      entry<K0>(),   entry<Triaxial>(), entry<ConstantP>(),
-                             entry<ConstantVolume>(), entry<Free>(), entry<Uniaxial>(), entry<Drive>()};
-
-}  // namespace
-
-std::vector<std::string> path_names() {
-  std::vector<std::string> names;
-  for (const Entry& e : list) names.emplace_back(e.name);
-  return names;
-}
-
-std::unique_ptr<Path> read_path(const std::string& name, Settings& table) {
-  for (const Entry& e : list)
-    if (e.name == name) return e.read(table);
-  return nullptr;
-}
 
 std::vector<double> stations_every(double step, double end, Settings& table) {
   const double count = std::max(1.0, std::ceil(std::abs(end) / step * (1 - 1e-12)));

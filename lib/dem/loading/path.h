@@ -1,5 +1,5 @@
-// A loading path: a sequence of stations, and the goals of each axis on the way. A new path is one file in paths/ and
-// one line in the list of path.cpp.
+// A loading path: a sequence of stations, and the goals of each axis on the way. A new path is one file in
+// paths/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

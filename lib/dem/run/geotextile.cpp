@@ -52,7 +52,7 @@ WireCurve from_file(const std::filesystem::path& path, std::vector<io::Source>& 
   sources.push_back(file.source);
   Settings document = Settings::parse(file.text, path.string());
   WireCurve curve = read_points(document);
-  curve.name = document.text("name", path.stem().string());
+  curve.name = document.text({"name", "name of the geotextile"}, path.stem().string());
   // Numbers of the analytical model, beside the curve, are only checked.
   for (const char* key : {"stiffness", "strength"})
     if (document.has(key)) document.text(key);
@@ -70,7 +70,7 @@ WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFi
   WireCurve curve;
   double layers = 1;
   if (table.has("curve")) {
-    const std::string name = table.text("curve");
+    const std::string name = table.text({"curve", "file of the curve, or name of a geotextile of data/geotextiles"});
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
       curve = from_file(files.path(key + ".curve", name), sources);
     } else {

@@ -41,14 +41,8 @@ void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
 
 io::ContactsRecord without_planes(const io::ContactsRecord& all) {
   io::ContactsRecord left;
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    if (all.bodies[c][1] < 0) continue;
-    left.bodies.push_back(all.bodies[c]), left.image.push_back(all.image[c]), left.normal.push_back(all.normal[c]);
-    left.branch_vector.push_back(all.branch_vector[c]), left.overlap.push_back(all.overlap[c]);
-    left.normal_force.push_back(all.normal_force[c]), left.shear_force.push_back(all.shear_force[c]);
-    left.rolling_moment.push_back(all.rolling_moment[c]), left.twisting_moment.push_back(all.twisting_moment[c]);
-    left.sliding.push_back(all.sliding[c]);
-  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (all.bodies[c][1] >= 0) left.append(all, c);
   return left;
 }
 

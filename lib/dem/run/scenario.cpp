@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/text/units.h"
+#include "dem/contact/laws.h"
 #include "dem/run/geotextile.h"
 
 namespace soilweave::dem {
@@ -39,7 +40,9 @@ ServoRule read_servo(Settings& document) {
       "damping", "1", 0, 0.999, false, "damping of the cell's strain rate", "at 1 the cell would not move"};
   Settings table = document.table("servo");
   ServoRule rule;
-  if (table.choice("kind", {"stiffness", "inertia"}, "stiffness") == "stiffness") return rule;
+  if (table.choice({"kind", "what the servo takes the cell's response from"}, {"stiffness", "inertia"}, "stiffness") ==
+      "stiffness")
+    return rule;
   rule.kind = ServoRule::Kind::inertia;
   rule.damping = table.number(damping, rule.damping);
   return rule;
@@ -49,7 +52,8 @@ SnapshotRule read_snapshots(Settings& document) {
   static constexpr Parameter strains{"strains", "1", -2, 2, false, "axial strains whose stations get a snapshot"};
   Settings table = document.table("record");
   SnapshotRule rule;
-  const std::string which = table.choice("snapshots", {"ends", "stations", "list"}, "ends");
+  const std::string which =
+      table.choice({"snapshots", "which recorded states get a snapshot"}, {"ends", "stations", "list"}, "ends");
   if (which == "stations") rule.which = SnapshotRule::Which::stations;
   if (which == "list") {
     rule.which = SnapshotRule::Which::list;
@@ -66,7 +70,7 @@ void read_clamps(Settings& document, std::vector<PartSetting>& parts) {
   static constexpr Parameter high{"high", "m", -1e6, 1e6, false, "upper corner"};
   std::size_t number = 0;
   for (Settings table : document.tables("clamp")) {
-    PartSetting p{{table.text("name"), true, number++, table.number(part_mass, 1.0)}};
+    PartSetting p{{table.text({"name", "name of the clamp, for paths"}), true, number++, table.number(part_mass, 1.0)}};
     if (p.part.mass == 0) table.mistake("mass", "is zero: a clamp has no contacts that could carry it");
     p.low = table.vector(low), p.high = table.vector(high);
     parts.push_back(p);
@@ -89,9 +93,10 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
       false,
       "largest unbalanced force while planes or cell move by a given way, slower if need be; 0: as fast as given"};
   Stage stage;
-  const std::string path = table.kind("path", path_names());
-  stage.name = table.text("name", path);
-  stage.reset_strain = table.flag("reset_strain", false);
+  const std::string path = table.kind({"path", "loading path of the stage"}, path_names());
+  stage.name = table.text({"name", "name of the stage, for messages and the series"}, path);
+  stage.reset_strain =
+      table.flag({"reset_strain", "whether the state at its start becomes the reference of the strains"}, false);
   if (table.has("friction_angle")) stage.friction = table.number(friction) * degree;
   static constexpr Parameter plates{"plate_friction_angle",
                                     "deg",
@@ -107,7 +112,8 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
     const std::optional<double> number = table.number_or(drag, "critical");
     stage.rest_drag = number.value_or(0), stage.critical_drag = !number;
   }
-  stage.homogeneous_start = table.flag("homogeneous_start", false);
+  stage.homogeneous_start =
+      table.flag({"homogeneous_start", "whether loading begins and ends with a homogeneous field of velocity"}, false);
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() == 0)
     table.mistake("", "has no stations: its list is empty; name one at least, or leave the stage out");
@@ -136,10 +142,12 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vec
     planes.material_id.push_back(static_cast<std::int32_t>(table.integer(material, 0)));
     if (planes.material_id.back() >= static_cast<std::int32_t>(materials))
       table.mistake("material", "names no material: 0 is [contact], 1 the first [[material]]");
-    const std::string partners = table.choice("partners", {"all", "soil", "geotextile"}, "all");
+    const std::string partners =
+        table.choice({"partners", "which bodies touch the plane"}, {"all", "soil", "geotextile"}, "all");
     planes.partners.push_back(partners == "all" ? 0 : (partners == "soil" ? 1 : 2));
     if (table.has("name"))
-      parts.push_back({{table.text("name"), false, planes.point.size() - 1, table.number(part_mass, 0.0)}});
+      parts.push_back({{table.text({"name", "name of the plane, for paths"}), false, planes.point.size() - 1,
+                        table.number(part_mass, 0.0)}});
   }
   return planes;
 }
@@ -154,10 +162,10 @@ bool is_among(const std::vector<std::int32_t>& materials, std::size_t material) 
 
 Model read_model(Settings& document) {
   Settings contact = document.table("contact");
-  const std::string law = contact.kind("law", Laws::names());
+  const std::string law = contact.kind({"law", "contact law"}, law_names());
   std::vector<Settings> tables = {contact};
   for (const Settings& table : document.tables("material")) tables.push_back(table);
-  return {Laws::read(law, tables)};
+  return {read_materials(law, tables)};
 }
 
 double read_density(Settings& document) {
@@ -202,22 +210,30 @@ Numerics read_numerics(Settings& document) {
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
+  return read_scenario(document, {name, overrides});
+}
+
+std::vector<Key> scenario_keys() {
+  return keys_of([](Settings& document) { read_scenario(document, {"-", {}}); });
+}
+
+Scenario read_scenario(Settings& document, const NamedFiles& files) {
   Scenario s;
   s.model = read_model(document);
   s.density.push_back(read_density(document));
-  s.equal_steps = document.table("grains").choice("mass_scaling", {"none", "equal-step"}, "none") == "equal-step";
+  s.equal_steps = document.table("grains").choice({"mass_scaling", "masses of the equations of motion"},
+                                                  {"none", "equal-step"}, "none") == "equal-step";
   for (Settings table : document.tables("material"))
     s.density.push_back(table.has("density") ? table.number(density_parameter) : s.density.front());
   for (Settings table : document.tables("geotextile")) {
     const std::string key = fmt::format("geotextile.{}", s.model.geotextiles.size());
-    s.model.geotextiles.push_back(read_geotextile(table, key, {name, overrides}, s.sources));
+    s.model.geotextiles.push_back(read_geotextile(table, key, files, s.sources));
   }
   s.numerics = read_numerics(document);
   s.tolerances = read_tolerances(document, s.largest_station);
   s.servo = read_servo(document);
   s.snapshots = read_snapshots(document);
-  s.planes =
-      read_planes(document, std::visit([](const auto& m) { return m.size(); }, s.model.materials), s.parts, s.touching);
+  s.planes = read_planes(document, s.model.materials.size(), s.parts, s.touching);
   read_clamps(document, s.parts);
   for (const Settings& table : document.tables("stage")) s.stages.push_back(read_stage(table, s.parts));
   if (s.stages.empty() && !document.has("stage"))
@@ -229,47 +245,41 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
 
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
   Model changed = model;
-  std::visit(
-      [&](auto& all) {
-        for (std::size_t k = 0; k < all.size(); ++k)
-          if (is_among(materials, k)) all[k].friction_angle = angle;
-      },
-      changed.materials);
+  for (std::size_t k = 0; k < changed.materials.size(); ++k) {
+    if (!is_among(materials, k)) continue;
+    CommonMaterial m = changed.materials.at(k);
+    m.friction_angle = angle;
+    changed.materials.set(k, m);
+  }
   return changed;
 }
 
 Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials) {
   Model changed = model;
-  std::visit(
-      [&](auto& all) {
-        for (const std::int32_t k : materials) {
-          auto& m = all[static_cast<std::size_t>(k)];
-          m.friction_angle = angle, m.friction_decides = true;
-        }
-      },
-      changed.materials);
+  for (const std::int32_t material : materials) {
+    const auto k = static_cast<std::size_t>(material);
+    CommonMaterial m = changed.materials.at(k);
+    m.friction_angle = angle, m.friction_decides = true;
+    changed.materials.set(k, m);
+  }
   return changed;
 }
 
 Model with_friction_times(double factor, const Model& model) {
   Model changed = model;
-  std::visit(
-      [factor](auto& all) {
-        for (auto& m : all) m.friction_angle *= factor;
-      },
-      changed.materials);
+  for (std::size_t k = 0; k < changed.materials.size(); ++k) {
+    CommonMaterial m = changed.materials.at(k);
+    m.friction_angle *= factor;
+    changed.materials.set(k, m);
+  }
   return changed;
 }
 
 double friction(const Model& model, const std::vector<std::int32_t>& materials) {
-  return std::visit(
-      [&](const auto& all) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < all.size(); ++k)
-          if (is_among(materials, k)) least = std::min(least, all[k].friction_angle);
-        return least;
-      },
-      model.materials);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < model.materials.size(); ++k)
+    if (is_among(materials, k)) least = std::min(least, model.materials.at(k).friction_angle);
+  return least;
 }
 
 }  // namespace soilweave::dem

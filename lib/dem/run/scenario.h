@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text/named_file.h"
 #include "core/text/settings.h"
 #include "dem/loading/path.h"
 #include "files/provenance.h"
@@ -72,6 +73,10 @@ Numerics read_numerics(Settings& document);
 
 /// Reads and checks everything; all mistakes are reported at once. Throws DataError.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+/// Reads a scenario from a document. files: how its file names are resolved.
+Scenario read_scenario(Settings& document, const NamedFiles& files);
+/// Returns every key that a scenario may have (core/text/keys.h).
+std::vector<Key> scenario_keys();
 
 /// Returns the model with another friction angle, rad, of these materials (empty: of all).
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});

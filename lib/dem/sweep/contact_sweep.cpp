@@ -29,9 +29,11 @@
 #include <span>
 #include <utility>
 
+#include "dem/contact/law_list.h"
 #include "dem/contact/material_pairs.h"
 #include "dem/contact/transport.h"
 #include "dem/sweep/memory_ahead.h"
+#include "dem/sweep/own_history.h"
 #include "dem/sweep/plane_sweep.h"
 #include "dem/sweep/sweep_groups.h"
 
@@ -89,17 +91,9 @@ class LawSweep final : public ContactSweep {
   }
 
   PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const override {
-    Kinematics<double> kinematics{};
-    kinematics.normal = {1, 0, 0};
-    kinematics.overlap = overlap;
-    kinematics.r1 = kinematics.r2 = radius;
-    kinematics.R_star = radius / 2, kinematics.per_reach = 0.5 / radius;
-    kinematics.m1 = kinematics.m2 = 1;
     PairStiffness largest;
     for (const auto& mixed : material_pairs_.of_first(materials)) {
-      ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
-      ContactEnergies<double> energies;
-      const Response<double> r = Law::respond(mixed, kinematics, 0.0, history, energies);
+      const Response<double> r = of_equal_grains(mixed, radius, overlap);
       largest.normal = std::max(largest.normal, r.normal_stiffness);
       largest.rotational =
           std::max({largest.rotational, r.rolling_stiffness, dimension == 3 ? r.twisting_stiffness : 0});
@@ -107,7 +101,23 @@ class LawSweep final : public ContactSweep {
     return largest;
   }
 
+  double normal_force(double radius, double overlap) const override {
+    return of_equal_grains(material_pairs_.of(0, 0), radius, overlap).normal_force;
+  }
+  double range() const override { return material_pairs_.range(); }
+  std::span<const HistoryField> own_history() const override { return history_fields<Law>(); }
+
  private:
+  // Returns the response of two equal grains at rest that meet for the first time.
+  static Response<double> of_equal_grains(const typename Law::MaterialPair& mixed, double radius, double overlap) {
+    Kinematics<double> k{};
+    k.normal = {1, 0, 0};
+    k.overlap = overlap, k.r1 = k.r2 = radius, k.R_star = radius / 2, k.per_reach = 0.5 / radius, k.m1 = k.m2 = 1;
+    HistoryOf<Law, double> history{};
+    ContactEnergies<double> energies;
+    return Law::respond(mixed, k, 0.0, history, energies);
+  }
+
   void set_shifts(const Cell& cell, const Contacts& contacts) {
     shifts_.clear();
     for (const CellOffset image : contacts.images) shifts_.push_back(row(shift_of(image, cell.matrix()), 0));
@@ -157,7 +167,9 @@ class LawSweep final : public ContactSweep {
                            contacts.chunks.size() == 1,
                            reinterpret_cast<double*>(scene.bodies.loads.data()),
                            reinterpret_cast<double*>(scene.bodies.stiffness.data()),
-                           reinterpret_cast<double*>(across_.data() + chunk * shifts_.size())};
+                           reinterpret_cast<double*>(across_.data() + chunk * shifts_.size()),
+                           contacts.chunks[chunk].data(),
+                           contacts.own[chunk].data()};
       std::array<Group<Lanes, Space>, batch_size> groups;
       ContactBlock* next = contacts.chunks[chunk].data();
       ContactBlock* const end = next + contacts.chunks[chunk].size();
@@ -167,6 +179,18 @@ class LawSweep final : public ContactSweep {
       }
     };
     contacts.plan.run(before, one, after);
+  }
+
+  // Returns the relative position of a block's lanes, within the range of a law that acts across gaps.
+  template <class Space>
+  [[gnu::always_inline]] RelativePosition<Lanes, Space> position_in_reach(const PairRows<Lanes, Space>& rows,
+                                                                          const ContactBlock& block,
+                                                                          const Surroundings& s) const {
+    if constexpr (ActsAcrossGaps<Law>)
+      return relative_position<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2,
+                                             broadcast<Lanes>(Law::range(material_pairs_.of(block, s.bodies))));
+    else
+      return relative_position<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
   }
 
   // Fills the batch from `next` on, which becomes the first unvisited block. Returns the number of filled groups.
@@ -185,7 +209,7 @@ class LawSweep final : public ContactSweep {
       for (std::size_t k = 0; k < ContactBlock::size; k += width<Lanes>) {
         const BlockLanes<Lanes> lanes(*block, k);
         const PairRows<Lanes, Space> rows = lanes.template read<Space, moving>(grains, shifts);
-        const auto relative = relative_position<Lanes, Space>(rows.branch, rows.radius_1, rows.radius_2);
+        const auto relative = position_in_reach<Space>(rows, *block, s);
         const Vector<Lanes, Space> velocity = deforming ? rows.velocity + s.affine(rows.branch) : rows.velocity;
         const unsigned touching = bits(relative.touching);
         // A rarely taken branch: the position of the next group must not wait for the result of this one.
@@ -229,23 +253,25 @@ class LawSweep final : public ContactSweep {
       const PairGeometry<Lanes, Space>& g = group.geometry;
       // Pairs that have parted have no history. Their overlap and increments are zero and give no force.
       const auto carried = carry(g);
-      ContactHistory<Lanes, Space> before{};
+      HistoryOf<Law, Lanes, Space> before{};
       before.shear = carried(masked(g.touching, lanes.template shear<Space>()));
       if (moments) {
         before.rolling = carried(masked(g.touching, lanes.template rolling<Space>()));
         if (Space::twists) before.twisting = masked(g.touching, lanes.twisting());
       }
-      ContactHistory<Lanes, Space> history = before;
+      Own::template read<Lanes, Space>(s.template own_of<Own>(lanes), g.touching, carried, before);
+      HistoryOf<Law, Lanes, Space> history = before;
       ContactEnergies<Lanes> energies;
       const auto response =
           lone ? Law::respond(*lone, g.kinematics, dt, history, energies)
                : Law::respond(material_pairs_.of(*lanes.block, s.bodies), g.kinematics, dt, history, energies);
       if (at_rest) history = before;  // the first sweep of a restored state changes no history
       lanes.remember_shear(history.shear);
-      if (moments) lanes.remember_moments(history);
+      if (moments) lanes.template remember_moments<Space>(history);
+      Own::template write<Lanes, Space>(history, s.template own_of<Own>(lanes));
       lanes.remember_normal_force(response.normal_force);
       lanes.set_masks(group.touching, group.touching & bits(response.sliding));
-      group.work = work_of(g, before, history, moments, energies);
+      group.work = work_of<Lanes, Space>(g, before, history, moments, energies);
       overlap = maximum(overlap, g.kinematics.overlap);
       contacts += std::popcount(group.touching);
     }
@@ -291,7 +317,7 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Space>& group : batch) {
       const PairGeometry<Lanes, Space>& g = group.geometry;
       const Kinematics<Lanes, Space>& k = g.kinematics;
-      const auto r = response<Space>(group, s, ContactHistory<Lanes, Space>{}).first;
+      const auto r = response<Space>(group, s, HistoryOf<Law, Lanes, Space>{}).first;
       add_to(sum, masked(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
       const auto put = [&](const Lanes& radius, const auto& place) {
         const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
@@ -307,9 +333,10 @@ class LawSweep final : public ContactSweep {
     for (const Group<Lanes, Spatial>& group : batch) {
       const BlockLanes<Lanes>& lanes = group.lanes;
       const Mask<Lanes>& touching = group.geometry.touching;
-      const ContactHistory<Lanes> history{masked(touching, lanes.shear<Spatial>()),
-                                          masked(touching, lanes.rolling<Spatial>()),
-                                          masked(touching, lanes.twisting())};
+      HistoryOf<Law, Lanes> history{};
+      history.shear = masked(touching, lanes.shear<Spatial>()),
+      history.rolling = masked(touching, lanes.rolling<Spatial>());
+      history.twisting = masked(touching, lanes.twisting());
       const ContactEnergies<Lanes> b = response<Spatial>(group, s, history).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     }
@@ -318,14 +345,18 @@ class LawSweep final : public ContactSweep {
   // Returns the response of pairs at rest.
   template <class Space>
   std::pair<Response<Lanes>, ContactEnergies<Lanes>> response(const Group<Lanes, Space>& group, const Surroundings& s,
-                                                              ContactHistory<Lanes, Space> history) const {
+                                                              HistoryOf<Law, Lanes, Space> history) const {
     Kinematics<Lanes, Space> k = group.geometry.kinematics;
+    Own::template read<Lanes, Space>(s.template own_of<Own>(group.lanes), group.geometry.touching, std::identity(),
+                                     history);
     k.approach_speed = k.twist = Lanes{};
     k.slip = Along<Lanes, Space>{}, k.roll = Turn<Lanes, Space>{};
     ContactEnergies<Lanes> energies;
     const auto r = Law::respond(material_pairs_.of(*group.lanes.block, s.bodies), k, Lanes{}, history, energies);
     return {r, energies};
   }
+
+  using Own = OwnFields<Law>;
 
   MaterialPairs<Law> material_pairs_;
   PlaneSweep<Law, Lanes> planes_;
@@ -335,9 +366,16 @@ class LawSweep final : public ContactSweep {
   std::vector<Lane4> row_sums_;
 };
 
-template <class Law>
-std::unique_ptr<ContactSweep> make(const std::vector<typename Law::Material>& materials) {
-  return std::make_unique<LawSweep<Law>>(materials);
+// Makes the sweep of the law whose materials they are.
+template <class... Law>
+std::unique_ptr<ContactSweep> make(const Materials& materials, LawList<Law...>) {
+  std::unique_ptr<ContactSweep> sweep;
+  const auto try_law = [&]<class L>() {
+    if (materials.are<typename L::Material>())
+      sweep = std::make_unique<LawSweep<L>>(materials.of<typename L::Material>());
+  };
+  (try_law.template operator()<Law>(), ...);
+  return sweep;
 }
 
 }  // namespace
@@ -347,9 +385,7 @@ std::unique_ptr<ContactSweep> make_contact_sweep_of_eight(const Model& model) {
 #else
 std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model) {
 #endif
-  return std::visit(
-      []<class Material>(const std::vector<Material>& materials) { return make<typename Material::Law>(materials); },
-      model.materials);
+  return make(model.materials, Laws());
 }
 
 }  // namespace soilweave::dem

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "dem/contact/contacts.h"
 #include "dem/contact/model.h"
@@ -88,6 +89,12 @@ class ContactSweep {
   /// Returns the largest stiffness between equal grains, one of a material below `materials`, the other of any
   /// material, at the given radius and overlap, m. It bounds the step before contacts form (step_bound.h).
   virtual PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const = 0;
+  /// Returns the normal force between two equal grains of the first material, N, at the given radius and overlap, m.
+  virtual double normal_force(double radius, double overlap) const = 0;
+  /// Returns the largest gap across which two bodies act on each other, m; 0 for a law of contact alone.
+  virtual double range() const = 0;
+  /// Returns the fields of history that only this law keeps.
+  virtual std::span<const HistoryField> own_history() const = 0;
 };
 
 /// Makes the sweep for the law and materials of a model: eight contacts at a time if the processor has AVX-512, else

@@ -46,8 +46,8 @@ double speed(const Bodies& bodies, std::size_t i) { return vector_of(bodies.velo
 
 }  // namespace
 
-Neighbours::Neighbours(double largest_radius)
-    : radius_(largest_radius), outer_skin_(relative_outer_skin * largest_radius) {}
+Neighbours::Neighbours(double largest_radius, double range)
+    : radius_(largest_radius), outer_skin_(relative_outer_skin * largest_radius), range_(range) {}
 
 void Neighbours::Since::begin(const Bodies& bodies, int threads) {
   position.resize(bodies.size());
@@ -145,7 +145,7 @@ bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) 
   const Lane4 &a = bodies.grains[i].position, &b = bodies.grains[j].position;
   Lane4 d = b - a;
   if (p.image != 0) d += row(shift_of(p.image, cell.matrix()), 0);
-  const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_;
+  const double reach = a[3] + b[3] + leeway_[i] + leeway_[j] + cell_leeway_ + range_;
   return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
 }
 
@@ -158,7 +158,7 @@ std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Plane
     const Plane& plane = planes.all[p];
     for (std::size_t i = first_grain(stretch, bodies); i < first_grain(stretch + 1, bodies); ++i) {
       const double height = (vector_of(bodies.grains[i].position) - plane.point).dot(plane.normal);
-      if (height - bodies.radius(i) < leeway_[i] + plane_leeway_ && plane.touches(bodies.is_node(i)))
+      if (height - bodies.radius(i) < leeway_[i] + plane_leeway_ + range_ && plane.touches(bodies.is_node(i)))
         near[k].push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(p)});
     }
   });
@@ -171,7 +171,7 @@ void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes,
   planes_ = !planes.all.empty(), threads_ = contacts.threads;
   set_leeways(bodies);
   if (!fit_outer_list(bodies)) {
-    find_pairs(bodies, cell, outer_skin_, longest(), threads_, outer_);
+    find_pairs(bodies, cell, outer_skin_ + range_, longest(), threads_, outer_);
     give_back_spare(outer_);
     searched_.begin(bodies, threads_);
     set_leeways(bodies);

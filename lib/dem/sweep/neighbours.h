@@ -23,8 +23,8 @@ namespace soilweave::dem {
 /// Neighbour lists of one simulation.
 class Neighbours {
  public:
-  /// Skins are fractions of the largest radius, m.
-  explicit Neighbours(double largest_radius);
+  /// Skins are fractions of the largest radius, m. range: the gap across which bodies act on each other, m.
+  explicit Neighbours(double largest_radius, double range = 0);
 
   /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have truly moved
   /// since the list was made. Returns true if the list is no longer safe. skin_rate: largest speed over skin of a grain
@@ -62,9 +62,9 @@ class Neighbours {
   bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   void begin_list(Bodies& bodies);
-  double longest() const { return 2 * radius_ + outer_skin_; }  // longest branch in a list, m
+  double longest() const { return 2 * radius_ + outer_skin_ + range_; }  // longest branch in a list, m
 
-  double radius_, outer_skin_;  // m
+  double radius_, outer_skin_, range_;  // m
   Pace pace_;
   std::vector<double> leeway_;                 // m
   double least_leeway_ = 0, cell_leeway_ = 0;  // m; least skin of all grains; closing of a pair by the cell

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "dem/sweep/contact_sweep.h"
+#include "dem/sweep/own_history.h"
 #include "dem/sweep/sweep_groups.h"
 
 namespace soilweave::dem {
@@ -37,13 +38,15 @@ template <class T>
 class PlaneLanes {
  public:
   /// Takes the lanes of a block from lane k on.
-  PlaneLanes(const Scene& scene, PlaneBlock& block, std::size_t k)
+  PlaneLanes(const Scene& scene, PlaneBlock& block, std::size_t k, double* own_numbers)
       : pairs(block.pairs, k),
+        own(own_numbers),
         plane(scene.planes.all[static_cast<std::size_t>(block.plane)]),
         bodies_(scene.bodies),
         places_(of_grains(&Grain::position)) {}
 
   BlockLanes<T> pairs;
+  double* own;  // first of the law's own arrays of the block, from lane k on (own_history.h)
   const Plane& plane;
 
   std::int32_t material_of_grains() const {
@@ -51,7 +54,7 @@ class PlaneLanes {
   }
 
   /// Returns the geometry and motion of the pairs over a step dt.
-  PairGeometry<T> geometry(double dt) const {
+  PairGeometry<T> geometry(double dt, double range) const {
     const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
     const bool planar = bodies_.dimension == 2;  // in the plane the spin comes with the velocity
     const V3<T> velocity{v.a, v.b, planar ? T{} : v.c}, spin = planar ? V3<T>{T{}, T{}, v.c} : V3<T>{w.a, w.b, w.c};
@@ -60,14 +63,19 @@ class PlaneLanes {
     T number;
     for (int lane = 0; lane < width<T>; ++lane) number[lane] = static_cast<double>(pairs.lane) + lane;
     const Mask<T> listed = number < broadcast<T>(pairs.block->count);
-    return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt);
+    return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt, range);
   }
   /// Returns the foot of the perpendicular from a grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
-  /// Returns the history; pairs that have parted have none.
-  ContactHistory<T> history(const Mask<T>& touching) const {
-    return {masked(touching, pairs.template shear<Spatial>()), masked(touching, pairs.template rolling<Spatial>()),
-            masked(touching, pairs.twisting())};
+  /// Returns the history under law L, its vectors carried to the present contact; pairs that have parted have none.
+  template <class L, class Carry>
+  HistoryOf<L, T> history(const Mask<T>& touching, const Carry& carried) const {
+    HistoryOf<L, T> all{};
+    all.shear = carried(masked(touching, pairs.template shear<Spatial>()));
+    all.rolling = carried(masked(touching, pairs.template rolling<Spatial>()));
+    all.twisting = masked(touching, pairs.twisting());
+    OwnFields<L>::template read<T, Spatial>(own, touching, carried, all);
+    return all;
   }
 
   /// Writes loads, or data laid out like them, as the sweep lays them out, also in the plane.

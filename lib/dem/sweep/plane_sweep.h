@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,8 @@ class PlaneSweep {
   /// Returns normal, shear, rolling and twisting energy, J.
   Lane4 stored(const Scene& scene, Contacts& contacts) {
     return total(scene, contacts, [this](const PlaneLanes<T>& lanes, Lane4& sum) {
-      const PairGeometry<T> g = lanes.geometry(0);
-      const ContactEnergies<T> b = at_rest(lanes, g, lanes.history(g.touching)).second;
+      const PairGeometry<T> g = lanes.geometry(0, range(lanes));
+      const ContactEnergies<T> b = at_rest(lanes, g, lanes.template history<Law>(g.touching, std::identity())).second;
       add_to(sum, b.elastic_normal, b.elastic_shear, b.elastic_rolling, b.elastic_twisting);
     });
   }
@@ -54,6 +55,8 @@ class PlaneSweep {
  private:
   // Number of blocks that one thread takes at a time.
   static constexpr std::size_t blocks_per_chunk = 64;
+
+  using Own = OwnFields<Law>;
 
   template <class Sum, class Use>
   static void over(const Scene& scene, Contacts& contacts, std::vector<Sum>& sums, const Use& use) {
@@ -64,7 +67,7 @@ class PlaneSweep {
       const std::size_t end = std::min(blocks.size(), (chunk + 1) * blocks_per_chunk);
       for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
         for (std::size_t k = 0; k < blocks[b].pairs.count; k += width<T>)
-          use(PlaneLanes<T>(scene, blocks[b], k), sums[chunk]);
+          use(PlaneLanes<T>(scene, blocks[b], k, contacts.planes.own(b) + k), sums[chunk]);
     });
   }
   template <class Use>
@@ -76,26 +79,26 @@ class PlaneSweep {
   }
 
   void act(const PlaneLanes<T>& lanes, double dt, LargeVector<Load>& loads, PlaneSums<T>& sums) const {
-    const PairGeometry<T> g = lanes.geometry(dt);
+    const PairGeometry<T> g = lanes.geometry(dt, range(lanes));
     const Kinematics<T>& k = g.kinematics;
     const unsigned touching = bits(g.touching);
     if (!(touching | lanes.pairs.touching())) return;
-    const ContactHistory<T> known = lanes.history(g.touching);
-    const V3<T> force_before = fused(lanes.pairs.normal_force(), k.normal, known.shear);
-    const Rotation<T> turn(g.turn);
-    const ContactHistory<T> before{turn(known.shear), turn(known.rolling), known.twisting};
-    ContactHistory<T> history = before;
+    const V3<T> old_shear = masked(g.touching, lanes.pairs.template shear<Spatial>());
+    const V3<T> force_before = fused(lanes.pairs.normal_force(), k.normal, old_shear);
+    const HistoryOf<Law, T> before = lanes.template history<Law>(g.touching, Rotation<T>(g.turn));
+    HistoryOf<Law, T> history = before;
     ContactEnergies<T> energies;
     const Response<T> response = Law::respond(mixed(lanes), k, broadcast<T>(dt), history, energies);
     if (dt == 0) history = before;  // as in the sweep over grains
     lanes.pairs.remember_shear(history.shear);
-    lanes.pairs.remember_moments(history);
+    lanes.pairs.template remember_moments<Spatial>(history);
+    Own::template write<T, Spatial>(history, lanes.own);
     lanes.pairs.remember_normal_force(response.normal_force);
     lanes.pairs.set_masks(touching, touching & bits(response.sliding));
 
-    const Action<T> act = action(k.normal, k.r1, T{}, history, response.normal_force);
+    const Action<T> act = action<T, Spatial>(k.normal, k.r1, T{}, history, response.normal_force);
     lanes.put(-act.force, -act.torque_first, loads);
-    add_to(sums.step.work, work_of(g, before, history, moments_, energies));
+    add_to(sums.step.work, work_of<T, Spatial>(g, before, history, moments_, energies));
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
     // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
@@ -104,17 +107,17 @@ class PlaneSweep {
   }
 
   void stiffen(const PlaneLanes<T>& lanes, LargeVector<Load>& stiffness, Lane4& sum) const {
-    const PairGeometry<T> g = lanes.geometry(0);
+    const PairGeometry<T> g = lanes.geometry(0, range(lanes));
     if (!any(g.touching)) return;
     const Kinematics<T>& k = g.kinematics;
-    const Response<T> r = at_rest(lanes, g, ContactHistory<T>{}).first;
+    const Response<T> r = at_rest(lanes, g, without_forces(lanes, g)).first;
     add_to(sum, masked(g.touching, affine_stiffness(k.normal, T(k.r1 - k.overlap), r)));
     const auto [translation, rotation] = axis_stiffness(k.normal, r, k.r1);
     lanes.put(masked(g.touching, translation), masked(g.touching, rotation), stiffness);
   }
 
   std::pair<Response<T>, ContactEnergies<T>> at_rest(const PlaneLanes<T>& lanes, const PairGeometry<T>& g,
-                                                     ContactHistory<T> history) const {
+                                                     HistoryOf<Law, T> history) const {
     Kinematics<T> k = g.kinematics;
     k.approach_speed = T{};
     ContactEnergies<T> energies;
@@ -122,6 +125,16 @@ class PlaneSweep {
     return {r, energies};
   }
 
+  // Returns a history without forces: only the law's own fields.
+  static HistoryOf<Law, T> without_forces(const PlaneLanes<T>& lanes, const PairGeometry<T>& g) {
+    HistoryOf<Law, T> history{};
+    Own::template read<T, Spatial>(lanes.own, g.touching, std::identity(), history);
+    return history;
+  }
+  double range(const PlaneLanes<T>& lanes) const {
+    if constexpr (ActsAcrossGaps<Law>) return Law::range(mixed(lanes));
+    return 0;
+  }
   const typename Law::MaterialPair& mixed(const PlaneLanes<T>& lanes) const {
     return material_pairs_.of(lanes.material_of_grains(), lanes.plane.material);
   }

@@ -41,9 +41,20 @@ struct Surroundings {
   bool in_cache;  // whether all pairs and grains stay in the cache from step to step
   double* loads;
   double* stiffness;
-  double* across;  // forces of this chunk, summed by image
+  double* across;                   // forces of this chunk, summed by image
+  const ContactBlock* first_block;  // of this chunk
+  double* own;                      // the law's own numbers of this chunk (own_history.h)
 
   const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
+  /// Returns the first of the law's own arrays of a block, from the lane on.
+  template <class Fields, class Lanes>
+  double* own_of(const BlockLanes<Lanes>& lanes) const {
+    if constexpr (Fields::arrays == 0)
+      return nullptr;
+    else
+      return own + static_cast<std::size_t>(lanes.block - first_block) * Fields::arrays * ContactBlock::size +
+             lanes.lane;
+  }
 };
 
 /// Pairs of one register on their way through the stages.

@@ -69,6 +69,7 @@ void contacts_of(Archive& a, const std::string& prefix, io::ContactsRecord& c) {
   rows(a, prefix + "contact_rolling_moment", c.rolling_moment);
   a.item(prefix + "contact_twisting_moment", c.twisting_moment);
   wholes(a, prefix + "contact_sliding", c.sliding);
+  for (io::OwnHistory& field : c.own) a.item(prefix + "contact_" + field.name, field.values);
   if (!a.giving_back()) return;
   c.bodies.clear(), c.image.clear();
   for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) c.bodies.push_back({pairs[k], pairs[k + 1]});

@@ -14,6 +14,8 @@
 namespace soilweave::fem {
 namespace {
 
+constexpr Word element{"element", "kind of the elements"};
+
 std::string text_of(Shape shape) { return shape == Shape::triangle3 ? "3-node triangles" : "8-node quadrilaterals"; }
 
 Integration read_integration(Settings& table, Shape shape) {
@@ -23,8 +25,10 @@ Integration read_integration(Settings& table, Shape shape) {
                     "is of quadrilaterals; the 3-node triangles of this mesh have one point: leave it out");
     return Integration::reduced;
   }
-  return table.choice("integration", {"reduced", "full"}, "reduced") == "full" ? Integration::full
-                                                                               : Integration::reduced;
+  return table.choice({"integration", "points of integration of a quadrilateral: 4 or 9"}, {"reduced", "full"},
+                      "reduced") == "full"
+             ? Integration::full
+             : Integration::reduced;
 }
 
 Mesh read_mesh(Settings& table) {
@@ -36,7 +40,7 @@ Mesh read_mesh(Settings& table) {
     if (table.has(key)) table.mistake(key, "is of a mesh from a file: name one with --mesh, or leave it out");
   const double w = table.number(width), h = table.number(height);
   const auto nx = static_cast<Index>(table.integer(columns)), ny = static_cast<Index>(table.integer(rows));
-  const bool quadrilaterals = table.choice("element", {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
+  const bool quadrilaterals = table.choice(element, {"triangle3", "quadrilateral8"}, "triangle3") == "quadrilateral8";
   constexpr Index most = 100'000;  // each one is computed, and most hold grains
   const bool too_many = nx > most || ny > most / std::max<Index>(nx, 1);
   if (too_many) table.mistake("rows", fmt::format("makes, times columns, more than {} squares", most));
@@ -47,7 +51,8 @@ Mesh read_mesh(Settings& table) {
 // Refuses coincident nodes and pieces that share no node, unless they are intended.
 void check_joints(Settings& table, const Mesh& mesh) {
   static constexpr Parameter meant{"pieces", "1", 1, 1e6, false, "pieces of the mesh that share no node"};
-  const bool kept = table.choice("coincident_nodes", {"refuse", "keep"}, "refuse") == "keep";
+  const bool kept = table.choice({"coincident_nodes", "whether nodes of a mesh file may lie on one another"},
+                                 {"refuse", "keep"}, "refuse") == "keep";
   const auto wanted = static_cast<Index>(table.integer(meant, 1));
   const auto pairs = kept ? std::vector<std::array<Index, 2>>() : mesh.coincident();
   const std::vector<Mesh::Piece> pieces = mesh.pieces();
@@ -82,7 +87,7 @@ void check_joints(Settings& table, const Mesh& mesh) {
 Mesh take_mesh(Settings& table, Mesh mesh) {
   for (const char* key : {"width", "height", "columns", "rows"})
     if (table.has(key)) table.mistake(key, "is of a rectangle, but --mesh names a file: leave one of the two out");
-  if (table.has("element") && table.choice("element", {"triangle3", "quadrilateral8"}) != name_of(mesh.shape))
+  if (table.has("element") && table.choice(element, {"triangle3", "quadrilateral8"}) != name_of(mesh.shape))
     table.mistake("element",
                   fmt::format("the file of the mesh decides: it has {}; leave the key out", text_of(mesh.shape)));
   check_joints(table, mesh);
@@ -130,7 +135,8 @@ void read_soil(Settings& document, ModelSetup& m) {
                                      1e9,       true,    "mass of the soil over its volume, pores included"};
   static constexpr Parameter damping{"damping", "1/s", 0, 1e6, false, "viscous coefficient c of thesis Eq. 6.2"};
   Settings soil = document.table("soil");
-  const std::string material = soil.kind("material", {"grains", "elastic", "mohr-coulomb"});
+  const std::string material =
+      soil.kind({"material", "what the material points hold"}, {"grains", "elastic", "mohr-coulomb"});
   m.soil.damping = soil.number(damping, 0.2);
   if (material == "grains") {
     m.soil.density = soil.has("density") ? soil.number(density) : 0;
@@ -152,7 +158,7 @@ void read_edges(Settings& document, SoilSetup& soil) {
   static constexpr Parameter pressure_x{"x", "Pa", -1e9, 1e9, false, "traction along x"},
       pressure_y{"y", "Pa", -1e9, 1e9, false, "traction along y"};
   const auto named = [&soil](Settings& table) {
-    const std::string on = table.text("on");
+    const std::string on = table.text({"on", "name of the boundary, or all"});
     if (on != "all" && !soil.mesh.boundaries.count(on)) {
       try {
         soil.mesh.boundary(on);
@@ -205,7 +211,7 @@ void read_touch(Settings table, Touch& touch) {
 
 std::vector<std::string> read_along(Settings& table) {
   std::vector<std::string> names;
-  const std::string all = table.text("along");
+  const std::string all = table.text({"along", "boundaries that the chain follows, separated by blanks"});
   for (std::size_t at = 0; at < all.size();) {
     const std::size_t end = std::min(all.find(' ', at), all.size());
     if (end > at) names.push_back(all.substr(at, end - at));
@@ -218,7 +224,8 @@ void read_guides(Settings& table, std::vector<Guide>& guides) {
   static constexpr Parameter from{"from", "m", -1e6, 1e6, false, "x, y of the guide's start"},
       to{"to", "m", -1e6, 1e6, false, "x, y of the guide's end"};
   for (Settings guide : table.tables("guide"))
-    guides.push_back({read_place(guide, from), read_place(guide, to), guide.flag("holds_soil", false)});
+    guides.push_back({read_place(guide, from), read_place(guide, to),
+                      guide.flag({"holds_soil", "whether the guide holds the soil too"}, false)});
 }
 
 void read_geosynthetic(Settings& document, ModelSetup& m) {
@@ -241,11 +248,12 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
   m.overhang = table.number(overhang, 0);
   b.stiffness = table.number(stiffness);
   if (table.has("strength")) b.strength = table.number(strength);
-  b.compression = table.flag("compression", true);
+  b.compression = table.flag({"compression", "whether bars carry compression"}, true);
   b.areal_density = table.number(density);
   b.damping = table.number(damping, 0.4);
   b.safety = table.number(safety, b.safety);
-  b.stop_when_broken = table.choice("broken", {"stop", "go on"}, "stop") == "stop";
+  b.stop_when_broken =
+      table.choice({"broken", "what a broken bar does to the run"}, {"stop", "go on"}, "stop") == "stop";
   m.seat_pressure = table.number(seat, 0);
   read_touch(table.table("contact"), b.touch);
   b.start = read_end(table.table("start"));
@@ -305,9 +313,20 @@ std::optional<QuasiStatic> read_quasi_static(Settings& document) {
 
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                        std::optional<Mesh> mesh) {
-  static constexpr Parameter points{"points", "1", 0, 1e9, false, "points whose grains are recorded whole"};
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
+  return read_scenario(document, std::move(mesh));
+}
+
+std::vector<Key> scenario_keys() {
+  return keys_of([](Settings& document) {
+    read_scenario(document, std::nullopt);
+    read_scenario(document, rectangle(1, 1, 1, 1, Shape::quadrilateral8));
+  });
+}
+
+Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
+  static constexpr Parameter points{"points", "1", 0, 1e9, false, "points whose grains are recorded whole"};
   Scenario s;
   Settings table = document.table("mesh");
   s.model.soil.mesh = mesh ? take_mesh(table, std::move(*mesh)) : read_mesh(table);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/settings.h"
 #include "fem/model/model.h"
 
 namespace soilweave::fem {
@@ -32,5 +33,9 @@ struct Scenario {
 /// mistakes.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                        std::optional<Mesh> mesh);
+/// Reads a scenario from a document.
+Scenario read_scenario(Settings& document, std::optional<Mesh> mesh);
+/// Returns every key that a scenario may have (core/keys.h).
+std::vector<Key> scenario_keys();
 
 }  // namespace soilweave::fem

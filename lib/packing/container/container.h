@@ -1,13 +1,17 @@
-// Closed surfaces that hold grains: the depth of a point inside them, and the bag of the thesis.
+// Closed surfaces that hold grains: the depth of a point inside them. The shapes are in containers/, one file each.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/tensor.h"
+#include "core/text/named_file.h"
 #include "core/text/settings.h"
+#include "files/provenance.h"
 #include "packing/container/profile.h"
 
 namespace soilweave::packing {
@@ -45,40 +49,22 @@ struct FilledBag : Container, Profile {
 
  protected:
   /// Reads the section and the corners.
-  void read(Settings& table);
+  void read_section(Settings& table);
   /// Returns by how much the corner radius is larger at a distance `beyond` outside the faces' edges, m.
   virtual double rounder(double beyond) const = 0;
 };
 
-/// All points within side_radius of a flat core in z = 0, cut at half_height. Its sides bulge around the corners too.
-struct Pillow final : FilledBag {
-  /// The thesis's bag, with its default corner radius.
-  Pillow() { corner_radius = 0.0357; }
-  /// Reads a pillow from [container].
-  explicit Pillow(Settings& table);
-  double depth(const Vec3& point) const override;
-  /// Integrates A + P t + pi t^2 over the height: the area within distance t of a flat core of area A and perimeter P
-  /// (Steiner).
-  double volume(double depth = 0) const override;
-  Vec3 nearest(const Vec3& point, double outside) const override;
-
- private:
-  double rounder(double beyond) const override { return beyond; }
-  /// Returns the nearest point of the core.
-  Vec3 foot(const Vec3& point) const;
+/// The files that a plan names, for containers that are read from one.
+struct PlanFiles {
+  const NamedFiles& names;
+  std::vector<io::Source>& sources;  // receives the digest of each file read
 };
 
-/// An upright box.
-struct Box final : Container {
-  Vec3 lower, upper;  // m
-
-  double depth(const Vec3& point) const override { return (point - lower).cwiseMin(upper - point).minCoeff(); }
-  Vec3 low() const override { return lower; }
-  Vec3 high() const override { return upper; }
-  double volume(double depth = 0) const override { return (upper - lower - Vec3::Constant(2 * depth)).prod(); }
-  std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
-                           bool even) const override;
-  Vec3 nearest(const Vec3& point, double outside) const override;
-};
+/// Returns the shapes that [container] may have: one for each file in containers/. A new shape is one new file there.
+const std::vector<std::string>& shapes();
+/// Reads the container of a shape from [container]; each shape reads its own keys. Mistakes are collected in the
+/// table's document. Returns nullptr for a shape that is none of shapes(), for a container that comes from a file if
+/// `files` is null, and after a mistake in the file's name.
+std::unique_ptr<Container> read_container(std::string_view shape, Settings& table, PlanFiles* files = nullptr);
 
 }  // namespace soilweave::packing

@@ -50,7 +50,7 @@ void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, con
     throw DataError(where + ": its geotextile is laid flat, not around soil; loading is told of bags");
   const Laid laid = read_laid(mesh);
   const double r = laid.nodes.radius;
-  if (const auto body = read_shape(shape, container)) {
+  if (const auto body = read_container(shape, container)) {
     const auto* filled = dynamic_cast<const FilledBag*>(body.get());
     const Vec3 size = body->high() - body->low();
     bag.area = filled ? filled->width * filled->width : size.x() * size.y();

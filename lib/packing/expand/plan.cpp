@@ -14,10 +14,7 @@
 #include "dem/run/geotextile.h"
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
-#include "packing/container/cushion.h"
-#include "packing/container/surface.h"
 #include "packing/expand/tile.h"
-#include "store/bytes.h"
 
 namespace soilweave::packing {
 namespace {
@@ -30,22 +27,12 @@ std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std
 }
 
 void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
-  static constexpr Parameter unit{"scale", "1", 0, 1e6, true, "m in the surface's unit of length, 0.001 for mm"};
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   Settings table = document.table("container");
-  const std::string shape = table.kind("shape", {"pillow", "cushion", "box", "surface", "none"});
-  plan.container = read_shape(shape, table);
-  if (shape == "surface") {
-    const std::string word = table.text("file");
-    const double size = table.number(unit, 1.0);
-    if (word.empty()) {
-      if (table.has("file")) table.mistake("file", "is empty: name a closed surface, .stl or .vtp");
-    } else {
-      const std::filesystem::path file = files.path("container.file", word);
-      plan.sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
-      plan.container = std::make_unique<Surface>(file.string(), size);
-    }
-  }
+  std::vector<std::string> known = shapes();
+  known.emplace_back("none");
+  PlanFiles named{files, plan.sources};
+  plan.container = packing::read_container(table.kind({"shape", "shape of the container"}, known), table, &named);
   if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
 }
 
@@ -63,7 +50,7 @@ void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Containe
 void read_fabrics(Settings& document, Plan& plan) {
   static constexpr Parameter cells{"cells", "1", 1, 1e4, false, "cells of the mesh along x, y and, of a bag, z"};
   static constexpr Parameter spacing{"spacing", "m", 0, 1e3, true, "distance between neighbouring yarns"};
-  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "z of a sheet"};
+  static constexpr Parameter height{"height", "m", -1e3, 1e3, false, "height z of a sheet"};
   if (document.has("geotextile_mesh")) {
     Settings table = document.table("geotextile_mesh");
     const Laid laid = read_laid(table);
@@ -71,7 +58,8 @@ void read_fabrics(Settings& document, Plan& plan) {
     const bool both = table.has("cells") && table.has("spacing");
     const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
     const double apart = table.has("spacing") ? table.number(spacing) : 0;
-    plan.even = table.flag("even", plan.even);
+    plan.even =
+        table.flag({"even", "whether yarns are equally long; false: each face is divided by itself"}, plan.even);
     if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container) {
       demand_small_nodes(table, plan.nodes, *plan.container);
@@ -105,8 +93,7 @@ void demand_fill(Settings& document, Plan& plan) {
   Settings table = document.table("surround");
   Recipe& recipe = plan.surround->recipe;
   const std::int32_t material = plan.surround->material;
-  const auto known =
-      static_cast<std::int32_t>(std::visit([](const auto& m) { return m.size(); }, plan.model.materials));
+  const auto known = static_cast<std::int32_t>(plan.model.materials.size());
   if (material >= known)
     return table.mistake("material",
                          fmt::format("is {}, but the plan describes {}: give the fill a [[material]] of its "
@@ -197,7 +184,20 @@ void demand_cover(const io::Snapshot& block, const Plan& plan) {
   }
 }
 
+// Returns the power of the length with which a field grows if strains and stresses stay. Throws DataError for a unit of
+// which this is not known.
+int power_of_length(const io::OwnHistory& field) {
+  for (const auto& [unit, power] : {std::pair("1", 0), std::pair("rad", 0), std::pair("Pa", 0), std::pair("m", 1),
+                                    std::pair("N", 2), std::pair("m2", 2), std::pair("N m", 3), std::pair("J", 3)})
+    if (field.unit == unit) return power;
+  throw DataError(
+      fmt::format("grains.scale: the contacts keep {} in {}, and how that scales with the size of the "
+                  "grains is not known; leave grains.scale out",
+                  field.name, field.unit));
+}
+
 void scale(io::Snapshot& volume, double factor) {
+  if (factor == 1) return;
   volume.cell.matrix *= factor;
   for (Vec3& x : volume.grains.position) x *= factor;
   for (double& r : volume.grains.radius) r *= factor;
@@ -210,21 +210,11 @@ void scale(io::Snapshot& volume, double factor) {
     c.normal_force[k] *= factor * factor, c.shear_force[k] *= factor * factor;
     c.rolling_moment[k] *= factor * factor * factor, c.twisting_moment[k] *= factor * factor * factor;
   }
+  for (io::OwnHistory& field : c.own)
+    for (double& x : field.values) x *= std::pow(factor, power_of_length(field));
 }
 
 }  // namespace
-
-std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table) {
-  static constexpr Parameter low{"low", "m", -1e3, 1e3, false, "lower corner of a box"};
-  static constexpr Parameter high{"high", "m", -1e3, 1e3, false, "upper corner of a box"};
-  if (shape == "pillow") return std::make_unique<Pillow>(table);
-  if (shape == "cushion") return std::make_unique<Cushion>(table);
-  if (shape != "box") return nullptr;
-  auto box = std::make_unique<Box>();
-  box->lower = table.vector(low), box->upper = table.vector(high);
-  if (!((box->upper - box->lower).minCoeff() > 0)) table.mistake("high", "is not above low");
-  return box;
-}
 
 Laid read_laid(Settings& table) {
   static constexpr Parameter offset{"offset", "m",   0,
@@ -237,11 +227,18 @@ Laid read_laid(Settings& table) {
 }
 
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
-  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "factor on the lengths of the representative volume"};
   Settings document = Settings::parse(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
+  return read_plan(document, {name, overrides});
+}
+
+std::vector<Key> plan_keys() {
+  return keys_of([](Settings& document) { read_plan(document, {"-", {}}); });
+}
+
+Plan read_plan(Settings& document, const NamedFiles& files) {
+  static constexpr Parameter size{"scale", "1", 0, 1e3, true, "factor on the representative volume's lengths"};
   Plan plan;
-  const NamedFiles files{name, overrides};
   if (document.has("surround")) {
     read_surround(document, files, plan);
   } else {

@@ -44,8 +44,6 @@ struct Plan {
   double soil_depth() const { return wrapping ? nodes.radius - outside : 0; }
 };
 
-/// Returns the pillow, cushion or box that a [container] table describes by numbers; nullptr for another shape.
-std::unique_ptr<Container> read_shape(const std::string& shape, Settings& table);
 /// Nodes of a [geotextile_mesh], with their distance from the container's surface, m.
 struct Laid {
   NodeRecipe nodes;
@@ -56,6 +54,10 @@ Laid read_laid(Settings& table);
 
 /// Reads a plan. Throws DataError with all mistakes at once.
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+/// Reads a plan from a document. files: how its file names are resolved.
+Plan read_plan(Settings& document, const NamedFiles& files);
+/// Returns every key that a plan may have (core/keys.h).
+std::vector<Key> plan_keys();
 
 /// Returns copies cut to the container, with its geotextile around them, before growth. Throws DataError if the copies
 /// of the representative volume are too small for the container. laid: callback with the share of the geotextile.

@@ -1,16 +1,17 @@
-// Tables of a whole run.
+// Tables of a whole run, from the list that the build makes of the files in tables/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/expand/run_tables.h"
 
-#include "analysis/tables/interface.h"
-#include "analysis/tables/reinforced.h"
 #include "core/error.h"
-#include "packing/expand/loaded_bag.h"
+#include "lists/tables.h"
 
 namespace soilweave::packing {
 namespace {
 
-void demand_bag(const io::RunFile& run, const std::string& where) { loaded_bag(run, where); }
+template <class... T>
+std::vector<RunTable> listed_tables() {
+  return {RunTable{T::name, T::long_name, &T::demand, &T::make}...};
+}
 
 }  // namespace
 
@@ -24,26 +25,8 @@ bool RunTable::given_by(const io::RunFile& run) const {
 }
 
 const std::vector<RunTable>& run_tables() {
-  static const std::vector<RunTable> all = {
-      {"loading", "a bag between two plates, one row per row of the series", demand_bag,
-       [](const io::RunFile& run, const std::string& where) {
-         return analysis::loading(run.series, loaded_bag(run, where));
-       }},
-      {"path", "paths of stress of such a bag and its groups up to the first break", demand_bag,
-       [](const io::RunFile& run, const std::string& where) {
-         return analysis::stress_paths(run.series, run.snapshots, loaded_bag(run, where));
-       }},
-      {"reinforced", "reinforced soil in a periodic cell, one row per row of the series",
-       [](const io::RunFile& run, const std::string& where) { analysis::reinforced_cell(run, where); },
-       [](const io::RunFile& run, const std::string& where) {
-         return analysis::reinforced(run.series, analysis::reinforced_cell(run, where));
-       }},
-      {"interface", "friction of soil on a flat geotextile in a shear box, one row per row of the series",
-       [](const io::RunFile& run, const std::string& where) { analysis::shear_box(run, where); },
-       [](const io::RunFile& run, const std::string& where) {
-         return analysis::interface(run.series, analysis::shear_box(run, where));
-       }},
-  };
+  using namespace tables;
+  static const std::vector<RunTable> all = listed_tables<SOILWEAVE_TABLES>();
   return all;
 }
 

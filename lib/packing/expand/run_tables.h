@@ -1,5 +1,5 @@
 // Tables of a whole run, according to what it loads: a bag between plates, reinforced soil in a cell, soil on a
-// geotextile.
+// geotextile. A new table is one file in tables/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ struct RunTable {
   bool given_by(const io::RunFile& run) const;
 };
 
-/// Returns all tables, in the order of files.
+/// Returns all tables, sorted by name.
 const std::vector<RunTable>& run_tables();
 
 }  // namespace soilweave::packing

@@ -12,7 +12,7 @@ namespace {
 void read_volume(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources, Surround& to) {
   static constexpr Parameter copies{"copies", "1", 1, 1e4, false, "copies of the representative volume, by axis"};
   static constexpr Parameter scale{"scale", "1", 0, 1e6, true, "factor on the lengths of the representative volume"};
-  const std::string word = table.text("representative_volume");
+  const std::string word = table.text({"representative_volume", "packing that the fill is cut from"});
   if (!word.empty()) {
     const io::PackingFile file =
         io::read_state(files.path("surround.representative_volume", word), "representative volume");
@@ -52,7 +52,8 @@ void read_compaction(Settings& table, Surround& to) {
   r.first_friction = table.number(first, 0.5) * std::numbers::pi / 180;
   to.height_tolerance = table.number(height, to.height_tolerance);
   to.stress_tolerance = table.number(stress, to.stress_tolerance);
-  to.missed_is_error = table.choice("missed", {"error", "doubt"}, "error") == "error";
+  to.missed_is_error =
+      table.choice({"missed", "what a void ratio out of reach is"}, {"error", "doubt"}, "error") == "error";
   r.largest_stage = table.integer(steps, r.largest_stage);
   r.remedies = {"surround.max_rate", "surround.unbalanced_force", "in the plan", "grains.density"};
 }
@@ -64,7 +65,9 @@ Surround Surround::read(Settings& table, const NamedFiles& files, std::vector<io
   static constexpr Parameter material{"material", "1", 0, 1e3, false, "material_id of the fill"};
   static constexpr Parameter gap{"gap", "m", 0, 1e3, true, "least distance between the reinforced part and its image"};
   Surround s;
-  const std::string form = table.choice("form", {"wrapped", "layered"}, "wrapped");
+  const std::string form =
+      table.choice({"form", "whether fill lies all around the reinforced part, or above and below it"},
+                   {"wrapped", "layered"}, "wrapped");
   s.form = form == "layered" ? Form::layered : Form::wrapped;
   read_volume(table, files, sources, s);
   if (s.form == Form::layered) s.rings = table.number(rings, s.rings);

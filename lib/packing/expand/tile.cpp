@@ -40,6 +40,7 @@ void take_contact(io::ContactsRecord& to, const io::ContactsRecord& from, std::s
   to.rolling_moment.emplace_back(side * from.rolling_moment[c]);
   take(to.twisting_moment, from.twisting_moment, c);  // about the normal, which turns too
   take(to.sliding, from.sliding, c);
+  to.append_own(from, c, side);
 }
 
 void sort(io::ContactsRecord& contacts) {

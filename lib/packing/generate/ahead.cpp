@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/text/text.h"
+#include "dem/sweep/contact_sweep.h"
 
 namespace soilweave::packing {
 namespace {
@@ -26,17 +27,7 @@ constexpr double largest_rate = 1e3;  // upper limit of --max-rate, 1/s
 
 // Returns the normal force of two equal grains of the first material, N.
 double normal_force(const dem::Model& model, double radius, double overlap) {
-  return std::visit(
-      [&]<class Material>(const std::vector<Material>& materials) {
-        using Law = typename Material::Law;
-        dem::Kinematics<double> k{};
-        k.normal = {1, 0, 0};
-        k.overlap = overlap, k.r1 = k.r2 = radius, k.R_star = radius / 2, k.per_reach = 0.5 / radius, k.m1 = k.m2 = 1;
-        dem::ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
-        dem::ContactEnergies<double> energies;
-        return Law::respond(Law::mix(materials.front(), materials.front()), k, 0.0, history, energies).normal_force;
-      },
-      model.materials);
+  return dem::make_contact_sweep(model)->normal_force(radius, overlap);
 }
 
 void demand_stiff(const dem::Model& model, const Recipe& recipe, double radius, int dimension, double largest) {

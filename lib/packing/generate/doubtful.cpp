@@ -22,9 +22,6 @@ constexpr double most_overlap = 0.05;            // mean overlap over the mean r
 constexpr double median_error = 0.1;             // share of the median diameter by mass
 constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
-double modulus(const dem::HertzMindlin::Material& m) { return m.young_modulus; }
-double modulus(const dem::Linear::Material& m) { return m.young_modulus; }
-
 // Returns the median diameter by mass of n grains over that of the curve.
 double median_ratio(const Room& room, std::size_t grains) {
   const std::vector<double> radii = room.curve.radii(grains, room.dimension);
@@ -59,22 +56,18 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
 }  // namespace
 
 std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius) {
-  const auto doubt = [&](const auto& materials) -> std::optional<Doubt> {
-    const auto& m = materials.front();
-    const double fit = default_rotational_stiffness(mean_radius) * modulus(m) / thesis_modulus;
-    for (const auto& [resistance, name] : {std::pair(m.rolling, "rolling"), std::pair(m.twisting, "twisting")}) {
-      if (resistance.scale != dem::Resistance::Scale::absolute || resistance.stiffness == 0) continue;
-      const double ratio = resistance.stiffness / fit;
-      if (ratio <= far_off && ratio >= 1 / far_off) continue;
-      return Doubt{
-          "stiffness",
-          fmt::format("{} stiffness {:.3g} N m/rad is {:.2g} times what belongs to grains of {:.3g} mm mean radius: "
-                      "write {:.3g} N m/rad, or scale = \"contact\", which is the same at any size",
-                      name, resistance.stiffness, ratio, 1e3 * mean_radius, fit)};
-    }
-    return std::nullopt;
-  };
-  return std::visit(doubt, model.materials);
+  const dem::CommonMaterial m = model.materials.at(0);
+  const double fit = default_rotational_stiffness(mean_radius) * m.modulus / thesis_modulus;
+  for (const auto& [resistance, name] : {std::pair(m.rolling, "rolling"), std::pair(m.twisting, "twisting")}) {
+    if (resistance.scale != dem::Resistance::Scale::absolute || resistance.stiffness == 0) continue;
+    const double ratio = resistance.stiffness / fit;
+    if (ratio <= far_off && ratio >= 1 / far_off) continue;
+    return Doubt{"stiffness",
+                 fmt::format("{} stiffness {:.3g} N m/rad is {:.2g} times what belongs to grains of {:.3g} mm mean "
+                             "radius: write {:.3g} N m/rad, or scale = \"contact\", which is the same at any size",
+                             name, resistance.stiffness, ratio, 1e3 * mean_radius, fit)};
+  }
+  return std::nullopt;
 }
 
 std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains) {

@@ -95,11 +95,19 @@ std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, st
 
 Contacts::Contacts(std::string_view text, const std::string& name) {
   Settings document = Settings::parse(text, name);
+  read(document);
+}
+
+void Contacts::read(Settings& document) {
   model = dem::read_model(document);
   density = dem::read_density(document);
   numerics = dem::read_numerics(document);
   document.finish();
   resolved = document.resolved();
+}
+
+std::vector<Key> Contacts::keys() {
+  return keys_of([](Settings& document) { Contacts().read(document); });
 }
 
 double Room::diameters(std::size_t grains) const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/settings.h"
 #include "dem/contact/model.h"
 #include "files/records.h"
 #include "packing/generate/grading.h"
@@ -39,11 +40,17 @@ std::string default_material(double mean_radius);
 struct Contacts {
   dem::Model model;
   dem::Numerics numerics;
-  double density;        // kg/m3; 0: not given
+  double density = 0;    // kg/m3; 0: not given
   std::string resolved;  // TOML, for provenance
 
   /// Reads the text, which errors call `name`. Throws DataError with all mistakes.
   Contacts(std::string_view text, const std::string& name);
+  /// Returns every key that a material file may have (core/keys.h).
+  static std::vector<Key> keys();
+
+ private:
+  Contacts() = default;
+  void read(Settings& document);
 };
 
 /// The cell that n grains of a grading form.

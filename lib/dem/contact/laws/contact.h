@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <string_view>
+
 #include "dem/state/space.h"
 
 namespace soilweave::dem {
@@ -15,12 +18,29 @@ struct ContactHistory {
   T twisting;              // N m, about the contact normal
 };
 
+/// A field of history that only one law keeps, as files, checkpoints and pages show it.
+struct HistoryField {
+  enum class Kind { scalar, along };  // a number, or a vector along the contact that turns with it
+  std::string_view name, unit, sentence;
+  Kind kind = Kind::scalar;
+
+  /// Returns how many numbers a contact keeps for it.
+  constexpr std::size_t numbers() const { return kind == Kind::scalar ? 1 : 3; }
+};
+
+/// History of one contact under a law with fields of its own.
+template <class T, class Space, class Own>
+struct HistoryWithOwn : ContactHistory<T, Space> {
+  Own own;
+};
+
 /// Response of a law. Shear force and moments are in ContactHistory after the call.
 template <class T>
 struct Response {
   T normal_force;                           // N, compression positive, viscous part included
   T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
   T rolling_stiffness, twisting_stiffness;  // N m/rad
+  T pressing;                               // N, force between the surfaces that limits friction and rolling
   Mask<T> sliding;                          // whether the Coulomb limit holds the shear force
 };
 

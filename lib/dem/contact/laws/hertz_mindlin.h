@@ -5,8 +5,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/parameter.h"
 #include "dem/contact/laws/damping.h"
@@ -18,6 +20,19 @@ namespace soilweave::dem {
 /// The law. Its members are those that laws.h demands.
 struct HertzMindlin {
   static constexpr std::string_view name = "hertz-mindlin";
+
+  /// Materials of two sands, as a scenario writes them; the property tests take them.
+  static constexpr std::array<std::string_view, 2> examples = {
+      "young_modulus = 4e9\n"
+      "poisson_ratio = 0.33\n"
+      "friction_angle = 29\n"
+      "rolling = {stiffness = 0.13, limit = 0.1}\n"
+      "twisting = {stiffness = 0.13, limit = 0.1}\n",
+      "young_modulus = 2e9\n"
+      "poisson_ratio = 0.2\n"
+      "friction_angle = 25\n"
+      "rolling = {stiffness = 0.2, limit = 0.1}\n"
+      "twisting = {stiffness = 0.2, limit = 0.1}\n"};
 
   /// Parameters of one material.
   struct Material {
@@ -69,6 +84,8 @@ struct HertzMindlin {
             Damping::mix(a.restitution, b.restitution, a.attraction || b.attraction), mix_tangential(a, b)};
   }
 
+  /// Returns the modulus that scales the contacts' stiffness, Pa.
+  static double modulus(const Material& m) { return m.young_modulus; }
   static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 

@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/parameter.h"
 #include "dem/contact/laws/damping.h"
@@ -15,6 +17,19 @@ namespace soilweave::dem {
 /// The law. Its members are those that laws.h demands.
 struct Linear {
   static constexpr std::string_view name = "linear";
+
+  /// Materials of two sands, as a scenario writes them; the property tests take them.
+  static constexpr std::array<std::string_view, 2> examples = {
+      "young_modulus = 5.449e8\n"
+      "stiffness_ratio = 0.08\n"
+      "friction_angle = 30.2\n"
+      "rolling = {stiffness = 0.56, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"
+      "twisting = {stiffness = 0.56, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n",
+      "young_modulus = 3e8\n"
+      "stiffness_ratio = 0.4\n"
+      "friction_angle = 25\n"
+      "rolling = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"
+      "twisting = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"};
 
   /// Parameters of one material.
   struct Material {
@@ -66,6 +81,8 @@ struct Linear {
             mix_tangential(a, b)};
   }
 
+  /// Returns the modulus that scales the contacts' stiffness, Pa.
+  static double modulus(const Material& m) { return m.young_modulus; }
   static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 

@@ -36,7 +36,9 @@ inline std::optional<double> read_restitution(Settings& table) {
 }
 
 /// Reads whether the dashpot may pull while the grains part.
-inline bool read_attraction(Settings& table) { return table.flag("attraction", false); }
+inline bool read_attraction(Settings& table) {
+  return table.flag({"attraction", "whether the dashpot may pull while the grains part"}, false);
+}
 
 /// Reads [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at
 /// all), arm.
@@ -49,10 +51,13 @@ inline Resistance read_resistance(Settings& table, std::string_view key) {
   if (!table.has(key)) return r;
   Settings part = table.table(key);
   r.stiffness = part.number(stiffness);
-  r.scale = part.choice("scale", {"absolute", "contact"}, "absolute") == "absolute" ? Resistance::Scale::absolute
-                                                                                    : Resistance::Scale::contact;
+  r.scale = part.choice({"scale", "what the stiffness is: in N m/rad, or a factor on ks r1 r2"},
+                        {"absolute", "contact"}, "absolute") == "absolute"
+                ? Resistance::Scale::absolute
+                : Resistance::Scale::contact;
   r.limit = part.number_or(limit, "none");
-  r.arm = part.choice("arm", {"mean-radius", "smaller-radius"}, "mean-radius") == "mean-radius"
+  r.arm = part.choice({"arm", "length over which the plastic limit acts"}, {"mean-radius", "smaller-radius"},
+                      "mean-radius") == "mean-radius"
               ? Resistance::Arm::mean_radius
               : Resistance::Arm::smaller_radius;
   return r;

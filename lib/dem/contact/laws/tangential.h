@@ -46,6 +46,7 @@ template <class T, class Space>
 void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, ContactHistory<T, Space>& history,
                      Response<T>& r, ContactEnergies<T>& energies) {
   const T pressing = maximum(r.normal_force, broadcast<T>(0));
+  r.pressing = pressing;
   r.rolling_stiffness = resistance_stiffness(c.rolling, k, r.shear_stiffness);
   r.twisting_stiffness = resistance_stiffness(c.twisting, k, r.shear_stiffness);
   const auto shear = limited_spring_step<T, Along<T, Space>>(history.shear, r.shear_stiffness, k.slip, c.mu * pressing);

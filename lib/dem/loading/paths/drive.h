@@ -21,7 +21,7 @@ class Drive final : public Path {
     path.parts_ = static_cast<std::size_t>(table.integer(parts, 1));
     const auto take = [&](Settings& entry, DriveGoal::Kind kind, const Parameter& value) {
       Goal goal;
-      goal.end.part = entry.text("part");
+      goal.end.part = entry.text({"part", "name of the plane or clamp"});
       goal.end.kind = kind;
       const Vec3 direction = entry.vector(along);
       if (direction.norm() == 0) entry.mistake("along", "is zero: give a direction");

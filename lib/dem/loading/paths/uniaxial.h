@@ -19,8 +19,9 @@ class Uniaxial final : public Path {
                                     1,          false, "strains to record at, up and down, instead of strain"};
     static constexpr Parameter rate{"rate", "1/s", 0, 1e3, true, "strain rate"};
     Uniaxial path;
-    path.lower_ = table.text("lower", "bottom"), path.upper_ = table.text("upper", "top");
-    path.both_ = table.choice("moving", {"both", "upper"}, "both") == "both";
+    path.lower_ = table.text({"lower", "name of the lower plate"}, "bottom"),
+    path.upper_ = table.text({"upper", "name of the upper plate"}, "top");
+    path.both_ = table.choice({"moving", "which plates move"}, {"both", "upper"}, "both") == "both";
     path.height_ = table.number(height);
     path.rate_ = table.number(rate, 0.1);
     if (table.has("stations")) {

@@ -1,6 +1,6 @@
 // A filled bag whose sides are straight from corner to corner.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing/container/cushion.h"
+#include "packing/container/shapes/cushion.h"
 
 #include <algorithm>
 #include <cmath>

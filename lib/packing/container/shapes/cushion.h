@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string_view>
 #include <vector>
 
 #include "packing/container/container.h"
@@ -13,9 +15,14 @@ namespace soilweave::packing {
 /// equally at all heights. It has flat square faces, and sides that are round only from face to face. Without rounding
 /// the sides meet in mitres.
 struct Cushion final : FilledBag {
-  Cushion() = default;
+  static constexpr std::string_view name = "cushion";
   /// Reads a cushion from [container].
-  explicit Cushion(Settings& table) { read(table); }
+  static std::unique_ptr<Container> read(Settings& table, PlanFiles*) {
+    auto bag = std::make_unique<Cushion>();
+    bag->read_section(table);
+    return bag;
+  }
+
   double depth(const Vec3& point) const override;
   /// Integrates squares as wide as the section at each height, minus their corners. Deeper squares have smaller corner
   /// radii; this is exact at mid-height and near to it elsewhere.

@@ -1,6 +1,6 @@
 // Containers given as closed triangulated surfaces.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "packing/container/surface.h"
+#include "packing/container/shapes/surface.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
@@ -27,6 +27,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "display/vtk.h"
 #include "files/exchange/triangles.h"
 #include "store/bytes.h"
 
@@ -93,7 +94,7 @@ io::TriangleSoup soup_of(const std::string& path) {
   return io::read_vtp(path);
 }
 
-Triangles read(const std::string& path, double scale) {
+Triangles triangles_of(const std::string& path, double scale) {
   io::TriangleSoup soup = soup_of(path);
   for (Vec3& x : soup.points) {
     x *= scale;
@@ -125,7 +126,9 @@ Triangles read(const std::string& path, double scale) {
 
 struct Surface::Mesh {
   Mesh(const std::string& path, double scale)
-      : triangles(read(path, scale)), tree(faces(triangles).begin(), faces(triangles).end(), triangles), side(tree) {
+      : triangles(triangles_of(path, scale)),
+        tree(faces(triangles).begin(), faces(triangles).end(), triangles),
+        side(tree) {
     tree.accelerate_distance_queries();
   }
   Triangles triangles;
@@ -141,6 +144,20 @@ Surface::Surface(const std::string& path, double scale) : path_(path), mesh_(std
 }
 
 Surface::~Surface() = default;
+
+std::unique_ptr<Container> Surface::read(Settings& table, PlanFiles* files) {
+  static constexpr Parameter unit{"scale", "1", 0, 1e6, true, "m in the surface's unit of length, 0.001 for mm"};
+  if (!files) return nullptr;
+  const std::string word = table.text({"file", "closed surface, .stl or .vtp"});
+  const double size = table.number(unit, 1.0);
+  if (word.empty()) {
+    if (table.has("file")) table.mistake("file", "is empty: name a closed surface, .stl or .vtp");
+    return nullptr;
+  }
+  const std::filesystem::path file = files->names.path("container.file", word);
+  files->sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
+  return std::make_unique<Surface>(file.string(), size);
+}
 
 double Surface::depth(const Vec3& point) const {
   const Kernel::Point_3 at(point.x(), point.y(), point.z());

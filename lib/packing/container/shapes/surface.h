@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "packing/container/chart.h"
@@ -14,6 +15,10 @@ namespace soilweave::packing {
 /// The space enclosed by a closed surface of triangles.
 class Surface final : public Container {
  public:
+  static constexpr std::string_view name = "surface";
+  /// Reads the surface of the file that [container] names; nullptr if there are no files.
+  static std::unique_ptr<Container> read(Settings& table, PlanFiles* files);
+
   /// Reads STL, binary or text, or VTP. scale: metres per unit of length in the file. Throws DataError if the file is
   /// no surface, or if the surface is open, intersects itself or encloses nothing.
   explicit Surface(const std::string& path, double scale = 1);

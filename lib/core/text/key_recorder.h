@@ -1,0 +1,75 @@
+// Answers of a document that notes the questions of its reader (keys.h).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/text/keys.h"
+
+namespace soilweave {
+
+/// Notes the keys of a reader over many readings. In a reading, each question that has several answers is a decision.
+/// The script of the reading fixes the first decisions; the later ones take their first answer. An answer not yet tried
+/// is put on the list of scripts, once for each set of choices under which the question is asked.
+class KeyRecorder {
+ public:
+  /// others: whether numbers without a default get other values than usual. A default that then changes follows from
+  /// them.
+  explicit KeyRecorder(bool others = false) : others_(others) {}
+  /// Returns the value of a number without a default, small and in its range. Readers make grids and lists of such
+  /// sizes.
+  double value(const Parameter& parameter) const;
+  /// Begins the next reading. Returns false if every answer has been tried.
+  bool begin();
+  /// Notes that the reading came to its end. Other readings say nothing about the keys after their error.
+  void end();
+
+  /// Returns an answer, a number below `answers`, to the question about a key.
+  std::size_t decide(std::string_view table, std::string_view key, std::size_t answers);
+  /// Returns whether the key is there; absence comes first.
+  bool has(std::string_view table, std::string_view key);
+  /// Returns one of the values of a choice. governs: whether it also decides what other tables mean (Settings::kind).
+  std::string choose(std::string_view table, std::string_view key, const std::vector<std::string>& values,
+                     bool governs);
+  /// Notes a key with the choices made so far.
+  void note(Key key);
+
+  /// Returns all keys, with their conditions.
+  std::vector<Key> keys() const;
+
+ private:
+  struct Choice {
+    std::string table, key, value;
+    bool governs;
+    std::string name() const { return table.empty() ? key : table + "." + key; }
+    bool counts_for(std::string_view other) const;
+  };
+  struct Noted {
+    Key key;
+    std::size_t readings = 0;
+    std::map<std::string, std::set<std::string>> values;  // by choice: values with which the key was read
+    std::map<std::string, std::size_t> times;             // by choice: number of readings in which it was made before
+  };
+  using Script = std::vector<std::size_t>;
+
+  std::string choices_for(std::string_view table) const;
+  Noted& place_of(const Key& key);
+
+  bool others_;
+  std::deque<Script> scripts_{Script{}};
+  std::set<std::string> tried_;
+  Script script_, taken_;
+  std::vector<Choice> choices_;
+  std::set<std::string> asked_for_;  // keys that the present reading has asked whether they are there
+  std::map<std::string, std::vector<std::string>> values_of_;  // by choice: all its values
+  std::map<std::string, std::set<std::string>> ended_;         // by choice: values with which a reading came to its end
+  std::vector<Noted> noted_;
+};
+
+}  // namespace soilweave

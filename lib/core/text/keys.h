@@ -1,0 +1,50 @@
+// Every key that a reader of TOML asks for, as data: name, type, unit, range, default, sentence, and when it counts.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A reader describes each key where it reads it: settings.number(parameter, default). So no second list is kept.
+// keys_of() lets the reader read a document that notes every question and answers it. A question may decide what is
+// asked next: whether a key is there, which word a choice has. The reader runs again for each other answer, so that all
+// branches are seen. The list holds what the reader asks for, neither more nor less:
+//
+//   const std::vector<Key> keys = keys_of([](Settings& document) { dem::read(document); });
+//   print: "[[stage]]  pressure  Pa, above 0  mean stress  (path = isotropic)"
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parameter.h"
+
+namespace soilweave {
+
+class Settings;
+
+/// One key of a TOML document.
+struct Key {
+  enum class Type { number, integer, numbers, vector, text, choice, flag };
+  std::string
+      table;  // dotted path of its table, with [] after arrays of tables: "stage[]", "contact.rolling"; root: ""
+  std::string name;
+  Type type = Type::number;
+  std::string unit = {}, sentence = {}, why = {};
+  double low = 0, high = 0;             // bounds of a number, in its unit
+  bool open = false;                    // true: the bounds themselves are excluded
+  std::vector<std::string> words = {};  // values of a choice; of another type: words that stand for no value
+  std::optional<std::string> standard =
+      std::nullopt;                    // default as TOML text; nullopt: none, or it follows from other keys
+  bool required = false;               // whether its table must have it
+  std::vector<std::string> when = {};  // conditions under which it is read: "path = triaxial", "contact.law = linear"
+};
+
+/// Returns all keys that `read` asks for, table by table, in the order in which they were asked for first. `read` gets
+/// an empty document. Errors that it throws end one reading, not the search.
+std::vector<Key> keys_of(const std::function<void(Settings&)>& read);
+
+/// Returns the keys as text: a head line for each table, and a line for each key.
+std::string keys_as_text(const std::vector<Key>& keys);
+/// Returns the keys as a JSON Schema (draft 2020-12), for editors. title: what the document is.
+std::string keys_as_schema(const std::vector<Key>& keys, const std::string& title);
+
+}  // namespace soilweave

@@ -1,0 +1,66 @@
+// The document behind Settings: its tables, what was asked of it, and its mistakes.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text/key_recorder.h"
+#include "core/text/settings.h"
+
+namespace soilweave {
+
+struct Settings::Document {
+  struct Mistake {
+    std::uint32_t line;
+    std::string key, text;
+    bool operator<(const Mistake& other) const { return line < other.line; }
+  };
+  std::string name;
+  toml::table root;
+  std::deque<toml::table> absent;                      // targets of handles to absent tables
+  std::map<std::string, std::set<std::string>> asked;  // table path -> keys that were read
+  std::map<std::string, std::string> assigned;         // full key -> the --set that gave it
+  std::vector<Mistake> mistakes;
+  std::set<std::string> unread;     // tables whose one mistake leaves open which keys they may have
+  std::set<std::string> misspelt;   // full keys that are absent because they were misspelt
+  KeyRecorder* recorder = nullptr;  // set if the document only notes what its reader asks for (keys.h)
+
+  bool is_unread(const std::string& path) const {
+    return std::any_of(unread.begin(), unread.end(),
+                       [&](const std::string& table) { return path == table || path.starts_with(table + "."); });
+  }
+  void add(const std::string& key, std::uint32_t line, std::string_view what) {
+    auto by_set = assigned.find(key);
+    // A table that only --set made has no line of its own.
+    if (by_set == assigned.end() && line == 0)
+      by_set = std::find_if(assigned.begin(), assigned.end(),
+                            [&](const auto& made) { return made.first.starts_with(key + "."); });
+    line = std::max<std::uint32_t>(1, line);
+    if (by_set != assigned.end())
+      mistakes.push_back({0, key, fmt::format("--set {}: {}", by_set->second, what)});
+    else
+      mistakes.push_back({line, key, fmt::format("{}:{}: {}", name, line, what)});
+  }
+};
+
+namespace settings_parts {
+
+inline toml::table& as_table(void* table) { return *static_cast<toml::table*>(table); }
+
+inline std::string joined(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+}  // namespace settings_parts
+
+}  // namespace soilweave

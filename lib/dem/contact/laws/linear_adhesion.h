@@ -1,0 +1,98 @@
+// Linear springs with an adhesion that acts within a finite range, also across a gap (LAWS.md §10).
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Two grains attract each other with the constant force 2 pi w R* while they overlap (Derjaguin, Muller & Toporov 1975:
+// the pull-off force of a small, stiff sphere), and across a gap with a force that falls linearly to zero at the range
+// (the reversible adhesion of Singh, Magnanimo, Saitoh & Luding 2014). The force depends on the distance alone, so
+// that a cycle of approach and separation costs no energy. Springs, friction, rolling and damping are those of
+// laws/linear.h, from the repulsive force alone: adhesion presses the surfaces together, so it raises friction.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "dem/contact/laws/linear.h"
+
+namespace soilweave::dem {
+
+/// The law. Its members are those that laws.h demands.
+struct LinearAdhesion {
+  static constexpr std::string_view name = "linear-adhesion";
+
+  /// Materials of two moist sands, as a scenario writes them; the property tests take them.
+  static constexpr std::array<std::string_view, 2> examples = {
+      "young_modulus = 5.449e8\n"
+      "stiffness_ratio = 0.08\n"
+      "friction_angle = 30.2\n"
+      "work_of_adhesion = 0.07\n"
+      "adhesion_range = 1e-5\n"
+      "rolling = {stiffness = 0.56, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"
+      "twisting = {stiffness = 0.56, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n",
+      "young_modulus = 3e8\n"
+      "stiffness_ratio = 0.4\n"
+      "friction_angle = 25\n"
+      "work_of_adhesion = 0.03\n"
+      "adhesion_range = 2e-5\n"
+      "rolling = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"
+      "twisting = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"};
+
+  static constexpr Parameter work_of_adhesion{
+      "work_of_adhesion", "J/m2", 0, 1e3, false, "work of adhesion w; the grains pull with 2 pi w R*"};
+  static constexpr Parameter adhesion_range{
+      "adhesion_range", "m", 0, 1, true, "gap at which the adhesion ends", "without a range the force would jump"};
+
+  /// Parameters of one material: those of the springs, and those of the adhesion.
+  struct Material : Linear::Material {
+    using Law = LinearAdhesion;
+    double work_of_adhesion = 0;  // J/m2
+    double adhesion_range = 0;    // m
+  };
+  /// A pair of materials.
+  struct MaterialPair : Linear::MaterialPair {
+    double pull_per_radius;  // 2 pi w, N/m
+    double range;            // m
+  };
+
+  /// Reads a material from [contact] or a [[material]] table.
+  static Material read(Settings& table) {
+    return {Linear::read(table), table.number(work_of_adhesion), table.number(adhesion_range)};
+  }
+  /// Mixes two materials: the geometric mean of the works of adhesion (Israelachvili 2011), the mean of the ranges.
+  static MaterialPair mix(const Material& a, const Material& b) {
+    return {Linear::mix(a, b), 2 * std::numbers::pi * std::sqrt(a.work_of_adhesion * b.work_of_adhesion),
+            0.5 * (a.adhesion_range + b.adhesion_range)};
+  }
+
+  static double modulus(const Material& m) { return m.young_modulus; }
+  static bool uses_masses(const MaterialPair& c) { return Linear::uses_masses(c); }
+  static bool uses_moments(const MaterialPair& c) { return Linear::uses_moments(c); }
+  /// Returns the gap across which two grains still attract each other, m.
+  static double range(const MaterialPair& c) { return c.range; }
+
+  /// Returns the response of the springs minus the adhesion: with depth = overlap + range, cut at 0 and at the range,
+  /// the pull is 2 pi w R* depth/range. Its energy counts from the range on, where it is zero.
+  template <class T, class Space>
+  static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
+                             ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
+    const T zero = broadcast<T>(0);
+    const Mask<T> pressed = k.overlap > zero;
+    // Across a gap the springs feel nothing, neither motion nor overlap.
+    Kinematics<T, Space> springs = k;
+    springs.overlap = maximum(k.overlap, zero);
+    springs.approach_speed = masked(pressed, k.approach_speed);
+    springs.slip = masked(pressed, k.slip), springs.roll = masked(pressed, k.roll),
+    springs.twist = masked(pressed, k.twist);
+    Response<T> r = Linear::respond(static_cast<const Linear::MaterialPair&>(c), springs, dt, history, energies);
+    const T depth = minimum(maximum(T(k.overlap + c.range), zero), broadcast<T>(c.range));
+    const T slope = k.R_star * (c.pull_per_radius / c.range);  // N/m
+    r.normal_force = r.normal_force - slope * depth;
+    // Across a gap the force falls with the distance. The step needs the size of the slope.
+    r.normal_stiffness = select<T>(pressed, r.normal_stiffness, slope);
+    energies.elastic_normal = energies.elastic_normal - slope * (0.5 * depth * depth + c.range * springs.overlap);
+    return r;
+  }
+};
+
+}  // namespace soilweave::dem

@@ -1,0 +1,100 @@
+// Materials of one contact law, without its type: what stages, plates, the generator and doubts read and change.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Only the sweep over contacts needs the type of a law, and gets it back by of(). So a new law is compiled into the
+// sweep and into the list of laws, and nothing else is compiled again.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+#include "dem/contact/laws/resistance.h"
+
+namespace soilweave::dem {
+
+/// The part of a material that all laws have.
+struct CommonMaterial {
+  double friction_angle = 0;      // rad
+  bool friction_decides = false;  // whether its friction angle holds against any other material
+  Resistance rolling, twisting;
+  double modulus = 0;  // Pa, of the contacts' stiffness; it cannot be set
+};
+
+/// Materials of one law by material_id, planes included. A value: a copy has materials of its own.
+class Materials {
+ public:
+  /// Holds no materials.
+  Materials() = default;
+  /// Takes the materials of a law.
+  template <class Material>
+  Materials(std::vector<Material> all) : held_(std::make_unique<HeldOf<Material>>(std::move(all))) {}
+  Materials(const Materials& other) : held_(other.held_ ? other.held_->copy() : nullptr) {}
+  Materials& operator=(const Materials& other) {
+    if (this != &other) held_ = other.held_ ? other.held_->copy() : nullptr;
+    return *this;
+  }
+  Materials(Materials&&) noexcept = default;
+  Materials& operator=(Materials&&) noexcept = default;
+  ~Materials() = default;
+
+  /// Returns the name of the law, as in scenarios.
+  std::string_view law() const { return held_ ? held_->law() : std::string_view(); }
+  /// Returns the number of materials.
+  std::size_t size() const { return held_ ? held_->size() : 0; }
+  /// Returns the common part of material k.
+  CommonMaterial at(std::size_t k) const { return held_->common(k); }
+  /// Changes the common part of material k, its modulus excepted.
+  void set(std::size_t k, const CommonMaterial& m) { held_->set(k, m); }
+
+  /// Returns whether they are materials of this type, that is, of the law of its name. The name decides, not the type:
+  /// objects for eight lanes have type information of their own (Makefile).
+  template <class Material>
+  bool are() const {
+    return law() == Material::Law::name;
+  }
+  /// Return the materials by their type. Throw std::bad_cast if they are of another law.
+  template <class Material>
+  const std::vector<Material>& of() const {
+    if (!are<Material>()) throw std::bad_cast();
+    return static_cast<const HeldOf<Material>&>(*held_).all;
+  }
+  template <class Material>
+  std::vector<Material>& of() {
+    if (!are<Material>()) throw std::bad_cast();
+    return static_cast<HeldOf<Material>&>(*held_).all;
+  }
+
+ private:
+  struct Held {
+    virtual ~Held() = default;
+    virtual std::unique_ptr<Held> copy() const = 0;
+    virtual std::string_view law() const = 0;
+    virtual std::size_t size() const = 0;
+    virtual CommonMaterial common(std::size_t k) const = 0;
+    virtual void set(std::size_t k, const CommonMaterial& m) = 0;
+  };
+  template <class Material>
+  struct HeldOf final : Held {
+    explicit HeldOf(std::vector<Material> materials) : all(std::move(materials)) {}
+    std::unique_ptr<Held> copy() const override { return std::make_unique<HeldOf>(all); }
+    std::string_view law() const override { return Material::Law::name; }
+    std::size_t size() const override { return all.size(); }
+    CommonMaterial common(std::size_t k) const override {
+      const Material& m = all[k];
+      return {m.friction_angle, m.friction_decides, m.rolling, m.twisting, Material::Law::modulus(m)};
+    }
+    void set(std::size_t k, const CommonMaterial& c) override {
+      Material& m = all[k];
+      m.friction_angle = c.friction_angle, m.friction_decides = c.friction_decides;
+      m.rolling = c.rolling, m.twisting = c.twisting;
+    }
+    std::vector<Material> all;
+  };
+
+  std::unique_ptr<Held> held_;
+};
+
+}  // namespace soilweave::dem
