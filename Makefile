@@ -498,21 +498,12 @@ $(foreach f,$(TIDY_SOURCES),$(eval $(call tidied_with,$(f)): $(f)))
 
 # columns8.h, lanes8.h, lanes_x86.h and lanes_portable.h are parts of the headers that include them.
 WHOLE := $(filter-out lib/core/simd/columns8.h lib/core/simd/lanes8.h lib/core/simd/lanes_%.h,$(HEADERS))
-# Headers without a source of their own, each as the only one of a source, with the standard library precompiled. The
-# others are the first include of their source. tests/headers.py looks for what the precompiled header hides.
-BARE := $(patsubst %,$(B)/headers/%.bare,$(foreach h,$(WHOLE),$(if $(wildcard $(h:.h=.cpp)),,$(h))))
-$(B)/headers/%.bare: private CXXFLAGS += -O1
-$(B)/headers/%.bare: % $(PRECOMPILED_TESTS).gch
-	@mkdir -p $(@D)
-	@$(CXX) $(CPPFLAGS) -Itests $(CXXFLAGS) -Werror -include $(PRECOMPILED_TESTS) -include $< -fsyntax-only -MMD -MP -MT $@ -MF $@.d \
-	  -x c++ /dev/null && touch $@
--include $(addsuffix .d,$(BARE))
 
 .PHONY: lint
-lint: $(TIDY) $(BARE) build/lint/shellcheck build/lint/workflows warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, headers, file sizes, comments
+lint: $(TIDY) build/lint/shellcheck build/lint/workflows warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, headers, file sizes, comments
 	@bash tests/layers.sh && $(PYTHON) tests/headers.py && $(PYTHON) tests/comments.py && echo "== lint: clean"
 
-# Each header as the only one of a source, without anything precompiled: minutes on two cores, so that no check runs it.
+# Each header as the only one of a source: minutes on two cores, so that no check runs it; tests/headers.py stands in.
 ALONE := $(patsubst %,$(B)/headers/%.alone,$(WHOLE))
 .PHONY: headers
 headers: $(ALONE) ## compile each header of the library and the tests alone (minutes)

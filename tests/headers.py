@@ -4,11 +4,11 @@
 usage: headers.py   Prints one line per fault; exit status 1 if there are any.
 
 A precompiled header brings the standard library to every source, so that a header without its own includes goes
-unnoticed. Two rules stand in for compiling each header alone, which takes minutes (make headers):
+unnoticed. Three rules stand in for compiling each header alone, which takes minutes (make headers):
 1. For each name of the standard library that a header uses, it or a header of the project that it includes has to
    include a header of the library that declares it.
-2. A source with a header of its own includes it before any other, so that compiling the source checks the header.
-   Headers without a source are compiled alone by make lint.
+2. A type that one header of the project alone defines is used only where that header is included, also through others.
+3. A source with a header of its own includes it before any other, so that compiling the source checks the header.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -58,7 +58,7 @@ DECLARED = {
 HEADERS_OF = {name: set(headers.split()) for names, headers in DECLARED.items() for name in names.split()}
 WORDS = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 ROOTS = (pathlib.Path("lib"), pathlib.Path("tests"))
-HALVES = {"lib/core/simd/columns8.h", "lib/core/simd/lanes8.h"}  # parts of the headers that include them
+PARTS = {f"lib/core/simd/{part}.h" for part in ("columns8", "lanes8", "lanes_x86", "lanes_portable")}  # of other headers
 
 
 def found(name):
@@ -67,28 +67,54 @@ def found(name):
 
 
 @functools.cache
+def reached(path):
+    """Returns the headers of the project that a header includes, also through others, and itself."""
+    seen = {path}
+    for name in re.findall(r'^ *#include "([^"]+)"', path.read_text(encoding="utf-8"), re.M):
+        if found(name):
+            seen |= reached(found(name))
+    return seen
+
+
+@functools.cache
+def homes():
+    """Returns the headers that define each type with a name in capitals and small letters."""
+    where = {}
+    for path in (header for root in ROOTS for header in root.rglob("*.h")):
+        code = WORDS.sub("", path.read_text(encoding="utf-8"))
+        kinds = r"\b(?:struct|class|using|concept|typename|enum class)\s+([A-Z]\w*[a-z]\w*)(?!\w*;)"
+        for name in re.findall(kinds, code):
+            where.setdefault(name, set()).add(path)
+    return where
+
+
+@functools.cache
 def includes(path):
     """Returns the headers of the library that a header includes, also through headers of the project."""
     text = path.read_text(encoding="utf-8")
-    reached = set(re.findall(r"^ *#include <([\w.]+)>", text, re.M))
+    standard = set(re.findall(r"^ *#include <([\w.]+)>", text, re.M))
     for name in re.findall(r'^ *#include "([^"]+)"', text, re.M):
         if found(name):
-            reached |= includes(found(name))
-    return reached
+            standard |= includes(found(name))
+    return standard
 
 
 def faults_of_header(path):
-    """Returns the names of the standard library without an include."""
+    """Returns the names without an include."""
     code = WORDS.sub("", path.read_text(encoding="utf-8"))
     for name in sorted(set(re.findall(r"\bstd::(\w+)", code))):
         if name in HEADERS_OF and not HEADERS_OF[name] & includes(path):
             yield f"{path}: uses std::{name} and does not include <{min(HEADERS_OF[name], key=len)}>"
+    for name in sorted(set(re.findall(r"(?<!::)(?<![\w.])(?:(?:io|dem|analysis|packing|fem|gws)::)?([A-Z]\w*[a-z]\w*)", code))):
+        home = {header for header in homes().get(name, ()) if header.parts[0] in ("lib", path.parts[0])}
+        if len(home) == 1 and not home & reached(path) and not re.search(rf"\b(?:struct|class) {name};", code):
+            yield f"{path}: uses {name} and does not include {min(home)}"
 
 
 def main():
     faults = []
     for path in sorted(header for root in ROOTS for header in root.rglob("*.h")):
-        if str(path) in HALVES:
+        if str(path) in PARTS:
             continue
         faults.extend(faults_of_header(path))
         source = path.with_suffix(".cpp")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dem/contact/laws/contact.h"
 #include "dem/contact/pair_geometry.h"
 #include "dem/sweep/row_sums.h"
 
