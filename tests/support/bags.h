@@ -3,6 +3,7 @@
 #pragma once
 
 #include "packing/container/shapes/cushion.h"
+#include "packing/container/shapes/pillow.h"
 
 namespace soilweave::testing {
 
