@@ -33,7 +33,7 @@ struct Tables {
   Group yarns{"yarns", "one row per yarn and state", {}};
   Group broken{"broken", "broken yarns of the last state", {}};
   Group series{"series", "the run's own series", {}};
-  std::vector<Group> of_run;  // packing/run_tables.h
+  std::vector<Group> of_run;  // packing/expand/run_tables.h
 
   std::vector<Group*> all() {
     std::vector<Group*> groups = {&cell, &volumes, &grains, &bag, &yarns, &broken, &series};

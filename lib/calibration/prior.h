@@ -46,7 +46,7 @@ struct Prior {
 /// Reads [[parameter]] tables: name, low, high; unit ("1"), scale ("linear" or "log"), long_name. Mistakes go to the
 /// document's list.
 Prior read_prior(Settings& document);
-/// Returns every key that a prior may have (core/keys.h).
+/// Returns every key that a prior may have (core/text/keys.h).
 std::vector<Key> prior_keys();
 /// Returns the prior as TOML, with SI numbers.
 std::string prior_text(const Prior& prior);

@@ -35,7 +35,7 @@ Scenario read_scenario(std::string_view text, const std::string& name, const std
                        std::optional<Mesh> mesh);
 /// Reads a scenario from a document.
 Scenario read_scenario(Settings& document, std::optional<Mesh> mesh);
-/// Returns every key that a scenario may have (core/keys.h).
+/// Returns every key that a scenario may have (core/text/keys.h).
 std::vector<Key> scenario_keys();
 
 }  // namespace soilweave::fem

@@ -56,7 +56,7 @@ Laid read_laid(Settings& table);
 Plan read_plan(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 /// Reads a plan from a document. files: how its file names are resolved.
 Plan read_plan(Settings& document, const NamedFiles& files);
-/// Returns every key that a plan may have (core/keys.h).
+/// Returns every key that a plan may have (core/text/keys.h).
 std::vector<Key> plan_keys();
 
 /// Returns copies cut to the container, with its geotextile around them, before growth. Throws DataError if the copies

@@ -45,7 +45,7 @@ struct Contacts {
 
   /// Reads the text, which errors call `name`. Throws DataError with all mistakes.
   Contacts(std::string_view text, const std::string& name);
-  /// Returns every key that a material file may have (core/keys.h).
+  /// Returns every key that a material file may have (core/text/keys.h).
   static std::vector<Key> keys();
 
  private:
