@@ -36,7 +36,8 @@ void declare(CLI::App& app, Table::Impl& table, std::vector<std::string>& files,
     app.add_option_function<std::vector<std::string>>(
            "--keys",
            [&asked](const std::vector<std::string>& words) { asked.keys = words.empty() ? "" : words.front(); })
-        ->expected(0, 1);
+        ->expected(0, 1)
+        ->allow_extra_args(false);
   for (Entry& entry : table.options) {
     if (entry.kind == Kind::flag)
       app.add_flag_callback(cli_name(entry), [&entry] { entry.given.emplace_back(); });
