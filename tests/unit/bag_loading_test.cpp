@@ -14,6 +14,7 @@
 #include "core/text/text.h"
 #include "gws/identification/bag_runs.h"
 #include "packing/container/geotextile.h"
+#include "packing/container/shapes/box.h"
 #include "packing/expand/loaded_bag.h"
 #include "support/states.h"
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "packing/container/chart.h"
+#include "packing/container/shapes/box.h"
 #include "packing/container/shapes/cushion.h"
 #include "packing/expand/plan.h"
 #include "support/assemblies.h"

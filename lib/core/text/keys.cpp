@@ -77,7 +77,7 @@ bool KeyRecorder::has(std::string_view table, std::string_view key) {
 
 std::string KeyRecorder::choose(std::string_view table, std::string_view key, const std::vector<std::string>& values,
                                 bool governs) {
-  const std::string value = values[decide(table, key, values.size())];
+  const std::string& value = values[decide(table, key, values.size())];
   choices_.push_back({std::string(table), std::string(key), value, governs});
   values_of_[choices_.back().name()] = values;
   return value;

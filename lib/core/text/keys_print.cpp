@@ -112,19 +112,22 @@ std::string property(const Key& k) {
 // A table of the document, with its keys and its tables.
 struct TableSchema {
   std::vector<const Key*> keys;
-  std::vector<std::pair<std::string, TableSchema>> tables;  // name, with [] for an array of tables
+  std::vector<std::string> names;  // of its tables, with [] for an array of tables
+  std::vector<TableSchema> tables;
 
-  TableSchema& at(std::string_view path) {
-    if (path.empty()) return *this;
-    const std::size_t dot = path.find('.');
-    const std::string name(path.substr(0, dot));
-    auto found = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == name; });
-    if (found == tables.end()) found = tables.insert(tables.end(), {name, TableSchema{}});
-    return dot == std::string_view::npos ? found->second : found->second.at(path.substr(dot + 1));
-  }
+  TableSchema& at(std::string_view path);
   std::string schema(const std::string& indent) const;
   std::string demands() const;
 };
+
+TableSchema& TableSchema::at(std::string_view path) {
+  if (path.empty()) return *this;
+  const std::size_t dot = path.find('.');
+  const std::string name(path.substr(0, dot));
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (place == names.size()) names.push_back(name), tables.emplace_back();
+  return dot == std::string_view::npos ? tables[place] : tables[place].at(path.substr(dot + 1));
+}
 
 // Returns the keys that the table must have, always and with a value of a choice.
 std::string TableSchema::demands() const {
@@ -159,9 +162,10 @@ std::string TableSchema::schema(const std::string& indent) const {
     if (std::count_if(keys.begin(), keys.end(), same) > 1) values = "{\"anyOf\": [" + values + "]}";
     rows.push_back(in_quotes((*k)->name) + ": " + values);
   }
-  for (const auto& [name, table] : tables) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string& name = names[i];
     const bool list = name.ends_with("[]");
-    const std::string inner = table.schema(indent + "  ");
+    const std::string inner = tables[i].schema(indent + "  ");
     rows.push_back(in_quotes(list ? name.substr(0, name.size() - 2) : name) + ": " +
                    (list ? "{\"type\": \"array\", \"items\": " + inner + "}" : inner));
   }
