@@ -57,7 +57,8 @@ TEST(Adhesion, GivesBackWhatItTakes) {
   EXPECT_GT(deepest, 0);
   EXPECT_GT(farthest, 0.89 * range);
   const Energies e = simulation.energies();
-  EXPECT_LT(std::abs(e.error()), 1e-4 * e.turned_over);
+  ASSERT_GT(std::abs(e.initial), 0) << "the energy of adhesion";
+  EXPECT_LT(std::abs(e.error()), 1e-4 * std::abs(e.initial));
 }
 
 // A list that was made before two grains came within range must hold their pair in time.

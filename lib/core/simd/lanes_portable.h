@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 /// Functions of lanes_x86.h as loops, with the same bits; a test compares them.
 namespace soilweave::portable {
+
+/// Returns the lanes of a register as numbers. GCC 12's bounds sanitizer reads a wrong index from a register that is
+/// reached through a reference.
+inline std::array<double, 4> apart(const Lane4& x) { return std::bit_cast<std::array<double, 4>>(x); }
 
 /// Returns the register whose lane i is of(i).
 template <class Of>
@@ -14,25 +21,30 @@ Lane4 by_lane(const Of& of) {
 }
 
 inline Lane4 square_root(const Lane4& x) {
-  return by_lane([&](int i) { return std::sqrt(x[i]); });
+  const auto lanes = apart(x);
+  return by_lane([&](std::size_t i) { return std::sqrt(lanes[i]); });
 }
 
 inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) {
-  return by_lane([&](int i) { return std::fma(a[i], b[i], c[i]); });
+  const auto p = apart(a), q = apart(b), r = apart(c);
+  return by_lane([&](std::size_t i) { return std::fma(p[i], q[i], r[i]); });
 }
 
 inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) {
-  return by_lane([&](int i) { return std::fma(-a[i], b[i], c[i]); });
+  const auto p = apart(a), q = apart(b), r = apart(c);
+  return by_lane([&](std::size_t i) { return std::fma(-p[i], q[i], r[i]); });
 }
 
 inline unsigned bits(const Mask<Lane4>& mask) {
+  const auto lanes = std::bit_cast<std::array<std::int64_t, 4>>(mask);
   unsigned set = 0;
-  for (int i = 0; i < 4; ++i) set |= (mask[i] < 0 ? 1U : 0U) << i;
+  for (std::size_t i = 0; i < 4; ++i) set |= (lanes[i] < 0 ? 1U : 0U) << i;
   return set;
 }
 
 inline void store_halves(double* lower, double* upper, const Lane4& x) {
-  for (int i = 0; i < 2; ++i) lower[i] = x[i], upper[i] = x[i + 2];
+  const auto lanes = apart(x);
+  for (std::size_t i = 0; i < 2; ++i) lower[i] = lanes[i], upper[i] = lanes[i + 2];
 }
 
 }  // namespace soilweave::portable
