@@ -149,7 +149,7 @@ stops_when_full() {
   local round between
   read -r round between < <(table '{ before = rest; rest = c("mean_overlap"); round = c("round") }
     END { printf "%d %.9g\n", round, (before + rest) / 2 }' growth.tsv)
-  refuses 1 filter-expand "falls apart as it comes to rest" --quiet packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
+  refuses 1 filter-expand "fall apart as they come to rest" --quiet packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
   refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml "${finely[@]}" --set growth.void_ratio=0.6 -o out.h5
 }
 
