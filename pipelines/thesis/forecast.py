@@ -14,7 +14,6 @@ import pathlib
 import re
 import subprocess
 import sys
-import time
 
 from study import StudyError
 from study.files import put
@@ -76,6 +75,14 @@ def tiled(text, copies=COPIES):
     return "\n".join(lines) + "\n"
 
 
+def mean_runtime(joblog):
+    """Returns the mean seconds of a job in a log of GNU parallel: the trial may end with one core at work. Raises StudyError for none."""
+    head, *rows = [line.split("\t") for line in joblog.splitlines()]
+    if not rows:
+        raise StudyError("the trial of chapter 2 ran no test")
+    return sum(float(row[head.index("JobRuntime")]) for row in rows) / len(rows)
+
+
 class Machine:
     """The tools on this machine, and trials of them in a folder."""
 
@@ -113,21 +120,20 @@ class Machine:
         sets, folder = self.folder / f"sets_{law}.tsv", self.folder / law
         put(sets, self.run("pf-weight", "draw", prior, "--samples", SETS, "--first", 1, "--tsv"))
         subprocess.run(["rm", "-rf", folder / "runs"], check=True)
-        began = time.monotonic()
         done = subprocess.run([CALIBRATION / "ensemble.sh", sets, folder, law, self.folder / "grains.h5", CALIBRATION / f"{LAWS[law]}.toml",
                                "0.2", str(strain)], env=os.environ | {"BIN": str(self.tools), "JOBS": str(self.cores)},
                               capture_output=True, text=True, check=False)
         if done.returncode:
             raise StudyError(f"{CALIBRATION / 'ensemble.sh'}: {done.stderr.strip()}")
-        return (time.monotonic() - began) * self.cores / SETS
+        return mean_runtime((folder / f"{sets.stem}.joblog").read_text(encoding="utf-8"))
 
 
 def two_scale_seconds(text):
-    """Returns the seconds that fem-dem --check tells. Raises StudyError where it has none."""
-    match = re.search(r" in ([0-9.e+]+) s:", text)
+    """Returns the seconds of one core that fem-dem --check tells. Raises StudyError where it has none."""
+    match = re.search(r"about ([0-9.e+]+) (s|min|h|days) on 1 thread", text)
     if not match:
-        raise StudyError("fem-dem --check does not tell its seconds")
-    return float(match[1])
+        raise StudyError("fem-dem --check does not tell its time on one thread")
+    return float(match[1]) * {"s": 1, "min": 60, "h": 3600, "days": 86400}[match[2]]
 
 
 @dataclasses.dataclass

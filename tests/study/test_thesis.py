@@ -47,6 +47,19 @@ def test_a_rate_gives_back_the_steps_that_it_was_made_of():
     assert forecast.between([rate, large], 10**6).link == large.link and forecast.between([rate, large], 10).link == rate.link
 
 
+def test_two_scales_tell_their_time_in_any_unit():
+    assert forecast.two_scale_seconds("file about 17 MB\nabout 1.1e+02 min on 1 thread; contacts grow") == pytest.approx(6600)
+    assert forecast.two_scale_seconds("about 40 s on 1 thread") == 40
+    with pytest.raises(StudyError):
+        forecast.two_scale_seconds("file about 17 MB")
+
+
+def test_a_test_takes_the_mean_of_the_trial():
+    assert forecast.mean_runtime("Seq\tHost\tStarttime\tJobRuntime\n1\t:\t0\t     2.5\n2\t:\t0\t     3.5\n") == 3
+    with pytest.raises(StudyError):
+        forecast.mean_runtime("Seq\tHost\tStarttime\tJobRuntime\n")
+
+
 def test_copies_of_a_packing_lie_side_by_side():
     text = forecast.tiled("##PERIODIC:: 1 2 3\n0.5 0.5 0.5 0.1\n", (2, 1))
     assert text == "##PERIODIC:: 2.0 2.0 3.0\n0.5 0.5 0.5 0.1\n1.5 0.5 0.5 0.1\n"
