@@ -61,6 +61,15 @@ TEST(Adhesion, GivesBackWhatItTakes) {
   EXPECT_LT(std::abs(e.error()), 1e-4 * std::abs(e.initial));
 }
 
+TEST(Adhesion, IsRefusedWhereItReachesTwoImages) {
+  io::Snapshot state = apart(0.9 * range);
+  state.cell.matrix = Mat3::Identity() * 2 * (2 * radius + range) / 1.001;
+  state.cell.periodic = {true, true, true};
+  EXPECT_THROW(Simulation(state, sticky(), test::undamped(1e-7)), DataError);
+  state.cell.matrix *= 1.002;
+  EXPECT_NO_THROW(Simulation(state, sticky(), test::undamped(1e-7)));
+}
+
 // A list that was made before two grains came within range must hold their pair in time.
 TEST(Adhesion, IsFeltByGrainsThatComeFromAfar) {
   io::Snapshot state = apart(6 * range);

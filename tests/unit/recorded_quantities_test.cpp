@@ -143,7 +143,7 @@ TEST(Guard, WeighsTheErrorByAllEnergyTurnedOver) {
   Numerics numerics;
   numerics.limits.energy_error = 0.1;
   const io::Snapshot state = scene({at(0.1)}, false);
-  const Guard guard(numerics, Bodies(state.grains), Cell(state.cell, 3), Planes(state.planes));
+  const Guard guard(numerics, Bodies(state.grains), Cell(state.cell, 3), Planes(state.planes), 0);
   Energies e;
   e.turned_over = 2, e.initial = 1, e.kinetic = 3, e.elastic_shear = 4;
   const auto with_error = [&](double error) {

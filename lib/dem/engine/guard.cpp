@@ -31,11 +31,22 @@ const char* wrong_part(const Bodies& bodies, std::size_t i) {
 
 }  // namespace
 
-Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes)
+Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes, double range)
     : limits_(numerics.limits),
       fixed_step_(numerics.time_step.has_value()),
       largest_(2 * bodies.largest_radius()),
+      range_(range),
       dimension_(bodies.dimension) {
+  // Readers check the grains themselves.
+  for (int a = 0; a < dimension_ && range_ > 0; ++a) {
+    const double width = cell.widths()[a];
+    if (!cell.periodic(a) || largest_ + range_ < widest_grain * width) continue;
+    throw DataError(
+        fmt::format("contacts act across gaps of {:.4g} m: with the largest grain, {:.4g} m across, that is half of "
+                    "the cell, {:.4g} m "
+                    "wide along axis {}, or more: give a smaller range, or take more grains",
+                    range_, largest_, width, "xyz"[a]));
+  }
   if (planes.all.empty() || bodies.size() == 0) return;
   low_ = high_ = vector_of(bodies.grains[0].position);
   const auto hold = [this](const Vec3& x) { low_ = low_.cwiseMin(x), high_ = high_.cwiseMax(x); };
@@ -80,11 +91,12 @@ void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbal
 void Guard::room(std::int64_t step, const Cell& cell) const {
   const Vec3 widths = cell.widths();
   for (int a = 0; a < dimension_; ++a) {
-    if (!cell.periodic(a) || largest_ < widest_grain * widths[a]) continue;
+    if (!cell.periodic(a) || largest_ + range_ < widest_grain * widths[a]) continue;
     throw PhysicsError(fmt::format(
-        "step {}: the cell is {:.4g} m wide along axis {}, and the largest grain is {:.4g} m across, half of "
+        "step {}: the cell is {:.4g} m wide along axis {}, and the largest grain is {:.4g} m across{}, half of "
         "it or more: it would touch itself; strain it less, or take more grains",
-        step, widths[a], "xyz"[a], largest_));
+        step, widths[a], "xyz"[a], largest_,
+        range_ > 0 ? fmt::format(" and acts across gaps of {:.4g} m", range_) : std::string()));
   }
 }
 

@@ -17,8 +17,9 @@ namespace soilweave::dem {
 /// Guards of one simulation, with the limits of its numerics.
 class Guard {
  public:
-  /// Takes the limits, and the extent of grains and planes at the start.
-  Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes);
+  /// Takes the limits, and the extent of grains and planes at the start. range: the largest gap across which contacts
+  /// act, m. Throws DataError for a range with which grains would feel two images of one partner.
+  Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes, double range);
 
   // All functions throw PhysicsError with step, body or axis, numbers, and likely cause.
 
@@ -28,7 +29,7 @@ class Guard {
   /// Throws for a contact that is too deep. deepest: its name, "grains 3 and 5 overlap by ..."
   [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
                              const Measures& measures) const;
-  /// Checks that no grain spans half the cell along a periodic axis.
+  /// Checks that no grain spans half the cell along a periodic axis, the gaps across which it acts included.
   void room(std::int64_t step, const Cell& cell) const;
   /// Checks the energy balance; the kinetic energy must be the present one.
   void balance(std::int64_t step, const Energies& energies) const;
@@ -44,6 +45,7 @@ class Guard {
   Limits limits_;
   bool fixed_step_;
   double largest_;                                 // largest diameter, m
+  double range_;                                   // largest gap across which contacts act, m
   std::array<bool, 3> open_{};                     // axes along which a grain may leave
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // farthest allowed positions, m
   int dimension_;

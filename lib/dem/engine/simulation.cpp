@@ -48,7 +48,7 @@ struct Simulation::Impl {
         motion(bodies.size(), settings.threads),
         sweep(make_contact_sweep(model)),
         neighbours(bodies.largest_radius(), sweep->range()),
-        guard(settings, bodies, cell, planes),
+        guard(settings, bodies, cell, planes, sweep->range()),
         smallest(bodies),
         time(state.time),
         steps(state.step) {
