@@ -264,15 +264,15 @@ command with --resume goes on from there" said || show "$(< said)"
   refuses 64 run-dem "--output is missing" packing.h5 short.toml
   exits 0 run-dem --check packing.h5 short.toml
   [[ $(here) != *out.h5* ]] && ! grep -v ': doubt: ' <<< "$stderr" | grep -q . || show "wanted nothing but text"
-  grep -q '^stage "triaxial": 4 stations, about .* steps if as fast as given, .* of them waiting for rest$' <<< "$output" || show "no stages"
+  grep -q '^stage "triaxial": 4 stations, about [0-9.e+]* steps ([0-9.e+]* to [0-9.e+]*, slowed down on the way), [0-9.e+]* of them waiting for rest$' <<< "$output" || show "no stages"
   grep -Eq '^time step [0-9.e-]+ s, stability limit [0-9.e-]+ s$' <<< "$output" || show "no time step"
   grep -Eq '^5 states recorded, file about [0-9.]+ kB, memory about [0-9.]+ MB$' <<< "$output" || show "no sizes"
   local predicted
-  predicted=$(sed -n "s|^about .*: \([0-9]*\) $words\$|\1|p" <<< "$output")
+  predicted=$(sed -n "s|^about [0-9.e+]* [a-z]* ([0-9.e+]* [a-z]* to [0-9.e+]* [a-z]*): \([0-9]*\) $words\$|\1|p" <<< "$output")
   # The time until grains rest is not known beforehand, but its order of magnitude is.
   ((predicted > steps / 4 && predicted < steps * 4)) || show "predicted $predicted of $steps steps"
   exits 0 run-dem --check packing.h5 short.toml --set stage.1.way_unbalanced_force=0
-  [[ $output == *'stage "triaxial": 4 stations, about '* && $output != *'as given'* ]] || show "wanted a guess, for nothing is paced"
+  [[ $output == *'stage "triaxial": 4 stations, about '* && $output != *'slowed down'* ]] || show "wanted a guess, for nothing is paced"
   exits 65 run-dem --check packing.h5 short.toml --set numerics.dampng=1
 }
 

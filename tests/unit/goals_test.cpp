@@ -214,9 +214,12 @@ TEST(Path, ConstantPLeavesTheLateralAxesWhatTheAxialOneDoesNotTake) {
 
 // ---- The forecast. Steps of a stage: for each station its strain over rate and time step, and a rest.
 
-double steps_of(const io::Snapshot& start, const std::string& stage, const std::string& before = "") {
+Forecast::OfStage stage_of(const io::Snapshot& start, const std::string& stage, const std::string& before = "") {
   const Scenario plan = scenario("[[stage]]\n" + stage, before);
-  return forecast(prepare(start, plan), plan).stages.at(0).steps;
+  return forecast(prepare(start, plan), plan).stages.at(0);
+}
+double steps_of(const io::Snapshot& start, const std::string& stage, const std::string& before = "") {
+  return stage_of(start, stage, before).steps;
 }
 
 TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
@@ -228,16 +231,19 @@ TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
         std::lround(strain / increment), -0.1 * strain, rate, strain, rate);
   };
   const double dt = Simulation(start, testing::sand(), {}).time_step();
-  const double one = steps_of(start, shear(0.02, 0.02, 0.1)), slow = steps_of(start, shear(0.02, 0.02, 0.05));
-  EXPECT_NEAR(slow - one, 0.02 / (0.05 * dt) - 0.02 / (0.1 * dt), 1e-9 * slow) << "the slowest axis rules";
-  const double rest = one - 0.02 / (0.1 * dt);
+  const Forecast::OfStage slow = stage_of(start, shear(0.02, 0.02, 0.05));
+  EXPECT_NEAR(slow.steps - slow.waiting, 0.02 / (0.05 * dt), 1e-9 * slow.steps) << "the slowest axis rules";
+  const double one = steps_of(start, shear(0.02, 0.02, 0.1)), rest = one - 0.02 / (0.1 * dt);
   EXPECT_GT(rest, 0);
   EXPECT_NEAR(steps_of(start, shear(0.02, 0.005, 0.1)) - one, 3 * rest, 1e-9 * one) << "a rest at every station";
-  // Every e-fold of the unbalanced force takes equally long: 1e-6 takes twice as long as 1e-3.
-  const double calmer = steps_of(start, shear(0.02, 0.02, 0.1), "[equilibrium]\nunbalanced_force = 1e-6\n");
-  EXPECT_NEAR(calmer - one, rest, 1e-9 * one);
-  const double damped = steps_of(start, shear(0.02, 0.02, 0.1), "[numerics]\ndamping = 0.4\n");
-  EXPECT_NEAR(one - damped, 0.5 * rest, 1e-9 * one) << "twice the damping, half the rest";
+  // Every e-fold of the unbalanced force takes equally long.
+  const auto until = [&](const char* force) {
+    return steps_of(start, shear(0.02, 0.02, 0.1), fmt::format("[equilibrium]\nunbalanced_force = {}\n", force));
+  };
+  EXPECT_GT(until("1e-4") - one, 100);
+  EXPECT_NEAR(until("1e-5") - until("1e-4"), until("1e-4") - one, 1e-9 * one);
+  const double undamped = steps_of(start, shear(0.02, 0.02, 0.1), "[numerics]\ndamping = 0.05\n");
+  EXPECT_NEAR(undamped - one, 3 * rest, 1e-9 * one) << "a quarter of the damping of 0.2, four times the rest";
   EXPECT_EQ(steps_of(start, shear(0.02, 0.02, 0.1), "[equilibrium]\nsteps = 100\n"), 100) << "no station takes more";
 }
 

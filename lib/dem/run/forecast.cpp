@@ -7,67 +7,103 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "core/memory.h"
 #include "core/text/text.h"
-#include "dem/engine/homogeneous.h"
 #include "dem/run/prepare.h"
+#include "dem/run/rest.h"
 #include "files/files.h"
 
 namespace soilweave::dem {
 namespace {
 
 constexpr double tried_seconds = 1;  // longest trial
-// Steps until grains are at rest after a station, per e-fold of the unbalanced force and over the damping: measured on
-// 60 to 1000 grains. Across more than 20 grains a wave takes longer.
-constexpr double settling = 20;
-// Steps until rest for each grain across a bag between plates, where waves reflect from soft ends. The thesis's bag of
-// 69,000 grains in PP took 319,000 steps for 21 stations; the forecast is 245,000.
-constexpr double swaying = 8;
-// Frequency of a bag's swing over the affine one, as found from the drags that brought the bags of chapter 3 to rest.
-constexpr double swing_share = 0.5;
+// Prescribed speed over the mean one where the loading slows down with the unbalanced force: 2 to 4.4 for the bags of
+// chapter 3.
+constexpr double slowed = 3;
 
 using Seconds = std::chrono::duration<double>;
 
 // A loading path without grains: strains and stresses are exactly at their goals.
 class Walk {
  public:
-  Walk(const Simulation& simulation, const Scenario& scenario, int dimension, std::size_t grains)
-      : scenario_(scenario),
+  Walk(const Simulation& simulation, const Scenario& scenario, int dimension)
+      : simulation_(simulation),
+        scenario_(scenario),
+        rest_(simulation, scenario),
+        rig_(planes_of(scenario)),
         dimension_(dimension),
         dt_(simulation.time_step()),
         stiffness_(simulation.measures().axial_stiffness),
-        state_{dimension, simulation.measures().stress, Vec3::Zero()} {
-    const double across = std::pow(static_cast<double>(grains), 1.0 / dimension);
-    folds_ = -std::log(std::min(0.5, scenario.tolerances.unbalanced_force));
-    waves_ = std::max(settling, (scenario.parts.empty() ? 1 : swaying) * across);
-    swing_ = swing_share * slowest_swing(simulation);
-  }
+        state_{dimension, simulation.measures().stress, Vec3::Zero()} {}
+
+  void learn(const Simulation& tried) { rest_.learn(tried); }
 
   Forecast::OfStage stage(const Stage& stage) {
-    Forecast::OfStage of{stage.name, stage.path->stations(), 0, 0, stage.way_unbalanced_force > 0};
+    Forecast::OfStage of;
+    of.name = stage.name, of.stations = stage.path->stations(), of.paced = stage.way_unbalanced_force > 0;
     state_.strain = Vec3::Zero();
-    const double rest = steps_to_rest(stage);
+    const auto most = static_cast<double>(scenario_.largest_station);
     std::vector<DriveGoal> before;
     for (std::size_t station = 0; station < of.stations; ++station) {
       const std::vector<DriveGoal> drives = stage.path->drives(station);
-      const double moving = std::max(way(stage.path->goals(station, state_)), way(drives, before));
-      const double steps = std::min(moving + rest, static_cast<double>(scenario_.largest_station));
+      const AxisGoals goals = stage.path->goals(station, state_);
+      const Arrival arrival = arrival_at(goals, drives);
+      const double fastest = std::max(way(goals), way(drives, before)) / rest_.step_share(arrival);
+      const double moving = of.paced ? slowed * fastest : fastest, waiting = rest_.steps(stage, arrival);
+      const double steps = std::min(moving + waiting, most);
       of.steps += steps;
       of.waiting += std::max(0.0, steps - moving);
+      of.fewest += std::min(rest_.fewest(arrival, fastest, waiting), most);
+      of.most += std::min(rest_.most(arrival, of.paced ? 2 * moving : moving, waiting), most);
       before = drives;
+      first_ = false;
     }
     return of;
   }
 
  private:
-  // A swing of frequency w under a drag c decays as exp(-c t/2), or if it creeps as exp(-(c/2 - sqrt(c^2/4 - w^2)) t).
-  double steps_to_rest(const Stage& stage) const {
-    const double half = stage.critical_drag ? swing_ : 0.5 * stage.rest_drag;
-    if (half > 0 && swing_ > 0)
-      return folds_ / ((half - std::sqrt(std::max(0.0, half * half - swing_ * swing_))) * dt_);
-    const double damping = stage.rest_damping.value_or(stage.damping.value_or(scenario_.numerics.damping));
-    return waves_ * folds_ / std::max(0.05, damping);
+  // Returns the parts of a rig of planes. A forecast does not know where clamps are.
+  static std::vector<RigPart> planes_of(const Scenario& scenario) {
+    std::vector<RigPart> parts;
+    for (const PartSetting& p : scenario.parts)
+      if (!p.part.is_clamp) parts.push_back(p.part);
+    return parts;
+  }
+
+  // Describes the loading to a station whose goals are not reached yet.
+  Arrival arrival_at(const AxisGoals& goals, const std::vector<DriveGoal>& drives) {
+    Arrival arrival;
+    arrival.first = first_;
+    int stresses = 0;
+    double sum = 0;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      const bool stress = goal.kind == AxisGoal::Kind::stress;
+      if (stress) sum += goal.value, ++stresses;
+      const double gap = goal.value - (stress ? state_.stress(a, a) : state_.strain[a]);
+      const bool moves = std::abs(gap) > (stress ? scenario_.tolerances.stress * std::abs(goal.value) : 0);
+      if (moves && !stress) arrival.sheared = true;
+      if (moves) arrival.gradient(a, a) = goal.max_rate;
+    }
+    std::vector<DriveGoal> moved;
+    for (const DriveGoal& goal : drives) {
+      const bool load = goal.kind == DriveGoal::Kind::load;
+      double& held = loads_[goal.part];
+      if (load && held != goal.value) arrival.new_load = true, held = goal.value;
+      if (load) load_pressure_ = rest_.pressure_of(goal.value, goal.direction);
+      if (!load) arrival.sheared = true;
+      if (!load && is_plane(goal.part)) moved.push_back(goal);
+    }
+    arrival.pressure = stresses > 0 ? sum / stresses : load_pressure_;
+    arrival.gradient += rig_.gradient_of_way(moved, 1, Mat3::Zero(), simulation_);
+    return arrival;
+  }
+
+  bool is_plane(const std::string& name) const {
+    return std::any_of(scenario_.parts.begin(), scenario_.parts.end(),
+                       [&](const PartSetting& p) { return p.part.name == name && !p.part.is_clamp; });
   }
 
   // Returns the steps to a station, for the slowest axis.
@@ -96,12 +132,17 @@ class Walk {
     return slowest;
   }
 
+  const Simulation& simulation_;
   const Scenario& scenario_;
+  RestEstimate rest_;
+  Rig rig_;  // at rest
   int dimension_;
   double dt_;
   Vec3 stiffness_;
   PathState state_;
-  double folds_ = 0, waves_ = 0, swing_ = 0;  // swing_: 1/s
+  std::map<std::string, double> loads_;  // N, by part
+  double load_pressure_ = 0;             // Pa, of the latest load
+  bool first_ = true;                    // true: no station has been reached
 };
 
 std::size_t states_of(const Scenario& scenario, std::size_t stations) {
@@ -146,17 +187,19 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   f.stability_limit = simulation.stability_limit();
   f.unbalanced_force = simulation.unbalanced_force();
   f.largest_overlap = simulation.largest_overlap();
-  Walk walk(simulation, scenario, dimension, start.grains.size());
+  Walk walk(simulation, scenario, dimension);
+  f.cost = tried(simulation, scenario, dimension);
+  walk.learn(simulation);
   std::size_t stations = 0;
-  double steps = 0, waiting = 0;
+  double steps = 0, waiting = 0, fewest = 0, most = 0;
   for (const Stage& stage : scenario.stages) {
     f.stages.push_back(walk.stage(stage));
     stations += f.stages.back().stations;
     steps += f.stages.back().steps;
     waiting += f.stages.back().waiting;
+    fewest += f.stages.back().fewest, most += f.stages.back().most;
   }
   f.states = states_of(scenario, stations);
-  f.cost = tried(simulation, scenario, dimension);
   f.cost.waiting = std::llround(waiting);
   const double scale = steps / static_cast<double>(f.cost.steps);
   f.cost.grains = start.grains.size();
@@ -170,6 +213,8 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   const auto states = static_cast<double>(f.states);
   // Every state is written when recorded, read back at the end, and written once more.
   f.cost.output = 3 * states * write;
+  f.least_time = f.cost.stepping * fewest / steps + f.cost.output;
+  f.greatest_time = f.cost.stepping * most / steps + f.cost.output;
   f.file_bytes = states * state_bytes + 300.0 * static_cast<double>(stations);
   f.memory_bytes = peak_memory() + (states + 1) * bytes_of(state) + f.file_bytes;
   return f;
@@ -181,12 +226,15 @@ std::string Forecast::text() const {
       "time step {:.4g} s, stability limit {:.4g} s\n",
       cost.grains, cost.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
   for (const OfStage& stage : stages)
-    text += fmt::format("stage \"{}\": {} station{}, about {:.2g} steps{}, {:.2g} of them waiting for rest\n",
-                        stage.name, stage.stations, stage.stations == 1 ? "" : "s", stage.steps,
-                        stage.paced ? " if as fast as given" : "", stage.waiting);
+    text += fmt::format(
+        "stage \"{}\": {} station{}, about {:.2g} steps ({:.2g} to {:.2g}{}), {:.2g} of them waiting "
+        "for rest\n",
+        stage.name, stage.stations, stage.stations == 1 ? "" : "s", stage.steps, stage.fewest, stage.most,
+        stage.paced ? ", slowed down on the way" : "", stage.waiting);
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
-  return text + fmt::format("about {}: {}\n", time_text(cost.stepping + cost.output), cost.line());
+  return text + fmt::format("about {} ({} to {}): {}\n", time_text(cost.stepping + cost.output), time_text(least_time),
+                            time_text(greatest_time), cost.line());
 }
 
 }  // namespace soilweave::dem

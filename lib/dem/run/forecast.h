@@ -18,9 +18,10 @@ struct Forecast {
   struct OfStage {
     std::string name;
     std::size_t stations = 0;
-    double steps = 0;    // estimate: the time to rest is known only afterwards
-    double waiting = 0;  // number of them that wait for rest
-    bool paced = false;  // true: the loading may slow down, which shortens the waits and is not foreseen
+    double steps = 0;             // estimate: the time to rest is known only afterwards
+    double waiting = 0;           // number of them that wait for rest
+    double fewest = 0, most = 0;  // range of the steps
+    bool paced = false;           // true: the loading slows down with the unbalanced force
   };
   std::vector<OfStage> stages;
   double stability_limit = 0, time_step = 0;  // s, at the start
@@ -28,6 +29,7 @@ struct Forecast {
   std::size_t states = 0;  // recorded states
   double file_bytes = 0, memory_bytes = 0;
   Cost cost;
+  double least_time = 0, greatest_time = 0;  // s, range of the time
 
   /// Returns the lines for the user.
   std::string text() const;

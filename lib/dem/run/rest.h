@@ -1,0 +1,70 @@
+// Estimate of how long the stations of a run wait until their grains are at rest.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The wait is the number of e-folds that the motion has to fall by, times the time of one e-fold.
+//
+// In a cell, grains that rearrange move by their own size in the inertial time t = d sqrt(rho/p). The unbalanced force
+// on arrival grows with the inertial number I = rate t, and each of its e-folds takes a fixed share of t, less with
+// more damping. Under a drag, the slowest swing of the whole rules (swing.h), and its kinetic energy is last to fall.
+// Between plates without a drag, waves are reflected by soft ends, and the wait grows with the number of grains across.
+//
+// The numbers in rest.cpp are measured on the studies' runs. Waits of one kind of run differ by a factor of two from
+// bag to bag, so that the forecast tells a range.
+#pragma once
+
+#include "dem/engine/simulation.h"
+#include "dem/run/scenario.h"
+
+namespace soilweave::dem {
+
+/// Loading to one station, as far as the wait after it depends on it.
+struct Arrival {
+  double pressure = 0;           // mean stress of the goals, Pa; 0: the present one
+  Mat3 gradient = Mat3::Zero();  // velocity gradient that strain goals and moved parts prescribe, 1/s
+  bool sheared = false;          // true: strains or displacements are prescribed
+  bool new_load = false;         // true: a plate or clamp takes a load that it did not have
+  bool first = false;            // true: first station of the run, which also waits for what is unbalanced at the start
+};
+
+/// Estimate for one run.
+class RestEstimate {
+ public:
+  RestEstimate(const Simulation& simulation, const Scenario& scenario);
+
+  /// Returns the steps that a station waits for rest.
+  double steps(const Stage& stage, const Arrival& arrival) const;
+  /// Learns from tried steps how the time step depends on the pressure.
+  void learn(const Simulation& tried);
+  /// Returns the mean time step on the way to a station over the one at the start. Contacts get stiffer with the
+  /// pressure of the goals; soil in a geotextile gets stiffer as it is sheared, because the yarns confine it.
+  double step_share(const Arrival& arrival) const;
+  /// Return the ends of the range of the steps to a station that is forecast to move for `moving` steps and to wait for
+  /// `waiting`.
+  double fewest(const Arrival& arrival, double moving, double waiting) const;
+  double most(const Arrival& arrival, double moving, double waiting) const;
+  /// Returns the pressure of a load (N) along a unit vector on the soil between plates, Pa.
+  double pressure_of(double force, const Vec3& direction) const;
+
+ private:
+  double pressure_of(const Simulation& simulation) const;
+  double inertial_time(double pressure) const;
+  double unbalanced_at_arrival(const Stage& stage, const Arrival& arrival) const;
+  double in_cell(const Stage& stage, const Arrival& arrival, double damping) const;
+  double between_plates(const Arrival& arrival, double damping) const;
+  double under_drag(const Stage& stage, const Arrival& arrival, double half) const;
+
+  const Scenario& scenario_;
+  double dt_;                          // s
+  double unbalanced_;                  // at the start
+  double across_ = 0;                  // grains across
+  double diameter_ = 0, density_ = 0;  // mean diameter, m, and density, kg/m3, of the soil; 0: no soil
+  double pressure_ = 0;                // present mean stress of the soil, Pa
+  double volume_ = 0;                  // of the soil with its pores, m3 (2D: m2)
+  Vec3 extent_ = Vec3::Zero();         // of the soil along the axes, m
+  double power_ = 0;                   // minus the power of the pressure that the time step goes with
+  double swing_ = 0;                   // frequency of the slowest swing, 1/s
+  Vec3 moments_ = Vec3::Zero();        // second moments of mass along the open axes, kg m2
+  bool wrapped_ = false;               // whether soil and yarns are there
+};
+
+}  // namespace soilweave::dem
