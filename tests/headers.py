@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Refuses headers that lean on the includes of others, as far as a script can see it.
+"""Refuses headers and sources that lean on the includes of others, as far as a script can see it.
 
 usage: headers.py   Prints one line per fault; exit status 1 if there are any.
 
 A precompiled header brings the standard library to every source, so that a header without its own includes goes
-unnoticed. Three rules stand in for compiling each header alone, which takes minutes (make headers):
-1. For each name of the standard library that a header uses, it or a header of the project that it includes has to
-   include a header of the library that declares it.
+unnoticed, and so does a source. Three rules stand in for compiling each header alone (make headers) and all sources
+without the precompiled header (make NO_PCH=1), which take minutes:
+1. For each name of the standard library and of fmt that a header or source uses, it or a header of the project that it
+   includes has to include a header of the library that declares it.
 2. A type that one header of the project alone defines is used only where that header is included, also through others.
 3. A source with a header of its own includes it before any other, so that compiling the source checks the header.
 """
@@ -32,7 +33,10 @@ DECLARED = {
     "span": "span",
     "pair move swap exchange forward": "utility map vector string memory algorithm functional",
     "tuple tie": "tuple",
-    "sort max min clamp fill copy copy_n any_of all_of none_of count find find_if transform": "algorithm",
+    "sort stable_sort max min max_element min_element minmax_element clamp fill copy copy_n copy_if any_of all_of none_of": "algorithm",
+    "count count_if find find_if transform rotate reverse unique lower_bound upper_bound equal replace remove_if": "algorithm",
+    "nth_element for_each": "algorithm",
+    "ranges": "algorithm ranges",
     "accumulate iota partial_sum": "numeric",
     "sqrt abs pow fma cbrt hypot isfinite lround llround floor ceil exp log sin cos atan2": "cmath",
     "int8_t uint8_t int16_t uint16_t int32_t uint32_t int64_t uint64_t": "cstdint",
@@ -52,7 +56,10 @@ DECLARED = {
     "same_as": "concepts",
     "initializer_list": "initializer_list vector string",
     "bad_alloc": "new",
-    "ostream ostringstream": "ostream iostream sstream",
+    "ostream ostringstream": "ostream iostream sstream fstream",
+    "ifstream ofstream": "fstream",
+    "istringstream stringstream": "sstream",
+    "mt19937 mt19937_64 normal_distribution uniform_real_distribution": "random",
     "source_location": "source_location",
 }
 HEADERS_OF = {name: set(headers.split()) for names, headers in DECLARED.items() for name in names.split()}
@@ -92,19 +99,26 @@ def homes():
 def includes(path):
     """Returns the headers of the library that a header includes, also through headers of the project."""
     text = path.read_text(encoding="utf-8")
-    standard = set(re.findall(r"^ *#include <([\w.]+)>", text, re.M))
+    standard = set(re.findall(r"^ *#include <([\w./]+)>", text, re.M))
     for name in re.findall(r'^ *#include "([^"]+)"', text, re.M):
         if found(name):
             standard |= includes(found(name))
     return standard
 
 
-def faults_of_header(path):
-    """Returns the names without an include."""
+def faults_of_library(path):
+    """Yields a fault for each name of a library without an include."""
     code = WORDS.sub("", path.read_text(encoding="utf-8"))
     for name in sorted(set(re.findall(r"\bstd::(\w+)", code))):
         if name in HEADERS_OF and not HEADERS_OF[name] & includes(path):
             yield f"{path}: uses std::{name} and does not include <{min(HEADERS_OF[name], key=len)}>"
+    if "fmt::" in code and not any(header.startswith("fmt/") for header in includes(path)):
+        yield f"{path}: uses fmt and does not include <fmt/format.h>"
+
+
+def faults_of_header(path):
+    """Yields a fault for each type without an include."""
+    code = WORDS.sub("", path.read_text(encoding="utf-8"))
     for name in sorted(set(re.findall(r"(?<!::)(?<![\w.])(?:(?:io|dem|analysis|packing|fem|gws)::)?([A-Z]\w*[a-z]\w*)", code))):
         home = {header for header in homes().get(name, ()) if header.parts[0] in ("lib", path.parts[0])}
         if len(home) == 1 and not home & reached(path) and not re.search(rf"\b(?:struct|class) {name};", code):
@@ -116,12 +130,15 @@ def main():
     for path in sorted(header for root in ROOTS for header in root.rglob("*.h")):
         if str(path) in PARTS:
             continue
+        faults.extend(faults_of_library(path))
         faults.extend(faults_of_header(path))
         source = path.with_suffix(".cpp")
         if source.exists():
             own = re.search(r'^#include "([^"]+)"', source.read_text(encoding="utf-8"), re.M)
             if not own or found(own[1]) != path:
                 faults.append(f"{source}: does not include its own header before all others")
+    for source in sorted(path for root in (*ROOTS, pathlib.Path("tools")) for path in root.rglob("*.cpp")):
+        faults.extend(faults_of_library(source))
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0

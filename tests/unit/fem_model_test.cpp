@@ -1,5 +1,6 @@
 // Both scales together: the bits of grains alone, in every element, on any number of threads, and after a stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

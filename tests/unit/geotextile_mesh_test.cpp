@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "packing/container/chart.h"
 #include "packing/container/shapes/box.h"

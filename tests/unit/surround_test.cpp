@@ -1,5 +1,6 @@
 // Reinforced soil in a periodic cell: what is put around it, and what the cell's strain does to it.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

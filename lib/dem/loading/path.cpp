@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/loading/path.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace soilweave::dem {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/run/scenario.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
