@@ -40,7 +40,7 @@ def pieces_of_cpp(text):
 def pieces_of_python(text):
     """Yields the same for Python, with docstrings as comments of one line."""
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type == tokenize.COMMENT:
+        if token.type == tokenize.COMMENT and not (token.start[0] == 1 and token.string.startswith("#!")):
             yield token.start[0], bool(token.line[: token.start[1]].strip()), token.string.lstrip("#! ")
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, (ast.Module, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
@@ -53,6 +53,10 @@ def pieces_of_lines(text):
     """Yields the same for languages whose comments run from # to the end of the line."""
     for number, line in enumerate(text.splitlines(), 1):
         bare = line.strip()
+        if number == 1 and bare.startswith("#!"):
+            continue
+        if bare.startswith("# shellcheck "):
+            continue
         if bare.startswith("#"):
             yield number, False, bare.lstrip("#! ")
             continue

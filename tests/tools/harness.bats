@@ -101,9 +101,11 @@ fails() {
     printf 'int a = 0;  // %s\n' "$opening" > after.cpp
     printf 'x = 1\n# %s\n' "$opening" | tee whole.toml > whole.py
     printf 'all: # %s\n' "$opening" > after.mk
+    printf '#!/bin/bash\n# %s\n' "$opening" | tee script.sh > script.py
+    printf '# shellcheck shell=bash\n# %s\n' "$opening" > sourced.bash
     printf 'def x():\n    """%s"""\n' "$opening" > docstring.py
     local file
-    for file in whole.h after.cpp whole.toml whole.py after.mk docstring.py; do
+    for file in whole.h after.cpp whole.toml whole.py after.mk script.sh script.py sourced.bash docstring.py; do
       exits 1 python3 "$check" sound.h "$file"
       # shellcheck disable=SC2154  # stderr is set by exits
       [[ $stderr == "$file:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted the place and the opening"
@@ -112,4 +114,17 @@ fails() {
   printf '// Volumes of\n// grains. SPDX-License-Identifier: GPL-3.0-or-later\n' > glued.h
   exits 1 python3 "$check" glued.h
   [[ $stderr == "glued.h:2: the licence continues a sentence; put it on a line of its own" ]] || show "wanted the line"
+}
+
+@test "a source that compiles with the precompiled header alone is refused" {
+  local check=$BATS_TEST_DIRNAME/../headers.py
+  mkdir lib tests tools
+  printf '#include <algorithm>\n\n#include <fmt/format.h>\n\nint a = std::max(1, 2);\nauto b = fmt::format("std::sort");\n' > lib/a.cpp
+  exits 0 python3 "$check"
+  printf 'int a = std::max(1, 2);\n' > tools/b.cpp
+  printf 'auto b = fmt::format("");\n' > tests/c.cpp
+  exits 1 python3 "$check"
+  # shellcheck disable=SC2154  # stderr is set by exits
+  [[ $stderr == *"tools/b.cpp: uses std::max and does not include <algorithm>"* ]] || show "wanted the name"
+  [[ $stderr == *"tests/c.cpp: uses fmt and does not include <fmt/format.h>"* ]] || show "wanted the library"
 }
