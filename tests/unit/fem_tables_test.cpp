@@ -90,7 +90,7 @@ TEST(Tables, AStateIsAllRowsOfOneStep) {
   EXPECT_EQ(of_state(loading(file()), "1", "loading").at("time").values, Values{1});
   EXPECT_EQ(message_of([&] { of_state(points, "2", "points"); }), "--state 2: the table points holds 2 states, 0 to 1");
   EXPECT_EQ(message_of([] { of_state(table(file(), "elements", ""), "last", "elements"); }),
-            "--state last: the table elements is of no state; leave --state out");
+            "--state last: the table elements has no states; leave --state out");
 }
 
 TEST(Tables, APlaceIsThePointNearestToItAtTheStart) {

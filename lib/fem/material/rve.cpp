@@ -95,7 +95,9 @@ io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains) {
     throw DataError(
         "a material point needs disks in a cell that is periodic along x and y (pack-generate --dimension 2)");
   if (!packing.planes.point.empty() || packing.yarns.size() > 0)
-    throw DataError("a material point is of disks alone: this packing has planes or yarns");
+    throw DataError(
+        "a material point takes disks alone, and this packing has planes or yarns; give one that pack-generate "
+        "--dimension 2 made");
   dem::described(packing, grains.model);
   io::Snapshot state = packing;
   if (grains.density > 0)

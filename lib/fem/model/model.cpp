@@ -23,7 +23,7 @@ Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), r
   std::vector<Probe> probes;
   if (!setup_.law) {
     if (setup_.packings.empty())
-      throw DataError("the soil is of grains, but no packing is given: name one, or one a point");
+      throw DataError("the soil consists of grains, but no packing is given: name one for all points, or one for each");
     for (io::Snapshot& packing : setup_.packings) {
       packing = prepare(packing, setup_.grains);
       probes.push_back(probe(packing, setup_.grains));

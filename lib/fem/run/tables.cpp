@@ -99,7 +99,7 @@ io::Series loading(const io::MultiscaleFile& file) {
 
 io::Series of_state(const io::Series& table, const std::string& which, const std::string& name) {
   if (!table.find("step"))
-    throw UsageError(fmt::format("--state {}: the table {} is of no state; leave --state out", which, name));
+    throw UsageError(fmt::format("--state {}: the table {} has no states; leave --state out", which, name));
   const std::vector<std::size_t> starts = starts_of_states(table);
   std::vector<std::size_t> rows;
   for (const std::size_t n : io::chosen_states(which, starts.size() - 1, "the table " + name))

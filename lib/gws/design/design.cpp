@@ -94,7 +94,8 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
   if (!(demand.safety >= 1)) throw DataError("safety: must be at least 1");
   if (!(bag.strength_fraction > 0))
     throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
-  if (!(range.low > 0 && range.low < range.high)) throw DataError("stiffness: the range must go up from above 0 N/m");
+  if (!(range.low > 0 && range.low < range.high))
+    throw DataError("stiffness: the range must begin above 0 N/m and rise");
   try_stiffness(bag, demand, range.high);
   const double limit = bag.geotextile.strength > 0 ? bag.hoop_limit() : unlimited;
   const double for_settlement = smallest_stiffness(bag, demand, range, [&](const Trial& t) {

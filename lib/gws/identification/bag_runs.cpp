@@ -139,7 +139,7 @@ Stiffness stiffness_in(const io::RunFile& run, const std::string& where) {
   std::vector<Settings> tables = scenario.tables("geotextile");
   if (static_cast<std::size_t>(number) >= tables.size())
     throw DataError(
-        fmt::format("{}: its scenario has no [[geotextile]] number {}, which its yarns are of", where, number));
+        fmt::format("{}: its scenario has no [[geotextile]] number {}, which its yarns name", where, number));
   Settings& table = tables[static_cast<std::size_t>(number)];
   if (!table.has("curve")) return by_numbers(table, yarns, *wrapped, where);
   const std::string curve = table.text("curve");

@@ -47,7 +47,7 @@ void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, con
   Settings container = plan.table("container"), mesh = plan.table("geotextile_mesh");
   const std::string shape = container.text("shape", "none");
   if (shape == "none" || !plan.has("geotextile_mesh"))
-    throw DataError(where + ": its geotextile is laid flat, not around soil; loading is told of bags");
+    throw DataError(where + ": its geotextile lies flat and wraps no soil; the table loading is for bags");
   const Laid laid = read_laid(mesh);
   const double r = laid.nodes.radius;
   if (const auto body = read_container(shape, container)) {
@@ -102,7 +102,7 @@ Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& 
     if (!planes[k].has("name") || names.back() != name) continue;
     if (start.planes.normal[k].normalized().z() * facing < 1 - 1e-6)
       throw DataError(fmt::format(
-          "{}: plane \"{}\" does not face the bag along z; loading is told between level plates", where, name));
+          "{}: plane \"{}\" does not face the bag along z; the table loading needs level plates", where, name));
     return start.planes.point[k];
   }
   throw DataError(
@@ -161,7 +161,7 @@ LoadedBag loaded_bag(const io::RunFile& run, const std::string& where) {
   if (run.series.rows() == 0)
     throw DataError(where + ": has no series: it is a packing, not a run; load it by run-dem");
   const io::Snapshot& start = run.snapshots.front();
-  if (start.yarns.size() == 0) throw DataError(where + ": has no geotextile; loading is told of bags");
+  if (start.yarns.size() == 0) throw DataError(where + ": has no geotextile; the table loading is for bags");
   LoadedBag bag;
   Settings plan = plan_of(run, where), scenario = Settings::parse(run.scenario, where + ": scenario");
   // filter-expand adds the geotextile around the container first.
