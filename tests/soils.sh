@@ -1,6 +1,6 @@
 #!/bin/bash
-# Ten soils, each packed at four void ratios with nothing said but grading, void ratio and pressure: a packing that holds
-# the void ratio at rest within 0.002, or one line that says which are in reach.
+# Ten soils, each packed at four void ratios from grading, void ratio and pressure alone. The answer has to be a packing that
+# holds the void ratio at rest within 0.002, or one line that says which void ratios are in reach.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   BIN=build/bin [OUT=folder] [JOBS=2] [SOILS='0.15_1.2 20_2.5'] [VOID_RATIOS='0.60 0.75'] tests/soils.sh
 # Prints a table: soil, void ratio asked for and got, status, steps, seconds, what was said. Fails where an attempt ends

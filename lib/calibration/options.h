@@ -34,7 +34,7 @@ inline constexpr Parameter components_range{"components",         "1", 1, 100, f
 inline constexpr Parameter prior_share_range{
     "prior-share", "1", 0, 1, false, "share drawn from the prior, which bounds importance", "it is a share"};
 
-/// Which observations are compared with which columns of the runs, and their accuracy.
+/// Choice of the observations, the columns of the runs that they are compared with, and their accuracy.
 struct ComparisonOptions {
   std::string station, error, variance;
   std::string covariance = "uniform";

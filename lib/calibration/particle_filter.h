@@ -39,9 +39,11 @@ struct ErrorModel {
   std::vector<double> size;  // uniform: one variance; component: C variances; else one relative standard deviation
 };
 
-/// Returns the kind of this name: uniform (one variance for all components, as in the thesis), component (one each),
-/// relative (standard deviation as a share of each observation, at least of 1 % of the greatest), largest (as a share
-/// of the greatest).
+/// Returns the kind of this name:
+/// - uniform: one variance for all components, as in the thesis;
+/// - component: one variance for each component;
+/// - relative: the standard deviation is a share of each observation, at least of 1 % of the greatest;
+/// - largest: the standard deviation is a share of the greatest observation.
 ErrorModel::Kind error_kind(std::string_view name);
 
 /// Returns the variances, T x C, in squared units of the observations. Throws DataError if the sizes do not fit.

@@ -28,7 +28,7 @@ panels = []  # views, each with whether it looks along y and what is drawn aroun
 
 
 def folder():
-    """Where this script lies: its window's --script tells it to ParaView alone, so that the command line has to."""
+    """Returns the folder of this script. ParaView keeps the path after --script to itself, so the command line of the process tells it."""
     script = globals().get("__file__")
     if script is None and os.path.exists("/proc/self/cmdline"):
         with open("/proc/self/cmdline") as line:

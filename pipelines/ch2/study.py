@@ -81,7 +81,7 @@ def excess(case, *of):
     return misfit(case, *of)[0] - misfit(case, *of, which=1)[0]
 
 
-# Each measure of a case (c): name, unit, value.
+# Measures of a case (c): name, unit, value.
 OF_A_CASE = [
     ("size_first", "1", lambda c: c.steps[0]["effective_size"][-1]),
     ("size_last", "1", lambda c: c.steps[-1]["effective_size"][-1]),

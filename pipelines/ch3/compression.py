@@ -141,7 +141,7 @@ EQUAL = (("tension", "tension_yarn_face", to_peak, ("lateral", "axial", "pressur
          ("unbroken", "tension_yarn_face", unbroken, ("lateral", "axial", "pressure")),
          ("strain", "strain_axial", from_3, ("tension", "axial", "pressure", "lateral")))
 
-# Each measure of one bag (b) beside its record (r): name, unit, value.
+# Measures of one bag (b) beside its record (r): name, unit, value.
 OF_ONE_BAG = (
     ("first_break", "%", first_break),
     ("peak_axial", "kPa", lambda b, r: b["axial_stress"][peak(b, "axial_stress")]),
@@ -191,7 +191,7 @@ OF_A_RECORD = (
     ("recorded_path_slope", "1", slope),
     ("recorded_void_ratio_at_break", "1", lambda r: r["void_ratio"][r.whole][-1] - r["void_ratio"][0]),
 )
-# Each measure of PP over the same of PE.
+# Measures of both bags, PP over PE: name, unit, value.
 OF_BOTH = (
     ("obliquity_PP_over_PE", "1", lambda b: b["obliquity"][b.broken]),
     *((f"anisotropy_{short}_PP_over_PE", "1", lambda b, short=short: anisotropy(b, f"a_{short}", BEFORE)) for short in "cnt"),

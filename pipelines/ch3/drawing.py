@@ -60,13 +60,13 @@ def draw_shape(study, runs, _):
 
 
 class Growth(Series):
-    """How the grains grew in the bag."""
+    """Growth of the grains in the bag, round by round."""
 
     derived = {"grown": ("%", "radii grown by", lambda s: 100 * (s.table("growth", "1") - 1))}
 
 
 def draw_growth(study, runs, kept):
-    """How the grains grew in the bag, §3.2.3."""
+    """Draws the growth of the grains in the bag, §3.2.3."""
     grown = [Drawn("bag", Growth(of.table("generation")), figures.SERIES[k], line, note) for k, (of, line, note) in enumerate(of_both(runs, kept))]
     study.curves("growth", *(panel("grown", name, grown) for name in ("delaunay_void_ratio", "coordination_number")))
 

@@ -6,7 +6,7 @@ from ch3.bag import HERE, Runs
 from study import Cells, Study, main
 
 MEASURES = (making.measure, compression.measure, compression.measure_breaks, shear.measure)
-# Figures that are drawn of what is kept of runs at full size, too, and those of this run alone.
+# OF_ALL: figures of this run and of the kept full-size runs. OF_RUNS: figures of this run alone.
 OF_ALL = (drawing.draw_compressed, drawing.draw_sheared, drawing.draw_shape, drawing.draw_growth)
 OF_RUNS = (drawing.draw_strip_and_box, pictures.draw_breaks, pictures.draw_bag)
 

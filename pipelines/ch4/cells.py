@@ -97,7 +97,7 @@ class Cell(Soil):
 class Runs:
     """The tables of a folder: the cells by form and geotextile, soil alone, contacts at the start, bands and sections.
 
-    kept: whether they are those of kept runs, of which some may be missing: whatever needs these is then NotMade.
+    kept: whether the tables are those of kept runs. Some of these may be missing; whatever needs a missing one raises NotMade.
     """
 
     def __init__(self, out, kept=False):
@@ -130,7 +130,7 @@ class Runs:
         return Soil(self.folder("soil"))
 
     def slow(self):
-        """Returns the wrapped cell of PP sheared at a tenth of the rate. Raises NotMade without."""
+        """Returns the wrapped cell of PP sheared at a tenth of the rate. Raises NotMade if it was not run."""
         return Cell(self.absent(f"wrapped_{MIDDLING}_slow"))
 
     def pair(self, geotextile):
@@ -149,7 +149,7 @@ def compared(pair):
 
 
 def both_whole(pair):
-    """Returns those of them before either's first break. Raises NotMade for none."""
+    """Returns the compared rows before the first break in either cell. Raises NotMade if there are none."""
     rows = slice(compared(pair).start, min(cell.whole.stop for cell in pair))
     if rows.stop <= rows.start:
         raise NotMade(f"yarns break before {EARLIEST} % of axial strain")

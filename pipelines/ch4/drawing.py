@@ -121,6 +121,6 @@ def draw_assemblies(study, runs):
     study.picture(path, name="assemblies")
 
 
-# Figures that are drawn of what is kept of runs at full size, too, and those of this run alone.
+# OF_ALL: figures of this run and of the kept full-size runs. OF_RUNS: figures of this run alone.
 OF_ALL = (draw_response, draw_paths, draw_volumes)
 OF_RUNS = (draw_assemblies, draw_sections)

@@ -1,4 +1,4 @@
-"""Grains of a state made small: those that the plane in the middle cuts, or how many shear much by their distance from the middle.
+"""Excerpts of the grains of a state: the grains cut by the plane in the middle, or counts of sheared grains by distance from it.
 
 usage: homogenize RUN --table grains --tsv | python3 -m ch4.sections cut|bands > table
        homogenize RUN --table cell --columns step --tsv | python3 -m ch4.sections least|greatest LOADING
@@ -30,9 +30,9 @@ def cut(grains):
 
 
 def bands(grains):
-    """Returns how many grains of reinforced soil there are by distance from its middle, in plan, and how many shear above twice its mean.
+    """Returns counts of the reinforced soil's grains, and of those sheared above twice the mean, by distance from the middle in plan.
 
-    Distances are those of the farther of x and y over the farthest grain's, in classes up to the value told.
+    The distance is the greater of |x| and |y| from the middle, over the farthest grain's. Each class is told by its upper end.
     """
     soil = grains.rows(grains("part", "1") == SOIL)
     x, y, strain = soil("position_x", "mm"), soil("position_y", "mm"), soil("strain_deviatoric", "1", missing=True)

@@ -57,7 +57,7 @@ def measure_cells(study, runs):
 
 
 def inside(pairs, name):
-    """Returns the columns of the wrapped cells over those of the layered ones, from EARLIEST on."""
+    """Returns, for each pair, the column of the wrapped cell over the one of the layered cell, from EARLIEST on."""
     return [over(pair, name, compared(pair)) for pair in pairs]
 
 

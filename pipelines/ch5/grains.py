@@ -134,7 +134,7 @@ class Grains:
         return there({(g, p): functools.partial(self.cell, g, p) for g in SHEARED for p in PRESSURES})
 
     def own(self, name):
-        """Returns a table of what is identified from these bags."""
+        """Returns a table of constants identified from these bags."""
         return self.bags_of(f"own_{name}")
 
     def model(self, soil, geotextile, pressure=None):
@@ -149,7 +149,7 @@ class Grains:
 
 
 def there(makers):
-    """Returns what those of the makers make that make anything."""
+    """Returns the results of the makers by name, without those that raise NotMade."""
     made = {}
     for name, make in makers.items():
         try:

@@ -82,7 +82,7 @@ def scaled_hoops(grains, geotextile, kind):
 
 
 def recorded_hoops(grains, geotextile, kind):
-    """Returns the slope of a record, likewise."""
+    """Returns the slope of a set of hoops in the record of a bag, scaled to the record of PP."""
     def tension(record):
         return vertical_hoop(record["tension_yarn_face"], record.table("tension_yarn_vertical", "N")) if kind == "hr" \
             else record["tension_yarn_side_around"]

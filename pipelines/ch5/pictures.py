@@ -7,7 +7,7 @@ from .grains import PRESSURES, UNIAXIAL, Copies
 from .measures import HOOPS, failure, misfits, scales_of
 
 COLOURS = figures.GEOTEXTILE
-PLANES = {"z": "xy", "x": "yz", "y": "zx"}  # by the axis that they are across
+PLANES = {"z": "xy", "x": "yz", "y": "zx"}  # plane by the axis normal to it
 AXES = ((3, figures.GREEN), (2, figures.BLUE))  # minor and medium stress, as the thesis colours them
 
 

@@ -315,7 +315,7 @@ def build_of_grains(study, grains):
 
 
 def draw_of_grains(study, grains):
-    """Draws them; a figure of runs that are not there is left out."""
+    """Draws the figures of bags and cells of grains. A figure whose runs are missing is left out."""
     for draw in pictures.OF_ALL:
         try:
             draw(study, grains)

@@ -158,7 +158,7 @@ class Field:
 
     @property
     def magnified(self):
-        """How much larger displacements are drawn than they are."""
+        """Factor by which displacements are drawn larger than they are."""
         most = numpy.linalg.norm(self.displacement, axis=1).max()
         return 10**math.floor(math.log10(0.2 / most)) if 0 < most < 0.05 else 1
 

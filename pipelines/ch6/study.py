@@ -46,7 +46,7 @@ def measure_shape(study, runs):
 
 
 def measure_pullout(study, runs):
-    """Pull-out: mobilised friction, the last state, point B above the sheet."""
+    """Measures the pull-out: mobilised friction, the last state, point B above the sheet."""
     slow, fast = (runs.curve("pullout", runs.size.speeds[k]) for k in (0, -1))
     medium, fine = (runs.curve("pullout", runs.size.meshes[k]) for k in (-2, -1))
     speeds = [speed(case) for case in runs.size.speeds]

@@ -12,14 +12,14 @@ from own.inputs import STIFFNESSES, read
 from study import StudyError
 
 SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"
-# Bodies and steps of a bag, and the share of its compression that making it takes, measured on those of chapter 3.
+# Bodies and steps of a bag, and the time of its filling over that of its compression, measured on the bags of chapter 3.
 BODIES = {"quick": 13800, "thesis": 92600}
 STEPS = {"quick": 85000, "thesis": 170000}
 FILLING = 0.5
 
 
 def seconds_of(text):
-    """Returns steps, bodies and steps per second from the last line of run-dem --check. Raises StudyError where it has none."""
+    """Returns steps, bodies and steps per second from the last line of run-dem --check. Raises StudyError if it lacks them."""
     match = re.search(r"(\d+) steps .* of (\d+) grains .*: ([0-9.e+]+) steps/s", text)
     if not match:
         raise StudyError("run-dem --check does not tell its steps per second")
@@ -27,7 +27,7 @@ def seconds_of(text):
 
 
 def main(own, out, given):
-    """Prints the hours of each part and of all, on so many cores."""
+    """Prints the hours of each part and their sum, on given.cores cores."""
     command = [f"{os.environ['BIN']}/run-dem", "--check", f"{out}/packing_1.h5", SCENARIO, "--set", f"stage.1.axial_strain={given.until}e-2"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     steps, bodies, rate = seconds_of(done.stdout + done.stderr)

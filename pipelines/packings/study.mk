@@ -5,14 +5,14 @@ STUDIES += packings
 PK := pipelines/packings
 PKO := $(OUT)/packings
 PK_SCENARIO := pipelines/quickstart/triaxial.toml
-# Numbers of grains and twins are those of study.py.
+# study.py has the same numbers of grains and twins.
 PK_GRAINS_quick := 1000
 PK_GRAINS_thesis := 1000 5000 10000
 PK_GRAINS := $(PK_GRAINS_$(PROFILE))
 PK_SEEDS := 1 2 3
 PK_TWINS_quick := 0 1
 PK_TWINS_thesis := 0 1 2 3
-# GRAINS_PRESSURE_SEED and GRAINS_SEED_TWIN.
+# Packings are named GRAINS_PRESSURE_SEED, tests GRAINS_SEED_TWIN.
 PK_PACKINGS := $(foreach n,$(PK_GRAINS),$(foreach p,1e3 1e5,$(foreach s,$(PK_SEEDS),$(n)_$(p)_$(s))))
 PK_TESTS := $(foreach n,$(PK_GRAINS),$(foreach s,$(PK_SEEDS),$(foreach t,$(PK_TWINS_$(PROFILE)),$(n)_$(s)_$(t))))
 pk_word = $(word $(1),$(subst _, ,$*))

@@ -50,7 +50,7 @@ class Command:
     examples: tuple
 
     def all_options(self):
-        """Returns its own options and those of every command."""
+        """Returns the options of this command, then the options of all commands."""
         return (*self.options, *GENERAL)
 
     def parse(self, arguments):

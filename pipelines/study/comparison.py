@@ -76,7 +76,7 @@ class Verdict:
     met: bool
 
 
-# Whether a measured value, less the published one, is near enough.
+# Tests of the difference, measured less published, by relation.
 RELATIONS = {
     "within": lambda difference, tolerance: abs(difference) <= tolerance,
     "at most": lambda difference, _: difference <= 0,

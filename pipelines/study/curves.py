@@ -41,7 +41,7 @@ class Panel:
 
 
 def panel(x, y, runs, label="", legend=True, **how):
-    """Returns a Panel of the runs, each a Drawn, of which those of published points may be with the others."""
+    """Returns a Panel of the runs. Each is a Drawn; published points may stand among them."""
     return Panel(x, y, list(runs), label, how, legend)
 
 

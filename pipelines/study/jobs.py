@@ -20,7 +20,7 @@ from .command import Failure
 def one_at_a_time(folder):
     """Waits until nobody else works in the folder, and returns the open lock.
 
-    Jobs inherit it: those of a make that was killed may still be under way, and their results count.
+    Jobs inherit the lock, because jobs of a killed make may still be running, and their results count.
     """
     lock = os.open(folder / "lock", os.O_WRONLY | os.O_CREAT, 0o666)
     os.set_inheritable(lock, True)
@@ -95,10 +95,10 @@ def _rate(joblog):
 
 
 def run(folder, name, commands, lock, progress):
-    """Runs commands, each a list of as many words, and returns how fast they were, in words.
+    """Runs commands and returns a sentence on their speed. Each command is a list of words; all lists are equally long.
 
-    They and GNU parallel's account of them are FOLDER/NAME.unrun and .joblog. lock: of one_at_a_time(). progress: returns a line on how
-    far they are after so many seconds, which is told every PROGRESS_INTERVAL seconds (15).
+    The commands stand in FOLDER/NAME.unrun, and GNU parallel's log of them in FOLDER/NAME.joblog. lock: from one_at_a_time(). progress:
+    takes the seconds since the start and returns a line on the progress. It is printed every PROGRESS_INTERVAL seconds (15).
     """
     jobs, joblog = (folder / f"{name}.{ending}" for ending in ("unrun", "joblog"))
     if any("\t" in word or "\n" in word for word in commands[0]):

@@ -85,8 +85,8 @@ def _colours(names):
 def draw(name, tables, beside=()):
     """Returns the figure of a kind, and notes about what it leaves out.
 
-    tables: pairs of a name for the legend and its Table, drawn as lines; beside: likewise, drawn as points where they have the
-    columns of a panel. Raises StudyError where a column is missing.
+    tables: pairs of a name for the legend and its Table, drawn as lines. beside: such pairs, drawn as points in the panels whose
+    columns they have. Raises StudyError where a column is missing.
     """
     if name == "rose":
         return _rose(tables), []

@@ -53,7 +53,7 @@ _LINES = (
     Line("interface_friction", "1", "friction ratio at the bottom", missing=True),
     Line("slope", "1", "slope of the path in p and q"),
     Line("deviation", "1", "greatest distance from it"),
-    # Structure.
+    # Structure of the packing.
     Line("void_ratio", "1", "void ratio e"),
     Line("delaunay_void_ratio", "1", "void ratio"),
     Line("coordination_number", "1", "coordination number"),

@@ -106,7 +106,7 @@ def yarns(state, greatest):
 
 
 def actor(source):
-    """Returns what draws a source in the colours of its points."""
+    """Returns an actor that draws a source in the colours of its points."""
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     mapper.SetScalarModeToUsePointData()

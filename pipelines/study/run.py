@@ -75,8 +75,8 @@ class Row:
 class Study:
     """The measures, statements and figures of a study, in the order of its chapter.
 
-    name: of its folder in pipelines/. judged: whether this run has the size that published values are held against; where it has
-    not, its page shows them beside its own and those of a kept run at full size, and judges the latter alone.
+    name: its folder in pipelines/. judged: whether this run has the full size, for which published values hold. The page of a smaller
+    run shows published values beside its own and those of a kept full-size run, and judges the kept run alone.
     lead: what was done. headline: what came out, in one sentence with numbers from say(). Both are text or markup
     (markupsafe.Markup), and with the score not longer than FIRST_SCREEN. history: how a file of the study came to be.
     digits: to which measures are kept before they are compared; six are those of measured.tsv, None keeps all.
@@ -92,10 +92,10 @@ class Study:
 
     @classmethod
     def of(cls, folder, arguments, judged=True, digits=6):
-        """Begins the study of a folder pipelines/NAME: what its words.toml says, its statements, what is kept at full size.
+        """Begins the study of a folder pipelines/NAME with its words.toml, its statements and the values kept at full size.
 
-        judged: as of Study. Statements are those of expected.tsv and statements.tsv, bounds that any run has to keep those of
-        checks.tsv, kept values those in kept/; each where there is one. With arguments.kept it has tables and figures, no page.
+        judged: as in Study. Statements stand in expected.tsv and statements.tsv, bounds that any run has to keep in checks.tsv, kept
+        values in kept/; each may be missing. With arguments.kept the study has tables and figures, but no page.
         """
         folder = pathlib.Path(folder)
         texts = Texts(folder / "words.toml")
@@ -131,7 +131,7 @@ class Study:
             self.appendix(entry["heading"], self._fill(entry["text"]), *tables)
 
     def _tables(self, name):
-        """Returns a table that the page was told, or those of kept runs that are there: kept/NAME_thesis.tsv and NAME_quick.tsv."""
+        """Returns the table that the study gave this name, or else the kept tables kept/NAME_thesis.tsv and kept/NAME_quick.tsv that exist."""
         if name in self._values:
             return [self._values[name]]
         there = [(size, self._folder / "kept" / f"{name}_{size}.tsv") for size in ("thesis", "quick")]
@@ -355,7 +355,7 @@ class Study:
             raise StudyError(f"{self.name}: lead, headline and score have {words} words; {FIRST_SCREEN} are what a first screen holds")
 
     def write_tables(self):
-        """Writes the measurements, each published value beside them, and the figures: all files except those of the page."""
+        """Writes the measurements, the published values beside them, and the figures: all files except the page."""
         for name, svg in self._drawings.items():
             put(self.out / f"{name}.svg", svg)
         made = {name: m for name, m in self.measures.items() if m.value is not None}
@@ -380,7 +380,7 @@ class Study:
 def main(build, **options):
     """Runs a study.py: build(study arguments) returns the Study that is then written. Errors are one line, status 65.
 
-    options: arguments of this study alone, by name, each with what argparse is told, as in cases={"nargs": "+"}.
+    options: arguments of this study alone, by name, each with the keywords for argparse, as in cases={"nargs": "+"}.
     """
     parser = argparse.ArgumentParser(description=build.__doc__)
     parser.add_argument("out", help="folder of the study's results, out/NAME")

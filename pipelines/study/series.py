@@ -50,7 +50,7 @@ class Series:
 
 
 class Mean(Series):
-    """Means of a column over several tables of equally many rows, row by row. spread: their standard deviations, likewise."""
+    """Means of a column over several tables of equally many rows, row by row. spread: standard deviations, row by row."""
 
     def __init__(self, tables, how=None):
         """how: what is made of the values of each row, the mean where none is given. Raises StudyError for tables of other lengths."""

@@ -2,7 +2,7 @@
 """Says what make thesis will take on this machine, by chapter: hours, memory and disk, from a trial of about a minute.
 
 The trial runs as many processes at once as there are cores, since runs side by side share caches and memory. The cost of a step is
-a links + b bodies; a and b are measured on a thousand grains and on copies of them as many as in a cell of chapter 4.
+a links + b bodies. The trial finds a and b from two packings: a thousand grains, and copies of them that fill a cell of chapter 4.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
@@ -98,7 +98,7 @@ class Machine:
         return done.stdout + done.stderr
 
     def at_once(self, tool, *words):
-        """Runs as many of a command as there are cores, and returns what each prints."""
+        """Runs a command once on every core at the same time, and returns what each run prints."""
         with concurrent.futures.ThreadPoolExecutor(self.cores) as pool:
             return list(pool.map(lambda _: self.run(tool, *words), range(self.cores)))
 

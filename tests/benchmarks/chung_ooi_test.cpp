@@ -190,9 +190,9 @@ TEST(ChungOoi, Test5ObliqueImpactAtConstantNormalSpeed) {
 }
 
 // Tests 6 and 8: mu 0.4, e 0.5, v_n 0.2 m/s, the slip is w R. With x = 3.5 mu (1 + e) v_n / v_st = 0.42/v_st <= 1:
-// beta = x - 1, tan(recoil) = (v_st - 0.42)/(e v_n), both as the slip velocity left. The closed form takes the friction
-// to act from the first instant; with a dashpot the normal force starts at once while the shear spring has yet to load,
-// so any law with a finite shear stiffness falls short by up to `allowance` of the change.
+// beta = x - 1, tan(recoil) = (v_st - 0.42)/(e v_n), both as the slip velocity left. In the closed form
+// friction acts from the first instant. With a dashpot the normal force starts at once, but the shear spring has yet to
+// load. A law with a finite shear stiffness therefore falls short by up to `allowance` of the change.
 constexpr double spin_R = 0.1, spin_mu = 0.4, spin_e = 0.5, spin_vn = 0.2;
 
 double slip_left(const Outcome& out) { return out.w * spin_R - out.vx; }

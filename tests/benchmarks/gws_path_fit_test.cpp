@@ -19,9 +19,8 @@ namespace {
 
 constexpr const char* seven[] = {"PE", "0.5PP", "PP", "2PP", "3PP", "4PP", "5PP"};
 
-/// Errors that hang together from row to row with a correlation: grains that have rearranged stay where they are for
-/// some per cent of strain, so a row above the line is followed by others above it. White errors would flatter the
-/// intervals.
+/// Errors that are correlated from row to row. Grains that have rearranged stay where they are for some per cent of
+/// strain, so a row above the line is followed by others above it. White errors would flatter the intervals.
 class Errors {
  public:
   Errors(double deviation, double correlation, std::mt19937_64& random)

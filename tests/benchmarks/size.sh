@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What a step costs per contact and what memory it takes per grain, from a thousand grains to a million, and how small
-# systems fill two cores: a table, a figure, and the bars they are held to.
+# Cost of a step per contact and memory per grain, from a thousand grains to a million, and the gain of a second core for
+# small systems. Makes a table and a figure, and compares both with bars.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make bench-size. Needs about 3 GB of memory and two cores that nobody else uses. OUT (default build/bench): folder of

@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# The largest studies at the thesis's own size: what they take of time and memory, and what a second thread is worth, with the
-# bars they are held to.
+# Time and memory of the largest studies at the thesis's own size, and the gain of a second thread, compared with bars.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# make bench-studies. PARTS (default: bag shape pullout): bag, the soilbag of 69,000 grains made and compressed to 20 %, takes half an
-# hour; shape and pullout are the first STRETCH (default 0.1) seconds of the two-scale examples on 128 elements, ROUNDS (default 3)
-# times on one thread and on two in turn, medians. On two cores that nobody else uses, or the figures mean nothing. OUT (default
+# make bench-studies. PARTS (default: bag shape pullout) names the parts. bag: the soilbag of 69,000 grains, made and compressed to
+# 20 %, half an hour. shape and pullout: the first STRETCH (default 0.1) seconds of the two-scale examples on 128 elements, medians of
+# ROUNDS (default 3) times on one thread and on two in turn. The figures hold only on two cores that nobody else uses. OUT (default
 # build/bench/studies): folder of the runs and of studies.tsv. Exits with 1 where a bar is missed.
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the thesis author's own packings of 1000, 2000 and 5000 grains carry, brought to grains of one size: how far two
-# packings of one sand and void ratio lie apart, against which pipelines/packings is held.
+# Strengths of the thesis author's own packings of 1000, 2000 and 5000 grains, brought to grains of one size. They show how
+# far two packings of one sand and void ratio lie apart; pipelines/packings is compared with that.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make crosscheck, with SOILWEAVE_REFERENCE at the folder of recorded packings. TWINS (default 4): runs of each packing.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The same contacts and packings here and in YADE: contact paths of a lattice, a triaxial test of 1000 grains.
+# Equal contacts and packings here and in YADE: contact paths of a lattice, a triaxial test of 1000 grains.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make crosscheck. Needs YADE (2023.02a was used) as `yade`. TWINS (default 4): runs of each triaxial test, their

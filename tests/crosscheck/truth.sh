@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Hidden parameters found again: observations are made by run-dem itself from a twin of the packing, noise is added, and the
-# particle filter looks for E and the friction angle, the three others unknown too, in an ensemble and three resampling rounds.
+# Hidden parameters found again. run-dem makes the observations from a twin of the packing, and noise is added. The particle
+# filter looks for E and the friction angle, with the three others unknown too, in an ensemble and three resampling rounds.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make crosscheck. SETS (default 60): runs a round; LAW: cl (default) or hm. Exits with 1 where E or the friction angle ends more

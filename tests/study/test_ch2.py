@@ -24,7 +24,7 @@ ANSWER = {"young_modulus": 4e9, "poisson_ratio": 0.1, "rolling_stiffness": 0.15,
 
 
 def write(path, **columns):
-    """Writes columns, given as head=(unit, values), of which a single value stands for as many equal ones."""
+    """Writes columns, given as head=(unit, values). A single value fills its whole column."""
     length = max(numpy.size(values) for _, values in columns.values())
     rows = zip(*(numpy.broadcast_to(values, length) for _, values in columns.values()), strict=True)
     path.parent.mkdir(parents=True, exist_ok=True)

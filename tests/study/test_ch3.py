@@ -20,7 +20,7 @@ SI = {"mm": "m", "cm": "m", "kPa": "Pa", "%": "1"}
 
 
 def write(path, units, **columns):
-    """Writes a table of columns of equal length, of which a number stands for as many equal ones."""
+    """Writes a table of columns of equal length. A single number fills its whole column."""
     length = max(numpy.size(values) for values in columns.values())
     rows = zip(*(numpy.broadcast_to(values, length) for values in columns.values()), strict=True)
     head = "\t".join(f"{name} [{units[name]}]" for name in columns)

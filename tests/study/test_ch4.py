@@ -21,7 +21,7 @@ STRAIN = numpy.array([0, 0.01, 0.02, 0.03, 0.04])
 
 
 def write(path, **columns):
-    """Writes a table of columns of equal length, of which a number stands for as many equal ones."""
+    """Writes a table of columns of equal length. A single number fills its whole column."""
     length = max(numpy.size(values) for values in columns.values())
     rows = zip(*(numpy.broadcast_to(values, length) for values in columns.values()), strict=True)
     head = "\t".join(f"{name} [{UNITS.get(name, '1')}]" for name in columns)
@@ -103,7 +103,7 @@ def test_measures_of_cells_by_hand(study):
     assert value["above_5PP"] == 2
     assert value["gap_grows"] == 6  # from 6 over 12 to 18
     assert value["dilation_5PP"] == 1
-    assert value["inside_above"] == 1  # of the lateral stresses, which are equal
+    assert value["inside_above"] == 1  # ratio of the lateral stresses, which are equal
     assert (value["inside_gap_axial"], value["inside_gap_lateral"]) == (1, 0.5)
     assert value["axial_below_lateral"] == 13.5
     assert (value["slopes_differ"], value["paths_bend"], value["slope_soil"]) == (0, 0, 1.7)

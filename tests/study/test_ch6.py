@@ -18,7 +18,7 @@ UNITS = {"time": "s", "pull_end": "m", "traction_y_bottom": "Pa", "interface_fri
 
 
 def write(path, **columns):
-    """Writes a table of columns of equal length, of which a number stands for as many equal ones."""
+    """Writes a table of columns of equal length. A single number fills its whole column."""
     length = max(numpy.size(values) for values in columns.values())
     rows = zip(*(numpy.broadcast_to(values, length) for values in columns.values()), strict=True)
     head = "\t".join(f"{name} [{UNITS[name]}]" for name in columns)

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the tool tests share: the tools on PATH, a folder of its own for each test, and assertions that say what they saw.
+# Common parts of the tool tests: the tools on PATH, a folder of its own for each test, and assertions that say what they saw.
 # SPDX-License-Identifier: GPL-3.0-or-later
 bats_require_minimum_version 1.5.0
 

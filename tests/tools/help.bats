@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# What every tool says about itself is true: help fits a screen, its examples run, pages and completion are well formed.
+# Tests that every tool tells the truth about itself: help fits a screen, its examples run, pages and completion are well formed.
 # SPDX-License-Identifier: GPL-3.0-or-later
 load common
 

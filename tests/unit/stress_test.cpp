@@ -150,13 +150,13 @@ TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
   ASSERT_EQ(odd.size(), 5U);
   EXPECT_EQ(odd[0].grains, (std::vector<std::size_t>{11}));
   EXPECT_EQ(odd[4].grains, (std::vector<std::size_t>{15}));
-  // Now four by four copies.
+  // Without the last nine copies the bag has four by four: an even number has two copies in the middle.
   for (std::size_t k = 17; k < 26; ++k) s.grains.copy_id[k] = -1;
   const std::vector<Volume> even = groups(s);
   ASSERT_EQ(even.size(), 2U);
   EXPECT_EQ(even[1].name, "#2");
   EXPECT_EQ(even[1].grains, (std::vector<std::size_t>{7, 8, 11, 12}));
-  // Now without copies.
+  // A bag without copies has no groups.
   for (std::int32_t& id : s.grains.copy_id) id = 0;
   EXPECT_TRUE(groups(s).empty());
 }

@@ -37,7 +37,7 @@ namespace soilweave::tool {
 
 inline constexpr std::string_view version = "0.1.0";
 
-/// How this process was called: what provenance records, and what concerns only the terminal.
+/// Call of this process: the words that provenance records, and the options that concern only the terminal.
 struct Invocation {
   std::string tool;
   std::string version;

@@ -8,7 +8,7 @@
 
 namespace soilweave {
 
-/// How a document's file names are resolved.
+/// Rule by which the file names in a document are resolved.
 struct NamedFiles {
   std::string document;                // path of the document; - for standard input
   std::vector<std::string> overrides;  // KEY=VALUE of each --set

@@ -11,10 +11,13 @@
 namespace soilweave::dem {
 
 /// Returns the packing with the scenario's density (masses follow), mass scaling, and planes; planes that are to touch
-/// are put in place. Throws DataError if the packing names materials or geotextiles that the scenario lacks, a stage
-/// loads an aperiodic axis, a yarn passes through a periodic face, gravity has nothing to press on, a plane starts
-/// inside the grains, a clamp holds nothing, a strain to record is no station, a homogeneous start has no parts that
-/// face each other, a critical drag has no axis to swing along, or scaled masses would fall.
+/// are put in place. Throws DataError if packing and scenario do not fit:
+/// - the packing names materials or geotextiles that the scenario lacks;
+/// - a stage loads an aperiodic axis, or a strain to record is no station;
+/// - a yarn passes through a periodic face, a plane starts inside the grains, or a clamp holds nothing;
+/// - gravity has nothing to press on;
+/// - a homogeneous start has no parts that face each other, or a critical drag has no axis to swing along;
+/// - scaled masses would fall.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 
 /// Throws DataError if a fixed time step exceeds the stability limit of the present contacts.

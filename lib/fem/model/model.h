@@ -33,10 +33,10 @@ namespace soilweave::fem {
 /// Input of a model.
 struct ModelSetup {
   SoilSetup soil;                   // density 0: density of the grains times their solid fraction
-  std::optional<ContinuumLaw> law;  // none: grains
+  std::optional<ContinuumLaw> law;  // without it, points hold grains
   Grains grains;
   std::vector<io::Snapshot> packings;  // one for all points, or one per point
-  std::optional<BarsSetup> bars;       // the interface is filled in from the line
+  std::optional<BarsSetup> bars;       // friction of the interface comes from the line
   std::vector<std::string> along;      // boundaries beside which the chain lies
   double spacing = 0, overhang = 0;    // distance of the chain's nodes, and its length before the start, m
   double seat_pressure = 0;            // pressure along y that chain and guides carry before the start, Pa

@@ -12,10 +12,13 @@ namespace soilweave::fem {
 /// Returns the table `name` of the run in the file `where`. Throws UsageError that lists its tables.
 io::Series table(const io::MultiscaleFile& file, const std::string& name, const std::string& where);
 
-/// Returns the global response (thesis Fig. 6.2), one row per output: step, time (s), displacement of the chain's ends
-/// (m), mean traction on the soil of each boundary over its present length (Pa; of the nodal stresses, force_x_ and
-/// force_y_ of the series), `interface_friction` and the energy balance (J per metre). interface_friction is shear over
-/// normal force between soil and chain, positive if it resists a pull at the chain's end, NaN without contact.
+/// Returns the global response (thesis Fig. 6.2), one row per output:
+/// - step, time (s), displacement of the chain's ends (m);
+/// - mean traction on the soil of each boundary over its present length (Pa), from the nodal stresses (force_x_ and
+///   force_y_ of the series);
+/// - interface_friction: shear over normal force between soil and chain, positive if it resists a pull at the chain's
+///   end, NaN without contact;
+/// - the energy balance (J per metre).
 io::Series loading(const io::MultiscaleFile& file);
 
 /// Returns the rows of the states that `which` names: all, first, last or a number from 0 (io::chosen_states).

@@ -15,7 +15,7 @@ namespace soilweave::io {
 struct SpheresOptions {
   double density = 0;              // density of the grains, kg/m3
   std::optional<CellRecord> cell;  // periodic cell if the text has no line ##PERIODIC::
-  std::optional<int> dimension;    // 3: spheres, 2: disks; none: by the line ##PERIODIC:: or the header
+  std::optional<int> dimension;    // 3: spheres, 2: disks; unset: the line ##PERIODIC:: or the header tells it
 };
 
 /// Grains read from a text.
@@ -29,12 +29,14 @@ struct ImportedSpheres {
 /// `what` for any other text.
 CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 
-/// Reads grains, one per line. Columns are identified by a header (x, y, z and r, radius or diameter in any order, with
-/// a unit as x [mm] or x_mm; other named columns are left out and noted), by YADE's #format line, or by a comment that
-/// names as many columns. Otherwise lines are exactly x y z r, for disks x y r. The first line tells the separator:
-/// blanks and tabs, commas or semicolons. "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell;
-/// otherwise it is options.cell, or nothing is periodic. Throws DataError with line and column of anything else, and
-/// names formats of other programs.
+/// Reads grains, one per line.
+/// - Columns are named by a header, by YADE's #format line, or by a comment with one word for each column. They are x,
+///   y, z and r, radius or diameter in any order, with a unit as x [mm] or x_mm. Other columns are left out and noted.
+/// - Without names, lines are exactly x y z r, for disks x y r.
+/// - The first line tells the separator: blanks and tabs, commas or semicolons.
+/// - "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell. Otherwise it is options.cell, or
+///   nothing is periodic.
+/// Throws DataError with line and column of anything else, and names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
 /// Returns a text from which import_spheres() reads the same grains: x y z r per line (disks: x y r below a header), in

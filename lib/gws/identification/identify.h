@@ -20,7 +20,7 @@ struct Identification {
   SoilFile soil;                                   // identified constants with their scatter; all others as given
 };
 
-/// How the constants are found.
+/// Method by which the constants are found.
 enum class Method {
   path,   // all at once along the paths of the bags: the plastic strain is subtracted from the compression line
   thesis  // line by line, each with the other constants as `soil` has them; the compression line takes all strain

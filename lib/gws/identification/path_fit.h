@@ -12,9 +12,9 @@
 
 namespace soilweave::gws {
 
-/// The relations whose residuals are made small, in the order of the columns of PathFit::residuals: q/p on the
-/// near-failure line at the measured p and strain; ln p and the volumetric strain (percent) of the solution at the
-/// measured axial strain. Residuals are measured less computed.
+/// Number of relations that are fitted, one column of PathFit::residuals each. The first is q/p on the near-failure
+/// line at the measured p and strain. The second and third are ln p and the volumetric strain (percent) of the solution
+/// at the measured axial strain. A residual is the measured value less the computed one.
 inline constexpr Eigen::Index path_relations = 3;
 
 /// Constants of all paths, and Young's modulus of each bag.
@@ -32,10 +32,10 @@ struct PathFit {
 /// bags are joined by their common constants. `start` and `modulus`: where the search begins. `compression_known`:
 /// C_t and p_0 are taken from `start`. A bag that does not begin at rest has the first relation alone, and no modulus.
 ///
-/// Residuals of one bag hang together from row to row. They are therefore whitened with the correlation that they have
-/// with their predecessors, one for each relation (Cochrane and Orcutt 1949), and the covariance is that of the
-/// sandwich with each row a cluster and its leverage counted (MacKinnon and White 1985), but never below that of equal
-/// and independent errors. Errors are never taken to be below `data_accuracy`.
+/// Residuals of one bag are correlated from row to row. They are therefore whitened with their autocorrelation, one for
+/// each relation (Cochrane and Orcutt 1949). The covariance is the sandwich estimate with each row a cluster and its
+/// leverage counted (MacKinnon and White 1985). It is never below the covariance of equal and independent errors, nor
+/// are errors ever taken to be below `data_accuracy`.
 ///
 /// Throws DataError where there are fewer rows than constants, where the rows do not determine the constants, or where
 /// the solution ends before a bag's last row.

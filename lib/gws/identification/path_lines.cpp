@@ -138,7 +138,7 @@ Line stiffness(const std::vector<BagSeries>& series, const PathFit& path) {
   return line;
 }
 
-/// Where the search for the moduli begins: as the thesis finds them, else as the constants have them.
+/// Returns the moduli at which the search begins: as the thesis finds them, or else from the constants.
 std::vector<double> first_moduli(const std::vector<BagSeries>& series, const Soil& soil, Difference difference) {
   std::vector<double> found;
   for (const BagSeries& one : series) {

@@ -17,12 +17,11 @@ struct Triaxial {
   double pressure = 1e5;  // confining pressure, Pa
 };
 
-/// Returns Toyoura sand's constants (thesis Table 5.2) with those replaced that the test tells of:
-/// - q/p at failure is 6 sin phi/(3 - sin phi), of which the dilation 6 sin psi/(3 - sin psi) leaves M (M_f - M is the
-///   dilation at failure, thesis section 5.3.3); p_c follows from both, the exponent n is Toyoura's;
-/// - kappa and lambda are scaled by the strain at half of the strength over Toyoura's at the same pressure, kappa by
-/// the
-///   strength as well;
+/// Returns Toyoura sand's constants (thesis Table 5.2), except for the constants that the test determines:
+/// - M_f, q/p at failure, is 6 sin phi/(3 - sin phi). M is smaller by the dilation at failure,
+///   6 sin psi/(3 - sin psi) (thesis section 5.3.3). p_c follows from both; the exponent n is Toyoura's.
+/// - kappa and lambda are scaled by the strain at half of the strength over Toyoura's at the same pressure. kappa is
+///   scaled by the strength as well.
 /// - C_t is scaled by the void ratio's function (2.17 - e)^2/(1 + e) of Hardin and Richart (1963).
 /// The stiffness with a geotextile, alpha and beta, and the slope of the dilatancy line stay Toyoura's.
 Soil estimated(const Triaxial& test);

@@ -48,7 +48,8 @@ std::array<int, 3> copies_around(const Surround& how, const io::Snapshot& volume
   return n;
 }
 
-// Returns the block that the soil was cut from, if the user gives no copies: one of about as many as cover it.
+// Returns a block of the copies that the user gives, or else the block that the soil was cut from: of all sizes about
+// as large as the soil, the one that holds most of its grains.
 io::Snapshot block_of(const io::Snapshot& reinforced, const Surround& how, const io::Snapshot& volume,
                       std::array<int, 3>& copies) {
   copies = copies_around(how, volume, extent(reinforced));
@@ -78,8 +79,8 @@ void demand_cover(const io::Snapshot& block, const io::Snapshot& part) {
   }
 }
 
-// Returns the lengths of the cell: those of the block plus one margin along all axes that gives the volume, but at
-// least room for the reinforced part and the gap.
+// Returns the lengths of the cell. Each is the length of the block plus a margin, and at least `least`. The margin is
+// equal along all axes and gives the cell its volume.
 Vec3 lengths(const Vec3& block, const Vec3& least, double volume) {
   const auto at = [&](double margin) -> Vec3 { return (block.array() + margin).max(least.array()).matrix(); };
   double low = -block.minCoeff(), high = block.maxCoeff();
@@ -246,7 +247,7 @@ Surrounded surround(const io::Snapshot& reinforced, const Surround& how, double 
   const Vec3 least = extent(part) + Vec3::Constant(how.gap.value_or(2 * mean));
   const double e = how.recipe.void_ratio.value_or(0.7);
   if (how.recipe.void_ratio) demand_room(part, e, all_solids);
-  // Small grains find places between large ones, large ones none between small ones.
+  // Large grains are placed first, because small ones still find places between them.
   std::vector<std::size_t> order(n - first);
   std::iota(order.begin(), order.end(), first);
   const std::vector<double>& radius = state.grains.radius;
