@@ -95,16 +95,17 @@ HEADERS := $(sort $(shell find lib tests -name '*.h'))
 SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benchmarks/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats tests/extension/*.bats))
 
-# A contact law, a loading path, a container or a table of homogenize is one header in its folder that states its name,
-# and its class has the file's name: round_box.h holds RoundBox. $(B)/lists/NAME.h includes these headers and names the
+# A contact law, a loading path, an energy term, a container or a table of homogenize is one header in its folder that states
+# its name, and its class has the file's name: round_box.h holds RoundBox. $(B)/lists/NAME.h includes these headers and names the
 # classes, so that a new one needs no other change. LISTING reads the lists.
 LISTED_laws := lib/dem/contact/laws
 LISTED_paths := lib/dem/loading/paths
+LISTED_energies := lib/dem/engine/energies
 LISTED_containers := lib/packing/container/shapes
 LISTED_tables := lib/packing/expand/tables
-LISTS := laws paths containers tables
-LISTING := tests/property/laws_test.cpp lib/dem/contact/law_list.cpp lib/dem/sweep/contact_sweep.cpp lib/dem/loading/path_list.cpp lib/packing/container/container_list.cpp \
-  lib/packing/expand/run_tables.cpp
+LISTS := laws paths energies containers tables
+LISTING := tests/property/laws_test.cpp lib/dem/contact/law_list.cpp lib/dem/sweep/contact_sweep.cpp lib/dem/loading/path_list.cpp lib/dem/engine/energies/energy_list.cpp \
+  lib/packing/container/container_list.cpp lib/packing/expand/run_tables.cpp
 X := $(B)/extended
 headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
@@ -252,7 +253,8 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
 
 # ---- Extensions -----------------------------------------------------------------------------------------------------
-# Tools that know what a folder outside lib/ holds besides: FOLDER/laws, FOLDER/paths, FOLDER/containers, FOLDER/tables.
+# Tools that know what a folder outside lib/ holds besides: FOLDER/laws, FOLDER/paths, FOLDER/energies, FOLDER/containers,
+# FOLDER/tables.
 # Only the sources that read the lists are compiled again, and linked before the archive, which then gives the others.
 # The sweep takes four contacts at a time.
 EXTENSIONS ?= tests/extension
@@ -272,10 +274,10 @@ $(X)/bin/%: $(B)/obj/tools/%.o $(EXTENDED) $(B)/libsoilweave.a
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
 .PHONY: extended
-extended: $(addprefix $(X)/bin/,pack-generate run-dem filter-expand homogenize) ## tools that know your own laws, paths, shapes and tables too: EXTENSIONS=FOLDER
+extended: $(addprefix $(X)/bin/,pack-generate run-dem filter-expand homogenize) ## tools that know your own laws, paths, energies, shapes and tables too: EXTENSIONS=FOLDER
 
 .PHONY: test-extensions
-test-extensions: extended ## a law, a path, a container and a table from outside lib/, one file each
+test-extensions: extended ## a law, a path, energy terms, a container and a table from outside lib/, one file each
 	@BIN=$(CURDIR)/$(X)/bin OMP_NUM_THREADS=1 bats tests/extension/extension.bats
 
 define test_program
@@ -433,8 +435,8 @@ fuzz: $(TOOLS) hostile ## every reader under libFuzzer, FUZZ_TIME=600 s each (ne
 	@BIN=$(CURDIR)/$(BIN) tests/fuzz/run.sh $(FUZZED:$(B)/%=$(CURDIR)/build/fuzz/%)
 
 .PHONY: golden
-golden: $(B)/tests/unit ## print the tables of lib/files/FORMAT.md anew from the schema; review them with git diff
-	@SOILWEAVE_GOLDEN=write $< --gtest_brief=1 --gtest_filter=Schema.IsWhatThePageSays
+golden: $(B)/tests/unit ## print the tables of lib/files/FORMAT.md anew from schema and series; review them with git diff
+	@SOILWEAVE_GOLDEN=write $< --gtest_brief=1 --gtest_filter='*WhatThePageSays'
 
 .PHONY: pages
 pages: $(TOOLS) ## print the keys of the tools into the pages of lib/ anew; review them with git diff

@@ -16,7 +16,7 @@ fault() {
 rooms=(
   core core/simd core/text core/cli
   store files files/exchange display
-  dem/state dem/contact dem/sweep dem/engine dem/loading dem/run
+  dem/state dem/contact dem/sweep dem/engine dem/engine/energies dem/loading dem/run
   analysis/measure analysis/tables
   packing/generate packing/container packing/expand
   calibration

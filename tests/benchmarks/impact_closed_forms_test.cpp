@@ -109,8 +109,8 @@ TEST(ClosedForms, SpinRunsDownUnderRollingAndTwistingLimits) {
     // M = limit R m g acts against I = 2/5 m R2.
     EXPECT_NEAR(twist ? now.z() : now.y(), w0 - 5 * limit * g * s.time() / (2 * R), 1e-3 * w0);
     const Energies e = s.energies();
-    EXPECT_NEAR(e.rolling_plastic + e.kinetic + e.elastic_rolling + e.elastic_twisting,
-                0.5 * 0.4 * resting().mass() * R * R * w0 * w0, 1e-3 * e.rolling_plastic);
+    EXPECT_NEAR(e["rolling_plastic"] + e.kinetic() + e["elastic_rolling"] + e["elastic_twisting"],
+                0.5 * 0.4 * resting().mass() * R * R * w0 * w0, 1e-3 * e["rolling_plastic"]);
   }
 }
 

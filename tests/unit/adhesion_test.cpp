@@ -57,8 +57,8 @@ TEST(Adhesion, GivesBackWhatItTakes) {
   EXPECT_GT(deepest, 0);
   EXPECT_GT(farthest, 0.89 * range);
   const Energies e = simulation.energies();
-  ASSERT_GT(std::abs(e.initial), 0) << "the energy of adhesion";
-  EXPECT_LT(std::abs(e.error()), 1e-4 * std::abs(e.initial));
+  ASSERT_GT(std::abs(e.initial()), 0) << "the energy of adhesion";
+  EXPECT_LT(std::abs(e.error()), 1e-4 * std::abs(e.initial()));
 }
 
 TEST(Adhesion, IsRefusedWhereItReachesTwoImages) {

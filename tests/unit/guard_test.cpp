@@ -139,7 +139,7 @@ TEST(Guard, TheStabilityLimitKeepsAMargin) {
         Simulation good(start, model, stable), bad(start, model, unstable);
         EXPECT_NO_THROW(compress(good, dimension, pressure, 3000));
         const Energies e = good.energies();
-        const double turned_over = e.initial + std::abs(e.boundary_work) + e.frictional;
+        const double turned_over = e.initial() + std::abs(e["boundary_work"]) + e["frictional"];
         EXPECT_LT(std::abs(e.error()), (damping > 0 ? 1e-3 : 1e-2) * turned_over);
         // The servo meets its goal to 1 % if moments help to hold a hundred rearranging grains, to 2.5 % without
         // moments.

@@ -72,8 +72,8 @@ TEST(Motion, DampingGoesByTheWorkOfTheForceOverTheStep) {
     const double after = before - kept * g * dt;
     EXPECT_NEAR(simulation.snapshot().grains.velocity[0].z(), after, 1e-15) << share;
     const Energies e = simulation.energies();
-    EXPECT_NEAR(e.damping, 0.5 * (1 - kept) * -mass * g * (before + after) * dt, 1e-15 * mass) << share;
-    EXPECT_NEAR(e.gravity_work, 0.5 * -mass * g * (before + after) * dt, 1e-15 * mass) << share;
+    EXPECT_NEAR(e["damping"], 0.5 * (1 - kept) * -mass * g * (before + after) * dt, 1e-15 * mass) << share;
+    EXPECT_NEAR(e["gravity_work"], 0.5 * -mass * g * (before + after) * dt, 1e-15 * mass) << share;
   }
 }
 

@@ -1,16 +1,19 @@
 // Quantities that a run records and guards watch, for a few grains whose numbers can be counted by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.h"
 #include "dem/contact/laws/linear.h"
+#include "dem/engine/energy_term.h"
 #include "dem/engine/guard.h"
 #include "dem/run/cost.h"
 #include "dem/run/record.h"
 #include "support/assemblies.h"
 #include "support/impact.h"
+#include "support/page.h"
 
 namespace soilweave::dem {
 namespace {
@@ -29,7 +32,7 @@ Sphere at(double x, double radius = R) { return {radius, density, Vec3(x, 0.1, 0
 
 double recorded(const Simulation& simulation, int dimension, const char* name) {
   io::Series series = empty_series();
-  record(simulation, dimension, 0, series);
+  record(simulation, simulation.energies(), dimension, 0, series);
   return series.at(name).values.at(0);
 }
 
@@ -92,7 +95,7 @@ TEST(Recorded, DragTakesOfMotionAndOfRotationAlike) {
   EXPECT_NEAR(simulation.kinetic_energy(), energy, 1e-12 * energy);
   simulation.slow_motion(0.5);
   EXPECT_NEAR(simulation.kinetic_energy(), 0.25 * energy, 1e-12 * energy);
-  EXPECT_NEAR(simulation.energies().damping, 0.75 * energy, 1e-12 * energy);
+  EXPECT_NEAR(simulation.energies()["damping"], 0.75 * energy, 1e-12 * energy);
 }
 
 TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
@@ -102,11 +105,12 @@ TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
   s.set_velocity_gradient(gradient);
   for (int k = 0; k < 200; ++k) s.step();
   const Energies before = s.energies();
-  ASSERT_GT(before.frictional, 0);
+  ASSERT_GT(before["frictional"], 0);
   s.scale_radii(1.0005);
   const Energies after = s.energies();
-  EXPECT_NEAR(after.law, before.law, 1e-9 * before.frictional);
-  EXPECT_NEAR(after.boundary_work - before.boundary_work, after.elastic() - before.elastic(), 1e-9 * after.elastic());
+  EXPECT_NEAR(after["law"], before["law"], 1e-9 * before["frictional"]);
+  EXPECT_NEAR(after["boundary_work"] - before["boundary_work"], after.stored() - before.stored(),
+              1e-9 * after.stored());
 }
 
 // The fastest grain moves a hundredth of the smallest radius in a step, and no slower than it may.
@@ -144,16 +148,80 @@ TEST(Guard, WeighsTheErrorByAllEnergyTurnedOver) {
   numerics.limits.energy_error = 0.1;
   const io::Snapshot state = scene({at(0.1)}, false);
   const Guard guard(numerics, Bodies(state.grains), Cell(state.cell, 3), Planes(state.planes), 0);
-  Energies e;
-  e.turned_over = 2, e.initial = 1, e.kinetic = 3, e.elastic_shear = 4;
+  Archive::Numbers numbers = {{"energy_initial", {1}}, {"energy_turned_over", {2}}};
+  for (const EnergyTerm& t : energy_terms()) numbers["energy_" + std::string(t.name)] = {0};
+  numbers["energy_kinetic"] = {3}, numbers["energy_elastic_shear"] = {4};
   const auto with_error = [&](double error) {
-    e.boundary_work = e.kinetic + e.elastic() - e.initial + error;
+    numbers["energy_boundary_work"] = {3 + 4 - 1 + error};
+    Archive kept(numbers, "test");
+    Energies e;
+    e.archive(kept);
     return e;
   };
   for (const double sign : {1.0, -1.0}) {
     EXPECT_NO_THROW(guard.balance(1, with_error(sign * 0.999)));
     EXPECT_THROW(guard.balance(1, with_error(sign * 1.001)), PhysicsError);
   }
+}
+
+TEST(Energies, GoOnFromACheckpointUnderTheirNames) {
+  Archive kept;
+  Energies().archive(kept);
+  std::vector<std::string> names;
+  for (const auto& [name, numbers] : kept.numbers()) names.push_back(name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{
+                "energy_boundary_work", "energy_damping", "energy_elastic_normal", "energy_elastic_rolling",
+                "energy_elastic_shear", "energy_elastic_twisting", "energy_elastic_yarns", "energy_frictional",
+                "energy_gravity_work", "energy_initial", "energy_kinetic", "energy_law", "energy_rolling_plastic",
+                "energy_tangential_work", "energy_turned_over", "energy_viscous", "energy_yarn_dissipation"}));
+}
+
+TEST(Energies, RefuseANameThatNoTermHas) { EXPECT_THROW(Energies()["frction"], std::out_of_range); }
+
+TEST(Energies, AShareIsCountedOnce) {
+  const Simulation s(scene({at(0), at(1.99 * R), at(3.98 * R)}, false), linear(), undamped(1e-6));
+  const Energies e = s.energies();
+  EXPECT_GT(e["elastic_contacts"], 0);
+  EXPECT_EQ(e.stored(), e["elastic_contacts"]);
+  EXPECT_EQ(e.initial(), e.stored());
+}
+
+// Powers of two tell which terms a sum has.
+TEST(Energies, EnterTheBalanceByTheirRoles) {
+  Archive::Numbers numbers = {{"energy_initial", {1}}, {"energy_turned_over", {0}}};
+  for (const EnergyTerm& t : energy_terms()) numbers["energy_" + std::string(t.name)] = {0};
+  numbers["energy_kinetic"] = {2}, numbers["energy_elastic_shear"] = {4}, numbers["energy_elastic_yarns"] = {8};
+  numbers["energy_damping"] = {16}, numbers["energy_yarn_dissipation"] = {32}, numbers["energy_law"] = {64};
+  numbers["energy_boundary_work"] = {128}, numbers["energy_gravity_work"] = {256};
+  numbers["energy_tangential_work"] = {512};
+  Archive kept(numbers, "test");
+  Energies e;
+  e.archive(kept);
+  EXPECT_EQ(e.error(), 1 + 128 + 256 - (2 + 4 + 8 + 16 + 32 + 64));
+  EXPECT_EQ(e.sum(EnergyRole::internal), 512);
+}
+
+/// Returns the columns of a run's series as a table of Markdown. A term without a column has its row among the terms.
+std::string printed_series() {
+  std::string text = "| column | units | meaning |\n|---|---|---|\n";
+  for (const io::Column& c : empty_series().columns)
+    text += fmt::format("| `{}` | {} | {} |\n", c.name, c.unit, c.long_name);
+  text += "\n| energy term | part of the balance | column | meaning |\n|---|---|---|---|\n";
+  for (const EnergyTerm& t : energy_terms()) {
+    constexpr std::array parts = {"kinetic", "stored", "dissipated", "supplied", "numerical", "none: between others"};
+    text +=
+        fmt::format("| {} | {}{} | {}{} | {} |\n", t.name, parts.at(static_cast<std::size_t>(t.role)),
+                    t.share ? ", counted in other terms" : "", t.column.empty() ? "" : fmt::format("`{}`", t.column),
+                    t.occurs ? ", in runs that have it" : "", t.sentence);
+  }
+  return text + "\n";
+}
+
+TEST(Recorded, SeriesIsWhatThePageSays) {
+  soilweave::test::demand_on_page("lib/files/FORMAT.md",
+                                  "<!-- series: printed from dem/run/record.cpp and dem/engine/energies -->\n",
+                                  "<!-- end of series -->\n", printed_series());
 }
 
 }  // namespace

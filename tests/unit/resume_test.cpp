@@ -64,7 +64,7 @@ void expect_same(const Simulation& a, const Simulation& b) {
   EXPECT_EQ(a.measures().stress, b.measures().stress);
   EXPECT_EQ(a.measures().axial_stiffness, b.measures().axial_stiffness);
   EXPECT_EQ(a.unbalanced_force(), b.unbalanced_force());
-  EXPECT_EQ(a.energies().boundary_work, b.energies().boundary_work);
+  EXPECT_EQ(a.energies()["boundary_work"], b.energies()["boundary_work"]);
   EXPECT_EQ(a.energies().error(), b.energies().error());
 }
 

@@ -4,35 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <regex>
 #include <set>
 #include <stdexcept>
 
 #include "files/part.h"
 #include "store/store.h"
+#include "support/page.h"
 #include "support/schema_tables.h"
 #include "support/states.h"
 
 namespace soilweave::io {
 namespace {
 
-const std::string begin_mark = "<!-- tables: printed from schema.cpp -->\n", end_mark = "<!-- end of tables -->\n";
-
-/// Compares FORMAT.md with the schema. SOILWEAVE_GOLDEN=write (make golden) writes the tables into the page instead.
 TEST(Schema, IsWhatThePageSays) {
-  const std::filesystem::path page = "lib/files/FORMAT.md";
-  if (!std::filesystem::exists(page)) GTEST_SKIP() << "not run in the root of the source tree";
-  const std::string text = test::bytes_of(page);
-  const std::size_t begin = text.find(begin_mark), end = text.find(end_mark);
-  ASSERT_TRUE(begin != std::string::npos && end != std::string::npos && begin < end);
-  const std::string head = text.substr(0, begin + begin_mark.size()) + "\n";
-  const std::string printed = head + test::schema_tables() + text.substr(end);
-  const char* golden = std::getenv("SOILWEAVE_GOLDEN");
-  if (golden && std::string(golden) == "write")
-    test::put_bytes(page, printed);
-  else
-    EXPECT_EQ(text, printed) << "run: make golden, or correct the schema";
+  soilweave::test::demand_on_page("lib/files/FORMAT.md", "<!-- tables: printed from schema.cpp -->\n",
+                                  "<!-- end of tables -->\n", test::schema_tables());
 }
 
 TEST(Schema, ShapesBecomeNumbers) {

@@ -176,7 +176,7 @@ TEST(SheetInSand, GoesOnFromACheckpointToTheSameBits) {
     ASSERT_EQ(whole.measures().stress, resumed.measures().stress) << "step " << k;
     ASSERT_EQ(whole.measures().axial_stiffness, resumed.measures().axial_stiffness) << "step " << k;
   }
-  EXPECT_EQ(whole.energies().boundary_work, resumed.energies().boundary_work);
+  EXPECT_EQ(whole.energies()["boundary_work"], resumed.energies()["boundary_work"]);
   EXPECT_EQ(whole.energies().error(), resumed.energies().error());
   io::test::expect_same(whole.snapshot(), resumed.snapshot());
 }

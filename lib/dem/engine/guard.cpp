@@ -72,7 +72,7 @@ void Guard::finite(std::int64_t step, const Bodies& bodies, double force, double
           "the input overlaps: {}",
           step, i, part, lower_step()));
   throw PhysicsError(fmt::format(
-      "step {}: the forces add up to {} N and the damping to {} J: the time step is too large for the stiffness: {}",
+      "step {}: the forces add up to {} N and damping takes {} J: the time step is too large for the stiffness: {}",
       step, force, spent, lower_step()));
 }
 
@@ -101,7 +101,7 @@ void Guard::room(std::int64_t step, const Cell& cell) const {
 }
 
 void Guard::balance(std::int64_t step, const Energies& e) const {
-  const double turned_over = e.turned_over + std::abs(e.initial) + e.kinetic + std::abs(e.elastic());
+  const double turned_over = e.turned_over() + std::abs(e.initial()) + e.kinetic() + std::abs(e.stored());
   if (!(std::abs(e.error()) > limits_.energy_error * turned_over)) return;
   throw PhysicsError(
       fmt::format("step {}: {:.3g} J of energy {}, {:.3g} % of the {:.3g} J turned over, more than the {:.3g} % of "

@@ -23,15 +23,15 @@ class Guard {
 
   // All functions throw PhysicsError with step, body or axis, numbers, and likely cause.
 
-  /// Checks that every number of the state is finite. `force`: a sum over all contact forces. `spent`: the energy taken
-  /// by damping. A NaN in any velocity makes `spent` a NaN, so that two sums stand for all grains.
+  /// Checks that every number of the state is finite. `force`: a sum over all contact forces. `spent`: the energy that
+  /// damping took in this step. A NaN in any velocity makes it a NaN, so that two sums stand for all grains.
   void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
   /// Throws for a contact that is too deep. deepest: its name, "grains 3 and 5 overlap by ..."
   [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,
                              const Measures& measures) const;
   /// Checks that no grain spans half the cell along a periodic axis, the gaps across which it acts included.
   void room(std::int64_t step, const Cell& cell) const;
-  /// Checks the energy balance; the kinetic energy must be the present one.
+  /// Checks the energy balance. The energies must be those of this moment (Energies::at).
   void balance(std::int64_t step, const Energies& energies) const;
   /// Checks that no grain left through an open side. Planes hold grains back only where they are.
   void escape(std::int64_t step, const Bodies& bodies) const;

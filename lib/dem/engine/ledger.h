@@ -1,5 +1,5 @@
-// Lists of all numbers that a checkpoint keeps beyond the state of the grains. A member added to SweepSums, Measures or
-// Energies must be added here.
+// Lists of the numbers that a checkpoint keeps beyond the state of the grains and the energies. A member added to
+// SweepSums or Measures must be added here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,11 +13,10 @@
 
 namespace soilweave::dem {
 
-static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double) &&
-                  sizeof(Energies) == 17 * sizeof(double),
+static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double),
               "a number was added that is not in the lists below");
 
-/// Keep or restore sums of a sweep, measurements and energies.
+/// Keep or restore sums of a sweep, and measurements.
 inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
   a.item("sum_tangential_work", s.tangential_work), a.item("sum_frictional", s.frictional);
@@ -27,18 +26,6 @@ inline void archive(Archive& a, SweepSums& s) {
 
 inline void archive(Archive& a, Measures& m) {
   a.item("stress", m.stress), a.item("axial_stiffness", m.axial_stiffness), a.item("contacts", m.contacts);
-}
-
-inline void archive(Archive& a, Energies& e) {
-  a.item("energy_elastic_yarns", e.elastic_yarns), a.item("energy_yarn_dissipation", e.yarn_dissipation);
-  a.item("energy_kinetic", e.kinetic), a.item("energy_elastic_normal", e.elastic_normal);
-  a.item("energy_elastic_shear", e.elastic_shear), a.item("energy_elastic_rolling", e.elastic_rolling);
-  a.item("energy_elastic_twisting", e.elastic_twisting), a.item("energy_frictional", e.frictional);
-  a.item("energy_rolling_plastic", e.rolling_plastic), a.item("energy_viscous", e.viscous);
-  a.item("energy_damping", e.damping), a.item("energy_boundary_work", e.boundary_work);
-  a.item("energy_gravity_work", e.gravity_work), a.item("energy_law", e.law);
-  a.item("energy_tangential_work", e.tangential_work);
-  a.item("energy_initial", e.initial), a.item("energy_turned_over", e.turned_over);
 }
 
 /// Keeps forces and torques of the grains from their loads, and for disks their rotation.

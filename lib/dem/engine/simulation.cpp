@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "dem/contact/contacts_record.h"
 #include "dem/engine/described.h"
+#include "dem/engine/energy_term.h"
 #include "dem/engine/guard.h"
 #include "dem/engine/ledger.h"
 #include "dem/engine/motion.h"
@@ -78,9 +79,7 @@ struct Simulation::Impl {
     measure();
     if (const DeepestContact c = deepest(); c.relative > numerics.limits.overlap)
       throw DataError(description(c) + ": too deep for a contact of stiff grains: check positions, radii and cell");
-    const Energies now = stored();
-    energies.tangential_work = now.elastic_shear + now.elastic_rolling + now.elastic_twisting;
-    energies.initial = dem::kinetic_energy(bodies, numerics.gravity, 0.0, numerics.threads) + now.elastic();
+    energies.start(assembly(0));
   }
 
   // Computes forces and the stable step at the present positions.
@@ -111,7 +110,7 @@ struct Simulation::Impl {
     a.item("contact_steps", contact_steps);
     dem::archive(a, sums);
     dem::archive(a, measures);
-    dem::archive(a, energies);
+    energies.archive(a);
     guard.archive(a);
     for (Clamp& c : clamps.all) a.item(fmt::format("clamp_velocity_{}", &c - clamps.all.data()), c.velocity);
     for (Clamp& c : clamps.all) a.item(fmt::format("clamp_force_{}", &c - clamps.all.data()), c.force);
@@ -153,9 +152,9 @@ struct Simulation::Impl {
     clock.lap(Phase::integration);
     contact_steps += sums.contacts;
 
-    account(moved, dt, before, gradient, clamped);
+    energies.add({dt, bodies, gradient, before, sums, moved, yarns.sums(), clamped});
     measure();
-    watch();
+    watch(moved.damping);
     if (look_at_stiffness)
       estimate_step(stiffness);
     else if (numerics.watch_stiffness && outgrown(overlap_growth))
@@ -171,22 +170,6 @@ struct Simulation::Impl {
            neighbours.outlast(motion.gain_bound(smallest.mass), cell.velocity_gradient(), time_step);
   }
 
-  void account(const MotionSums& moved, double dt, const SweepSums& before, const Mat3& gradient, double clamped) {
-    const double boundary =
-        sums.plane_work + clamped - 0.5 * dt * (before.force_branch + sums.force_branch).cwiseProduct(gradient).sum();
-    energies.tangential_work += sums.tangential_work;
-    energies.frictional += sums.frictional;
-    energies.rolling_plastic += sums.rolling_plastic;
-    energies.viscous += sums.viscous;
-    energies.damping += moved.damping;
-    energies.gravity_work += moved.gravity_work;
-    energies.boundary_work += boundary;
-    energies.yarn_dissipation += yarns.sums().dissipated;
-    for (const double part : {sums.tangential_work, boundary, sums.frictional, sums.rolling_plastic, sums.viscous,
-                              moved.damping, moved.gravity_work, yarns.sums().dissipated})
-      energies.turned_over += std::abs(part);
-  }
-
   void measure() {
     measures.stress = symmetric(sums.force_branch) / cell.volume();
     measures.contacts = sums.contacts;
@@ -200,8 +183,9 @@ struct Simulation::Impl {
     return mean_contact > 0 ? mean_resultant / mean_contact : (mean_resultant > 0 ? 1.0 : 0.0);
   }
 
-  void watch() {
-    guard.finite(steps, bodies, sums.force_branch.sum() + sums.tangential_work, energies.damping);
+  // damped: the energy that local damping took in this step, J.
+  void watch(double damped) {
+    guard.finite(steps, bodies, sums.force_branch.sum() + sums.tangential_work, damped);
     if (sums.largest_overlap > alarm()) look_at_overlap();
     if (steps % stiffness_interval == 0) guard.room(steps, cell);
     if (steps % guard_interval != 0) return;
@@ -220,21 +204,12 @@ struct Simulation::Impl {
 
   DeepestContact deepest() const { return deepest_of(contacts_record(), bodies); }
 
-  Energies stored() {
-    const StoredEnergies in_contacts = sweep->stored(scene(), contacts);
-    Energies e = energies;
-    e.elastic_normal = in_contacts.normal, e.elastic_shear = in_contacts.shear;
-    e.elastic_rolling = in_contacts.rolling, e.elastic_twisting = in_contacts.twisting;
-    e.elastic_yarns = yarns.sums().elastic;
-    e.law = e.tangential_work - e.frictional - e.rolling_plastic - in_contacts.tangential();
-    return e;
+  // Returns the assembly with velocities that lag half of `dt` behind its positions.
+  AssemblyState assembly(double dt) {
+    return {bodies,           cell, planes,          contacts, yarns, sweep->stored(scene(), contacts),
+            numerics.gravity, dt,   numerics.threads};
   }
-
-  Energies energies_now() {
-    Energies e = stored();
-    e.kinetic = dem::kinetic_energy(bodies, numerics.gravity, time_step, numerics.threads);
-    return e;
-  }
+  Energies energies_now() { return energies.at(assembly(time_step)); }
 
   // Returns the stability limit, s, from the grains' stiffnesses, which are left zero.
   double stability_limit() {
@@ -343,7 +318,7 @@ std::vector<PlateLoad> Simulation::plate_loads() const {
   return dem::plate_loads(impl_->contacts, impl_->bodies, impl_->planes);
 }
 void Simulation::set_clamp_velocity(std::size_t clamp, const Vec3& velocity) {
-  impl_->energies.boundary_work += impl_->clamps.set_velocity(clamp, velocity, impl_->bodies);
+  impl_->energies.add({.supplied = impl_->clamps.set_velocity(clamp, velocity, impl_->bodies)});
 }
 const std::vector<Clamp>& Simulation::clamps() const { return impl_->clamps.all; }
 const YarnSums& Simulation::yarns() const { return impl_->yarns.sums(); }
@@ -358,7 +333,7 @@ void Simulation::set_damping(double damping) { impl_->numerics.damping = damping
 
 void Simulation::scale_radii(double factor, const Vec3& stretch) {
   Impl& s = *impl_;
-  const Energies before = s.stored();
+  const Energies before = s.energies_now();
   s.bodies.scale_radii(factor, stretch);
   s.smallest = Smallest(s.bodies);
   s.neighbours = Neighbours(s.bodies.largest_radius(), s.sweep->range());
@@ -366,23 +341,21 @@ void Simulation::scale_radii(double factor, const Vec3& stretch) {
   s.meet();
   s.clamps.take(s.numerics.gravity, 0, s.bodies);
   s.measure();
-  const Energies after = s.stored();
-  s.energies.boundary_work += after.elastic() - before.elastic();
-  // The energy that the law has taken must not change.
-  s.energies.tangential_work += before.law - after.law;
+  const Energies after = s.energies_now();
+  s.energies.add({.supplied = after.stored() - before.stored(),
+                  .numerical = before.sum(EnergyRole::numerical) - after.sum(EnergyRole::numerical)});
 }
 
 void Simulation::slow_motion(double share) {
   const Slowed slowed = slow(impl_->bodies, share, impl_->numerics.gravity, impl_->time_step, impl_->numerics.threads);
-  impl_->energies.damping += slowed.energy_before - slowed.energy_after;
+  impl_->energies.add({.damped = slowed.energy_before - slowed.energy_after});
 }
 
 void Simulation::change_velocities(const std::function<void(Bodies&)>& change) {
   const double before = kinetic_energy();
   change(impl_->bodies);
   const double gained = kinetic_energy() - before;
-  Energies& e = impl_->energies;
-  (gained > 0 ? e.boundary_work : e.damping) += std::abs(gained);
+  impl_->energies.add(gained > 0 ? Intervention{.supplied = gained} : Intervention{.damped = -gained});
 }
 
 io::Snapshot Simulation::snapshot() const {

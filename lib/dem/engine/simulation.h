@@ -13,7 +13,7 @@
 //   3  pairs      listed anew if a grain may have used up its skin                                 neighbours.h
 //   4  contacts   overlap, slip, carried history -> law -> force and torques, per pair             contact_sweep.h
 //   5  yarns      tension from their strain, on their nodes                                        yarns.h
-//   6  sums       stress, work and dissipation; guards look for broken physics                     guard.h
+//   6  sums       stress, work and dissipation; guards look for broken physics                     energies.h, guard.h
 //   7  clock      the step stays below sqrt(2 m/k) of the stiffest grain, evaluated now and then   motion.h
 //
 // A periodic cell deforms with L: each grain moves at L x plus a fluctuation, and only fluctuations are stored. Whoever
@@ -32,6 +32,7 @@
 #include "core/archive.h"
 #include "dem/contact/model.h"
 #include "dem/engine/clamp.h"
+#include "dem/engine/energies.h"
 #include "dem/engine/plate.h"
 #include "dem/engine/step_times.h"
 #include "dem/engine/yarns.h"
@@ -47,28 +48,6 @@ struct Measures {
   // Affine stiffness of these contacts and yarns along each axis, when last evaluated, Pa.
   Vec3 axial_stiffness = Vec3::Zero();
   std::int64_t contacts = 0;
-};
-
-/// Work and energy since the start, J. Balance: initial + boundary_work + gravity_work = kinetic + elastic + dissipated
-/// parts + law (with its sign) + error.
-struct Energies {
-  double kinetic = 0, elastic_normal = 0, elastic_shear = 0, elastic_rolling = 0, elastic_twisting = 0;
-  double frictional = 0;       // dissipated by sliding
-  double rolling_plastic = 0;  // dissipated at the rolling and twisting limits
-  double viscous = 0;          // dissipated by contact damping
-  double damping = 0;          // dissipated by local non-viscous damping
-  double boundary_work = 0;    // work of the deforming cell, moving planes and clamps on the assembly
-  double gravity_work = 0;
-  double elastic_yarns = 0, yarn_dissipation = 0;  // stored in yarns; taken by their yielding and breaking
-  double law = 0;                                  // taken out (+) or created (-) by the incremental contact law itself
-  double tangential_work = 0;                      // work on the tangential springs, plus their energy at the start
-  double initial = 0;                              // kinetic and elastic at the start
-  double turned_over = 0;                          // sum of |work| and |dissipation| of every step
-  double elastic() const { return elastic_normal + elastic_shear + elastic_rolling + elastic_twisting + elastic_yarns; }
-  double error() const {
-    return initial + boundary_work + gravity_work -
-           (kinetic + elastic() + frictional + rolling_plastic + viscous + damping + yarn_dissipation + law);
-  }
 };
 
 /// One assembly in motion.

@@ -20,7 +20,6 @@ struct Moment {
   const Simulation& simulation;
   int dimension, stage;
   Measures measures;
-  Energies energies;
   Vec3 strain;
   Coordination coordination;
 
@@ -97,21 +96,6 @@ constexpr std::array quantities = {
     Quantity{"largest_overlap", "1", "largest overlap over the smaller radius",
              [](const M& m) { return m.simulation.largest_overlap(); }},
     Quantity{"time_step", "s", "time step", [](const M& m) { return m.simulation.time_step(); }},
-    Quantity{"kinetic_energy", "J", "kinetic energy of the fluctuation", [](const M& m) { return m.energies.kinetic; }},
-    Quantity{"elastic_energy", "J", "elastic energy of the contacts",
-             [](const M& m) { return m.energies.elastic() - m.energies.elastic_yarns; }},
-    Quantity{"frictional_dissipation", "J", "dissipated by sliding", [](const M& m) { return m.energies.frictional; }},
-    Quantity{"rolling_dissipation", "J", "dissipated at the rolling and twisting limits",
-             [](const M& m) { return m.energies.rolling_plastic; }},
-    Quantity{"viscous_dissipation", "J", "dissipated by contact damping",
-             [](const M& m) { return m.energies.viscous; }},
-    Quantity{"damping_dissipation", "J", "dissipated by local damping", [](const M& m) { return m.energies.damping; }},
-    Quantity{"boundary_work", "J", "work done on the grains by the cell and moving planes",
-             [](const M& m) { return m.energies.boundary_work; }},
-    Quantity{"gravity_work", "J", "work of gravity", [](const M& m) { return m.energies.gravity_work; }},
-    Quantity{"law_energy", "J", "energy taken out (+) or created (-) by the incremental contact law itself",
-             [](const M& m) { return m.energies.law; }},
-    Quantity{"energy_error", "J", "remainder of the energy balance", [](const M& m) { return m.energies.error(); }},
 };
 
 }  // namespace
@@ -119,18 +103,17 @@ constexpr std::array quantities = {
 io::Series empty_series() {
   io::Series series;
   for (const Quantity& q : quantities) series.columns.push_back({q.name, q.unit, q.long_name, {}});
+  for (const EnergyColumn& c : Energies().columns())
+    series.columns.push_back({std::string(c.name), "J", std::string(c.sentence), {}});
   return series;
 }
 
-void record(const Simulation& simulation, int dimension, int stage, io::Series& series) {
-  const Moment moment{simulation,
-                      dimension,
-                      stage,
-                      simulation.measures(),
-                      simulation.energies(),
-                      simulation.strain(),
-                      coordination(simulation.snapshot())};
-  for (std::size_t c = 0; c < quantities.size(); ++c) series.columns[c].values.push_back(quantities[c].value(moment));
+void record(const Simulation& simulation, const Energies& energies, int dimension, int stage, io::Series& series) {
+  const Moment moment{
+      simulation, dimension, stage, simulation.measures(), simulation.strain(), coordination(simulation.snapshot())};
+  std::size_t column = 0;
+  for (const Quantity& q : quantities) series.columns[column++].values.push_back(q.value(moment));
+  for (const EnergyColumn& c : energies.columns()) series.columns[column++].values.push_back(c.value);
 }
 
 }  // namespace soilweave::dem

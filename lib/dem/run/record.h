@@ -1,4 +1,4 @@
-// One row of a run's series: the only list of what is recorded at every station, with units and long names.
+// One row of a run's series: what is recorded at every station, with units and long names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace soilweave::dem {
 
-/// Returns the columns of a run's series, without rows.
+/// Returns the columns that every run has, without rows. The energies among them are the terms of engine/energies.
 io::Series empty_series();
-/// Appends the present state. stage: number of the stage, from 0.
-void record(const Simulation& simulation, int dimension, int stage, io::Series& series);
+/// Appends the present state. energies: the present ones; stage: number of the stage, from 0.
+void record(const Simulation& simulation, const Energies& energies, int dimension, int stage, io::Series& series);
 
 }  // namespace soilweave::dem

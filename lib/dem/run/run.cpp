@@ -68,7 +68,6 @@ class Runner {
       : scenario_(scenario),
         report_(report),
         observe_(observe),
-        has_yarns_(start.yarns.size() > 0),
         dimension_(start.grains.dimension),
         model_(scenario.model),
         keeper_(safekeeping, start.grains.size()),
@@ -131,9 +130,11 @@ class Runner {
     demand_kept(at_.done <= total_, keeper_.part().last(), "number of stations done");
     demand_kept(at_.first >= 0 && at_.first <= simulation_.steps(), keeper_.part().last(), "first step");
     const std::vector<io::Column>&found = result_.series.columns, wanted = empty_series().columns;
-    const bool same_table =
-        found.size() >= wanted.size() &&
-        std::equal(wanted.begin(), wanted.end(), found.begin(), [](auto& a, auto& b) { return a.name == b.name; });
+    bool same_table = found.size() >= wanted.size() && std::equal(wanted.begin(), wanted.end(), found.begin(),
+                                                                  [](auto& a, auto& b) { return a.name == b.name; });
+    for (const EnergyColumn& further : simulation_.energies().further_columns())
+      same_table =
+          same_table && std::any_of(found.begin(), found.end(), [&](auto& c) { return c.name == further.name; });
     demand_kept(same_table && result_.series.rows() > 0, keeper_.part().last(), "table");
   }
 
@@ -290,15 +291,13 @@ class Runner {
   }
 
   void row(std::size_t stage) {
-    record(simulation_, dimension_, static_cast<int>(stage), result_.series);
+    const Energies energies = simulation_.energies();
+    record(simulation_, energies, dimension_, static_cast<int>(stage), result_.series);
     rig_.record(simulation_, result_.series);
     append(result_.series, "steps_waiting", "1", "time steps in which stations waited for rest, since the start",
            static_cast<double>(way_.waited()));
-    if (has_yarns_) {
-      const Energies e = simulation_.energies();
-      append(result_.series, "yarn_elastic_energy", "J", "stored in yarns", e.elastic_yarns);
-      append(result_.series, "yarn_dissipation", "J", "dissipated by yielding and breaking yarns", e.yarn_dissipation);
-    }
+    for (const EnergyColumn& c : energies.further_columns())
+      append(result_.series, std::string(c.name), "J", std::string(c.sentence), c.value);
     if (observe_) observe_(simulation_.snapshot(), result_.series);
   }
 
@@ -312,7 +311,6 @@ class Runner {
   const Scenario& scenario_;
   const ProgressReport& report_;
   const Observe& observe_;
-  bool has_yarns_;
   int dimension_;
   Model model_;
   Keeper keeper_;

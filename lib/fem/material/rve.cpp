@@ -161,8 +161,8 @@ Local Rve::local() const {
 
 PointEnergy Rve::energy() const {
   const dem::Energies e = simulation_.energies();
-  return {(e.elastic() - e.initial) / area_, e.kinetic / area_,
-          (e.frictional + e.rolling_plastic + e.viscous + e.damping + e.law) / area_};
+  return {(e.stored() - e.initial()) / area_, e.kinetic() / area_,
+          (e.sum(dem::EnergyRole::dissipated) + e.sum(dem::EnergyRole::numerical)) / area_};
 }
 
 void Rve::set_damping(std::optional<double> damping) {
