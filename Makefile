@@ -259,7 +259,11 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 # The sweep takes four contacts at a time.
 EXTENSIONS ?= tests/extension
 EXTENDED := $(patsubst %.cpp,$(X)/obj/%.o,$(filter lib/%,$(LISTING)) lib/dem/sweep/vector_width.cpp)
+OUTSIDE = $(wildcard $(LISTS:%=$(EXTENSIONS)/%/*.h))
+MISPLACED = $(filter-out $(OUTSIDE),$(wildcard $(EXTENSIONS)/*.h $(EXTENSIONS)/*/*.h))
 $(LISTS:%=$(X)/lists/%.h): $(X)/lists/%.h: always
+	$(if $(OUTSIDE),,$(error EXTENSIONS=$(EXTENSIONS): has no header in $(LISTS:%=%/); put one there, or name another folder))
+	$(if $(MISPLACED),$(error $(MISPLACED): is in none of $(LISTS:%=%/) of EXTENSIONS; move it into the one that it belongs to))
 	@mkdir -p $(@D)
 	@$(call print_list,$*,$(call headers_of,$*) $(sort $(wildcard $(EXTENSIONS)/$*/*.h))) > $@.new; \
 	  cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
