@@ -28,7 +28,7 @@ C4_FILL_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set ge
 C4_COARSE := $(call c4_moments,material.0 material.1) --set geotextile.0.multiple=2
 C4_PUT_quick := --set surround.copies=[5,5,1] --set surround.scale=1.94 $(C4_COARSE)
 # A coarser criterion of rest: half of the steps to 20 % wait for rest.
-C4_LOAD_quick := $(C4_COARSE) --set equilibrium.unbalanced_force=2e-3 --set equilibrium.kinetic_energy=1e-3
+C4_LOAD_quick := $(C4_COARSE) --set equilibrium.unbalanced_force=2e-3
 # The ring of five by five copies is half a copy wide.
 C4_FORM_layered_quick := --set surround.rings=0.5
 # Runs side by side use the cores better than threads within one.
