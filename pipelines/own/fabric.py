@@ -94,15 +94,20 @@ def _open(path, name):
 
 def _named(path, word, catalogue):
     """Returns the table that a word names, and by how much it is multiplied: NAME, 3NAME, FILE.toml or FILE.toml:PRODUCT."""
-    if ".toml" in word:
-        name, _, product = word.partition(".toml")
-        content = _open(path, path.parent / f"{name}.toml")
-        if not product:
+    if match := re.fullmatch(r"(.*\.toml)(?::(.*))?", word):
+        name, product = match.groups()
+        content = _open(path, path.parent / name)
+        if product is None:
             return content, 1
-        products = {entry.get("name", ""): entry for entry in content.get("product", [])}
-        if product[1:] not in products:
-            raise StudyError(f"{path}: geotextile: {name}.toml has no [[product]] named {product[1:]}{suggestion(product[1:], products)}")
-        return products[product[1:]], 1
+        listed = content.get("product", [])
+        if not (isinstance(listed, list) and all(isinstance(entry, dict) and isinstance(entry.get("name"), str) for entry in listed)):
+            raise StudyError(f"{path}: geotextile: {name}: every product of a catalogue is a table [[product]] with a name")
+        products = {entry["name"]: entry for entry in listed}
+        if len(products) < len(listed):
+            raise StudyError(f"{path}: geotextile: {name}: two products have one name; rename one of them")
+        if product not in products:
+            raise StudyError(f"{path}: geotextile: {name} has no [[product]] named '{product}'{suggestion(product, products)}")
+        return products[product], 1
     known = {entry.stem: entry for entry in sorted(pathlib.Path(catalogue).glob("*.toml"))}
     layers, base = re.fullmatch(r"([0-9.]*)(.*)", word).groups()
     if base not in known:

@@ -1,5 +1,6 @@
 """Values of own.toml by key, in SI units: an unknown key, a missing one or one without its unit is one line with file and key."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import math
 import re
 
 from study import StudyError
@@ -20,11 +21,11 @@ def value_of(path, where, key, given, kind):
             number = float(match[1]) * factor(match[2], kind) if match else 0
         except (StudyError, ValueError) as error:
             raise StudyError(f"{path}: {where}{key}: {error}") from error
-        if not number > 0:
+        if not 0 < number < math.inf:
             raise StudyError(f'{path}: {where}{key} = {given!r}: write a number above 0 with its unit, as "{_EXAMPLES[kind]}"')
         return number
     if kind is float:
-        if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0:
+        if isinstance(given, bool) or not isinstance(given, int | float) or not 0 < given < math.inf:
             raise StudyError(f"{path}: {where}{key} = {given!r}: write a number above 0")
         return float(given)
     if not isinstance(given, kind):

@@ -1,6 +1,7 @@
 """A soil of one's own: own.toml refused by key, sets of a posterior, intervals of the answer, the forecast."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
+import re
 import shutil
 import types
 
@@ -58,6 +59,8 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     ('width = "400 mm"', 'width = "400"', "bag.width = '400': write a number above 0 with its unit, as \"400 mm\""),
     ('width = "400 mm"', 'width = "400 kPa"', "bag.width: 'kPa' is a unit of"),
     ('width = "400 mm"', 'widht = "400 mm"', "bag.widht is unknown; did you mean 'width'?"),
+    ("creep = 2.0", "creep = inf", "factors.creep = inf: write a number above 0"),
+    ('surcharge = "200 kPa"', 'surcharge = "1e400 kPa"', "write a number above 0 with its unit"),
     ("creep = 2.0", "creep = 0.5", "factors.creep = 0.5: a factor is 1 or more"),
     ("creep = 2.0", "crep = 2.0", "factors.crep is unknown; did you mean 'creep'?"),
     ('"engineering"', '"enginering"', "test 1: strains = \"enginering\"; did you mean 'engineering'?"),
@@ -98,6 +101,11 @@ def test_a_geotextile_is_a_sheet_a_multiple_or_a_product(soil):
     assert read('"sheets.toml:A"').points == read('"A.toml"').points == pytest.approx(lesser)
     machine = read('"sheets.toml:A@machine"')
     assert machine.stiffness == pytest.approx(600e3) and machine.points["tension_at_5"] == pytest.approx(20e3)
+    for listed, said in (("product = 3\n", "is a table [[product]] with a name"), ("[[product]]\nstrength = 3\n", "with a name"),
+                         ("[[product]]\nname = 'A'\n" * 2, "two products have one name"), ("", "has no [[product]] named 'A'")):
+        (soil.parent / "other.toml").write_text(listed)
+        with pytest.raises(StudyError, match=re.escape(said)):
+            read('"other.toml:A"')
     # The solution refuses a stiffness beside the points of a curve.
     assert "stiffness" not in machine.file() and 'tension_at_5 = "20000.0 N/m"' in machine.file()
 
