@@ -88,7 +88,7 @@ c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
 $(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
-	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) --set record.snapshots=ends \
+	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) \
 	  --set stage.0.pressure=$(c5_pressure) --set stage.1.confining_pressure=$(c5_pressure) --threads $(C4_THREADS) --quiet --resume --force -o $@
 $(C5_PRESSED:%=$(C5O)/%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table reinforced --tsv $(call whole,$@)
