@@ -185,6 +185,28 @@ TEST(Run, SaysWhichStationCannotBeReached) {
   }
 }
 
+TEST(Run, SaysWhenOnlyTheKineticEnergyKeepsItFromRest) {
+  const auto plan = [](const std::string& energy, int steps) {
+    return scenario("[equilibrium]\nunbalanced_force = 0.1\nkinetic_energy = " + energy +
+                    "\nsteps = " + std::to_string(steps) + "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n");
+  };
+  const io::Snapshot packing = testing::packed(testing::sand(), 1e5);
+  const auto ran = [&packing](const Scenario& s) { return run(prepare(packing, s), s, {}).cost; };
+  const Cost soon = ran(plan("1", 20000)), late = ran(plan("1e-12", 20000));
+  EXPECT_EQ(soon.waiting_for_energy, 0);
+  EXPECT_EQ(soon.line().find("kinetic"), std::string::npos);
+  EXPECT_GT(late.waiting_for_energy, 0.5 * static_cast<double>(late.steps)) << late.steps;
+  EXPECT_LE(late.waiting_for_energy, late.waiting);
+  EXPECT_NE(late.line().find(" % for the kinetic energy alone)"), std::string::npos) << late.line();
+  try {
+    ran(plan("1e-30", 500));
+    FAIL() << "came to rest";
+  } catch (const TargetNotReached& e) {
+    EXPECT_NE(std::string(e.what()).find("of 1.00e-30 J): only the kinetic energy is above"), std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(Run, TwinsDifferByTheSeedAndByNoMoreThanAsked) {
   const io::Snapshot packing = testing::packed(testing::sand(), 1e5);
   const io::Snapshot one = perturbed(packing, 1e-6, 1), again = perturbed(packing, 1e-6, 1),

@@ -121,7 +121,10 @@ Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& m
   if (asked.completion) return Ask::completion;
   if (asked.keys == "json") return Ask::schema;
   if (asked.keys == "text" || asked.keys == "") return Ask::keys;
-  if (asked.keys) mistakes.push_back(fmt::format("--keys {}: give text, json or no word", *asked.keys));
+  if (asked.keys) {
+    mistakes.push_back(fmt::format("--keys {}: give text, json or no word", *asked.keys));
+    return Ask::nothing;
+  }
   const std::vector<std::string> extras = app.remaining();
   report_unknown(table, extras, mistakes);
   assign_options(table, mistakes);

@@ -5,6 +5,17 @@
 #include <fmt/format.h>
 
 namespace soilweave::dem {
+namespace {
+
+std::string waits(const Cost& c) {
+  if (c.waiting == 0) return {};
+  const auto percent = [&c](std::int64_t n) { return 100.0 * static_cast<double>(n) / static_cast<double>(c.steps); };
+  const std::string for_energy = fmt::format(", {:.0f} % for the kinetic energy alone", percent(c.waiting_for_energy));
+  return fmt::format(" ({:.0f} % of them waiting for rest{})", percent(c.waiting),
+                     c.waiting_for_energy > 0 ? for_energy : "");
+}
+
+}  // namespace
 
 double Cost::share(Phase phase) const {
   if (times.looked_at == 0 || !(stepping + output > 0)) return 0;
@@ -22,9 +33,8 @@ std::string Cost::line() const {
       "{} steps{} of {} grains with {:.0f} contacts in {:.3g} s: {:.4g} steps/s, {:.3g} ns per contact; contacts "
       "{:.0f} "
       "%, integration {:.0f} %, neighbours {:.0f} %, output {:.0f} %",
-      steps, waiting > 0 ? fmt::format(" ({:.0f} % of them waiting for rest)", 100.0 * waiting / steps) : "", grains,
-      contacts(), total, stepping > 0 ? static_cast<double>(steps) / stepping : 0, per_contact(),
-      100 * share(Phase::contacts), 100 * share(Phase::integration), 100 * share(Phase::neighbours),
+      steps, waits(*this), grains, contacts(), total, stepping > 0 ? static_cast<double>(steps) / stepping : 0,
+      per_contact(), 100 * share(Phase::contacts), 100 * share(Phase::integration), 100 * share(Phase::neighbours),
       total > 0 ? 100 * output / total : 0);
 }
 

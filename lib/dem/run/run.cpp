@@ -105,7 +105,7 @@ class Runner {
       }
     }
     Cost cost = clock_.cost(simulation_, keeper_.seconds());
-    cost.waiting = way_.waited();
+    cost.waiting = way_.waited(), cost.waiting_for_energy = way_.waited_for_energy();
     result_.work = {cost.steps, cost.contact_steps};
     if (keeper_.keeps()) result_.snapshots = keeper_.part().recorded();
     return {std::move(result_), cost};
@@ -212,14 +212,15 @@ class Runner {
     return rig_.moved(drives) && Servo::strained(goals, dimension_, simulation_);
   }
 
-  bool settled(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
+  bool settled(const AxisGoals& goals, const std::vector<DriveGoal>& drives) {
     if (rig_.any()) {
       if (simulation_.steps() % look_interval != 0) return false;
       if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
     }
-    // Both checks pass over all grains, so the rarer one is first. Between plates, where drag acts, the energy is last
-    // to fall.
-    return rig_.any() ? still() && servo_settled(goals) : servo_settled(goals) && still();
+    if (!servo_settled(goals)) return false;
+    if (still()) return true;
+    way_.wait_for_energy(rig_.any() ? look_interval : 1);
+    return false;
   }
 
   bool servo_settled(const AxisGoals& goals) const {
@@ -241,6 +242,12 @@ class Runner {
   std::string motion() const {
     if (std::isinf(scenario_.tolerances.kinetic_energy)) return {};
     return fmt::format(", kinetic energy {:.1e} J", simulation_.kinetic_energy_of_acted_on());
+  }
+
+  std::string energy_and_limit() const {
+    if (std::isinf(scenario_.tolerances.kinetic_energy)) return {};
+    return fmt::format(", kinetic energy {:.2e} of {:.2e} J", simulation_.kinetic_energy_of_acted_on(),
+                       scenario_.tolerances.kinetic_energy);
   }
 
   std::string pace(const Stage& stage) const {
@@ -265,9 +272,10 @@ class Runner {
                            stress ? " Pa" : "");
     }
     throw TargetNotReached(fmt::format(
-        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}): {}",
+        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}{}): "
+        "{}",
         stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
-        scenario_.tolerances.unbalanced_force, likely_cause(stage, goals)));
+        scenario_.tolerances.unbalanced_force, energy_and_limit(), likely_cause(stage, goals)));
   }
 
   std::string likely_cause(const Stage& stage, const AxisGoals& goals) const {
@@ -287,6 +295,10 @@ class Runner {
         stage.damping.value_or(scenario_.numerics.damping) < 0.05)
       return fmt::format("the grains do not come to rest: raise {}",
                          stage.damping ? "the stage's damping" : "numerics.damping");
+    if (servo_settled(goals) && !still())
+      return "only the kinetic energy is above its limit: raise equilibrium.kinetic_energy or equilibrium.steps, or "
+             "give "
+             "the stage a rest_drag";
     return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }
 

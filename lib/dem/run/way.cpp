@@ -54,6 +54,7 @@ void Way::archive(Archive& a) {
   a.whole("waiting", waiting_), a.whole("homogeneous_field_laid", laid_);
   a.item("mean_velocity_gradient", gradient_);
   a.item("rest_drag", drag_), a.whole("critical_drag", critical_), a.whole("steps_waited", waited_);
+  a.whole("steps_waited_for_energy", waited_for_energy_);
   swing_.archive(a);
 }
 

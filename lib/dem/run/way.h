@@ -25,6 +25,10 @@ class Way {
   void after_step(Simulation& simulation);
   /// Returns the number of steps in which stations waited for rest, since the run began.
   std::int64_t waited() const { return waited_; }
+  /// Counts steps of a wait in which only the kinetic energy was above its limit.
+  void wait_for_energy(std::int64_t steps) { waited_for_energy_ += steps; }
+  /// Returns the number of these steps since the run began.
+  std::int64_t waited_for_energy() const { return waited_for_energy_; }
   /// Keeps or restores the state between steps.
   void archive(Archive& archive);
 
@@ -35,7 +39,7 @@ class Way {
   double drag_ = 0;               // 1/s, while this station waits, if prescribed
   bool critical_ = false;         // true: the drag follows the swing instead
   Swing swing_;
-  std::int64_t waited_ = 0;
+  std::int64_t waited_ = 0, waited_for_energy_ = 0;
 };
 
 }  // namespace soilweave::dem
