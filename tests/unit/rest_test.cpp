@@ -109,5 +109,18 @@ TEST(Forecast, TellsARangeThatHoldsTheStepsOfTheRun) {
     }
 }
 
+// Strains at constant volume come after a stress of a hundred times the present one.
+TEST(Forecast, TakesThePressureOfTheStageBeforeForStrainsAlone) {
+  const io::Snapshot start = testing::packed(testing::sand(), 1e3, 100);
+  const Scenario plan = scenario(
+      "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.01\n"
+      "increment = 0.005\nrate = 0.1\n");
+  const Forecast f = forecast(prepare(start, plan), plan);
+  const double fewest = f.stages[0].fewest + f.stages[1].fewest, most = f.stages[0].most + f.stages[1].most;
+  const double taken = steps_taken(start, plan);
+  EXPECT_LT(fewest, taken);
+  EXPECT_GT(most, taken);
+}
+
 }  // namespace
 }  // namespace soilweave::dem

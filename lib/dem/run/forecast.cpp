@@ -96,7 +96,9 @@ class Walk {
       if (!load) arrival.sheared = true;
       if (!load && is_plane(goal.part)) moved.push_back(goal);
     }
-    arrival.pressure = stresses > 0 ? sum / stresses : load_pressure_;
+    // Strains alone leave the stress of the stage before as the best guess.
+    const double present = scenario_.parts.empty() ? std::max(0.0, mean(state_.stress, dimension_)) : load_pressure_;
+    arrival.pressure = stresses > 0 ? sum / stresses : present;
     arrival.gradient += rig_.gradient_of_way(moved, 1, Mat3::Zero(), simulation_);
     return arrival;
   }
