@@ -179,6 +179,15 @@ TEST(Energies, GoOnFromACheckpointUnderTheirNames) {
 
 TEST(Energies, RefuseANameThatNoTermHas) { EXPECT_THROW(Energies()["frction"], std::out_of_range); }
 
+TEST(Recorded, TwoQuantitiesOfOneColumnAreRefusedAtTheFirstRow) {
+  io::Series row = {{{"step", "1", "", {0}}, {"toy", "J", "", {1}}}};
+  EXPECT_NO_THROW(demand_distinct_columns(row));
+  row.columns[1].values = {1, 2};
+  EXPECT_THROW(demand_distinct_columns(row), std::logic_error);
+  row.columns[1] = {"step", "J", "", {1}};
+  EXPECT_THROW(demand_distinct_columns(row), std::logic_error);
+}
+
 TEST(Energies, AShareIsCountedOnce) {
   const Simulation s(scene({at(0), at(1.99 * R), at(3.98 * R)}, false), linear(), undamped(1e-6));
   const Energies e = s.energies();

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string_view>
 
 namespace soilweave::dem {
 namespace {
@@ -114,6 +117,13 @@ void record(const Simulation& simulation, const Energies& energies, int dimensio
   std::size_t column = 0;
   for (const Quantity& q : quantities) series.columns[column++].values.push_back(q.value(moment));
   for (const EnergyColumn& c : energies.columns()) series.columns[column++].values.push_back(c.value);
+}
+
+void demand_distinct_columns(const io::Series& first_row) {
+  std::set<std::string_view> names;
+  for (const io::Column& c : first_row.columns)
+    if (c.values.size() != 1 || !names.insert(c.name).second)
+      throw std::logic_error("two quantities have the column " + c.name + " of the series: rename the energy term");
 }
 
 }  // namespace soilweave::dem

@@ -133,8 +133,7 @@ class Runner {
     bool same_table = found.size() >= wanted.size() && std::equal(wanted.begin(), wanted.end(), found.begin(),
                                                                   [](auto& a, auto& b) { return a.name == b.name; });
     for (const EnergyColumn& further : simulation_.energies().further_columns())
-      same_table =
-          same_table && std::any_of(found.begin(), found.end(), [&](auto& c) { return c.name == further.name; });
+      same_table = same_table && result_.series.find(further.name);
     demand_kept(same_table && result_.series.rows() > 0, keeper_.part().last(), "table");
   }
 
@@ -311,6 +310,7 @@ class Runner {
     for (const EnergyColumn& c : energies.further_columns())
       append(result_.series, std::string(c.name), "J", std::string(c.sentence), c.value);
     if (observe_) observe_(simulation_.snapshot(), result_.series);
+    if (result_.series.rows() == 1) demand_distinct_columns(result_.series);
   }
 
   void keep_state() {
