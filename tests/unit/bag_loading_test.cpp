@@ -200,7 +200,7 @@ TEST(BagLoading, RefusesARunByWhatItLacks) {
   says(bare, "has no geotextile");
   unknown.source.history.erase(unknown.source.history.begin());
   says(unknown, "no plan of filter-expand");
-  says(run("[container]\nshape = \"none\"\n"), "laid flat");
+  says(run("[container]\nshape = \"none\"\n"), "lies flat and wraps no soil");
   says(run(box, geotextile + "[[plane]]\nname = \"lid\"\n" + preload + compression),
        "no plane named \"top\" (its named ones: lid)");
   sideways.snapshots.front().planes.normal[2] = {1, 0, 0};
