@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/text/number_word.h"
@@ -14,6 +16,13 @@
 
 namespace soilweave {
 namespace {
+
+TEST(TimeText, WritesNoExponent) {
+  const std::vector<std::pair<double, std::string>> all{{0.5, "0.5 s"},     {45.0, "45 s"},    {99.4, "99 s"},
+                                                        {110.0, "1.8 min"}, {5964, "99 min"},  {6600, "1.83 h"},
+                                                        {171000, "47.5 h"}, {259200, "3 days"}};
+  for (const auto& [seconds, text] : all) EXPECT_EQ(time_text(seconds), text);
+}
 
 TEST(Nearest, FindsSlipsOfTheFingerAndNothingElse) {
   const std::vector<std::string> known{"pressure", "friction", "void-ratio"};

@@ -67,8 +67,10 @@ std::string number_text(double value) {
 }
 
 std::string time_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 7200) return fmt::format("{:.2g} min", seconds / 60);
+  // Two digits would write three as 1.1e+02.
+  constexpr double largest = 99.5;
+  if (seconds < largest) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 60 * largest) return fmt::format("{:.2g} min", seconds / 60);
   return seconds < 172800 ? fmt::format("{:.3g} h", seconds / 3600) : fmt::format("{:.3g} days", seconds / 86400);
 }
 
