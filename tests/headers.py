@@ -6,8 +6,8 @@ usage: headers.py   Prints one line per fault; exit status 1 if there are any.
 A precompiled header brings the standard library to every source, so that a header without its own includes goes
 unnoticed, and so does a source. Three rules stand in for compiling each header alone (make headers) and all sources
 without the precompiled header (make NO_PCH=1), which take minutes:
-1. For each name of the standard library and of fmt that a header or source uses, it or a header of the project that it
-   includes has to include a header of the library that declares it.
+1. For each name of the standard library, of fmt and of Eigen that a header or source uses, it or a header of the project
+   that it includes has to include a header of the library that declares it, or for members of Eigen's matrices defines it.
 2. A type that one header of the project alone defines is used only where that header is included, also through others.
 3. A source with a header of its own includes it before any other, so that compiling the source checks the header.
 """
@@ -63,6 +63,15 @@ DECLARED = {
     "source_location": "source_location",
 }
 HEADERS_OF = {name: set(headers.split()) for names, headers in DECLARED.items() for name in names.split()}
+# Members of Eigen's matrices that <Eigen/Core> declares and another header defines.
+EIGEN = {
+    r"\.(?:determinant|inverse)\(\)": "Eigen/LU",
+    r"\.(?:cross|unitOrthogonal)\(|\bEigen::(?:AngleAxis|Quaternion)": "Eigen/Geometry",
+    r"\bEigen::\w*EigenSolver": "Eigen/Eigenvalues",
+    r"\.(?:llt|ldlt)\(\)|\bEigen::L[LD]L?T\b": "Eigen/Cholesky",
+    r"\.jacobiSvd\(|\bEigen::JacobiSVD": "Eigen/SVD",
+    r"\.\w*[hH]ouseholderQr\(|\bEigen::\w*HouseholderQR": "Eigen/QR",
+}
 WORDS = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 ROOTS = (pathlib.Path("lib"), pathlib.Path("tests"))
 PARTS = {f"lib/core/simd/{part}.h" for part in ("columns8", "lanes8", "lanes_x86", "lanes_portable")}  # of other headers
@@ -114,6 +123,9 @@ def faults_of_library(path):
             yield f"{path}: uses std::{name} and does not include <{min(HEADERS_OF[name], key=len)}>"
     if "fmt::" in code and not any(header.startswith("fmt/") for header in includes(path)):
         yield f"{path}: uses fmt and does not include <fmt/format.h>"
+    for use, header in EIGEN.items():
+        if re.search(use, code) and not {header, "Eigen/Dense"} & includes(path):
+            yield f"{path}: uses {re.search(use, code)[0]} and does not include <{header}>"
 
 
 def faults_of_header(path):

@@ -123,8 +123,10 @@ fails() {
   exits 0 python3 "$check"
   printf 'int a = std::max(1, 2);\n' > tools/b.cpp
   printf 'auto b = fmt::format("");\n' > tests/c.cpp
+  printf '#include <Eigen/Core>\n\ndouble d = Eigen::Matrix3d::Identity().determinant();\n' > lib/d.cpp
   exits 1 python3 "$check"
   # shellcheck disable=SC2154  # stderr is set by exits
   [[ $stderr == *"tools/b.cpp: uses std::max and does not include <algorithm>"* ]] || show "wanted the name"
   [[ $stderr == *"tests/c.cpp: uses fmt and does not include <fmt/format.h>"* ]] || show "wanted the library"
+  [[ $stderr == *"lib/d.cpp: uses .determinant() and does not include <Eigen/LU>"* ]] || show "wanted the member"
 }
