@@ -123,6 +123,11 @@ while IFS= read -r line; do
 done < <(grep -rnE 'std::cerr|std::exit|[^_a-z.]exit\(|std::abort|stderr' lib --include='*.cpp' --include='*.h' \
   | grep -vE '^lib/core/cli/tool\.cpp:')
 
+# Files that programs make are not kept beside those that people write. An unpacked source tree has no git to ask.
+while IFS= read -r line; do
+  fault "$line: stands in the repository and is ignored by .gitignore: git rm --cached $line"
+done < <(git ls-files --cached --ignored --exclude-standard 2>/dev/null)
+
 if ((faults > 0)); then
   echo "tests/layers.sh: $faults faults" >&2
   exit 1
