@@ -10,27 +10,14 @@
 #include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/run/run.h"
 #include "support/assemblies.h"
+#include "support/scenario.h"
 #include "support/worse.h"
 
 namespace soilweave::dem {
 namespace {
 
-const std::string sand_toml = R"(
-[contact]
-law = "hertz-mindlin"
-young_modulus = "4 GPa"
-poisson_ratio = 0.33
-friction_angle = 29
-[contact.rolling]
-stiffness = 0.13
-limit = "none"
-[contact.twisting]
-stiffness = 0.13
-limit = "none"
-)";
-
 Scenario scenario(const std::string& stages, const std::vector<std::string>& overrides = {}) {
-  return read_scenario(sand_toml + stages, "test.toml", overrides);
+  return read_scenario(testing::sand_toml + stages, "test.toml", overrides);
 }
 
 io::RunFile loaded(const std::string& stages) {

@@ -12,17 +12,12 @@
 #include "dem/run/forecast.h"
 #include "dem/run/run.h"
 #include "support/assemblies.h"
+#include "support/scenario.h"
 
 namespace soilweave::dem {
 namespace {
 
-const std::string contact =
-    "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
-    "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = \"none\"\n";
-
-Scenario scenario(const std::string& stages, const std::string& before = "") {
-  return read_scenario(before + contact + stages, "test.toml", {});
-}
+using testing::scenario;
 
 const std::string triaxial =
     "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.04\nincrement = 0.01\nrate = 0.1\n";
