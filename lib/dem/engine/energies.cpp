@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/engine/energies.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -22,10 +22,8 @@
 //
 //   column        column of the series, where it is not `name`; "" for a term without a column
 //   share         true for a part of an energy that other terms hold: it stays out of all sums
-//   place         its place among the terms, which fixes the last digits of sums and the order of columns within a
-//   role.
-//                 Terms without it come last, by name. now() may read all terms that stand before it, and those added
-//                 up.
+//   place         its place among the terms. It fixes the last digits of sums and the order of columns within a role.
+//                 Terms without it come last, by name. now() may read all terms before it, and those added up.
 //   occurs(state) whether an assembly has the term; the answer must be the same throughout a run. The column then comes
 //                 after all others, in runs that have the term.
 //

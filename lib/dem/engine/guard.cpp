@@ -43,8 +43,7 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
     if (!cell.periodic(a) || largest_ + range_ < widest_grain * width) continue;
     throw DataError(
         fmt::format("contacts act across gaps of {:.4g} m: with the largest grain, {:.4g} m across, that is half of "
-                    "the cell, {:.4g} m "
-                    "wide along axis {}, or more: give a smaller range, or take more grains",
+                    "the cell, {:.4g} m wide along axis {}, or more: give a smaller range, or take more grains",
                     range_, largest_, width, "xyz"[a]));
   }
   if (planes.all.empty() || bodies.size() == 0) return;

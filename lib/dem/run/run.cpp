@@ -216,6 +216,7 @@ class Runner {
       if (simulation_.steps() % look_interval != 0) return false;
       if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
     }
+    // The kinetic energy is asked last, so that steps which wait for it alone can be counted.
     if (!servo_settled(goals)) return false;
     if (still()) return true;
     way_.wait_for_energy(rig_.any() ? look_interval : 1);
@@ -271,8 +272,8 @@ class Runner {
                            stress ? " Pa" : "");
     }
     throw TargetNotReached(fmt::format(
-        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of {:.2e}{}): "
-        "{}",
+        "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of "
+        "{:.2e}{}): {}",
         stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
         scenario_.tolerances.unbalanced_force, energy_and_limit(), likely_cause(stage, goals)));
   }
@@ -296,8 +297,7 @@ class Runner {
                          stage.damping ? "the stage's damping" : "numerics.damping");
     if (servo_settled(goals) && !still())
       return "only the kinetic energy is above its limit: raise equilibrium.kinetic_energy or equilibrium.steps, or "
-             "give "
-             "the stage a rest_drag";
+             "give the stage a rest_drag";
     return "raise equilibrium.steps, loosen the tolerances or lower the rate";
   }
 

@@ -13,8 +13,8 @@
 namespace soilweave::packing {
 
 /// Returns a doubt if the absolute rolling or twisting stiffness of the first material is far from 1.26e-3 E R^3: above
-/// ten times of it or below a tenth. That is the stiffness of the thesis's grains at its modulus E and this mean radius
-/// R, m.
+/// ten times that or below a tenth. It is the stiffness of the thesis's grains at its modulus E and this mean radius R,
+/// m.
 std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius);
 
 /// Returns a doubt if the median diameter by mass of n grains of the curve is far from the curve's: a coarse tail of
