@@ -120,9 +120,9 @@ class Runs:
         return found
 
     def shape(self, form):
-        """Returns the height and the yarns' length of a form, as it was placed and after it was compacted."""
+        """Returns height, yarns' length and void ratio of the reinforced soil of a form, as it was placed and after it was compacted."""
         table = self.folder(f"{form}_shape")
-        return {"height": table("height", "m"), "yarns": table("yarn_length", "1")}
+        return {"height": table("height", "m"), "yarns": table("yarn_length", "1"), "e_inside": table("soil_void_ratio", "1")}
 
     @functools.cached_property
     def soil(self):

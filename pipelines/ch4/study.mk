@@ -76,6 +76,26 @@ $(C4_SLOW_thesis:%=$(C4O)/%.h5): $(C4O)/%.h5:
 	@echo '  run   $@'
 	@$(call c4_shear,--set stage.1.rate=0.01)
 
+# The layered cell with PP, loaded otherwise than the study loads it, to tell how near that is to slow loading.
+C4_LOADINGS := told slow limit_0.06
+C4_LOADING_told := --set grains.mass_scaling=none --set stage.0.rest_drag=0 --set stage.1.rest_drag=0 --set stage.1.way_unbalanced_force=0
+C4_LOADING_slow := --set stage.1.way_unbalanced_force=0 --set stage.1.rate=0.01
+C4_LOADING_limit_0.06 := --set stage.1.way_unbalanced_force=0.06
+$(C4_LOADINGS:%=$(C4O)/loading/%.h5): $(C4O)/loading/%.h5: $(C4O)/layered.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
+	@mkdir -p $(@D)
+	@echo '  run   $@'
+	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=PP $(C4_LOADING_$*) --threads $(C4_THREADS) \
+	  --quiet --resume --force -o $@
+$(C4O)/loading/study.h5: $(C4O)/layered_PP.h5
+	@mkdir -p $(@D) && ln -sf ../layered_PP.h5 $@
+$(C4O)/loading/%.tsv: $(C4O)/loading/%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
+c4_loaded = $(foreach run,$(C4_LOADINGS) study,$(run)=$(C4O)/loading/$(run).tsv)
+.PHONY: ch4-loading
+ch4-loading: $(C4)/loading.py $(foreach run,$(C4_LOADINGS) study,$(C4O)/loading/$(run).tsv) ## compare loadings of a cell of ch4, and keep what each is worth
+	@$(STUDY_PY) -m ch4.loading stresses $(c4_loaded) $(call whole,$(C4)/kept/loading_$(PROFILE).tsv)
+	@$(STUDY_PY) -m ch4.loading steps $(c4_loaded) $(call whole,$(C4)/kept/loading_steps_$(PROFILE).tsv)
+
 C4_RUNS := $(C4_CELLS) $(C4_SLOW_$(PROFILE))
 $(C4_RUNS:%=$(C4O)/%.tsv): $(C4O)/%.tsv: $(C4O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table reinforced --tsv $(call whole,$@)

@@ -15,6 +15,7 @@ def measure_start(study, runs):
     for form in FORMS:
         for name, column, unit, factor in (("e", "e", "1", 1), ("e_inside", "e_inside", "1", 1), ("fill", "fill", "%", 100)):
             study.measure(f"{name}_{form}", lambda f=form, c=column, k=factor: k * runs.cell(f, MIDDLING)[c][0], unit)
+        study.measure(f"e_placed_{form}", lambda f=form: runs.shape(f)["e_inside"][0], "1")
         for name in ("height", "yarns"):
             study.measure(f"{name}_{form}", lambda f=form, n=name: 100 * (runs.shape(f)[n][1] / runs.shape(f)[n][0] - 1), "%")
     study.measure("orientation", lambda: abs(numpy.subtract(*(runs.folder(f"{form}_rose")["density"] for form in FORMS))).max(), "1")

@@ -50,7 +50,7 @@ def all_tables(tmp_path):
     for form, times in zip(FORMS, (2, 1), strict=True):
         for k, g in enumerate(GEOTEXTILES):
             cell(tmp_path / f"{form}_{g}.tsv", axial=times * (1 + k) * numpy.array([1, 3, 5, 6, 5]))
-        write(tmp_path / f"{form}_shape.tsv", height=[0.08, 0.0792], yarn_length=[1, 0.99])
+        write(tmp_path / f"{form}_shape.tsv", height=[0.08, 0.0792], yarn_length=[1, 0.99], soil_void_ratio=[0.7, 0.6])
         write(tmp_path / f"{form}_rose.tsv", density=[1, 1 + 0.05 * times])
         place = [0, 0.1, 0.2]
         write(tmp_path / f"grains_{form}.tsv", position_x=place, position_y=place, position_z=place, radius=0.01, part=[0, 1, 2])
