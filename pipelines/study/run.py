@@ -86,7 +86,7 @@ class Study:
         self.name, self.title, self.out, self.profile, self.judged = name, title, pathlib.Path(out), profile, judged
         self.digits = digits
         self.lead, self.headline, self.history, self.remarks, self.reports, self.appendices = "", "", "", [], [], []
-        self.measures, self.groups, self.checks = {}, [Group("Measured beside published", judged)], []
+        self.measures, self.groups, self.checks = {}, [Group("Measured and published values", judged)], []
         self._figures, self._drawings, self._kept, self._reasons = {}, {}, [], {}
         self._texts, self._folder, self._values, self.pageless = None, None, {}, False
 
@@ -305,18 +305,21 @@ class Study:
         if self.judged and not coarse:
             return Score(", ".join(parts), met, total)
         at_full_size, of_these, of_all = self._tally(coarse)
-        kept = ", ".join(at_full_size) + " at full size" if at_full_size else "no run at full size is kept"
-        said = f"{', '.join(parts)}; {kept}" if parts else kept
+        sentences = [", ".join(parts)] if parts else []
+        sentences.append(", ".join(at_full_size) + " at full size" if at_full_size else "No full-size run is kept")
+        of_run = f"{sum(len(rows) for _, rows in coarse)} values of this {self.profile} run are" if parts else f"This {self.profile} run is"
+        sentences.append(f"{of_run} not judged")
         checks = compare(self.checks, self.measures)
         failed = [v.statement.description for v in checks if not v.met]
-        works = "" if not checks else f"; its chain of tools fails at: {', '.join(failed)}" if failed else \
-            f"; its chain of tools works ({len(checks)} of {len(checks)} checks)"
-        return Score(f"{said}; this run: {self.profile} profile, not judged{works}", met + of_these, total + of_all)
+        if checks:
+            sentences.append(f"The run fails checks of the tools: {', '.join(failed)}" if failed else
+                             f"The run passes all {len(checks)} checks of the tools")
+        return Score(". ".join(sentences) + ".", met + of_these, total + of_all)
 
     def _tally(self, groups):
         """Returns how many values and statements of some groups are met, in words, and both numbers."""
         parts, met, total = [], 0, 0
-        for values, words in ((True, "published values within tolerance"), (False, "statements borne out")):
+        for values, words in ((True, "published values within tolerance"), (False, "statements met")):
             verdicts = [r.verdict for group, rows in groups if (group is self.groups[0]) == values for r in rows if r.verdict]
             if verdicts:
                 parts.append(f"{sum(v.met for v in verdicts)} of {len(verdicts)} {words}")

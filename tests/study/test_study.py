@@ -196,7 +196,7 @@ def test_the_three_lines_of_the_readme_add_a_measure_a_statement_and_a_figure(tm
     study.lead, study.headline = "A test.", f"The peak is {study.say('peak')}."
     study.write()
     assert (tmp_path / "load.svg").read_text().count(">PE<") == 2
-    assert "peak stress ratio: <b>4.4</b>, published 4.5 ± 0.3, <span class=\"met\">" in (tmp_path / "page.html").read_text()
+    assert "peak stress ratio: <b>4.4</b>; expected 4.5 ± 0.3; <span class=\"met\">" in (tmp_path / "page.html").read_text()
 
 
 def test_a_study_writes_tables_figures_and_page_and_the_same_bytes_again(tmp_path, capsys):
@@ -229,11 +229,11 @@ def test_a_row_that_is_not_met_has_its_reason_beside_it(tmp_path):
     study = example(tmp_path)
     study.state("peak", "at most", 1, "kPa", "thesis", "small stress")
     study.write()
-    assert "no reason is known" in (tmp_path / "page.html").read_text()
+    assert "the cause is not known" in (tmp_path / "page.html").read_text()
     study.reason("peak", "the wall is rough")
     study.write()
     page = (tmp_path / "page.html").read_text()
-    assert "✗ not met</span> <small>the wall is rough</small>" in page and "no reason is known" not in page
+    assert "✗ not met</span> <small>the wall is rough</small>" in page and "the cause is not known" not in page
     study.reason("peek", "misspelt")
     with pytest.raises(StudyError, match="peek: is not stated; did you mean 'peak'"):
         study.write()
@@ -256,15 +256,15 @@ def test_a_quick_run_is_shown_beside_the_kept_one_and_not_judged(tmp_path, capsy
     study.lead, study.headline = "Two grains.", f"At full size {study.say('peak', kept=True)}, in this run {study.say('peak')}."
     study.figure("stress", drawing(), "Stress rises.", measures=["peak"])
     study.write()
-    assert capsys.readouterr().out == ("example: 1 of 1 published values within tolerance at full size; this run: quick profile, not judged; "
-                                       f"its chain of tools works (1 of 1 checks) ({tmp_path}/page.html)\n")
+    assert capsys.readouterr().out == ("example: 1 of 1 published values within tolerance at full size. This quick run is not judged. "
+                                       f"The run passes all 1 checks of the tools. ({tmp_path}/page.html)\n")
     page = (tmp_path / "page.html").read_text()
     assert "At full size 2.3\u00a0kPa, in this run 9.00\u00a0kPa." in page
     assert "2.3 kPa</b> at full size" in page and "quick run: 9 kPa" in page and 'class="unmet"' not in page
     assert (tmp_path / "comparison.tsv").read_text().splitlines()[1].split("\t")[6] == "not judged"
     study.measures["work"] = Measure(1, "1")
     study.write()
-    assert "its chain of tools fails at: work left over" in capsys.readouterr().out
+    assert "The run fails checks of the tools: work left over." in capsys.readouterr().out
 
 
 def test_statements_that_need_full_size_are_judged_by_the_kept_run_beside_those_of_any_size(tmp_path, capsys):
@@ -274,11 +274,11 @@ def test_statements_that_need_full_size_are_judged_by_the_kept_run_beside_those_
     study.expect(tmp_path / "grains.tsv", "Of grains", table="grains", judged=False)
     study.measure("load", 9, "kPa")
     study.write()
-    assert "1 of 1 published values within tolerance; no run at full size is kept; this run: quick" in capsys.readouterr().out
+    assert "1 of 1 published values within tolerance. No full-size run is kept. 1 values of this quick run are not judged." in capsys.readouterr().out
     assert (tmp_path / "grains.tsv").read_text().splitlines()[1].split("\t")[6] == "not judged"
     assert (tmp_path / "comparison.tsv").read_text().splitlines()[1].split("\t")[6] == "met"
     page = (tmp_path / "page.html").read_text()
-    assert "1 of 1 met<" in page and "1 values, not judged" in page
+    assert "1 of 1 met<" in page and "1 value, not judged" in page
 
 
 @pytest.mark.parametrize(("change", "message"), [

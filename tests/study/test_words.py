@@ -72,7 +72,7 @@ def built(folder, **how):
 def test_a_folder_says_all_that_a_page_has(folder, capsys):
     built(folder).write()
     page = (folder.parent / "page.html").read_text()
-    for part in ("A soft bag.", "It bears 2.25\u00a0kPa.", "<p>Always.</p>", "Load of a soft bag.", "The thesis: loads rise.", "it bears something",
+    for part in ("A soft bag.", "It bears 2.25\u00a0kPa.", "<p>Always.</p>", "Load of a soft bag.", "The thesis says: loads rise.", "it bears something",
                  "<td>stiff</td>", "Causes, full size:", "<td>soft</td>"):
         assert part in page
     assert "Never" not in page and page.index("Load of a soft bag.") > page.index("Drawn last")  # the order of words.toml
@@ -130,7 +130,7 @@ def test_three_lines_in_one_file_add_a_measure_a_statement_and_a_figure_to_a_cha
     study.figure("soil", curves.figure([panel("strain_axial", "axial_stress", [run])]), "Stress in the soil.", measures=["stress"])
     study.write()
     page = (folder.parent / "page.html").read_text()
-    assert "stress in the soil: <b>2 kPa</b>, published 2.1 ± 0.2 kPa" in page and page.index("Stress in the soil.") > page.index("Load of a soft")
+    assert "stress in the soil: <b>2 kPa</b>; expected 2.1 ± 0.2 kPa" in page and page.index("Stress in the soil.") > page.index("Load of a soft")
 
 
 def test_a_missing_words_file_is_named(folder):
