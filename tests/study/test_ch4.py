@@ -145,7 +145,7 @@ def test_the_page_says_all_that_it_shows(folder):
     study = chapter.build(types.SimpleNamespace(out=folder, kept=False, profile="quick"))
     study.write()
     assert (folder / "page.html").exists()
-    assert study.headline.startswith("With PP the wrapped soil bears 24.0 times the lateral stress, the layered 12.0 times;")
+    assert study.headline.startswith("In the quick run with PP, the wrapped cell carries 24.0 times the lateral stress, the layered cell 12.0 times.")
     pyplot.close("all")
 
 
