@@ -249,15 +249,16 @@ def misfits(grains, soil):
 
 
 MISFITS = ("capacity", "axial", "lateral", "settlement", "volumetric", "rms_surcharge", "rms_axial", "rms_lateral")
-HEADS = ("ultimate surcharge, model over grains", "axial stress inside, likewise", "lateral stress inside, likewise",
-         "final settlement, model less grains (%)", "volumetric strain at the end, likewise (%)", "surcharge, RMS (% of the greatest)",
-         "axial stress inside, RMS (%)", "lateral stress inside, RMS (%)")
+HEADS = ("ultimate surcharge, model over DEM", "axial stress inside, model over DEM", "lateral stress inside, model over DEM",
+         "final settlement, model less DEM (%)", "volumetric strain at the end, model less DEM (%)",
+         "surcharge, RMS difference over the greatest (%)", "axial stress inside, RMS difference over the greatest (%)",
+         "lateral stress inside, RMS difference over the greatest (%)")
 
 
 def table_of_misfits(grains):
     """Returns the misfits of all runs and both soils as columns of words and numbers."""
     rows = [(soil, key) for soil in SOILS for key in misfits(grains, soil)]
-    columns = {"soil of the model": [SOILS[soil] for soil, _ in rows], "geotextile": [g for _, (g, _) in rows],
+    columns = {"constants of the model": [SOILS[soil] for soil, _ in rows], "geotextile": [g for _, (g, _) in rows],
                "lateral stress (kPa)": [p or "0, bag" for _, (_, p) in rows]}
     for name, head in zip(MISFITS, HEADS, strict=True):
         columns[head] = [f"{misfits(grains, soil)[key][name]:.3g}" for soil, key in rows]

@@ -130,7 +130,7 @@ def draw_validity(study, grains):
             if some:
                 a.semilogx(stiffness, [found[g, pressure][name] for g in some], "o-", color=colour, linewidth=1.1, markersize=3, label=words)
         a.axhline(0 if name == "settlement" else 1, color=figures.INK, linewidth=0.8)
-    pure = ["ultimate surcharge, solution over grains", "greatest axial stress inside, likewise"]
+    pure = ["ultimate surcharge, model over DEM", "greatest axial stress inside, model over DEM"]
     for a, words in zip(axes, (*pure, "final settlement, solution less grains (%)"), strict=True):
         figures.label(a, "stiffness of the geotextile (kN/m)", words, pure)
     axes[0].legend()

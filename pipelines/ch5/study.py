@@ -17,7 +17,7 @@ DRAWN = UNIAXIAL[:-1]
 LINES = ("compression_line", "failure_line", "near_failure_line", "dilatancy_line", "stiffness", "increments", "constants")
 COLOURS = figures.GEOTEXTILE
 CROSSES = "x"  # points of these runs of grains; circles are recorded ones
-GRAINS = "Runs of grains beside §5.2 to §5.5 and the recorded series"
+GRAINS = "Statements of §5.2 to §5.5 about the DEM runs, and recorded series"
 CONSTANTS = ("C_t", "p_0", "n", "p_c", "kappa", "lambda", "xi", "p_1", "p_2", "alpha", "beta")
 
 
@@ -304,7 +304,7 @@ def put_misfits(study, grains):
     path = study.out / "misfits.tsv"
     put(path, write_table(measures.table_of_misfits(grains)))
     if not study.pageless:
-        study.appendix("The model beside each run of grains", path)
+        study.appendix("Difference of the model from each DEM run", path)
 
 
 def build_of_grains(study, grains):
