@@ -131,7 +131,7 @@ def draw_validity(study, grains):
                 a.semilogx(stiffness, [found[g, pressure][name] for g in some], "o-", color=colour, linewidth=1.1, markersize=3, label=words)
         a.axhline(0 if name == "settlement" else 1, color=figures.INK, linewidth=0.8)
     pure = ["ultimate surcharge, model over DEM", "greatest axial stress inside, model over DEM"]
-    for a, words in zip(axes, (*pure, "final settlement, solution less grains (%)"), strict=True):
+    for a, words in zip(axes, (*pure, "final settlement, model less DEM (%)"), strict=True):
         figures.label(a, "stiffness of the geotextile (kN/m)", words, pure)
     axes[0].legend()
     study.figure("validity", figure)

@@ -175,7 +175,7 @@ def test_a_quick_page_tells_what_is_kept_at_full_size(tmp_path, monkeypatch):
     for path in chapter.KEPT.glob("*.tsv"):
         (tmp_path / path.name).write_text(path.read_text())
     study = chapter.build(types.SimpleNamespace(out=tmp_path, profile="quick", kept=False))
-    assert "packings of 400 disks" in study.lead and study.remarks[0].startswith("In pull-out the soil is damped by 20 1/s")
+    assert "packing of 400 disks" in study.lead and study.remarks[0].startswith("In pull-out the damping of the soil is 20 1/s.")
     assert list(study._texts.figures) == ["curves", "shape_fields", "shape_fields_here", "pullout_fields", "pullout_fields_here", "A", "B"]
     pyplot.close("all")
 
