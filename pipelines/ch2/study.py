@@ -153,7 +153,7 @@ def draw_pressure(study, cases):
         if len(own) > 2:
             means.append(Drawn(LAWS[law], Series(columns | {"confining_pressure": [float(case.pressure) for case in own]}), colour, "o-"))
     if not means:
-        return "Fig. 2.3: it takes cases of 1000 grains at three pressures or more"
+        return "Fig. 2.3, which takes cases of 1000 grains at three pressures or more"
     study.curves("pressure", *(panel("confining_pressure", name, means, legend=name == "young_modulus", xscale="log") for name in PARAMETERS),
                  columns=3, height=6)
     return None
@@ -187,7 +187,8 @@ def draw_density(study, case):
     study.curves(f"density_{case.name}", *(
         panel(name, "density", [Drawn(words, density(table, at, k, name), colour, line) for table, at, colour, line, words in shown], "density",
               legend=False, xscale="linear" if k else "log", ylim=(0, None)) for k, name in enumerate(PARAMETERS)), columns=3, height=6,
-                 sentence=f"Marginal posterior densities: {case}. Solid: the sets of the first round; E per decade.")
+                 sentence=f"Marginal posterior densities of the parameters: {case}. Solid: sets of the first round, up to several "
+                          f"strains{'; dashed: sets of all rounds at the end' if case.density[1:] else ''}. The density of E is per decade.")
 
 
 def draw(study, cases):
@@ -197,7 +198,7 @@ def draw(study, cases):
     for case in cases:
         draw_density(study, case)
     if len(cases[0].steps) == 1:
-        left_out.append("what later rounds add to the means and densities, since one round was made")
+        left_out.append("means and densities of later rounds, since one round was made")
     if left_out:
         study.remark(f"Not drawn: {'; '.join(left_out)}.")
 
@@ -209,15 +210,15 @@ def build(arguments):
     measure(study, cases)
     for case in cases.values():
         if case.curve:
-            study.accept(f"ratio_{case.name}", "at most", 12, "%", f"RMS misfit of the stress ratio, identified set: {case}")
-            study.accept(f"volume_{case.name}", "at most", 1, "%", f"RMS misfit of the volumetric strain, identified set: {case}")
+            study.accept(f"ratio_{case.name}", "at most", 12, "%", f"stress ratio: RMS difference of the identified set from the laboratory, {case}")
+            study.accept(f"volume_{case.name}", "at most", 1, "%", f"volumetric strain: RMS difference of the identified set from the laboratory, {case}")
     first = [next(case for case in cases.values() if case.law == law) for law in dict.fromkeys(case.law for case in cases.values())]
     study.tell(samples=arguments.samples, until=f"{arguments.until:g}", error=", ".join(arguments.error.split(",")), first=first,
                fits=[case for case in first if case.curve and study.measures[f"ratio_{case.name}"].value is not None],
                few=[case for case in cases.values() if study.measures[f"size_last_{case.name}"].value < len(PARAMETERS) + 1])
     draw(study, list(cases.values()))
     for case in cases.values():
-        study.text(f"Posterior: {case}", case.folder.path / f"round{len(case.steps)}_posterior.txt")
+        study.text(f"Posterior as pf-weight reports it: {case}", case.folder.path / f"round{len(case.steps)}_posterior.txt")
     return study
 
 

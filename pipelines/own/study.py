@@ -104,7 +104,7 @@ def draw(study, own, folder, bands):
     rows = numpy.array([bands.at(s) for s in settlements])
     figure, (left, right) = figures.panels(2)
     left.fill_between(100 * settlements, rows[:, 1], rows[:, 2], color=figures.BLUE, alpha=0.2, linewidth=0, label="middle 80 %")
-    left.plot(100 * settlements, rows[:, 0], color=figures.BLUE, label="solution")
+    left.plot(100 * settlements, rows[:, 0], color=figures.BLUE, label="model")
     left.axvline(100 * own.values["settlement"], color=figures.GREY, linewidth=1)
     figures.label(left, "settlement (%)", "surcharge (kPa)")
     chart = folder("chart")
@@ -142,9 +142,9 @@ def build(arguments):
                load_factor=own.values["factors"].get("load", 1))
     draw(study, own, folder, bands)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
-    study.text("Contact parameters, identified", study.out / "calibration/posterior.txt")
-    study.text("Constants of the wrapped soil, identified", study.out / "identified.txt")
-    study.appendix("Root mean square of what the posterior's mean misses in each test", study.out / "calibration/misfits.tsv")
+    study.text("Identified contact parameters", study.out / "calibration/posterior.txt")
+    study.text("Identified constants of the wrapped soil", study.out / "identified.txt")
+    study.appendix("RMS difference of the posterior's mean from each test", study.out / "calibration/misfits.tsv")
     return study
 
 

@@ -130,11 +130,11 @@ def test_trends_are_shares_in_the_direction_of_the_thesis(out):
 def test_a_single_round_has_its_figures_and_says_what_is_left_out(out, monkeypatch):
     study = build(out, "hm_1000_0.2", "cl_1000_0.2", samples=[6])
     assert list(study._drawings) == ["identified", "means_cl", "means_hm", "prediction", "density_hm_1000_0.2", "density_cl_1000_0.2"]
-    assert study.remarks[-1].startswith("Not drawn: Fig. 2.3: it takes") and "since one round was made" in study.remarks[-1]
+    assert study.remarks[-1].startswith("Not drawn: Fig. 2.3, which takes") and "since one round was made" in study.remarks[-1]
     monkeypatch.setattr(chapter, "Study", Study)
     build(out, "hm_1000_1", samples=[6]).write()
     page = (out / "page.html").read_text()
-    assert (out / "density_hm_1000_1.svg").exists() and "since one round was made" in page and "rounds of 6." in page
+    assert (out / "density_hm_1000_1.svg").exists() and "since one round was made" in page and "(6 sets)." in page
 
 
 def test_each_column_that_is_renamed_is_missed_by_name(out):
