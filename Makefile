@@ -287,7 +287,7 @@ $(X)/bin/%: $(B)/obj/tools/%.o $(EXTENDED) $(B)/libsoilweave.a
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) -o $@
 
 .PHONY: extended
-extended: $(addprefix $(X)/bin/,pack-generate run-dem filter-expand homogenize) ## tools that know your own laws, paths, energies, shapes and tables too: EXTENSIONS=FOLDER
+extended: $(addprefix $(X)/bin/,pack-generate run-dem filter-expand homogenize fem-dem) ## tools that know your own laws, paths, energies, shapes and tables too: EXTENSIONS=FOLDER
 
 .PHONY: test-extensions
 test-extensions: extended ## a law, a path, energy terms, a container and a table from outside lib/, one file each

@@ -110,3 +110,32 @@ END
   exits 0 filter-expand start.h5 plan.toml -o ball.h5 -q
   exits 0 homogenize ball.h5 --tsv
 }
+
+@test "the points of fem-dem take a law of a folder, and keep its history" {
+  local pull=$BATS_TEST_DIRNAME/../tools/examples/pull.toml
+  cat > sand.toml << 'END'
+[contact]
+law = "toy"
+young_modulus = "7.5 GPa"
+stiffness_ratio = 0.2
+friction_angle = 16
+toy_softening = 0.02
+[grains]
+density = 2700
+END
+  awk '/^material/ { print "material = \"grains\""; next } /^(density|young|poisson|initial_stress)/ { next } { print }' "$pull" |
+    cat - sand.toml > pull.toml
+  printf '[record]\npoints = [1]\n' >> pull.toml
+  pack-generate --quiet --dimension 2 --grains 40 --aspect 1 --pressure 2e4 --tolerance 1e-2 --density 2700 \
+    --material <(sed 's/^friction_angle.*/friction_angle = 0/' sand.toml) -o disks.h5
+  fem-dem --quiet pull.toml disks.h5 --set mesh.columns=2 --set mesh.rows=1 --set time.duration=0.02 \
+    --set time.output_interval=0.01 -o pull.h5
+  fem-dem --take 1 pull.h5 -o point.h5
+  "$PYTHON" - << 'END'
+import h5py
+with h5py.File("point.h5") as file:
+    frames = file["contacts"]
+    last = frames[sorted(frames)[-1]]
+    assert (last["toy_largest_overlap"][:] >= last["overlap"][:]).all() and last["toy_largest_overlap"][:].max() > 0
+END
+}
