@@ -32,8 +32,8 @@ def duration(path):
         return ""
     seconds, cores, before = (int(word) for word in path.read_text(encoding="utf-8").split())
     time = f"{seconds // 60} min {seconds % 60} s"
-    kept = " What was there before was kept." if before else ""
-    return f"The last make reproduce spent {time} on the studies, on {cores} cores.{kept}"
+    kept = " Pages that existed before were kept." if before else ""
+    return f"The last make reproduce took {time} for the studies on {cores} cores.{kept}"
 
 
 def write(out, names, picture=None):

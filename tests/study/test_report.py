@@ -99,10 +99,10 @@ def test_the_front_page_says_how_long_the_run_took(out):
     assert "The last make reproduce" not in (out / "report.html").read_text()
     (out / "took").write_text("1012 2 0\n")
     report.write(out, ["first"])
-    assert "The last make reproduce spent 16 min 52 s on the studies, on 2 cores. Profile" in (out / "report.html").read_text()
+    assert "The last make reproduce took 16 min 52 s for the studies on 2 cores. Profile" in (out / "report.html").read_text()
     (out / "took").write_text("12 2 6\n")
     report.write(out, ["first"])
-    assert "spent 0 min 12 s on the studies, on 2 cores. What was there before was kept." in (out / "report.html").read_text()
+    assert "took 0 min 12 s for the studies on 2 cores. Pages that existed before were kept." in (out / "report.html").read_text()
 
 
 def test_a_study_without_its_page_is_named(out):
