@@ -12,10 +12,11 @@ OF_RUNS = (drawing.draw_strip_and_box, pictures.draw_breaks, pictures.draw_bag)
 
 
 def span(*descriptions, digits=0, bags=("bulging_seed_1", "bulging_seed_2", "bulging_seed_3")):
-    """Returns "2 to 5" for the least and the greatest of what bags have in rows of the kept table of bulging bags."""
+    """Returns "2 to 5", or "2" where both are equal, for the least and greatest value of bags in rows of the kept table of bulging bags."""
     bulging = Cells(HERE / "kept" / "bulging_thesis.tsv", "description")
     values = [bulging(description, bag) for description in descriptions for bag in bags]
-    return f"{min(values):.{digits}f} to {max(values):.{digits}f}"
+    low, high = (f"{value:.{digits}f}" for value in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"
 
 
 def build(arguments):

@@ -308,3 +308,8 @@ def test_a_series_of_another_unit_is_refused(tmp_path):
     series = Series(write(tmp_path / "run.tsv", {"axial_stress": "N"}, axial_stress=[1]))
     with pytest.raises(StudyError, match="run.tsv: column axial_stress: 'N' is a unit of force, 'kPa' of stress"):
         series["axial_stress"]  # pylint: disable=pointless-statement
+
+
+def test_a_span_of_equal_values_is_one_value():
+    row = "slope of the path in p and q up to the first break, PE"
+    assert " to " not in chapter.span(row, bags=["bag"]) and " to " in chapter.span(row, digits=4)
