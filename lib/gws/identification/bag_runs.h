@@ -17,15 +17,15 @@ bool is_loading(const io::Series& table);
 /// Returns whether the columns of `table` are those of `homogenize --table reinforced`.
 bool is_reinforced(const io::Series& table);
 
-/// Returns the series of a bag from a table of its loading. The rows begin at the reference row, where the settlement
-/// is first zero. They end before the first broken yarn, because the solution takes the geotextile to be whole. Rows
-/// after the greatest axial stress are left out, as in every series. `stiffness`: tensile stiffness of the geotextile,
-/// and its source. The note of the series names the rows and the stiffness. Throws DataError naming `where`.
+/// A tensile stiffness of a geotextile, and where it comes from.
 struct Stiffness {
   double value = 0;  // tensile stiffness J, N/m
   std::string source;
 };
-/// Returns the series of a table of loading, as described above.
+/// Returns the series of a bag from a table of its loading. The rows begin at the reference row, where the settlement
+/// is first zero. They end before the first broken yarn, because the solution takes the geotextile to be whole. Rows
+/// after the greatest axial stress are left out, as in every series. The note of the series names the rows and the
+/// stiffness. Throws DataError naming `where`.
 BagSeries bag_of_loading(const io::Series& loading, const std::string& where, const Stiffness& stiffness);
 
 /// Returns the series of the reinforced soil in a periodic cell, by the same rules; its strains count from the last row
