@@ -32,10 +32,12 @@ class Archive {
 
   // Keeps the value, or sets it to the kept one, bit for bit. Throws DataError if none has this name and length.
   void item(const std::string& name, double& value);
-  void item(const std::string& name, std::int64_t& value);  // exact below 2^53
+  /// Keeps an integer, exact below 2^53.
+  void item(const std::string& name, std::int64_t& value);
   void item(const std::string& name, Vec3& value);
   void item(const std::string& name, Mat3& value);
-  void item(const std::string& name, std::vector<double>& values);  // vector of any length
+  /// Vector of any length.
+  void item(const std::string& name, std::vector<double>& values);
   /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
   /// Keeps or sets an integer or enumeration as a whole number.

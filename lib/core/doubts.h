@@ -11,8 +11,10 @@ namespace soilweave {
 
 /// A doubt about a result that is written all the same.
 struct Doubt {
-  std::string key;       // one word for scripts ("rattlers"), unique in a file
-  std::string sentence;  // text for people: the finding with number and threshold, and a remedy
+  /// One word for scripts ("rattlers"), unique in a file.
+  std::string key;
+  /// Text for people: the finding with number and threshold, and a remedy.
+  std::string sentence;
 
   bool operator==(const Doubt&) const = default;
 };
@@ -35,7 +37,8 @@ class Doubts {
   const std::vector<Doubt>& all() const { return all_; }
 
  private:
-  std::string tool_;  // empty: prints nothing
+  /// Name of the tool; if empty, nothing is printed.
+  std::string tool_;
   std::vector<Doubt> all_;
 };
 

@@ -10,7 +10,8 @@ namespace soilweave {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Vec3i = Eigen::Vector3i;
-using Vec4 = Eigen::Vector4d;  // quaternion in the order w x y z
+/// Quaternion in the order w x y z.
+using Vec4 = Eigen::Vector4d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 

@@ -41,8 +41,10 @@ inline constexpr std::string_view version = "0.1.0";
 struct Invocation {
   std::string tool;
   std::string version;
-  std::string command;  // canonical: tool and result-relevant options in table order; no file names, threads, quiet
-  std::vector<std::string> arguments;  // arguments as typed
+  /// Tool and options that bear on results, in table order, without file names, threads, quiet.
+  std::string command;
+  /// Arguments as typed.
+  std::vector<std::string> arguments;
   bool quiet = false;
   bool force = false;
   bool resume = false;
@@ -57,7 +59,8 @@ class Table {
   ~Table();
   /// Sets the name, the sentence and the description that help and manual page begin with.
   void about(std::string name, std::string sentence, std::string description = "");
-  void example(std::string command, std::string sentence);  // can be pasted; the tests run every example
+  /// Adds an example that can be pasted; the tests run every one.
+  void example(std::string command, std::string sentence);
 
   /// Declares a positional file; "-" means standard input if the format is streamable.
   void input(std::filesystem::path& field, std::string name, std::string sentence);
@@ -106,7 +109,8 @@ class Table {
 /// A tool as tool::start needs it, type-erased.
 struct Program {
   std::function<void(Table&)> options;
-  std::function<void()> validate;  // throws UsageError with all mistakes; opens no data file
+  /// Throws UsageError with all mistakes; opens no data file.
+  std::function<void()> validate;
   std::function<void(const Invocation&)> run;
 };
 

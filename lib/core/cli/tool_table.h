@@ -19,20 +19,31 @@ enum class Kind { value, flag, choice, file, list };
 /// One option of a table.
 struct Entry {
   Kind kind = Kind::value;
-  std::string name;      // long name with hyphens ("void-ratio"); empty if there is only a letter
-  std::string letter;    // "n" for -n
-  std::string metavar;   // stands for the value in help: the unit, or the kind of text
-  std::string sentence;  // sentence without a full stop
-  std::string standard;  // default as text; empty: none
-  std::string range;     // "from 0 to 1", with unit
-  std::string why;       // reason for the range
+  /// Long name with hyphens ("void-ratio"); empty if there is only a letter.
+  std::string name;
+  std::string letter;  // "n" for -n
+  /// Stands for the value in help: the unit, or the kind of text.
+  std::string metavar;
+  /// Sentence without a full stop.
+  std::string sentence;
+  /// Default as text; empty: none.
+  std::string standard;
+  std::string range;  // "from 0 to 1", with unit
+  /// Reason for the range.
+  std::string why;
   std::vector<std::string> choices;
-  bool general = false;                                                  // listed after the tool's own options
-  bool recorded = true;                                                  // part of Invocation::command
-  bool writes = false;                                                   // names an output file
-  std::vector<std::string> given;                                        // raw values, in order
-  std::function<std::optional<std::string>(const std::string&)> assign;  // returns the mistake, if any
-  std::function<std::string()> value;                                    // canonical text of the field's present value
+  /// Whether help lists it after the tool's own options.
+  bool general = false;
+  /// Whether it is part of Invocation::command.
+  bool recorded = true;
+  /// Whether it names an output file.
+  bool writes = false;
+  /// Raw values, in order.
+  std::vector<std::string> given;
+  /// Returns the mistake, if any.
+  std::function<std::optional<std::string>(const std::string&)> assign;
+  /// Canonical text of the field's present value.
+  std::function<std::string()> value;
 
   /// Returns the option as a user writes it, for messages.
   std::string written() const { return name.empty() ? "-" + letter : "--" + name; }
@@ -54,11 +65,15 @@ struct Table::Impl {
   std::deque<Entry> options;  // a deque, so that references stay valid while options are added
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
-  std::string keys_title;                // what the document is whose keys --keys prints
-  std::vector<Key> (*keys)() = nullptr;  // those keys; nullptr: the tool has no --keys
-  const bool* no_output = nullptr;       // flag with which nothing is written
-  bool understood = true;                // false: an option is unknown, so the rest may be misread
-  std::deque<Table> verbs;               // option tables of a tool's verbs, for its help
+  /// Kind of document whose keys --keys prints.
+  std::string keys_title;
+  /// Keys that --keys prints; nullptr: the tool has no --keys.
+  std::vector<Key> (*keys)() = nullptr;
+  /// Flag with which nothing is written.
+  const bool* no_output = nullptr;
+  bool understood = true;  // false: an option is unknown, so the rest may be misread
+  /// Option tables of a tool's verbs, for its help.
+  std::deque<Table> verbs;
   Invocation invocation;
 
   /// Adds an option. A name such as "pressure,p" gives it a letter too.
@@ -67,7 +82,8 @@ struct Table::Impl {
   bool has(std::string_view name) const;
   /// Returns whether this run writes a file.
   bool writes() const { return output != nullptr && !(no_output && *no_output); }
-  std::vector<std::string> names() const;  // names as typed, --long or -l
+  /// Names as typed, --long or -l.
+  std::vector<std::string> names() const;
   /// Returns the options that ask for information, as typed.
   std::vector<std::string> informing() const;
 };

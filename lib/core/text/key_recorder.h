@@ -53,8 +53,10 @@ class KeyRecorder {
   struct Noted {
     Key key;
     std::size_t readings = 0;
-    std::map<std::string, std::set<std::string>> values;  // by choice: values with which the key was read
-    std::map<std::string, std::size_t> times;             // by choice: number of readings in which it was made before
+    /// Values with which the key was read, by choice.
+    std::map<std::string, std::set<std::string>> values;
+    /// Number of earlier readings that made a choice.
+    std::map<std::string, std::size_t> times;
   };
   using Script = std::vector<std::size_t>;
 
@@ -66,9 +68,12 @@ class KeyRecorder {
   std::set<std::string> tried_;
   Script script_, taken_;
   std::vector<Choice> choices_;
-  std::set<std::string> asked_for_;  // keys that the present reading has asked whether they are there
-  std::map<std::string, std::vector<std::string>> values_of_;  // by choice: all its values
-  std::map<std::string, std::set<std::string>> ended_;         // by choice: values with which a reading came to its end
+  /// Keys that the present reading has asked whether they are there.
+  std::set<std::string> asked_for_;
+  /// All values of each choice.
+  std::map<std::string, std::vector<std::string>> values_of_;
+  /// Values with which a reading came to its end, by choice.
+  std::map<std::string, std::set<std::string>> ended_;
   std::vector<Noted> noted_;
 };
 

@@ -29,13 +29,17 @@ struct Key {
   std::string name;
   Type type = Type::number;
   std::string unit = {}, sentence = {}, why = {};
-  double low = 0, high = 0;             // bounds of a number, in its unit
-  bool open = false;                    // true: the bounds themselves are excluded
-  std::vector<std::string> words = {};  // values of a choice; of another type: words that stand for no value
+  /// Bounds of a number, in its unit.
+  double low = 0, high = 0;
+  bool open = false;  // true: the bounds themselves are excluded
+  /// Values of a choice; of another type: words that stand for no value.
+  std::vector<std::string> words = {};
   std::optional<std::string> standard =
-      std::nullopt;                    // default as TOML text; nullopt: none, or it follows from other keys
-  bool required = false;               // whether its table must have it
-  std::vector<std::string> when = {};  // conditions under which it is read: "path = triaxial", "contact.law = linear"
+      std::nullopt;  // default as TOML text; nullopt: none, or it follows from other keys
+  /// Whether its table must have it.
+  bool required = false;
+  /// Conditions under which it is read: "path = triaxial", "contact.law = linear".
+  std::vector<std::string> when = {};
 };
 
 /// Returns all keys that `read` asks for, table by table, in the order in which they were asked for first. `read` gets

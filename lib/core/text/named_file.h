@@ -10,7 +10,8 @@ namespace soilweave {
 
 /// Rule by which the file names in a document are resolved.
 struct NamedFiles {
-  std::string document;                // path of the document; - for standard input
+  /// Path of the document; - for standard input.
+  std::string document;
   std::vector<std::string> overrides;  // KEY=VALUE of each --set
 
   /// Returns the path that `word`, the text of the full key `key`, points to. Relative paths count from the document's

@@ -63,8 +63,10 @@ class Settings {
   /// Returns true or false; the fallback if the key is absent.
   bool flag(const Word& key, bool fallback);
 
-  Settings table(std::string_view key);                // empty table if absent
-  std::vector<Settings> tables(std::string_view key);  // array of tables; empty if absent
+  /// Empty table if absent.
+  Settings table(std::string_view key);
+  /// Array of tables; empty if absent.
+  std::vector<Settings> tables(std::string_view key);
 
   /// Adds a mistake about `key` (or about the table if empty), with file and line.
   void mistake(std::string_view key, std::string_view what);

@@ -27,13 +27,19 @@ struct Settings::Document {
   };
   std::string name;
   toml::table root;
-  std::deque<toml::table> absent;                      // targets of handles to absent tables
-  std::map<std::string, std::set<std::string>> asked;  // table path -> keys that were read
-  std::map<std::string, std::string> assigned;         // full key -> the --set that gave it
+  /// Targets of handles to absent tables.
+  std::deque<toml::table> absent;
+  /// Table path -> keys that were read.
+  std::map<std::string, std::set<std::string>> asked;
+  /// Full key -> the --set that gave it.
+  std::map<std::string, std::string> assigned;
   std::vector<Mistake> mistakes;
-  std::set<std::string> unread;     // tables whose one mistake leaves open which keys they may have
-  std::set<std::string> misspelt;   // full keys that are absent because they were misspelt
-  KeyRecorder* recorder = nullptr;  // set if the document only notes what its reader asks for (keys.h)
+  /// Tables whose one mistake leaves open which keys they may have.
+  std::set<std::string> unread;
+  /// Full keys that are absent because they were misspelt.
+  std::set<std::string> misspelt;
+  /// Set if the document only notes what its reader asks for (keys.h).
+  KeyRecorder* recorder = nullptr;
 
   bool is_unread(const std::string& path) const {
     return std::any_of(unread.begin(), unread.end(),

@@ -29,11 +29,12 @@ inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
 struct alignas(64) ContactBlock {
-  static constexpr int size = 8, arrays = 8;  // pairs per block; arrays of numbers, which lie one after the other
-  double shear[3][size];                      // N
-  double rolling[3][size];                    // N m
-  double twisting[size];                      // N m
-  double normal_force[size];                  // N
+  /// Pairs per block; arrays of numbers, which lie one after the other.
+  static constexpr int size = 8, arrays = 8;
+  double shear[3][size];      // N
+  double rolling[3][size];    // N m
+  double twisting[size];      // N m
+  double normal_force[size];  // N
   // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain. A pair
   // with a plane uses it for its only grain.
   std::uint32_t first[size], second[size], load_second[size];
@@ -41,7 +42,8 @@ struct alignas(64) ContactBlock {
   // Masks, bit k for pair k. folded: the pair reaches across the cell's faces.
   std::uint8_t touching = 0, sliding = 0, folded = 0;
   std::uint8_t count = 0;
-  bool far = false;  // whether a second grain is in another chunk
+  /// Whether a second grain is in another chunk.
+  bool far = false;
 
   /// Returns a mask with bit k set or cleared.
   static std::uint8_t with_bit(std::uint8_t bits, int k, bool on) {
@@ -97,7 +99,8 @@ struct PairHistory {
   ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
   double normal_force = 0;  // N
   bool touching = false, sliding = false;
-  std::vector<double> own = {};  // numbers that only its law keeps
+  /// Numbers that only its law keeps.
+  std::vector<double> own = {};
 };
 
 /// Returns the history in a lane. own: the law's own arrays of the block, `arrays` of them.

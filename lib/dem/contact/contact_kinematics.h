@@ -9,10 +9,12 @@ namespace soilweave::dem {
 /// Motion of a pair over a step, body 2 relative to body 1.
 template <class T, class Space = Spatial>
 struct PairMotion {
-  Vector<T, Space> velocity;      // relative velocity of the centres, m/s
+  /// Relative velocity of the centres, m/s.
+  Vector<T, Space> velocity;
   Turn<T, Space> spin_1, spin_2;  // rad/s
-  T lever_1, lever_2;             // radii, m; 0 for a plane
-  T inverse_distance;             // 1/m: 1/(distance of the centres); 1/radius for a plane
+  /// Radii, m; 0 for a plane.
+  T lever_1, lever_2;
+  T inverse_distance;  // 1/m: 1/(distance of the centres); 1/radius for a plane
 };
 
 /// Returns the sum of the levers times the spins, over dt: the rotation's part of the slip.

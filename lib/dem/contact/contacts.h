@@ -33,7 +33,8 @@ struct Contacts {
   // last. Grain b has single_loads[single_loads_start[b]] up to single_loads[single_loads_start[b + 1]], in the order
   // of its pairs, planes last.
   struct SingleLoad {
-    std::uint32_t load;  // index into Bodies::loads
+    /// Index into Bodies::loads.
+    std::uint32_t load;
     std::int32_t grain;
   };
   std::vector<SingleLoad> single_loads;
@@ -42,7 +43,8 @@ struct Contacts {
   // number, one after the other (sweep/own_history.h). Empty for laws without such fields.
   std::span<const HistoryField> own_fields;
   std::vector<std::vector<double>> own;
-  int threads = 1;  // number that share the chunks
+  /// Number of threads that share the chunks.
+  int threads = 1;
   ChunkPlan plan;
 
   /// Lists these pairs, in the order of lists, and pairs with planes. A pair that was listed before keeps its history.
@@ -68,12 +70,18 @@ struct Contacts {
   void name_single_loads(Bodies& bodies);
 
   std::size_t own_numbers_ = 0;
-  std::vector<std::vector<double>> known_own_;       // like known_, the law's own numbers
-  std::vector<LargeVector<ContactBlock>> known_;     // blocks of one chunk while it is listed anew, by thread
-  std::vector<std::vector<std::uint32_t>> reached_;  // other chunks that a chunk's pairs reach
-  std::vector<std::vector<std::int32_t>> across_;    // second grains in other chunks, pair by pair, by chunk
-  std::vector<std::size_t> work_;                    // cost of a chunk in a step; 1 for a pair or a grain
-  std::vector<std::uint32_t> next_;                  // next free place in `single_loads` of each grain
+  /// Like known_, the law's own numbers.
+  std::vector<std::vector<double>> known_own_;
+  /// Blocks of one chunk while it is listed anew, by thread.
+  std::vector<LargeVector<ContactBlock>> known_;
+  /// Other chunks that a chunk's pairs reach.
+  std::vector<std::vector<std::uint32_t>> reached_;
+  /// Second grains in other chunks, pair by pair, by chunk.
+  std::vector<std::vector<std::int32_t>> across_;
+  /// Cost of a chunk in a step; 1 for a pair or a grain.
+  std::vector<std::size_t> work_;
+  /// Next free place in `single_loads` of each grain.
+  std::vector<std::uint32_t> next_;
 };
 
 /// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.

@@ -10,16 +10,23 @@ namespace soilweave::dem {
 /// the present positions. T is double or a vector of doubles, one contact per lane.
 template <class T, class Space = Spatial>
 struct Kinematics {
-  Vector<T, Space> normal;  // unit vector from body 1 to body 2
-  T overlap;                // m, > 0 in contact
-  T approach_speed;         // rate of the overlap, m/s
-  Along<T, Space> slip;     // shear displacement increment, m
-  Turn<T, Space> roll;      // increment of the relative rotation normal to `normal`, rad
-  T twist;                  // increment of the relative rotation about `normal`, rad; absent in the plane
-  T r1, r2;                 // radii, m; r2 = r1 against a plane
-  T R_star;                 // r1 r2/(r1 + r2), m; r1 against a plane
-  T per_reach;              // 1/(r1 + r2), 1/m
-  T m1, m2;                 // masses, kg; a plane's is infinite
+  /// Unit vector from body 1 to body 2.
+  Vector<T, Space> normal;
+  T overlap;  // m, > 0 in contact
+  /// Rate of the overlap, m/s.
+  T approach_speed;
+  /// Shear displacement increment, m.
+  Along<T, Space> slip;
+  /// Increment of the relative rotation normal to `normal`, rad.
+  Turn<T, Space> roll;
+  /// Increment of the relative rotation about `normal`, rad; absent in the plane.
+  T twist;
+  /// Radii, m; r2 = r1 against a plane.
+  T r1, r2;
+  T R_star;     // r1 r2/(r1 + r2), m; r1 against a plane
+  T per_reach;  // 1/(r1 + r2), 1/m
+  /// Masses, kg; a plane's is infinite.
+  T m1, m2;
 
   T m_star() const { return m1 / (1.0 + m1 / m2); }  // reduced mass, kg
 };

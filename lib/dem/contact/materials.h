@@ -17,10 +17,12 @@ namespace soilweave::dem {
 
 /// The part of a material that all laws have.
 struct CommonMaterial {
-  double friction_angle = 0;      // rad
-  bool friction_decides = false;  // whether its friction angle holds against any other material
+  double friction_angle = 0;  // rad
+  /// Whether its friction angle holds against any other material.
+  bool friction_decides = false;
   Resistance rolling, twisting;
-  double modulus = 0;  // Pa, of the contacts' stiffness; it cannot be set
+  /// Modulus of the contacts' stiffness, Pa; it cannot be set.
+  double modulus = 0;
 };
 
 /// Materials of one law by material_id, planes included. A value: a copy has materials of its own.

@@ -15,26 +15,32 @@ namespace soilweave::dem {
 /// Contact law with its materials, indexed by material_id, planes included.
 struct Model {
   Materials materials;
-  std::vector<WireCurve> geotextiles = {};  // curves by geotextile_id
+  /// Curves by geotextile_id.
+  std::vector<WireCurve> geotextiles = {};
 };
 
 /// Limits beyond which a simulation counts as broken.
 struct Limits {
-  double overlap = 0.5;       // overlap of two grains over the smaller radius
-  double energy_error = 0.1;  // error of the balance over the turned-over energy
+  /// Overlap of two grains over the smaller radius.
+  double overlap = 0.5;
+  /// Error of the balance over the turned-over energy.
+  double energy_error = 0.1;
   double escape =
       2;  // distance beyond the extent of grains and planes at the start, over that extent, along an open axis
 };
 
 /// Numerical settings of the steps.
 struct Numerics {
-  double damping = 0.2;             // Cundall's local non-viscous damping, 0 to 1
-  double time_step_safety = 0.8;    // fraction of the stability limit from the present stiffness
+  double damping = 0.2;  // Cundall's local non-viscous damping, 0 to 1
+  /// Fraction of the stability limit from the present stiffness.
+  double time_step_safety = 0.8;
   std::optional<double> time_step;  // s, fixed; replaces the estimate
-  bool watch_stiffness = true;      // may be false if the time step is fixed and no servo drives the cell
-  Vec3 gravity = Vec3::Zero();      // m/s2
+  /// May be false if the time step is fixed and no servo drives the cell.
+  bool watch_stiffness = true;
+  Vec3 gravity = Vec3::Zero();  // m/s2
   Limits limits;
-  std::vector<std::vector<std::int32_t>> clamps = {};  // grains of each clamp; they move at its velocity
+  /// Grains of each clamp; they move at its velocity.
+  std::vector<std::vector<std::int32_t>> clamps = {};
   int threads = 1;
 };
 

@@ -39,7 +39,8 @@ struct WireCurve {
  private:
   /// One linear piece of the curve.
   struct Piece {
-    double strain, tension, slope;  // values at its beginning
+    /// Values at its beginning.
+    double strain, tension, slope;
   };
   /// Returns the piece that ends at point k.
   Piece piece(std::size_t k) const {

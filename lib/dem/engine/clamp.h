@@ -13,7 +13,8 @@ namespace soilweave::dem {
 struct Clamp {
   std::vector<std::int32_t> grains;
   Vec3 velocity = Vec3::Zero();  // m/s
-  Vec3 force = Vec3::Zero();     // force of its grains on the clamp, gravity included, N
+  /// Force of its grains on the clamp, gravity included, N.
+  Vec3 force = Vec3::Zero();
 };
 
 /// All clamps of a simulation.

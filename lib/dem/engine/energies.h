@@ -62,8 +62,10 @@ class Energies {
   double add_up(EnergyRole role, double sum) const;
   std::vector<EnergyColumn> columns_where(bool of_some_runs) const;
 
-  std::vector<double> values_;  // in the order of energy_terms()
-  std::vector<bool> occurs_;    // whether the assembly has the term
+  /// Energies in the order of energy_terms(), J.
+  std::vector<double> values_;
+  /// Whether the assembly has the term.
+  std::vector<bool> occurs_;
   double initial_ = 0, turned_over_ = 0;
 };
 

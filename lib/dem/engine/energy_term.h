@@ -50,14 +50,18 @@ struct StepWork {
   const SweepSums &before, &contacts;
   const MotionSums& grains;
   const YarnSums& yarns;
-  double clamps;  // work of the clamps on their grains, J
+  /// Work of the clamps on their grains, J.
+  double clamps;
 };
 
 /// Energies that a change from outside between two steps takes and gives, J.
 struct Intervention {
-  double supplied = 0;   // work done on the assembly
-  double damped = 0;     // kinetic energy taken from the grains
-  double numerical = 0;  // energy that the numerical terms must get, so that the change leaves them as they were
+  /// Work done on the assembly, J.
+  double supplied = 0;
+  /// Kinetic energy taken from the grains.
+  double damped = 0;
+  /// Energy that the numerical terms must get, so that the change leaves them as they were.
+  double numerical = 0;
 };
 
 /// An assembly at the moment for which energies are asked.
@@ -69,7 +73,8 @@ struct AssemblyState {
   const Yarns& yarns;
   StoredEnergies in_contacts;
   const Vec3& gravity;  // m/s2
-  double dt;            // time step by half of which velocities lag behind positions, s; 0 at the start
+  /// Time step by half of which velocities lag behind positions, s; 0 at the start.
+  double dt;
   int threads;
 };
 

@@ -44,10 +44,14 @@ class Guard {
 
   Limits limits_;
   bool fixed_step_;
-  double largest_;                                 // largest diameter, m
-  double range_;                                   // largest gap across which contacts act, m
-  std::array<bool, 3> open_{};                     // axes along which a grain may leave
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // farthest allowed positions, m
+  /// Largest diameter, m.
+  double largest_;
+  /// Largest gap across which contacts act, m.
+  double range_;
+  /// Axes along which a grain may leave.
+  std::array<bool, 3> open_{};
+  /// Farthest allowed positions, m.
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
   int dimension_;
 };
 

@@ -11,10 +11,14 @@ namespace soilweave::dem {
 
 /// Sums of a pass over the grains.
 struct MotionSums {
-  double damping = 0;       // energy taken by local damping in this step, J
-  double gravity_work = 0;  // work in this step, J
-  double fastest = 0;       // largest fluctuation speed, m/s
-  double skin_rate = 0;     // largest speed over skin distance (Neighbours), 1/s
+  /// Energy taken by local damping in this step, J.
+  double damping = 0;
+  /// Work in this step, J.
+  double gravity_work = 0;
+  /// Largest fluctuation speed, m/s.
+  double fastest = 0;
+  /// Largest speed over skin distance (Neighbours), 1/s.
+  double skin_rate = 0;
 };
 
 /// Passes over the grains, chunk by chunk (contacts.h). It keeps the sums of the chunks from call to call, so that
@@ -52,8 +56,10 @@ class Motion {
  private:
   /// Sums of one chunk over its collected loads.
   struct Collected {
-    Lane4 virial[3] = {};  // rows: force times x, y, z of the position
-    Lane4 force{};         // largest of each component, squared, N2
+    /// Rows: force times x, y, z of the position.
+    Lane4 virial[3] = {};
+    /// Largest of each component, squared, N2.
+    Lane4 force{};
   };
   template <int dimension>
   static Collected collect(std::size_t chunk, const Contacts& contacts, Bodies& bodies);
@@ -65,12 +71,14 @@ class Motion {
   Push push_{};
   std::vector<MotionTally> moved_;
   std::vector<Collected> collected_;
-  std::vector<double> partial_;  // sums of other passes, by chunk
+  /// Sums of other passes, by chunk.
+  std::vector<double> partial_;
 };
 
 /// Kinetic energies around a change of all velocities.
 struct Slowed {
-  double energy_before = 0, energy_after = 0;  // kinetic energy, J, as defined below
+  /// Kinetic energy, J, as defined below.
+  double energy_before = 0, energy_after = 0;
 
   void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }
 };

@@ -12,8 +12,10 @@ namespace soilweave::dem {
 
 /// Load on one plane.
 struct PlateLoad {
-  Vec3 force = Vec3::Zero();  // force of the grains on the plane, N
-  double stiffness = 0;       // lower bound of the stiffness of its contacts along the normal, N/m
+  /// Force of the grains on the plane, N.
+  Vec3 force = Vec3::Zero();
+  /// Lower bound of the stiffness of its contacts along the normal, N/m.
+  double stiffness = 0;
   std::size_t contacts = 0;
 };
 

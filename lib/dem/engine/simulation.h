@@ -65,13 +65,15 @@ class Simulation {
   /// Advances one time step with the cell's present velocity gradient. Throws PhysicsError when physics breaks.
   void step();
 
-  const Measures& measures() const;  // measurements of the last step
+  /// Measurements of the last step.
+  const Measures& measures() const;
   /// Returns the mean resultant on grains over the mean force of contacts and taut yarns, at least over `least`, N; 0/0
   /// is 0.
   double unbalanced_force(double least = 0) const;
   double kinetic_energy() const;              // J
   double kinetic_energy_of_acted_on() const;  // J, without grains that float free
-  double largest_overlap() const;             // over the smaller radius
+  /// Returns the largest overlap over the smaller radius.
+  double largest_overlap() const;
   Energies energies() const;
   double time_step() const;  // s, of the next step
   double stability_limit();  // s, from the present stiffness
@@ -89,7 +91,8 @@ class Simulation {
   double void_ratio() const { return volume() / solid_volume() - 1; }
   /// Returns the natural strains since the reference, compression positive: -ln F_ii.
   Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
-  void set_reference();                              // makes the present cell the reference of the strains
+  /// Makes the present cell the reference of the strains.
+  void set_reference();
   void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
 
   void set_plane_velocity(std::size_t plane, const Vec3& velocity);  // m/s
@@ -99,7 +102,8 @@ class Simulation {
   const std::vector<Clamp>& clamps() const;
   const YarnSums& yarns() const;
 
-  void set_model(const Model& model);  // between stages: friction or law parameters change, history stays
+  /// Between stages: friction or law parameters change, history stays.
+  void set_model(const Model& model);
   void set_damping(double damping);
   /// Scales the radii of soil at constant density. stretch: multiplies the coordinates of soil, from the origin.
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
@@ -113,7 +117,8 @@ class Simulation {
   io::Snapshot snapshot() const;
   /// Keeps what a snapshot leaves out.
   void archive(Archive& archive) const;
-  std::int64_t contact_steps() const;  // number of contacts, summed over the steps
+  /// Number of contacts, summed over the steps.
+  std::int64_t contact_steps() const;
   const StepTimes& step_times() const;
 
  private:

@@ -14,7 +14,8 @@ enum class Phase : std::uint8_t { contacts, integration, neighbours };
 /// Seconds of the sampled steps.
 struct StepTimes {
   std::array<double, 3> seconds = {};
-  std::int64_t looked_at = 0;  // number of sampled steps
+  /// Number of sampled steps.
+  std::int64_t looked_at = 0;
 
   /// Returns the seconds of a phase.
   double of(Phase phase) const { return seconds[static_cast<std::size_t>(phase)]; }

@@ -17,7 +17,8 @@ struct YarnSums {
   double elastic = 0;     // J
   double dissipated = 0;  // J, by yielding and breaking in the last step
   double tension = 0;     // N, sum of the tensions
-  std::int64_t taut = 0;  // yarns under tension
+  /// Yarns under tension.
+  std::int64_t taut = 0;
   std::int64_t broken = 0;
   // Sum of -T l n (x) n over tension, length and direction of each yarn, N m; SweepSums has the contacts' f (x) l.
   Mat3 force_branch = Mat3::Zero();
@@ -62,9 +63,10 @@ class Yarns {
   /// Yarns of one geotextile. Lanes from `count` on are empty: broken from the start.
   struct Block {
     static constexpr std::size_t size = width<Lane4>;
-    std::uint32_t first[size]{}, second[size]{};  // byte offsets of the nodes from the first grain
-    Lane4 rest_length = broadcast<Lane4>(1);      // m
-    Lane4 tension{}, length{};                    // N and m, at the last evaluation; 0: none yet
+    /// Byte offsets of the nodes from the first grain.
+    std::uint32_t first[size]{}, second[size]{};
+    Lane4 rest_length = broadcast<Lane4>(1);  // m
+    Lane4 tension{}, length{};                // N and m, at the last evaluation; 0: none yet
     WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
     std::int32_t geotextile, count = 0;
 
@@ -84,15 +86,19 @@ class Yarns {
   LargeVector<Block> blocks_;
   // For each lane of each block, a slot: unit vector from first to second node, and tension, N.
   LargeVector<Lane4> pulls_;
-  std::vector<std::size_t> slot_;   // slot of each yarn of the record
-  std::vector<Breakage> breakage_;  // breaks by slot
+  /// Slot of each yarn of the record.
+  std::vector<std::size_t> slot_;
+  /// Breaks by slot.
+  std::vector<Breakage> breakage_;
   std::vector<WireCurve> curves_;
-  std::vector<std::int32_t> node_;  // grains that are nodes, ascending
+  /// Grains that are nodes, ascending.
+  std::vector<std::int32_t> node_;
   std::vector<std::uint32_t> start_,
       ends_;  // ends at node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
   std::vector<YarnSums> partial_;
   YarnSums sums_;
-  io::YarnsRecord identity_;  // data that never change
+  /// Data that never change.
+  io::YarnsRecord identity_;
   std::size_t grains_ = 0;
 };
 

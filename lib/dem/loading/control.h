@@ -14,15 +14,19 @@ namespace soilweave::dem {
 struct AxisGoal {
   enum class Kind { stress, strain };
   Kind kind = Kind::strain;
-  double value = 0;     // stress, Pa, or natural strain since the reference
-  double max_rate = 0;  // greatest strain rate, 1/s
+  /// Stress, Pa, or natural strain since the reference.
+  double value = 0;
+  /// Greatest strain rate, 1/s.
+  double max_rate = 0;
 };
 using AxisGoals = std::array<AxisGoal, 3>;
 
 /// Tolerances of an equilibrium.
 struct Tolerances {
-  double stress = 1e-3;                                             // relative to the goal
-  double unbalanced_force = 1e-3;                                   // mean resultant over mean contact force
+  /// Tolerance of a stress, relative to its goal.
+  double stress = 1e-3;
+  /// Mean resultant over mean contact force.
+  double unbalanced_force = 1e-3;
   double kinetic_energy = std::numeric_limits<double>::infinity();  // J, of grains under load
 };
 
@@ -38,7 +42,8 @@ struct ServoRule {
     inertia
   };
   Kind kind = Kind::stiffness;
-  double damping = 0.25;  // damping of `inertia`
+  /// Damping of `inertia`.
+  double damping = 0.25;
 };
 
 /// A controller of all cell axes. One object serves one run, since it keeps an integral part.

@@ -27,9 +27,11 @@ class Pace {
   void archive(Archive& archive);
 
  private:
-  double crossing_;  // steps of a wave across the grains
+  /// Steps of a wave across the grains.
+  double crossing_;
   double share_;
-  bool found_ = false;  // whether the unbalanced force came near the wanted one since the stage began
+  /// Whether the unbalanced force came near the wanted one since the stage began.
+  bool found_ = false;
 };
 
 }  // namespace soilweave::dem

@@ -18,8 +18,10 @@ namespace soilweave::dem {
 /// State that a path may use to set goals.
 struct PathState {
   int dimension;
-  Mat3 stress;  // Pa, compression positive
-  Vec3 strain;  // natural, since the start of the stage
+  /// Goals of stress, Pa, compression positive.
+  Mat3 stress;
+  /// Natural strain since the start of the stage.
+  Vec3 strain;
 };
 
 /// A loading path. Objects are immutable: goals depend only on the station and the state.
@@ -41,8 +43,10 @@ inline int loading_axis(int dimension) { return dimension - 1; }
 
 /// Keys that most paths share.
 struct StrainStations {
-  std::vector<double> strain;  // natural, compression positive, monotonic in the loading direction
-  double rate;                 // greatest rate, 1/s
+  /// Natural strains, compression positive, monotonic in the loading direction.
+  std::vector<double> strain;
+  /// Greatest rate, 1/s.
+  double rate;
 };
 
 /// Reads axial_strain and increment, or an explicit list `stations`, and rate.

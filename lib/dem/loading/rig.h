@@ -15,17 +15,21 @@ struct DriveGoal {
   enum class Kind { displacement, load };
   std::string part;
   Kind kind = Kind::displacement;
-  Vec3 direction = Vec3::UnitZ();  // unit vector; a load pushes the grains along it
-  double value = 0;                // displacement since the start of the stage, m, or load, N
-  double speed = 0;                // greatest speed, m/s
+  /// Unit vector; a load pushes the grains along it.
+  Vec3 direction = Vec3::UnitZ();
+  /// Displacement since the start of the stage, m, or load, N.
+  double value = 0;
+  /// Greatest speed, m/s.
+  double speed = 0;
 };
 
 /// A plate or clamp that can be driven.
 struct RigPart {
   std::string name;
   bool is_clamp = false;
-  std::size_t number = 0;  // index of the plane or clamp
-  double mass = 0;         // kg; 0: massless, carried by its contacts
+  /// Index of the plane or clamp.
+  std::size_t number = 0;
+  double mass = 0;  // kg; 0: massless, carried by its contacts
 };
 
 /// All named plates and clamps of a run.
@@ -74,7 +78,8 @@ class Rig {
   };
   std::vector<Facing> facing(const Simulation& simulation) const;
   std::size_t index(const std::string& name) const;
-  bool loaded() const;  // whether a part carries a load
+  /// Whether a part carries a load.
+  bool loaded() const;
   Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
   double load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
                        const Simulation& simulation);

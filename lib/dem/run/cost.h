@@ -15,9 +15,11 @@ namespace soilweave::dem {
 struct Cost {
   std::size_t grains = 0;
   std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
-  std::int64_t waiting = 0;                   // number of steps in which stations waited for rest; 0: no waits
-  std::int64_t waiting_for_energy = 0;        // number of those in which only the kinetic energy was above its limit
-  double stepping = 0, output = 0;            // s
+  /// Number of steps in which stations waited for rest; 0: no waits.
+  std::int64_t waiting = 0;
+  /// Number of those in which only the kinetic energy was above its limit.
+  std::int64_t waiting_for_energy = 0;
+  double stepping = 0, output = 0;  // s
   StepTimes times;
 
   /// Returns the mean number of contacts per step.

@@ -18,10 +18,13 @@ struct Forecast {
   struct OfStage {
     std::string name;
     std::size_t stations = 0;
-    double steps = 0;             // estimate: the time to rest is known only afterwards
-    double waiting = 0;           // number of them that wait for rest
-    double fewest = 0, most = 0;  // range of the steps
-    bool paced = false;           // true: the loading slows down with the unbalanced force
+    /// Estimate: the time to rest is known only afterwards.
+    double steps = 0;
+    /// Number of them that wait for rest.
+    double waiting = 0;
+    /// Range of the steps.
+    double fewest = 0, most = 0;
+    bool paced = false;  // true: the loading slows down with the unbalanced force
   };
   std::vector<OfStage> stages;
   double stability_limit = 0, time_step = 0;  // s, at the start

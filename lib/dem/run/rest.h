@@ -19,11 +19,13 @@ namespace soilweave::dem {
 
 /// Loading to one station, as far as the wait after it depends on it.
 struct Arrival {
-  double pressure = 0;           // mean stress of the goals, Pa; 0: the present one
-  Mat3 gradient = Mat3::Zero();  // velocity gradient that strain goals and moved parts prescribe, 1/s
-  bool sheared = false;          // true: strains or displacements are prescribed
-  bool new_load = false;         // true: a plate or clamp takes a load that it did not have
-  bool first = false;            // true: first station of the run, which also waits for what is unbalanced at the start
+  /// Mean stress of the goals, Pa; 0: the present one.
+  double pressure = 0;
+  /// Velocity gradient that strain goals and moved parts prescribe, 1/s.
+  Mat3 gradient = Mat3::Zero();
+  bool sheared = false;   // true: strains or displacements are prescribed
+  bool new_load = false;  // true: a plate or clamp takes a load that it did not have
+  bool first = false;     // true: first station of the run, which also waits for what is unbalanced at the start
 };
 
 /// Estimate for one run.
@@ -54,17 +56,26 @@ class RestEstimate {
   double under_drag(const Stage& stage, const Arrival& arrival, double half) const;
 
   const Scenario& scenario_;
-  double dt_;                          // s
-  double unbalanced_;                  // at the start
-  double across_ = 0;                  // grains across
-  double diameter_ = 0, density_ = 0;  // mean diameter, m, and density, kg/m3, of the soil; 0: no soil
-  double pressure_ = 0;                // present mean stress of the soil, Pa
-  double volume_ = 0;                  // of the soil with its pores, m3 (2D: m2)
-  Vec3 extent_ = Vec3::Zero();         // of the soil along the axes, m
-  double power_ = 0;                   // minus the power of the pressure that the time step goes with
-  double swing_ = 0;                   // frequency of the slowest swing, 1/s
-  Vec3 moments_ = Vec3::Zero();        // second moments of mass along the open axes, kg m2
-  bool wrapped_ = false;               // whether soil and yarns are there
+  double dt_;  // s
+  /// Unbalanced force at the start.
+  double unbalanced_;
+  double across_ = 0;  // grains across
+  /// Mean diameter, m, and density, kg/m3, of the soil; 0: no soil.
+  double diameter_ = 0, density_ = 0;
+  /// Present mean stress of the soil, Pa.
+  double pressure_ = 0;
+  /// Volume of the soil with its pores, m3 (2D: m2).
+  double volume_ = 0;
+  /// Extent of the soil along the axes, m.
+  Vec3 extent_ = Vec3::Zero();
+  /// Minus the power of the pressure that the time step goes with.
+  double power_ = 0;
+  /// Frequency of the slowest swing, 1/s.
+  double swing_ = 0;
+  /// Second moments of mass along the open axes, kg m2.
+  Vec3 moments_ = Vec3::Zero();
+  /// Whether soil and yarns are there.
+  bool wrapped_ = false;
 };
 
 }  // namespace soilweave::dem

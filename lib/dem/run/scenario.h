@@ -18,23 +18,29 @@ namespace soilweave::dem {
 struct Stage {
   std::string name;
   std::unique_ptr<Path> path;
-  bool reset_strain = false;             // whether the state at its start becomes the reference of the strains
+  /// Whether the state at its start becomes the reference of the strains.
+  bool reset_strain = false;
   std::optional<double> friction;        // rad, of all materials from here on
   std::optional<double> plate_friction;  // rad, of the planes' materials against any other
-  std::optional<double> damping;         // local damping during this stage
-  std::optional<double> rest_damping;    // local damping while a station waits for rest
+  /// Local damping during this stage.
+  std::optional<double> damping;
+  /// Local damping while a station waits for rest.
+  std::optional<double> rest_damping;
   double way_unbalanced_force =
-      0;                       // limit of the unbalanced force, to which the loading slows down; 0: never slows down
-  double rest_drag = 0;        // drag on all motion, over the mass, 1/s, while a station waits for rest
+      0;  // limit of the unbalanced force, to which the loading slows down; 0: never slows down
+  /// Drag on all motion, over the mass, 1/s, while a station waits for rest.
+  double rest_drag = 0;
   bool critical_drag = false;  // rest_drag from the slowest homogeneous swing, at the start of each wait
-  bool homogeneous_start = false;  // loading begins and ends with a homogeneous field of velocity (homogeneous.h)
+  /// Loading begins and ends with a homogeneous field of velocity (homogeneous.h).
+  bool homogeneous_start = false;
 };
 
 /// Rule that selects which recorded stations get a full snapshot beside their row in the series.
 struct SnapshotRule {
   enum class Which { ends, stations, list };
   Which which = Which::ends;
-  std::vector<double> strains;  // strains along the loading axis, for `list`
+  /// Strains along the loading axis, for `list`.
+  std::vector<double> strains;
 };
 /// Distance below which a strain to record belongs to a station.
 inline constexpr double station_tolerance = 1e-7;
@@ -51,17 +57,21 @@ struct Scenario {
   Numerics numerics;
   /// Density by material_id, kg/m3, scaled. Positive values replace the packing's masses.
   std::vector<double> density;
-  bool equal_steps = false;  // masses with which all grains admit the same step (mass_scaling.h)
+  /// Masses with which all grains admit the same step (mass_scaling.h).
+  bool equal_steps = false;
   Tolerances tolerances;
   ServoRule servo;
-  std::int64_t largest_station = 0;  // number of steps after which a station counts as unreachable
+  /// Number of steps after which a station counts as unreachable.
+  std::int64_t largest_station = 0;
   SnapshotRule snapshots;
   std::vector<Stage> stages;
   io::PlanesRecord planes;
-  std::vector<std::size_t> touching;  // planes that prepare() moves until they touch the grains
+  /// Planes that prepare() moves until they touch the grains.
+  std::vector<std::size_t> touching;
   std::vector<PartSetting> parts;
-  std::vector<io::Source> sources;  // files that the scenario names
-  std::string resolved;             // TOML with overrides applied, for provenance
+  /// Files that the scenario names.
+  std::vector<io::Source> sources;
+  std::string resolved;  // TOML with overrides applied, for provenance
 };
 
 /// Reads [contact] and [[material]]: the law and its materials. Every tool that steps grains uses it.

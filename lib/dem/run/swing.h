@@ -35,8 +35,10 @@ class Swing {
   double bound_ = 0, frequency_ = 0;  // 1/s; bound_: of contacts that strain affinely; 0: no contacts
   /// Diagonal of L at the last three samples, latest last, 1/s.
   std::array<Vec3, 3> gradient_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  std::int64_t looks_ = 0;             // number since it began
-  double products_ = 0, squares_ = 0;  // sums in which older samples count less
+  /// Number since it began.
+  std::int64_t looks_ = 0;
+  /// Sums in which older samples count less.
+  double products_ = 0, squares_ = 0;
 };
 
 }  // namespace soilweave::dem

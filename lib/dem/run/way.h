@@ -34,7 +34,8 @@ class Way {
 
  private:
   bool waiting_ = false;
-  bool laid_ = false;             // whether the field of the present loading is in the grains
+  /// Whether the field of the present loading is in the grains.
+  bool laid_ = false;
   Mat3 gradient_ = Mat3::Zero();  // 1/s, of the grains when the last loading of this stage ended
   double drag_ = 0;               // 1/s, while this station waits, if prescribed
   bool critical_ = false;         // true: the drag follows the swing instead

@@ -16,10 +16,11 @@ namespace soilweave::dem {
 /// One grain in two cache lines. In the plane the spin is the third component of the velocity, so that everything that
 /// moves a disk lies in the first line.
 struct alignas(64) Grain {
-  Lane4 position;     // x, y, z, m; radius, m
-  Lane4 velocity;     // m/s; mass, kg
-  Lane4 spin;         // rad/s; radius again, m
-  Lane4 orientation;  // quaternion in the order w x y z; disks use Bodies::angle
+  Lane4 position;  // x, y, z, m; radius, m
+  Lane4 velocity;  // m/s; mass, kg
+  Lane4 spin;      // rad/s; radius again, m
+  /// Quaternion in the order w x y z; disks use Bodies::angle.
+  Lane4 orientation;
 };
 
 /// Resultant force and torque on a grain, one cache line. In the plane the torque is the third component of the force,
@@ -38,7 +39,8 @@ inline std::uint32_t load_distance(std::size_t index) { return static_cast<std::
 /// All grains of a simulation: spheres, disks, and nodes of geotextiles.
 struct Bodies {
   int dimension = 3;
-  double gyration;  // moment of inertia over (mass times squared radius)
+  /// Moment of inertia over (mass times squared radius).
+  double gyration;
   LargeVector<Grain> grains;
   LargeVector<double> angle;  // rotation of disks about the normal of their plane, rad
   // Loads, first one per grain: after Motion::collect the resultant without gravity, which Motion::advance consumes.
@@ -52,7 +54,8 @@ struct Bodies {
   LargeVector<double> per_leeway2;
   std::vector<std::int32_t> material;
   bool of_one_material;
-  std::vector<std::int32_t> fabric;  // fabric of a geotextile node, -1 for soil; empty if all are soil
+  /// Fabric of a geotextile node, -1 for soil; empty if all are soil.
+  std::vector<std::int32_t> fabric;
 
   /// Takes the grains of a record, without their identities.
   explicit Bodies(const io::GrainsRecord& record);

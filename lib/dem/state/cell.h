@@ -31,7 +31,8 @@ class Cell {
   bool deforming() const { return deforming_; }
 
   double volume() const;  // m3 (2D: m2)
-  Vec3 widths() const;    // distances between opposite faces, m
+  /// Distances between opposite faces, m.
+  Vec3 widths() const;
   /// Returns the integer offset of `to`'s image nearest to `from`, along periodic axes. Exact for grains smaller than
   /// half the cell.
   Vec3i nearest_image(const Vec3& from, const Vec3& to) const;

@@ -43,12 +43,14 @@ class ChunkPlan {
   /// One chunk to sweep, after enough chunks have moved.
   struct Turn {
     std::uint32_t chunk;
-    std::uint32_t moved_until;  // number of chunks of in_need that must have moved first
+    /// Number of chunks of in_need that must have moved first.
+    std::uint32_t moved_until;
     bool collect;
   };
   /// The chunks of one thread, in order.
   struct Share {
-    std::vector<std::uint32_t> in_need;  // chunks to move, in the order of their grains
+    /// Chunks to move, in the order of their grains.
+    std::vector<std::uint32_t> in_need;
     std::vector<Turn> turns;
   };
 
@@ -62,8 +64,10 @@ class ChunkPlan {
     }
   }
 
-  std::vector<std::uint32_t> apart_, left_;  // chunks moved and collected apart; those of them that no thread owns
-  std::vector<Share> shares_;                // one per thread
+  /// Chunks moved and collected apart; those of them that no thread owns.
+  std::vector<std::uint32_t> apart_, left_;
+  /// One share per thread.
+  std::vector<Share> shares_;
 };
 
 }  // namespace soilweave::dem

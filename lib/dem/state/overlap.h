@@ -10,9 +10,11 @@ namespace soilweave::dem {
 
 /// The contact of the largest overlap over the smaller radius; zeros without contacts.
 struct DeepestContact {
-  std::int32_t first = 0, second = 0;  // bodies as in io::ContactsRecord::bodies
-  double overlap = 0;                  // m
-  double relative = 0;                 // overlap over the smaller radius, 1
+  /// Bodies as in io::ContactsRecord::bodies.
+  std::int32_t first = 0, second = 0;
+  double overlap = 0;  // m
+  /// Overlap over the smaller radius, 1.
+  double relative = 0;
 };
 /// Finds the deepest contact of a state.
 DeepestContact deepest_of(const io::ContactsRecord& contacts, const Bodies& bodies);

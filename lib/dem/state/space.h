@@ -19,7 +19,8 @@ struct Spatial {
   using Turn = V3<T>;
   template <class T>
   using Along = V3<T>;
-  static constexpr bool twists = true;  // grains can rotate about the normal of a contact
+  /// Grains can rotate about the normal of a contact.
+  static constexpr bool twists = true;
 };
 
 /// Types of the plane: vectors have two components, rotations and forces along a contact have one.

@@ -16,7 +16,8 @@ template <class T>
 struct BlockLanes {
   ContactBlock* block;
   std::size_t lane;
-  double* numbers;  // first array of the block, from the lane on
+  /// First array of the block, from the lane on.
+  double* numbers;
 
   BlockLanes() = default;
   BlockLanes(ContactBlock& of, std::size_t from) : block(&of), lane(from), numbers(of.shear[0] + from) {}

@@ -34,10 +34,13 @@ namespace soilweave::dem {
 
 /// Sums over the contacts in a step. Work is that of the step that led to the present positions, J.
 struct SweepSums {
-  Mat3 force_branch = Mat3::Zero();  // sum of f (x) l, N m; over the volume: stress, compression positive
-  double tangential_work = 0;        // work on the shear, rolling and twisting springs
+  /// Sum of f (x) l, N m; over the volume: stress, compression positive.
+  Mat3 force_branch = Mat3::Zero();
+  /// Work on the shear, rolling and twisting springs.
+  double tangential_work = 0;
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  double plane_work = 0;       // work of moving planes on the grains
+  /// Work of moving planes on the grains.
+  double plane_work = 0;
   double largest_overlap = 0;  // m
   std::int64_t contacts = 0;
 };
@@ -61,8 +64,10 @@ struct Scene {
 class AroundChunk {
  public:
   virtual ~AroundChunk() = default;
-  virtual void before(std::size_t chunk) = 0;  // called before any pair of the chunk's grains is swept
-  virtual void after(std::size_t chunk) = 0;   // called after all of them
+  /// Called before any pair of the chunk's grains is swept.
+  virtual void before(std::size_t chunk) = 0;
+  /// Called after all these pairs are swept.
+  virtual void after(std::size_t chunk) = 0;
 };
 
 /// Stiffness of one contact: normal, N/m; the larger one of rolling and (in space) twisting, N m/rad.

@@ -12,23 +12,28 @@ namespace soilweave::dem {
 struct Push {
   double damping, dt, gyration;
   std::array<std::array<double, 8>, 3> gravity;  // m/s2, along each axis, repeated for the grains of a register
-  Mat3 gradient;                                 // velocity gradient of the cell, 1/s
+  /// Velocity gradient of the cell, 1/s.
+  Mat3 gradient;
   bool heavy, deforming;
-  bool in_cache;  // whether all grains stay in the cache from step to step
+  /// Whether all grains stay in the cache from step to step.
+  bool in_cache;
 };
 
 /// Sums over moved grains. Each is four sums side by side: grain k adds to number k modulo 4.
 struct MotionTally {
-  Lane4 damping{}, gravity_work{};  // twice the power, W
-  double fastest2 = 0;              // m2/s2
-  double skin_rate2 = 0;            // largest speed over skin distance (Neighbours), squared, 1/s2
+  /// Twice the power, W.
+  Lane4 damping{}, gravity_work{};
+  double fastest2 = 0;  // m2/s2
+  /// Largest speed over skin distance (Neighbours), squared, 1/s2.
+  double skin_rate2 = 0;
 };
 
 /// Arrays of grains and of their data, with equal indices.
 struct MovedGrains {
   Grain* grains;
   Load* loads;
-  double* angle;  // rotation of disks, rad
+  /// Rotation of disks, rad.
+  double* angle;
   const double* per_leeway2;
 };
 

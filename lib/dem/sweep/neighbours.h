@@ -74,9 +74,11 @@ class Neighbours {
   bool planes_ = false;
   int threads_ = 1;
   Since filtered_, searched_;
-  std::vector<Pair> outer_, listed_;        // sorted
-  std::vector<char> near_;                  // whether a pair of the outer list is in the swept list
-  std::vector<std::size_t> listed_before_;  // number of listed pairs in the shares before each share of the outer list
+  std::vector<Pair> outer_, listed_;  // sorted
+  /// Whether a pair of the outer list is in the swept list.
+  std::vector<char> near_;
+  /// Number of listed pairs in the shares before each share of the outer list.
+  std::vector<std::size_t> listed_before_;
 };
 
 }  // namespace soilweave::dem

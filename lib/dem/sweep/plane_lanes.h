@@ -14,8 +14,10 @@ namespace soilweave::dem {
 template <class T>
 struct PlaneSums {
   StepSums<T> step;
-  std::array<Lane4, 3> force_branch{};  // columns, N m
-  Lane4 force{};  // force of the grains on the planes, N; last component: twice its work in the step, J
+  /// Columns, N m.
+  std::array<Lane4, 3> force_branch{};
+  /// Force of the grains on the planes, N; last component: twice its work in the step, J.
+  Lane4 force{};
 
   void add(const V3<T>& force_on_plane, const T& twice_the_work, const V3<T>& branch) {
     double at[3][width<T>];
@@ -46,7 +48,8 @@ class PlaneLanes {
         places_(of_grains(&Grain::position)) {}
 
   BlockLanes<T> pairs;
-  double* own;  // first of the law's own arrays of the block, from lane k on (own_history.h)
+  /// First of the law's own arrays of the block, from lane k on (own_history.h).
+  double* own;
   const Plane& plane;
 
   std::int32_t material_of_grains() const {

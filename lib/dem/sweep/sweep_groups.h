@@ -19,8 +19,9 @@ namespace soilweave::dem {
 /// Sums of a step over the contacts of a chunk.
 template <class Lanes>
 struct StepSums {
-  Lane4 work{};              // contact_work.h
-  Lanes overlap{};           // largest overlap, per lane
+  Lane4 work{};  // contact_work.h
+  /// Largest overlap, per lane.
+  Lanes overlap{};
   Lane4 affine_stiffness{};  // if requested
   std::int64_t contacts = 0;
 
@@ -35,15 +36,20 @@ struct StepSums {
 /// Input of a sweep beside the pairs.
 struct Surroundings {
   const Bodies& bodies;
-  const std::vector<Lane4>& shifts;  // vectors of Contacts::images, m
+  /// Vectors of Contacts::images, m.
+  const std::vector<Lane4>& shifts;
   AffineMotion affine;
   double dt;
-  bool in_cache;  // whether all pairs and grains stay in the cache from step to step
+  /// Whether all pairs and grains stay in the cache from step to step.
+  bool in_cache;
   double* loads;
   double* stiffness;
-  double* across;                   // forces of this chunk, summed by image
-  const ContactBlock* first_block;  // of this chunk
-  double* own;                      // the law's own numbers of this chunk (own_history.h)
+  /// Forces of this chunk, summed by image.
+  double* across;
+  /// First block of this chunk.
+  const ContactBlock* first_block;
+  /// The law's own numbers of this chunk (own_history.h).
+  double* own;
 
   const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
   /// Returns the first of the law's own arrays of a block, from the lane on.
@@ -66,7 +72,8 @@ struct Group {
   PairGeometry<Lanes, Space> geometry;
   Work<Lanes> work;
 };
-inline constexpr std::size_t batch_size = 8;  // so many fit the first cache
+/// Number of pairs in a batch, which fits the first cache.
+inline constexpr std::size_t batch_size = 8;
 template <class Lanes, class Space>
 using Batch = std::span<Group<Lanes, Space>>;
 

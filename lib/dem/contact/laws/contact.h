@@ -41,7 +41,8 @@ struct Response {
   T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
   T rolling_stiffness, twisting_stiffness;  // N m/rad
   T pressing;                               // N, force between the surfaces that limits friction and rolling
-  Mask<T> sliding;                          // whether the Coulomb limit holds the shear force
+  /// Whether the Coulomb limit holds the shear force.
+  Mask<T> sliding;
 };
 
 /// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.

@@ -40,8 +40,9 @@ inline double damping_ratio(double e, bool attraction) {
 
 /// Dashpot of a pair of materials. Unset restitution loses nothing; the smaller of two counts.
 struct Damping {
-  double ratio = 0;         // beta
-  bool attraction = false;  // whether the dashpot may pull while the bodies part
+  double ratio = 0;  // beta
+  /// Whether the dashpot may pull while the bodies part.
+  bool attraction = false;
 
   static Damping mix(std::optional<double> e1, std::optional<double> e2, bool attraction) {
     return {damping_ratio(std::min(e1.value_or(1.0), e2.value_or(1.0)), attraction), attraction};

@@ -39,11 +39,14 @@ struct HertzMindlin {
     using Law = HertzMindlin;
     double young_modulus;  // Pa
     double poisson_ratio;
-    double friction_angle;              // rad
-    std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
+    double friction_angle;  // rad
+    /// Normal coefficient of restitution; none: no viscous damping.
+    std::optional<double> restitution;
     Resistance rolling, twisting;
-    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
-    bool friction_decides = false;  // whether its friction angle holds against any other material
+    /// Whether the dashpot may pull while the grains part (damping.h).
+    bool attraction = false;
+    /// Whether its friction angle holds against any other material.
+    bool friction_decides = false;
   };
   /// A pair of materials.
   struct MaterialPair {

@@ -34,18 +34,22 @@ struct Linear {
   /// Parameters of one material.
   struct Material {
     using Law = Linear;
-    double young_modulus;               // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
-    double stiffness_ratio;             // ks/kn of two equal grains
-    double friction_angle;              // rad
-    std::optional<double> restitution;  // normal coefficient of restitution; none: no viscous damping
+    double young_modulus;    // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
+    double stiffness_ratio;  // ks/kn of two equal grains
+    double friction_angle;   // rad
+    /// Normal coefficient of restitution; none: no viscous damping.
+    std::optional<double> restitution;
     Resistance rolling, twisting;
-    bool attraction = false;        // whether the dashpot may pull while the grains part (damping.h)
-    bool friction_decides = false;  // whether its friction angle holds against any other material
+    /// Whether the dashpot may pull while the grains part (damping.h).
+    bool attraction = false;
+    /// Whether its friction angle holds against any other material.
+    bool friction_decides = false;
   };
   /// A pair of materials.
   struct MaterialPair {
     double E1, E2;  // Pa
-    double S1, S2;  // modulus times stiffness ratio, Pa
+    /// Modulus times stiffness ratio, Pa.
+    double S1, S2;
     Damping damping;
     Tangential tangential;
   };

@@ -14,11 +14,13 @@ namespace soilweave::dem {
 
 /// Resistance of one material to rolling or twisting.
 struct Resistance {
-  enum class Scale { absolute, contact };  // stiffness in N m/rad, or a factor on ks r1 r2
+  /// Stiffness in N m/rad, or a factor on ks r1 r2.
+  enum class Scale { absolute, contact };
   enum class Arm { mean_radius, smaller_radius };
   double stiffness = 0;
   Scale scale = Scale::absolute;
-  std::optional<double> limit;  // greatest moment over (arm * normal force); none: elastic; 0: no moment at all
+  /// Greatest moment over (arm * normal force); none: elastic; 0: no moment at all.
+  std::optional<double> limit;
   Arm arm = Arm::mean_radius;
 };
 
@@ -29,7 +31,8 @@ struct PairResistance {
   Resistance::Scale scale = Resistance::Scale::absolute;
   Resistance::Arm arm = Resistance::Arm::mean_radius;
   bool limited = false;
-  double limit_1 = 0, limit_2 = 0;  // infinite on a side without a limit
+  /// Limits of the two sides; infinite on a side without one.
+  double limit_1 = 0, limit_2 = 0;
 };
 
 /// Mixes two resistances. Stiffnesses scaled by the contact are in series (harmonic mean, LAWS.md §3). The smaller

@@ -13,7 +13,8 @@ namespace soilweave::dem {
 
 /// Tangential parameters of a pair of materials.
 struct Tangential {
-  double mu;  // tangent of the friction angle
+  /// Tangent of the friction angle.
+  double mu;
   PairResistance rolling, twisting;
 
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
