@@ -11,8 +11,10 @@ namespace soilweave::dem {
 
 /// One clamp: its grains by index, its velocity, and the force on it.
 struct Clamp {
+  /// Indices of its grains.
   std::vector<std::int32_t> grains;
-  Vec3 velocity = Vec3::Zero();  // m/s
+  /// Prescribed velocity, m/s.
+  Vec3 velocity = Vec3::Zero();
   /// Force of its grains on the clamp, gravity included, N.
   Vec3 force = Vec3::Zero();
 };

@@ -25,7 +25,9 @@ enum class EnergyRole {
 
 /// A column of the series that holds an energy, J.
 struct EnergyColumn {
+  /// Name in files, and description.
   std::string_view name, sentence;
+  /// Energy, J.
   double value = 0;
 };
 
@@ -38,10 +40,14 @@ class Energies {
   double operator[](std::string_view name) const;
   /// Returns the sum over the terms of one role.
   double sum(EnergyRole role) const { return add_up(role, 0); }
+  /// Returns the kinetic energy.
   double kinetic() const { return sum(EnergyRole::kinetic); }
+  /// Returns the energy that unloading returns.
   double stored() const { return sum(EnergyRole::stored); }
-  double initial() const { return initial_; }          // kinetic and stored at the start
-  double turned_over() const { return turned_over_; }  // sum of |work| and |dissipation| of every step
+  /// Returns kinetic and stored energy at the start.
+  double initial() const { return initial_; }
+  /// Returns the sum of |work| and |dissipation| of every step.
+  double turned_over() const { return turned_over_; }
   /// Returns the remainder of the balance: initial + supplied - kinetic - stored - dissipated - numerical.
   double error() const;
   /// Returns the columns of all runs, the error last; or those that only some runs have, if this one has them.

@@ -42,7 +42,9 @@ class Guard {
  private:
   std::string lower_step() const;
 
+  /// Limits beyond which physics counts as broken.
   Limits limits_;
+  /// Whether the time step is fixed.
   bool fixed_step_;
   /// Largest diameter, m.
   double largest_;

@@ -39,8 +39,11 @@ class HomogeneousField {
  private:
   OpenAxes open_;
   std::vector<bool> held_;
+  /// Mass of these grains, kg.
   double mass_ = 0;
+  /// Centre of mass, m.
   Vec3 centre_ = Vec3::Zero();
+  /// Sum of m (x - c) (x - c)^T, kg m2.
   Mat3 second_ = Mat3::Zero();
 };
 

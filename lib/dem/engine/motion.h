@@ -66,10 +66,14 @@ class Motion {
   template <class Pass>
   void pass(const Pass& over) const;
 
+  /// Loops of one width.
   GrainMotion how_;
   int threads_;
+  /// Data of the next step.
   Push push_{};
+  /// Sums of the moves, by chunk.
   std::vector<MotionTally> moved_;
+  /// Sums of the loads, by chunk.
   std::vector<Collected> collected_;
   /// Sums of other passes, by chunk.
   std::vector<double> partial_;

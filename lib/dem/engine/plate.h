@@ -16,6 +16,7 @@ struct PlateLoad {
   Vec3 force = Vec3::Zero();
   /// Lower bound of the stiffness of its contacts along the normal, N/m.
   double stiffness = 0;
+  /// Number of contacts.
   std::size_t contacts = 0;
 };
 

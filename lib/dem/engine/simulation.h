@@ -47,6 +47,7 @@ struct Measures {
   Mat3 stress = Mat3::Zero();
   // Affine stiffness of these contacts and yarns along each axis, when last evaluated, Pa.
   Vec3 axial_stiffness = Vec3::Zero();
+  /// Number of contacts.
   std::int64_t contacts = 0;
 };
 
@@ -70,24 +71,33 @@ class Simulation {
   /// Returns the mean resultant on grains over the mean force of contacts and taut yarns, at least over `least`, N; 0/0
   /// is 0.
   double unbalanced_force(double least = 0) const;
-  double kinetic_energy() const;              // J
+  /// Returns the kinetic energy, J.
+  double kinetic_energy() const;
   double kinetic_energy_of_acted_on() const;  // J, without grains that float free
   /// Returns the largest overlap over the smaller radius.
   double largest_overlap() const;
+  /// Returns the energies of this moment.
   Energies energies() const;
-  double time_step() const;  // s, of the next step
-  double stability_limit();  // s, from the present stiffness
+  /// Returns the length of the next step, s.
+  double time_step() const;
+  /// Returns the stability limit from the present stiffness, s.
+  double stability_limit();
+  /// Returns the time since the start, s.
   double time() const;
+  /// Returns the number of steps since the start.
   std::int64_t steps() const;
 
+  /// Return the cell, its vectors, m, and its deformation gradient.
   const Cell& cell() const;
   const Mat3& cell_matrix() const { return cell().matrix(); }
   const Mat3& deformation_gradient() const { return cell().deformation_gradient(); }
-  double volume() const { return cell().volume(); }  // m3 (2D: m2)
+  /// Returns the volume of the cell, m3 (2D: m2).
+  double volume() const { return cell().volume(); }
   std::size_t grains() const { return bodies().size(); }
   const Bodies& bodies() const;
   double mass() const { return bodies().total_mass(); }            // kg (2D: kg/m), of all grains
   double solid_volume() const { return bodies().solid_volume(); }  // m3 (2D: m2), overlaps counted twice
+  /// Returns the void ratio, with overlaps counted twice as solid.
   double void_ratio() const { return volume() / solid_volume() - 1; }
   /// Returns the natural strains since the reference, compression positive: -ln F_ii.
   Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
@@ -97,6 +107,7 @@ class Simulation {
 
   void set_plane_velocity(std::size_t plane, const Vec3& velocity);  // m/s
   const Planes& planes() const;
+  /// Returns the loads of the grains on the planes.
   std::vector<PlateLoad> plate_loads() const;
   void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);  // m/s
   const std::vector<Clamp>& clamps() const;
@@ -104,6 +115,7 @@ class Simulation {
 
   /// Between stages: friction or law parameters change, history stays.
   void set_model(const Model& model);
+  /// Sets the local damping, 0 to 1.
   void set_damping(double damping);
   /// Scales the radii of soil at constant density. stretch: multiplies the coordinates of soil, from the origin.
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
@@ -119,6 +131,7 @@ class Simulation {
   void archive(Archive& archive) const;
   /// Number of contacts, summed over the steps.
   std::int64_t contact_steps() const;
+  /// Returns the sampled times of the steps.
   const StepTimes& step_times() const;
 
  private:

@@ -9,10 +9,12 @@
 
 namespace soilweave::dem {
 
+/// Phases of a step.
 enum class Phase : std::uint8_t { contacts, integration, neighbours };
 
 /// Seconds of the sampled steps.
 struct StepTimes {
+  /// Seconds by phase.
   std::array<double, 3> seconds = {};
   /// Number of sampled steps.
   std::int64_t looked_at = 0;
@@ -70,6 +72,7 @@ class PassTime {
   double seconds() const { return seconds_; }
 
  private:
+  /// Seconds of all passes so far.
   std::atomic<double> seconds_ = 0;
 };
 

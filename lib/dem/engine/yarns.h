@@ -12,13 +12,17 @@
 
 namespace soilweave::dem {
 
-/// Sums over the yarns. elastic: the energy that unloading returns.
+/// Sums over the yarns.
 struct YarnSums {
-  double elastic = 0;     // J
-  double dissipated = 0;  // J, by yielding and breaking in the last step
-  double tension = 0;     // N, sum of the tensions
-  /// Yarns under tension.
+  /// Energy that unloading returns, J.
+  double elastic = 0;
+  /// Energy lost by yielding and breaking in the last step, J.
+  double dissipated = 0;
+  /// Sum of the tensions, N.
+  double tension = 0;
+  /// Number of yarns under tension.
   std::int64_t taut = 0;
+  /// Number of broken yarns.
   std::int64_t broken = 0;
   // Sum of -T l n (x) n over tension, length and direction of each yarn, N m; SweepSums has the contacts' f (x) l.
   Mat3 force_branch = Mat3::Zero();
@@ -48,6 +52,7 @@ class Yarns {
   /// Stretches all yarns to the present positions and adds their tension to the forces on their nodes, for each node in
   /// the order of its yarns. Bits do not depend on the number of threads.
   void run(double time, int threads, Bodies& bodies);
+  /// Returns the sums of the last run().
   const YarnSums& sums() const { return sums_; }
 
   /// Returns the largest stiffness over mass of the nodes, 1/s2, from their yarns, and from contacts as
@@ -65,8 +70,9 @@ class Yarns {
     static constexpr std::size_t size = width<Lane4>;
     /// Byte offsets of the nodes from the first grain.
     std::uint32_t first[size]{}, second[size]{};
-    Lane4 rest_length = broadcast<Lane4>(1);  // m
-    Lane4 tension{}, length{};                // N and m, at the last evaluation; 0: none yet
+    /// Length without tension, m.
+    Lane4 rest_length = broadcast<Lane4>(1);
+    Lane4 tension{}, length{};  // N and m, at the last evaluation; 0: none yet
     WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
     std::int32_t geotextile, count = 0;
 
@@ -74,12 +80,15 @@ class Yarns {
   };
   /// Time and place of a break.
   struct Breakage {
-    double time = 0;               // s
-    Vec3 position = Vec3::Zero();  // m
+    /// Time, s.
+    double time = 0;
+    /// Place of the break, m.
+    Vec3 position = Vec3::Zero();
   };
   void lay_out(const io::YarnsRecord& record);
   void list_ends(const io::YarnsRecord& record);
-  std::vector<double> stiffest() const;  // N per unit of strain, by geotextile
+  /// Returns the steepest slope by geotextile, N per unit of strain.
+  std::vector<double> stiffest() const;
   YarnSums stretch(double time, const Bodies& bodies, std::size_t block);
   void note_breakage(double time, const Bodies& bodies, std::size_t slot);
 
@@ -95,6 +104,7 @@ class Yarns {
   std::vector<std::int32_t> node_;
   std::vector<std::uint32_t> start_,
       ends_;  // ends at node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
+  /// Sums by group of blocks.
   std::vector<YarnSums> partial_;
   YarnSums sums_;
   /// Data that never change.

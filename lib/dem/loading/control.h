@@ -12,6 +12,7 @@ namespace soilweave::dem {
 
 /// Goal of one cell axis. Compression positive.
 struct AxisGoal {
+  /// Quantity that the axis is driven to.
   enum class Kind { stress, strain };
   Kind kind = Kind::strain;
   /// Stress, Pa, or natural strain since the reference.
@@ -27,7 +28,8 @@ struct Tolerances {
   double stress = 1e-3;
   /// Mean resultant over mean contact force.
   double unbalanced_force = 1e-3;
-  double kinetic_energy = std::numeric_limits<double>::infinity();  // J, of grains under load
+  /// Kinetic energy of grains under load, J.
+  double kinetic_energy = std::numeric_limits<double>::infinity();
 };
 
 /// Rule by which an axis follows its stress goal.
@@ -65,7 +67,8 @@ class Servo {
   double stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation);
 
   ServoRule rule_;
-  Vec3 rate_ = Vec3::Zero();  // 1/s, integral part, compression positive
+  /// Integral part, 1/s, compression positive.
+  Vec3 rate_ = Vec3::Zero();
 };
 
 }  // namespace soilweave::dem

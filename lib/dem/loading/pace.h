@@ -29,6 +29,7 @@ class Pace {
  private:
   /// Steps of a wave across the grains.
   double crossing_;
+  /// Present share of the prescribed speed.
   double share_;
   /// Whether the unbalanced force came near the wanted one since the stage began.
   bool found_ = false;

@@ -17,6 +17,7 @@ namespace soilweave::dem {
 
 /// State that a path may use to set goals.
 struct PathState {
+  /// Dimension of the space, 2 or 3.
   int dimension;
   /// Goals of stress, Pa, compression positive.
   Mat3 stress;

@@ -12,7 +12,9 @@ namespace soilweave::dem {
 
 /// Goal of one part along one direction. The velocities of several goals of one part add up.
 struct DriveGoal {
+  /// Quantity that the part is driven to.
   enum class Kind { displacement, load };
+  /// Name of the plate or clamp.
   std::string part;
   Kind kind = Kind::displacement;
   /// Unit vector; a load pushes the grains along it.
@@ -25,11 +27,13 @@ struct DriveGoal {
 
 /// A plate or clamp that can be driven.
 struct RigPart {
+  /// Name in the scenario.
   std::string name;
   bool is_clamp = false;
   /// Index of the plane or clamp.
   std::size_t number = 0;
-  double mass = 0;  // kg; 0: massless, carried by its contacts
+  /// Mass, kg; 0: massless, carried by its contacts.
+  double mass = 0;
 };
 
 /// All named plates and clamps of a run.
@@ -65,7 +69,9 @@ class Rig {
  private:
   /// Present state of one part.
   struct State {
-    Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();  // m
+    /// Displacement now and at the start of the stage, m.
+    Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();
+    /// Whether it carries a load.
     bool loaded = false;
     Vec3 direction = Vec3::Zero();
     double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load

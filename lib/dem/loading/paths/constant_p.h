@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// Shear at constant p: the lateral stress is p times the dimension minus the axial stress, shared evenly.
 class ConstantP final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "constant-p";
+  /// Reads the mean stress, the greatest rate, and the stations.
   static ConstantP read(Settings& table) {
     const double p = read_stress(table, "mean_stress", "mean stress held during loading");
     return {p, read_max_rate(table), read_strain_stations(table)};
@@ -29,6 +31,7 @@ class ConstantP final : public Path {
   }
 
  private:
+  /// Mean stress, Pa, and greatest lateral rate, 1/s.
   double mean_stress_, max_rate_;
   StrainStations axial_;
 };

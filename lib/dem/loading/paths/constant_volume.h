@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// Undrained shear of a periodic cell.
 class ConstantVolume final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "constant-volume";
+  /// Reads the stations of axial strain.
   static ConstantVolume read(Settings& table) { return ConstantVolume(read_strain_stations(table)); }
 
   explicit ConstantVolume(StrainStations axial) : axial_(std::move(axial)) {}

@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// Moves and loads of named parts. Goals of the stations are equal parts of the way.
 class Drive final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "drive";
+  /// Reads the number of parts, and the tables `load` and `move`.
   static Drive read(Settings& table) {
     static constexpr Parameter parts{"parts", "1", 1, 1e6, false, "equal parts that moves and loads are cut into"};
     static constexpr Parameter along{"along", "1", -1, 1, false, "direction"};
@@ -49,6 +51,7 @@ class Drive final : public Path {
   }
 
  private:
+  /// Goal at the end, and the load at the start, N.
   struct Goal {
     DriveGoal end;
     double start = 0;

@@ -12,6 +12,7 @@ namespace soilweave::dem {
 /// Goals given for each axis.
 class Free final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "free";
   /// Reads [stage.x], [stage.y], [stage.z]: `stress` (held, or reached from `stress_from` over the stations) or
   /// `strain`, and `max_rate`. `stations`: number of equal parts of the strains and ramped stresses.
@@ -52,6 +53,7 @@ class Free final : public Path {
   }
 
  private:
+  /// Goal at the end, and the stress at the start, Pa.
   struct Axis {
     AxisGoal end;
     double start = 0;

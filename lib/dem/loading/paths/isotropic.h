@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// One station at which every axis has the pressure.
 class Isotropic final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "isotropic";
+  /// Reads the pressure and the greatest rate.
   static Isotropic read(Settings& table) {
     return {read_stress(table, "pressure", "mean stress"), read_max_rate(table)};
   }
@@ -22,6 +24,7 @@ class Isotropic final : public Path {
   }
 
  private:
+  /// Pressure, Pa, and greatest rate, 1/s.
   double pressure_, max_rate_;
 };
 

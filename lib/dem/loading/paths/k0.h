@@ -11,7 +11,9 @@ namespace soilweave::dem {
 /// Axial stresses in stations; the lateral strain goal is zero.
 class K0 final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "k0";
+  /// Reads the axial stresses and the greatest rate.
   static K0 read(Settings& table) {
     static constexpr Parameter stresses{"axial_stress",
                                         "Pa",
@@ -34,7 +36,9 @@ class K0 final : public Path {
   }
 
  private:
+  /// Axial stress at each station, Pa.
   std::vector<double> axial_stress_;
+  /// Greatest strain rate, 1/s.
   double max_rate_;
 };
 

@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// Drained compression or extension at constant lateral stress.
 class Triaxial final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "triaxial";
+  /// Reads the lateral stress, the greatest rate, and the stations.
   static Triaxial read(Settings& table) {
     const double confining = read_stress(table, "confining_pressure", "lateral stress");
     return {confining, read_max_rate(table), read_strain_stations(table)};
@@ -27,6 +29,7 @@ class Triaxial final : public Path {
   }
 
  private:
+  /// Lateral stress, Pa, and greatest rate, 1/s.
   double confining_pressure_, max_rate_;
   StrainStations axial_;
 };

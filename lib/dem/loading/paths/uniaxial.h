@@ -9,7 +9,9 @@ namespace soilweave::dem {
 /// Displacements of two plates. Strains are engineering strains of the height between them.
 class Uniaxial final : public Path {
  public:
+  /// Name in scenarios.
   static constexpr std::string_view name = "uniaxial";
+  /// Reads plates, height, rate, and strains.
   static Uniaxial read(Settings& table) {
     static constexpr Parameter height{"height", "m", 0, 1e3, true, "height that engineering strains refer to"};
     static constexpr Parameter strain{"strain", "1",   -1,
@@ -44,9 +46,13 @@ class Uniaxial final : public Path {
   }
 
  private:
+  /// Names of the plates.
   std::string lower_, upper_;
+  /// Whether both plates move.
   bool both_ = true;
+  /// Height, m, and strain rate, 1/s.
   double height_ = 0, rate_ = 0;
+  /// Engineering strain at each station, compression positive.
   std::vector<double> strain_;
 };
 
