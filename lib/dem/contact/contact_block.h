@@ -31,16 +31,22 @@ inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t
 struct alignas(64) ContactBlock {
   /// Pairs per block; arrays of numbers, which lie one after the other.
   static constexpr int size = 8, arrays = 8;
-  double shear[3][size];      // N
-  double rolling[3][size];    // N m
-  double twisting[size];      // N m
-  double normal_force[size];  // N
+  /// Shear force, N.
+  double shear[3][size];
+  /// Rolling moment, N m.
+  double rolling[3][size];
+  /// Twisting moment, N m.
+  double twisting[size];
+  /// Normal force, N.
+  double normal_force[size];
   // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain. A pair
   // with a plane uses it for its only grain.
   std::uint32_t first[size], second[size], load_second[size];
-  std::uint16_t image[size];  // cell offset of the second grain, as an index into Contacts::images
+  /// Cell offset of the second grain, as an index into Contacts::images.
+  std::uint16_t image[size];
   // Masks, bit k for pair k. folded: the pair reaches across the cell's faces.
   std::uint8_t touching = 0, sliding = 0, folded = 0;
+  /// Number of pairs.
   std::uint8_t count = 0;
   /// Whether a second grain is in another chunk.
   bool far = false;
@@ -56,7 +62,9 @@ struct alignas(64) ContactBlock {
 
 /// A pair as the neighbour search lists it.
 struct Pair {
+  /// Indices of the grains, first < second.
   std::int32_t first, second;
+  /// Cell offset of the second grain.
   CellOffset image;
 };
 /// Returns whether pair a precedes pair b in the order of grains.
@@ -97,7 +105,8 @@ class PairOrder {
 /// History of one pair from step to step.
 struct PairHistory {
   ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
-  double normal_force = 0;  // N
+  /// Normal force, N.
+  double normal_force = 0;
   bool touching = false, sliding = false;
   /// Numbers that only its law keeps.
   std::vector<double> own = {};

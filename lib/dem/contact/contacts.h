@@ -24,6 +24,7 @@ namespace soilweave::dem {
 /// All pairs of a simulation, in chunks of blocks, with the history of those that touch.
 struct Contacts {
   std::vector<LargeVector<ContactBlock>> chunks;
+  /// Pairs of grains and planes.
   PlaneContacts planes;
   // Cell offsets that occur. Zero is first, the others are sorted, and the last is so large that no pair touches across
   // it.
@@ -35,6 +36,7 @@ struct Contacts {
   struct SingleLoad {
     /// Index into Bodies::loads.
     std::uint32_t load;
+    /// Grain that the load acts on.
     std::int32_t grain;
   };
   std::vector<SingleLoad> single_loads;
@@ -45,6 +47,7 @@ struct Contacts {
   std::vector<std::vector<double>> own;
   /// Number of threads that share the chunks.
   int threads = 1;
+  /// Order of the chunks in a step.
   ChunkPlan plan;
 
   /// Lists these pairs, in the order of lists, and pairs with planes. A pair that was listed before keeps its history.

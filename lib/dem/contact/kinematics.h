@@ -12,7 +12,8 @@ template <class T, class Space = Spatial>
 struct Kinematics {
   /// Unit vector from body 1 to body 2.
   Vector<T, Space> normal;
-  T overlap;  // m, > 0 in contact
+  /// Overlap, m; positive in contact.
+  T overlap;
   /// Rate of the overlap, m/s.
   T approach_speed;
   /// Shear displacement increment, m.
@@ -23,12 +24,15 @@ struct Kinematics {
   T twist;
   /// Radii, m; r2 = r1 against a plane.
   T r1, r2;
-  T R_star;     // r1 r2/(r1 + r2), m; r1 against a plane
-  T per_reach;  // 1/(r1 + r2), 1/m
+  /// Reduced radius r1 r2/(r1 + r2), m; r1 against a plane.
+  T R_star;
+  /// Inverse sum of the radii, 1/(r1 + r2), 1/m.
+  T per_reach;
   /// Masses, kg; a plane's is infinite.
   T m1, m2;
 
-  T m_star() const { return m1 / (1.0 + m1 / m2); }  // reduced mass, kg
+  /// Returns the reduced mass, kg.
+  T m_star() const { return m1 / (1.0 + m1 / m2); }
 };
 
 }  // namespace soilweave::dem

@@ -17,9 +17,11 @@ namespace soilweave::dem {
 
 /// The part of a material that all laws have.
 struct CommonMaterial {
-  double friction_angle = 0;  // rad
+  /// Friction angle, rad.
+  double friction_angle = 0;
   /// Whether its friction angle holds against any other material.
   bool friction_decides = false;
+  /// Resistance to rolling and to twisting.
   Resistance rolling, twisting;
   /// Modulus of the contacts' stiffness, Pa; it cannot be set.
   double modulus = 0;

@@ -14,6 +14,7 @@ namespace soilweave::dem {
 
 /// Contact law with its materials, indexed by material_id, planes included.
 struct Model {
+  /// Materials of one law.
   Materials materials;
   /// Curves by geotextile_id.
   std::vector<WireCurve> geotextiles = {};
@@ -31,16 +32,20 @@ struct Limits {
 
 /// Numerical settings of the steps.
 struct Numerics {
-  double damping = 0.2;  // Cundall's local non-viscous damping, 0 to 1
+  /// Cundall's local non-viscous damping, 0 to 1.
+  double damping = 0.2;
   /// Fraction of the stability limit from the present stiffness.
   double time_step_safety = 0.8;
   std::optional<double> time_step;  // s, fixed; replaces the estimate
   /// May be false if the time step is fixed and no servo drives the cell.
   bool watch_stiffness = true;
-  Vec3 gravity = Vec3::Zero();  // m/s2
+  /// Acceleration of gravity, m/s2.
+  Vec3 gravity = Vec3::Zero();
+  /// Limits of the guards.
   Limits limits;
   /// Grains of each clamp; they move at its velocity.
   std::vector<std::vector<std::int32_t>> clamps = {};
+  /// Number of threads.
   int threads = 1;
 };
 

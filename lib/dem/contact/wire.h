@@ -14,10 +14,14 @@ namespace soilweave::dem {
 /// Tension against strain of a yarn, linear between points from the origin on. Beyond the last point it breaks. Below
 /// its largest strain so far it unloads and reloads with slope `unloading` from the plastic strain (LAWS.md §9).
 struct WireCurve {
+  /// Name of the geotextile.
   std::string name;
-  std::vector<double> strain;   // ascending, 1
-  std::vector<double> tension;  // N, not negative
-  double unloading = 0;         // N per unit of strain
+  /// Strains of the points, ascending, 1.
+  std::vector<double> strain;
+  /// Tensions of the points, N, not negative.
+  std::vector<double> tension;
+  /// Slope of unloading, N per unit of strain.
+  double unloading = 0;
 
   /// Returns the strain at which a yarn breaks.
   double breaking_strain() const { return strain.back(); }
@@ -57,7 +61,9 @@ struct WireCurve {
 /// History of yarns.
 template <class T = double>
 struct WireHistory {
+  /// Largest strain so far.
   T largest_strain{};
+  /// Whether the yarn broke.
   Mask<T> broken{};
 };
 

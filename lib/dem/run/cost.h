@@ -13,13 +13,17 @@ namespace soilweave::dem {
 
 /// Cost of a run.
 struct Cost {
+  /// Number of grains.
   std::size_t grains = 0;
-  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
+  /// Number of steps, and of contacts summed over the steps.
+  std::int64_t steps = 0, contact_steps = 0;
   /// Number of steps in which stations waited for rest; 0: no waits.
   std::int64_t waiting = 0;
   /// Number of those in which only the kinetic energy was above its limit.
   std::int64_t waiting_for_energy = 0;
-  double stepping = 0, output = 0;  // s
+  /// Seconds of stepping and of writing.
+  double stepping = 0, output = 0;
+  /// Sampled times of the steps.
   StepTimes times;
 
   /// Returns the mean number of contacts per step.
@@ -42,7 +46,8 @@ class CostClock {
   void archive(const Simulation& simulation, double keeping, Archive& archive);
 
  private:
-  double stepping_ = 0, output_ = 0;  // s, of earlier sessions
+  /// Seconds of earlier sessions.
+  double stepping_ = 0, output_ = 0;
   StepTimes times_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

@@ -16,7 +16,9 @@ namespace soilweave::dem {
 struct Forecast {
   /// Steps of one stage.
   struct OfStage {
+    /// Name of the stage.
     std::string name;
+    /// Number of stations.
     std::size_t stations = 0;
     /// Estimate: the time to rest is known only afterwards.
     double steps = 0;
@@ -24,15 +26,20 @@ struct Forecast {
     double waiting = 0;
     /// Range of the steps.
     double fewest = 0, most = 0;
-    bool paced = false;  // true: the loading slows down with the unbalanced force
+    /// Whether the loading slows down with the unbalanced force.
+    bool paced = false;
   };
+  /// Forecast of each stage.
   std::vector<OfStage> stages;
-  double stability_limit = 0, time_step = 0;  // s, at the start
+  /// Limit of the step and the step itself at the start, s.
+  double stability_limit = 0, time_step = 0;
   double unbalanced_force = 0, largest_overlap = 0;
-  std::size_t states = 0;  // recorded states
+  /// Number of recorded states.
+  std::size_t states = 0;
   double file_bytes = 0, memory_bytes = 0;
   Cost cost;
-  double least_time = 0, greatest_time = 0;  // s, range of the time
+  /// Range of the time, s.
+  double least_time = 0, greatest_time = 0;
 
   /// Returns the lines for the user.
   std::string text() const;
@@ -40,7 +47,9 @@ struct Forecast {
 
 /// The first steps of a run, taken to know the time of all others.
 struct Trial {
+  /// Number of steps tried.
   std::int64_t steps = 0;
+  /// Time that they took, s.
   double seconds = 0;
 };
 /// Calls step() two hundred times, but stops once `most` seconds have passed.

@@ -17,9 +17,12 @@ inline constexpr std::int64_t report_interval = 512, look_interval = 16;
 
 /// Place and times of checkpoints.
 struct Safekeeping {
-  io::Part* part = nullptr;              // nullptr: no checkpoints; a signal then ends the program as usual
-  double interval = 300;                 // s of the clock between checkpoints; 0: recorded states only
-  const StopSignals* signals = nullptr;  // nullptr: signals are ignored here
+  /// Folder of checkpoints; nullptr: none, and a signal ends the program as usual.
+  io::Part* part = nullptr;
+  /// Seconds between checkpoints; 0: recorded states only.
+  double interval = 300;
+  /// Signals to obey; nullptr: they are ignored here.
+  const StopSignals* signals = nullptr;
 };
 
 /// Keeper of checkpoints for one run.
@@ -52,7 +55,9 @@ class Keeper {
 
   Safekeeping how_;
   std::int64_t steps_ = 0, look_interval_;
+  /// Time of the next checkpoint.
   Clock::time_point due_;
+  /// Time spent in checkpoints, s.
   double seconds_ = 0;
 };
 

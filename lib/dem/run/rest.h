@@ -23,9 +23,11 @@ struct Arrival {
   double pressure = 0;
   /// Velocity gradient that strain goals and moved parts prescribe, 1/s.
   Mat3 gradient = Mat3::Zero();
-  bool sheared = false;   // true: strains or displacements are prescribed
-  bool new_load = false;  // true: a plate or clamp takes a load that it did not have
-  bool first = false;     // true: first station of the run, which also waits for what is unbalanced at the start
+  /// Whether strains or displacements are prescribed.
+  bool sheared = false;
+  /// Whether a plate or clamp takes a load that it did not have.
+  bool new_load = false;
+  bool first = false;  // true: first station of the run, which also waits for what is unbalanced at the start
 };
 
 /// Estimate for one run.
@@ -56,10 +58,12 @@ class RestEstimate {
   double under_drag(const Stage& stage, const Arrival& arrival, double half) const;
 
   const Scenario& scenario_;
-  double dt_;  // s
+  /// Time step, s.
+  double dt_;
   /// Unbalanced force at the start.
   double unbalanced_;
-  double across_ = 0;  // grains across
+  /// Number of grains across.
+  double across_ = 0;
   /// Mean diameter, m, and density, kg/m3, of the soil; 0: no soil.
   double diameter_ = 0, density_ = 0;
   /// Present mean stress of the soil, Pa.

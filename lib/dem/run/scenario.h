@@ -16,12 +16,16 @@ namespace soilweave::dem {
 
 /// One stage of loading.
 struct Stage {
+  /// Name of the stage.
   std::string name;
+  /// Loading path.
   std::unique_ptr<Path> path;
   /// Whether the state at its start becomes the reference of the strains.
   bool reset_strain = false;
-  std::optional<double> friction;        // rad, of all materials from here on
-  std::optional<double> plate_friction;  // rad, of the planes' materials against any other
+  /// Friction angle of all materials from here on, rad.
+  std::optional<double> friction;
+  /// Friction angle of the planes' materials against any other, rad.
+  std::optional<double> plate_friction;
   /// Local damping during this stage.
   std::optional<double> damping;
   /// Local damping while a station waits for rest.
@@ -30,7 +34,8 @@ struct Stage {
       0;  // limit of the unbalanced force, to which the loading slows down; 0: never slows down
   /// Drag on all motion, over the mass, 1/s, while a station waits for rest.
   double rest_drag = 0;
-  bool critical_drag = false;  // rest_drag from the slowest homogeneous swing, at the start of each wait
+  /// Whether rest_drag follows the slowest homogeneous swing at the start of each wait.
+  bool critical_drag = false;
   /// Loading begins and ends with a homogeneous field of velocity (homogeneous.h).
   bool homogeneous_start = false;
 };
@@ -53,6 +58,7 @@ struct PartSetting {
 
 /// A whole scenario.
 struct Scenario {
+  /// Contact law and materials.
   Model model;
   Numerics numerics;
   /// Density by material_id, kg/m3, scaled. Positive values replace the packing's masses.
@@ -64,14 +70,17 @@ struct Scenario {
   /// Number of steps after which a station counts as unreachable.
   std::int64_t largest_station = 0;
   SnapshotRule snapshots;
+  /// Stages, in order.
   std::vector<Stage> stages;
   io::PlanesRecord planes;
   /// Planes that prepare() moves until they touch the grains.
   std::vector<std::size_t> touching;
+  /// Plates and clamps that can be driven.
   std::vector<PartSetting> parts;
   /// Files that the scenario names.
   std::vector<io::Source> sources;
-  std::string resolved;  // TOML with overrides applied, for provenance
+  /// Text of the scenario with overrides applied, for provenance.
+  std::string resolved;
 };
 
 /// Reads [contact] and [[material]]: the law and its materials. Every tool that steps grains uses it.

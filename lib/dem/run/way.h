@@ -33,12 +33,16 @@ class Way {
   void archive(Archive& archive);
 
  private:
+  /// Whether the station waits for rest.
   bool waiting_ = false;
   /// Whether the field of the present loading is in the grains.
   bool laid_ = false;
-  Mat3 gradient_ = Mat3::Zero();  // 1/s, of the grains when the last loading of this stage ended
-  double drag_ = 0;               // 1/s, while this station waits, if prescribed
-  bool critical_ = false;         // true: the drag follows the swing instead
+  /// Gradient of the grains when the last loading of this stage ended, 1/s.
+  Mat3 gradient_ = Mat3::Zero();
+  /// Drag while this station waits, if prescribed, 1/s.
+  double drag_ = 0;
+  /// Whether the drag follows the swing instead.
+  bool critical_ = false;
   Swing swing_;
   std::int64_t waited_ = 0, waited_for_energy_ = 0;
 };

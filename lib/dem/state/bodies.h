@@ -16,9 +16,12 @@ namespace soilweave::dem {
 /// One grain in two cache lines. In the plane the spin is the third component of the velocity, so that everything that
 /// moves a disk lies in the first line.
 struct alignas(64) Grain {
-  Lane4 position;  // x, y, z, m; radius, m
-  Lane4 velocity;  // m/s; mass, kg
-  Lane4 spin;      // rad/s; radius again, m
+  /// Position x, y, z, m; radius, m.
+  Lane4 position;
+  /// Velocity, m/s; mass, kg.
+  Lane4 velocity;
+  /// Spin, rad/s; radius again, m.
+  Lane4 spin;
   /// Quaternion in the order w x y z; disks use Bodies::angle.
   Lane4 orientation;
 };
@@ -26,7 +29,8 @@ struct alignas(64) Grain {
 /// Resultant force and torque on a grain, one cache line. In the plane the torque is the third component of the force,
 /// and the row of the torque is zero.
 struct alignas(64) Load {
-  Lane4 force{}, torque{};  // N, N m; last component 0
+  /// Force, N, and torque, N m; the last component is 0.
+  Lane4 force{}, torque{};
 };
 
 /// Returns the volume of a sphere (m3) or the area of a disk (m2).
@@ -38,9 +42,11 @@ inline std::uint32_t load_distance(std::size_t index) { return static_cast<std::
 
 /// All grains of a simulation: spheres, disks, and nodes of geotextiles.
 struct Bodies {
+  /// Dimension of the space, 2 or 3.
   int dimension = 3;
   /// Moment of inertia over (mass times squared radius).
   double gyration;
+  /// Grains, in the order of files.
   LargeVector<Grain> grains;
   LargeVector<double> angle;  // rotation of disks about the normal of their plane, rad
   // Loads, first one per grain: after Motion::collect the resultant without gravity, which Motion::advance consumes.
@@ -52,7 +58,9 @@ struct Bodies {
   // 1 / (skin distance of the grain)², 1/m2. A grain that moves farther than its skin distance forces a new neighbour
   // list.
   LargeVector<double> per_leeway2;
+  /// Material of each grain.
   std::vector<std::int32_t> material;
+  /// Whether all grains have one material.
   bool of_one_material;
   /// Fabric of a geotextile node, -1 for soil; empty if all are soil.
   std::vector<std::int32_t> fabric;

@@ -22,7 +22,9 @@ class Cell {
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
 
   const Mat3& matrix() const { return matrix_; }  // columns are the cell vectors, m
+  /// Returns L, 1/s, extension positive.
   const Mat3& velocity_gradient() const { return velocity_gradient_; }
+  /// Returns the deformation gradient since the reference.
   const Mat3& deformation_gradient() const { return deformation_gradient_; }
   /// Returns whether an axis is periodic.
   bool periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
@@ -30,7 +32,8 @@ class Cell {
   /// Returns whether the last step changed the cell.
   bool deforming() const { return deforming_; }
 
-  double volume() const;  // m3 (2D: m2)
+  /// Returns the volume, m3 (2D: m2).
+  double volume() const;
   /// Distances between opposite faces, m.
   Vec3 widths() const;
   /// Returns the integer offset of `to`'s image nearest to `from`, along periodic axes. Exact for grains smaller than

@@ -42,15 +42,18 @@ class ChunkPlan {
  private:
   /// One chunk to sweep, after enough chunks have moved.
   struct Turn {
+    /// Chunk to sweep.
     std::uint32_t chunk;
     /// Number of chunks of in_need that must have moved first.
     std::uint32_t moved_until;
+    /// Whether the chunk is collected right after.
     bool collect;
   };
   /// The chunks of one thread, in order.
   struct Share {
     /// Chunks to move, in the order of their grains.
     std::vector<std::uint32_t> in_need;
+    /// Chunks to sweep, in order.
     std::vector<Turn> turns;
   };
 

@@ -12,7 +12,8 @@ namespace soilweave::dem {
 struct DeepestContact {
   /// Bodies as in io::ContactsRecord::bodies.
   std::int32_t first = 0, second = 0;
-  double overlap = 0;  // m
+  /// Overlap, m.
+  double overlap = 0;
   /// Overlap over the smaller radius, 1.
   double relative = 0;
 };

@@ -15,8 +15,11 @@ enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
 
 /// One plane.
 struct Plane {
+  /// Point, m; unit normal towards the grains; velocity, m/s.
   Vec3 point, normal, velocity;
+  /// Material of the plane.
   std::int32_t material;
+  /// Grains that touch it.
   Partners partners = Partners::all;
 
   /// Returns whether the plane acts on a node, or on a grain of soil.

@@ -38,15 +38,19 @@ struct SweepSums {
   Mat3 force_branch = Mat3::Zero();
   /// Work on the shear, rolling and twisting springs.
   double tangential_work = 0;
+  /// Energy lost in sliding, in rolling and twisting, and in dashpots.
   double frictional = 0, rolling_plastic = 0, viscous = 0;
   /// Work of moving planes on the grains.
   double plane_work = 0;
-  double largest_overlap = 0;  // m
+  /// Largest overlap, m.
+  double largest_overlap = 0;
+  /// Number of contacts.
   std::int64_t contacts = 0;
 };
 
 /// Energies stored in the contacts, J, computed only when needed.
 struct StoredEnergies {
+  /// Energy by spring.
   double normal = 0, shear = 0, rolling = 0, twisting = 0;
   /// Returns the energy of the tangential springs.
   double tangential() const { return shear + rolling + twisting; }
@@ -54,8 +58,11 @@ struct StoredEnergies {
 
 /// Parts of a simulation that a sweep uses. It writes only the loads of the bodies.
 struct Scene {
+  /// Grains, whose loads the sweep writes.
   Bodies& bodies;
+  /// Periodic cell.
   const Cell& cell;
+  /// Rigid planes.
   const Planes& planes;
 };
 

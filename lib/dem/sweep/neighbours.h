@@ -41,6 +41,7 @@ class Neighbours {
  private:
   // The state in which pairs were searched, and the deformation of the cell since.
   struct Since {
+    /// Positions at the search, m.
     std::vector<Vec3> position;
     Mat3 deformation = Mat3::Identity();
 
@@ -62,19 +63,23 @@ class Neighbours {
   bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   void begin_list(Bodies& bodies);
-  double longest() const { return 2 * radius_ + outer_skin_ + range_; }  // longest branch in a list, m
+  /// Returns the longest branch in a list, m.
+  double longest() const { return 2 * radius_ + outer_skin_ + range_; }
 
   double radius_, outer_skin_, range_;  // m
   Pace pace_;
-  std::vector<double> leeway_;                 // m
+  /// Skin distance of each grain, m.
+  std::vector<double> leeway_;
   double least_leeway_ = 0, cell_leeway_ = 0;  // m; least skin of all grains; closing of a pair by the cell
-  double plane_leeway_ = 0;                    // m, for the motion of planes, and of grains with the cell
-  double skin_rate_ = 0, used_skin_ = 0;       // 1/s; largest used share of a skin, so far
-  double planes_moved_ = 0, extent_ = 0;       // m; largest distance of a grain from the origin
+  /// Skin for the motion of planes, and of grains with the cell, m.
+  double plane_leeway_ = 0;
+  double skin_rate_ = 0, used_skin_ = 0;  // 1/s; largest used share of a skin, so far
+  double planes_moved_ = 0, extent_ = 0;  // m; largest distance of a grain from the origin
   bool planes_ = false;
   int threads_ = 1;
   Since filtered_, searched_;
-  std::vector<Pair> outer_, listed_;  // sorted
+  /// Outer list and swept list, sorted.
+  std::vector<Pair> outer_, listed_;
   /// Whether a pair of the outer list is in the swept list.
   std::vector<char> near_;
   /// Number of listed pairs in the shares before each share of the outer list.
