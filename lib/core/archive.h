@@ -36,7 +36,7 @@ class Archive {
   void item(const std::string& name, std::int64_t& value);
   void item(const std::string& name, Vec3& value);
   void item(const std::string& name, Mat3& value);
-  /// Vector of any length.
+  /// Keeps a vector of any length.
   void item(const std::string& name, std::vector<double>& values);
   /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
@@ -52,8 +52,11 @@ class Archive {
   void numbers_of(const std::string& name, double* values, std::size_t length);
   const std::vector<double>& kept(const std::string& name) const;
 
+  /// Numbers by name.
   Numbers numbers_;
+  /// Source of the numbers, for messages.
   std::string where_;
+  /// Whether items are set to kept values.
   bool giving_back_ = false;
 };
 

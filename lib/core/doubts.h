@@ -39,6 +39,7 @@ class Doubts {
  private:
   /// Name of the tool; if empty, nothing is printed.
   std::string tool_;
+  /// All doubts so far.
   std::vector<Doubt> all_;
 };
 

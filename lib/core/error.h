@@ -11,14 +11,22 @@ namespace soilweave {
 /// Exit statuses (values of sysexits). Every man page lists them.
 enum class Exit : int {
   done = 0,
-  not_reached = 1,     // ran to the end, but missed the target
-  usage = 64,          // wrong usage
-  bad_data = 65,       // invalid input data or scenario
-  no_input = 66,       // missing input
-  internal = 70,       // a defect of the program, or broken physics (NaN, energy, lost grain)
-  cannot_create = 73,  // output cannot be created
-  io = 74,             // reading or writing failed
-  stopped = 75,        // stopped early, resumable
+  /// Ran to the end, but missed the target.
+  not_reached = 1,
+  /// Wrong usage.
+  usage = 64,
+  /// Invalid input data or scenario.
+  bad_data = 65,
+  /// Missing input.
+  no_input = 66,
+  /// A defect of the program, or broken physics (NaN, energy, lost grain).
+  internal = 70,
+  /// Output cannot be created.
+  cannot_create = 73,
+  /// Reading or writing failed.
+  io = 74,
+  /// Stopped early, resumable.
+  stopped = 75,
 };
 
 /// An error in one line for the user: what is wrong, where (file, line, dataset), and how to mend it.

@@ -26,6 +26,7 @@ struct LargePages {
 };
 
 template <class T>
+/// Vector on large pages.
 using LargeVector = std::vector<T, LargePages<T>>;
 
 }  // namespace soilweave

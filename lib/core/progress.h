@@ -22,16 +22,17 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows progress. fraction: 0 to 1 of the advancing quantity; the first call may be above 0, since work may be
-  /// resumed. detail: free text ("step 1200, unbalanced 2e-3"). Prints at most 10 times a second on a terminal and
-  /// every 30 s elsewhere, so callers need not limit their calls.
+  /// Shows progress. fraction: 0 to 1 of the advancing quantity; the first call may be above 0. detail: free text
+  /// ("step 1200, unbalanced 2e-3"). Prints at most 10 times a second on a terminal and every 30 s elsewhere.
   void update(double fraction, std::string_view detail = "");
   /// Prints a note on its own line ("isotropic: done, e = 0.664").
   void note(std::string_view line);
 
  private:
+  /// The advancing quantity.
   std::string name_;
   bool quiet_;
+  /// Whether standard error is a terminal.
   bool terminal_;
   bool shown_ = false;
   double first_ = 1;

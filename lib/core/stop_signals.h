@@ -22,6 +22,7 @@ class StopSignals {
   const char* asked() const;
 
  private:
+  /// Signals held back, and the mask before.
   sigset_t held_ = {}, before_ = {};
 };
 

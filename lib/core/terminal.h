@@ -12,8 +12,7 @@ namespace soilweave {
 /// `as_they_are` ("\n\t") stay.
 std::string printable(std::string_view text, std::string_view as_they_are = "");
 
-/// Writes bytes to standard error. Failures (a full disk, a closed terminal) are ignored: they cannot be reported, and
-/// the work is worth more than its messages.
+/// Writes bytes to standard error. Failures are ignored, because they cannot be reported.
 void tell(std::string_view bytes);
 
 /// Occupies closed standard streams (0 to 2), so that no file opened later gets their number. Reading from and writing

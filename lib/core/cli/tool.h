@@ -9,8 +9,8 @@
 //
 // From the one table of options come parsing, --help, the manual page, bash completion, range errors, and the command
 // that provenance records. start() calls the three in order, and checks in between that all inputs exist and that the
-// output can be made: no run finds out at its end that it cannot write. It turns each error into one line on standard
-// error and one exit status. A new tool begins as a copy of the smallest one (tools/fabric.cpp):
+// output can be made. It turns each error into one line on standard error and one exit status. A new tool begins as a
+// copy of the smallest one (tools/fabric.cpp):
 //
 //   struct Fabric {
 //     std::filesystem::path input, output;
@@ -39,6 +39,7 @@ inline constexpr std::string_view version = "0.1.0";
 
 /// Call of this process: the words that provenance records, and the options that concern only the terminal.
 struct Invocation {
+  /// Name of the tool.
   std::string tool;
   std::string version;
   /// Tool and options that bear on results, in table order, without file names, threads, quiet.

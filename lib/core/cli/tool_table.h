@@ -18,19 +18,23 @@ enum class Kind { value, flag, choice, file, list };
 
 /// One option of a table.
 struct Entry {
+  /// Kind of option.
   Kind kind = Kind::value;
   /// Long name with hyphens ("void-ratio"); empty if there is only a letter.
   std::string name;
-  std::string letter;  // "n" for -n
+  /// Letter, "n" for -n.
+  std::string letter;
   /// Stands for the value in help: the unit, or the kind of text.
   std::string metavar;
   /// Sentence without a full stop.
   std::string sentence;
   /// Default as text; empty: none.
   std::string standard;
-  std::string range;  // "from 0 to 1", with unit
+  /// Range with its unit: "from 0 to 1".
+  std::string range;
   /// Reason for the range.
   std::string why;
+  /// Values of a choice.
   std::vector<std::string> choices;
   /// Whether help lists it after the tool's own options.
   bool general = false;
@@ -61,8 +65,10 @@ struct Positional {
 struct Table::Impl {
   std::string name, sentence, description;
   std::vector<std::pair<std::string, std::string>> examples;
+  /// Positional inputs, in order.
   std::vector<Positional> inputs;
   std::deque<Entry> options;  // a deque, so that references stay valid while options are added
+  /// Field of the output.
   std::filesystem::path* output = nullptr;
   bool output_required = false, output_is_folder = false;
   /// Kind of document whose keys --keys prints.
@@ -71,7 +77,8 @@ struct Table::Impl {
   std::vector<Key> (*keys)() = nullptr;
   /// Flag with which nothing is written.
   const bool* no_output = nullptr;
-  bool understood = true;  // false: an option is unknown, so the rest may be misread
+  /// Whether all options are known; otherwise the rest may be misread.
+  bool understood = true;
   /// Option tables of a tool's verbs, for its help.
   std::deque<Table> verbs;
   Invocation invocation;
@@ -115,7 +122,9 @@ std::string completion_text(Table::Impl& table);
 
 /// One exit status, as help and manual page describe it.
 struct Status {
+  /// Number of the status.
   int code;
+  /// Meaning in a few words.
   const char* meaning;
 };
 /// Returns the exit statuses of every tool, in ascending order.

@@ -51,6 +51,7 @@ class KeyRecorder {
     bool counts_for(std::string_view other) const;
   };
   struct Noted {
+    /// The noted key.
     Key key;
     std::size_t readings = 0;
     /// Values with which the key was read, by choice.
@@ -63,10 +64,14 @@ class KeyRecorder {
   std::string choices_for(std::string_view table) const;
   Noted& place_of(const Key& key);
 
+  /// Whether numbers get other values than usual.
   bool others_;
+  /// Scripts not yet tried.
   std::deque<Script> scripts_{Script{}};
+  /// Answers tried already.
   std::set<std::string> tried_;
   Script script_, taken_;
+  /// Choices of the present reading.
   std::vector<Choice> choices_;
   /// Keys that the present reading has asked whether they are there.
   std::set<std::string> asked_for_;
@@ -74,6 +79,7 @@ class KeyRecorder {
   std::map<std::string, std::vector<std::string>> values_of_;
   /// Values with which a reading came to its end, by choice.
   std::map<std::string, std::set<std::string>> ended_;
+  /// Keys noted so far.
   std::vector<Noted> noted_;
 };
 

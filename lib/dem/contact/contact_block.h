@@ -15,8 +15,7 @@
 
 namespace soilweave::dem {
 
-/// Grains per chunk, whose pairs one thread sweeps at a time. So many fit the second cache. A representative volume has
-/// as many, and large packings often repeat its copies.
+/// Grains per chunk, whose pairs one thread sweeps at a time. So many fit the second cache.
 inline constexpr std::size_t grains_per_chunk = 1000;
 /// Returns the number of chunks of so many grains.
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
@@ -39,8 +38,8 @@ struct alignas(64) ContactBlock {
   double twisting[size];
   /// Normal force, N.
   double normal_force[size];
-  // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain. A pair
-  // with a plane uses it for its only grain.
+  // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain (for a
+  // plane: on the only grain).
   std::uint32_t first[size], second[size], load_second[size];
   /// Cell offset of the second grain, as an index into Contacts::images.
   std::uint16_t image[size];

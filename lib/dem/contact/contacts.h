@@ -1,13 +1,12 @@
 // Candidate pairs and the contacts among them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pairs lie in blocks of eight: data that a lane of the sweep reads and writes lie side by side. A pair whose grains do
-// not touch holds zeros.
+// Pairs lie in blocks of eight. A pair whose grains do not touch holds zeros.
 //
 // Grains are cut into chunks by their index, and a pair belongs to the chunk of its first grain. Within a chunk, pairs
 // of one pair of materials follow one another, sorted by (first, second, image). Each chunk, and each pair of
-// materials, begins a new block, so that one set of law parameters serves a block. Hence the sums over a chunk, and
-// their order, do not depend on pairs that do not touch, on the width of a register, or on the number of threads.
+// materials, begins a new block, so that one set of law parameters serves a block. Hence the sums over a chunk do not
+// depend on pairs that do not touch, on the width of a register, or on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +25,11 @@ struct Contacts {
   std::vector<LargeVector<ContactBlock>> chunks;
   /// Pairs of grains and planes.
   PlaneContacts planes;
-  // Cell offsets that occur. Zero is first, the others are sorted, and the last is so large that no pair touches across
-  // it.
+  // Cell offsets that occur: zero, then the others sorted. No pair touches across the last.
   std::vector<CellOffset> images;
-  // Loads of single pairs: from pairs with grains of other chunks, and from planes. Pairs within a chunk add to the
-  // grain's own load instead. They follow the loads of the grains in Bodies::loads, in the order of the blocks, planes
-  // last. Grain b has single_loads[single_loads_start[b]] up to single_loads[single_loads_start[b + 1]], in the order
-  // of its pairs, planes last.
+  // Loads of pairs with grains of other chunks, and with planes. They follow the loads of the grains in Bodies::loads,
+  // in the order of the blocks, planes last. Grain b has single_loads[single_loads_start[b]] up to
+  // single_loads[single_loads_start[b + 1]], in the order of its pairs, planes last.
   struct SingleLoad {
     /// Index into Bodies::loads.
     std::uint32_t load;
@@ -41,8 +38,8 @@ struct Contacts {
   };
   std::vector<SingleLoad> single_loads;
   std::vector<std::uint32_t> single_loads_start;
-  // Fields of history that only the law keeps, and their numbers by chunk: for each block an array of eight for each
-  // number, one after the other (sweep/own_history.h). Empty for laws without such fields.
+  // Fields of history that only the law keeps, and their numbers by chunk (sweep/own_history.h): for each block an
+  // array of eight for each number. Empty for laws without such fields.
   std::span<const HistoryField> own_fields;
   std::vector<std::vector<double>> own;
   /// Number of threads that share the chunks.

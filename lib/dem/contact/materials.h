@@ -1,8 +1,7 @@
 // Materials of one contact law, without its type: what stages, plates, the generator and doubts read and change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the sweep over contacts needs the type of a law, and gets it back by of(). So a new law is compiled into the
-// sweep and into the list of laws, and nothing else is compiled again.
+// Only the sweep over contacts needs the type of a law, and gets it back by of(). A new law recompiles nothing else.
 #pragma once
 
 #include <memory>
@@ -53,8 +52,8 @@ class Materials {
   /// Changes the common part of material k, its modulus excepted.
   void set(std::size_t k, const CommonMaterial& m) { held_->set(k, m); }
 
-  /// Returns whether they are materials of this type, that is, of the law of its name. The name decides, not the type:
-  /// objects for eight lanes have type information of their own (Makefile).
+  /// Returns whether they are materials of this law. Its name decides, because objects for eight lanes have type
+  /// information of their own (Makefile).
   template <class Material>
   bool are() const {
     return law() == Material::Law::name;

@@ -36,8 +36,7 @@ struct Tolerances {
 struct ServoRule {
   /// stiffness: for all new work. inertia: to repeat the thesis's runs.
   enum class Kind {
-    // Proportional-integral and critically damped. Gains follow the stiffness of the contact network, so that the
-    // response takes as many steps for any number of grains, stiffness and pressure.
+    // Proportional-integral and critically damped. Gains follow the stiffness of the contact network.
     stiffness,
     // The strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2, as in the thesis's
     // runs), damped like a grain. It oscillates, and it slows down as the packing grows. Use it to repeat those runs.

@@ -8,8 +8,7 @@
 // more damping. Under a drag, the slowest swing of the whole rules (swing.h), and its kinetic energy is last to fall.
 // Between plates without a drag, waves are reflected by soft ends, and the wait grows with the number of grains across.
 //
-// The numbers in rest.cpp are measured on the studies' runs. Waits of one kind of run differ by a factor of two from
-// bag to bag, so that the forecast tells a range.
+// The numbers in rest.cpp are measured on the studies' runs. Waits differ by a factor of two from bag to bag.
 #pragma once
 
 #include "dem/engine/simulation.h"

@@ -13,8 +13,7 @@
 
 namespace soilweave::dem {
 
-/// One grain in two cache lines. In the plane the spin is the third component of the velocity, so that everything that
-/// moves a disk lies in the first line.
+/// One grain in two cache lines. In the plane the spin is the third component of the velocity.
 struct alignas(64) Grain {
   /// Position x, y, z, m; radius, m.
   Lane4 position;
@@ -49,14 +48,12 @@ struct Bodies {
   /// Grains, in the order of files.
   LargeVector<Grain> grains;
   LargeVector<double> angle;  // rotation of disks about the normal of their plane, rad
-  // Loads, first one per grain: after Motion::collect the resultant without gravity, which Motion::advance consumes.
-  // During a sweep, loads of single pairs follow (Contacts::single_loads).
+  // One load per grain: the resultant without gravity, from Motion::collect to Motion::advance. During a sweep, loads
+  // of single pairs follow (Contacts::single_loads).
   LargeVector<Load> loads;
-  // Resistance of the contacts to motion, laid out like the loads (ContactSweep). Zero except while a step evaluates
-  // it.
+  // Stiffness of the contacts, laid out like the loads. Zero except while a step evaluates it.
   LargeVector<Load> stiffness;
-  // 1 / (skin distance of the grain)², 1/m2. A grain that moves farther than its skin distance forces a new neighbour
-  // list.
+  // 1 / (skin distance of the grain)², 1/m2.
   LargeVector<double> per_leeway2;
   /// Material of each grain.
   std::vector<std::int32_t> material;
@@ -97,8 +94,7 @@ struct Bodies {
 
   /// Returns whether a grain is a node of a geotextile.
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
-  /// Returns whether two nodes belong to one fabric: yarns hold these together, so they touch only across a periodic
-  /// face.
+  /// Returns whether two nodes belong to one fabric. These touch only across a periodic face.
   bool in_one_fabric(std::size_t i, std::size_t j) const { return is_node(i) && fabric[i] == fabric[j]; }
   /// Makes grains the nodes of fabrics, which do not rotate.
   void set_fabric(std::vector<std::int32_t> fabric_of);

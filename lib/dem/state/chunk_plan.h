@@ -8,13 +8,11 @@
 
 namespace soilweave::dem {
 
-/// Order of a step's passes. A step moves the grains, sweeps their pairs, and collects the loads of the grains. Three
-/// passes one after the other would fetch every grain three times from a memory slower than the arithmetic. So a thread
-/// moves, sweeps and collects chunk by chunk, while a chunk lies in its cache. A chunk is swept once all chunks that
-/// its pairs reach have moved. Its loads are collected right after, since pairs belong to the chunk of their first,
-/// lower grain. Each thread has a contiguous share of chunks with equal work. The last chunks of each share are swept
-/// by the first thread that is free. These, and chunks that pairs of another share reach, are moved before all sweeps
-/// and collected after them.
+/// Order of a step's passes: move the grains, sweep their pairs, collect their loads. A thread does all three chunk by
+/// chunk, while a chunk lies in its cache. A chunk is swept once all chunks that its pairs reach have moved. Its loads
+/// are collected right after, since pairs belong to the chunk of their lower grain. Each thread has a contiguous share
+/// of equal work. The last chunks of each share are swept by the first thread that is free. These, and chunks that
+/// pairs of another share reach, are moved before all sweeps and collected after them.
 class ChunkPlan {
  public:
   ChunkPlan() = default;

@@ -1,9 +1,8 @@
 // Vectors and rotations in space, and in the plane of disks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In the plane a vector has two components and a rotation one. The same formulas serve both (core/simd/v2.h,
-// core/simd/v3.h). A shear force is a vector normal to the contact normal. In the plane only one such direction exists,
-// the normal rotated by a right angle, and the shear force is a number along it.
+// In the plane a vector has two components and a rotation one (core/simd/v2.h, core/simd/v3.h). A shear force is normal
+// to the contact normal. In the plane it is a number along the normal rotated by a right angle.
 #pragma once
 
 #include "core/simd/v2.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Testing all pairs of N grains would cost N^2. So pairs are listed, and the list is used until it may be incomplete.
-// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it. Contacts keep
-// their history when lists change.
+// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it.
 //
 // Each grain has a skin distance, its leeway: how far it may move relative to the cell before pairs are listed anew. A
 // pair is listed if it may close within both skins and that of the cell. In a sheared packing only few grains are fast,
@@ -26,9 +25,8 @@ class Neighbours {
   /// Skins are fractions of the largest radius, m. range: the gap across which bodies act on each other, m.
   explicit Neighbours(double largest_radius, double range = 0);
 
-  /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have truly moved
-  /// since the list was made. Returns true if the list is no longer safe. skin_rate: largest speed over skin of a grain
-  /// in the step, 1/s (Motion). fastest_plane: m/s.
+  /// Adds up how much of the skins a step has used; when that may be all, measures how far the grains have moved.
+  /// Returns true if the list is no longer safe. skin_rate: MotionSums::skin_rate, 1/s. fastest_plane: m/s.
   bool outdated(const Bodies& bodies, double skin_rate, double fastest_plane, const Mat3& velocity_gradient, double dt);
   /// Returns whether the list surely outlasts one more step without planes, if no grain gains more speed than `gain`,
   /// m/s.
