@@ -1,5 +1,4 @@
-// Named numbers that a program needs to go on later. One list of items serves to keep them and to give them back, so
-// that the two cannot drift apart.
+// Named numbers that a program needs to go on later. One list of items serves to keep them and to give them back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

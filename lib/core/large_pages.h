@@ -1,5 +1,4 @@
-// Memory on pages of 2 MiB, if the kernel grants them, for arrays that every step traverses. Fewer pages mean fewer
-// misses in the processor's table of addresses.
+// Memory on pages of 2 MiB, if the kernel grants them, for arrays that every step traverses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -12,8 +12,7 @@ double memory_at_hand();
 /// Returns the most bytes of memory that this process has used so far.
 double peak_memory();
 
-/// Returns "take about 20 TB of memory, and 24 GB are at hand" if `bytes` exceeds the memory at hand; otherwise an
-/// empty text.
+/// Returns "take about 20 TB of memory, and 24 GB are at hand", or an empty text if `bytes` are at hand.
 std::string lack_of_memory(double bytes);
 
 /// Throws DataError "WHAT take about ...: REMEDY" if `bytes` exceeds the memory at hand.

@@ -1,5 +1,4 @@
-// Library headers that most sources include. They are parsed once per build tree (see the Makefile) instead of once per
-// source. Every source still includes what it uses.
+// Library headers that most sources include, parsed once per build tree. Every source still includes what it uses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -12,9 +12,8 @@
 
 namespace soilweave {
 
-/// Four contacts at once, the width of x86-64-v3; other processors take two registers. Lanes and scalars need
-/// -ffp-contract=off for equal bits, since the compiler may otherwise fuse a multiplication with an addition in only
-/// one of them.
+/// Four contacts at once, the width of x86-64-v3; other processors take two registers. Equal bits of lanes and scalars
+/// need -ffp-contract=off.
 using Lane4 = double __attribute__((vector_size(32)));
 
 template <class T>

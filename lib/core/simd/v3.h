@@ -7,8 +7,7 @@
 
 namespace soilweave {
 
-/// Numbers are copied one by one: the compiler then keeps them in registers, where a copy of the whole would go through
-/// memory.
+/// Numbers are copied one by one, because the compiler then keeps them in registers.
 template <class T>
 struct V3 {
   T x, y, z;

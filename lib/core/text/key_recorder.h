@@ -14,9 +14,9 @@
 
 namespace soilweave {
 
-/// Notes the keys of a reader over many readings. In a reading, each question that has several answers is a decision.
-/// The script of the reading fixes the first decisions; the later ones take their first answer. An answer not yet tried
-/// is put on the list of scripts, once for each set of choices under which the question is asked.
+/// Notes the keys of a reader over many readings. A question with several answers is a decision. The script of a
+/// reading fixes the first decisions; later ones take their first answer. Each answer not yet tried becomes a script,
+/// once for each set of choices under which the question is asked.
 class KeyRecorder {
  public:
   /// others: whether numbers without a default get other values than usual. A default that then changes follows from
@@ -68,7 +68,7 @@ class KeyRecorder {
   bool others_;
   /// Scripts not yet tried.
   std::deque<Script> scripts_{Script{}};
-  /// Answers tried already.
+  /// Pairs of question and answer on the list already.
   std::set<std::string> tried_;
   Script script_, taken_;
   /// Choices of the present reading.

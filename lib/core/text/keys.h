@@ -1,10 +1,9 @@
 // Every key that a reader of TOML asks for, as data: name, type, unit, range, default, sentence, and when it counts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A reader describes each key where it reads it: settings.number(parameter, default). So no second list is kept.
-// keys_of() lets the reader read a document that notes every question and answers it. A question may decide what is
-// asked next: whether a key is there, which word a choice has. The reader runs again for each other answer, so that all
-// branches are seen. The list holds what the reader asks for, neither more nor less:
+// A reader describes each key where it reads it: settings.number(parameter, default). keys_of() lets the reader read a
+// document that notes every question and answers it. Some answers decide what is asked next. The reader runs again for
+// each other answer, so that all branches are seen:
 //
 //   const std::vector<Key> keys = keys_of([](Settings& document) { dem::read(document); });
 //   print: "[[stage]]  pressure  Pa, above 0  mean stress  (path = isotropic)"

@@ -23,8 +23,7 @@ std::string number_text(double value);
 /// Returns a duration in seconds, minutes, hours or days, with two or three figures: "45 s", "3.5 min", "12.4 h".
 std::string time_text(double seconds);
 
-/// Round a positive number to two significant digits, up or down. A value named as a remedy then lies on the safe side
-/// of its limit.
+/// Round a positive number to two significant digits, up or down, for values that remedies name.
 double rounded_up(double value);
 double rounded_down(double value);
 

@@ -66,8 +66,7 @@ struct Scene {
   const Planes& planes;
 };
 
-/// Further work of a step on the grains of a chunk. The thread that sweeps their pairs does it while they lie in its
-/// cache (ChunkPlan). Called once per chunk, by several threads.
+/// Further work of a step on the grains of a chunk (ChunkPlan). Called once per chunk, by several threads.
 class AroundChunk {
  public:
   virtual ~AroundChunk() = default;

@@ -31,9 +31,8 @@ class Neighbours {
   /// Returns whether the list surely outlasts one more step without planes, if no grain gains more speed than `gain`,
   /// m/s.
   bool outlast(double gain, const Mat3& velocity_gradient, double dt) const;
-  /// Lists all pairs of grains, and of grains and planes, that may touch within their skins. Skins are set anew from
-  /// the present speeds and from the last call of outdated(). Contacts keep the history of their pairs. Leaves the
-  /// loads zero.
+  /// Lists all pairs of grains, and of grains and planes, that may touch within their skins. Skins follow the present
+  /// speeds and the last call of outdated(). Contacts keep their history. Leaves the loads zero.
   void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:

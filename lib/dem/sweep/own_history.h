@@ -1,9 +1,8 @@
 // Reads and writes the fields of history that only one law keeps, in the lanes of a block of pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// They lie beside the blocks, so that laws without them move no further memory: for each block an array of eight for
-// each number, one after the other. A vector takes three arrays. In the plane it is a number along the contact, which
-// lies in the third (space.h).
+// They lie beside the blocks: for each block an array of eight for each number. A vector takes three arrays. In the
+// plane it is a number along the contact, which lies in the third (space.h).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// Collects the rows of the grains of pairs. One pair after the other takes all it needs at once, because otherwise more
-// addresses are alive than the processor has registers.
+// Collects the rows of the grains of pairs, one pair after the other, so that addresses stay in registers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -46,8 +45,7 @@ PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, co
   return {{d.a, d.b, d.c}, {v.a, v.b, v.c}, {w1.a, w1.b, w1.c}, {w2.a, w2.b, w2.c}, w1.d, w2.d};
 }
 
-/// Reads pairs of disks, which have two rows each. Positions and offsets come first, so that roots and divisions begin
-/// while velocities are read.
+/// Reads pairs of disks, which have two rows each. Positions come first, so that roots begin while velocities are read.
 template <class T, bool moving, class Shift>
 PairRows<T, Planar> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Planar) {
   constexpr int quarter = 4;

@@ -22,8 +22,7 @@ struct StepBound {
   /// Translation: sqrt(2 m/(4 k_n)) at the reference overlap. The four allows for several contacts at once, and for a
   /// stiffness that grows before it is evaluated again.
   double translation;
-  /// Rolling and twisting: sqrt(2 I/k_r), the limit of two equal grains that rotate against each other. The stiffness
-  /// of a moment may be constant from the first touch on, and large beside that of so small an overlap.
+  /// Rolling and twisting: sqrt(2 I/k_r), the limit of two equal grains that rotate against each other.
   double rotation;
 };
 

@@ -80,8 +80,7 @@ using Batch = std::span<Group<Lanes, Space>>;
 inline void add(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) + part)); }
 inline void take(double* row, const Lane4& part) { store(row, Lane4(load<Lane4>(row) - part)); }
 
-/// Adds the forces of pairs across the cell's faces to the sums by image. Only these, because each addition waits until
-/// the one before it is stored.
+/// Adds the forces of pairs across the cell's faces to the sums by image.
 template <class Lanes>
 void add_across(const V3<Lanes>& force, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   unsigned folded = lanes.folded();

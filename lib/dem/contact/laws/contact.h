@@ -99,8 +99,7 @@ SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffn
   const Quantity trial = fused_less(stiffness, increment, old);
   const T force2 = squared(trial), force = magnitude(trial);
   s.limited = force > limit;
-  // One division serves the scale of the force and the compliance; beside the root it is faster than after it. No
-  // branch: a wrong prediction costs more than both.
+  // One division serves the scale of the force and the compliance. A branch would cost more.
   const T inverse = 1.0 / maximum(T(force2 * stiffness), broadcast<T>(1e-300)), compliance = force2 * inverse;
   const T scale = select<T>(s.limited, limit * (force * stiffness * inverse), broadcast<T>(1)), half = 0.5 * compliance;
   s.force = scale * trial;

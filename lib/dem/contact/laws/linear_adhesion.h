@@ -3,9 +3,8 @@
 //
 // Two grains attract each other with the constant force 2 pi w R* while they overlap (Derjaguin, Muller & Toporov 1975:
 // the pull-off force of a small, stiff sphere), and across a gap with a force that falls linearly to zero at the range
-// (the reversible adhesion of Singh, Magnanimo, Saitoh & Luding 2014). The force depends on the distance alone, so
-// that a cycle of approach and separation costs no energy. Springs, friction, rolling and damping are those of
-// laws/linear.h, from the repulsive force alone: adhesion presses the surfaces together, so it raises friction.
+// (the reversible adhesion of Singh, Magnanimo, Saitoh & Luding 2014). A cycle of approach and separation costs no
+// energy. Springs, friction, rolling and damping are those of laws/linear.h, from the repulsive force alone.
 #pragma once
 
 #include <array>

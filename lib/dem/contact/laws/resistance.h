@@ -24,8 +24,7 @@ struct Resistance {
   Arm arm = Arm::mean_radius;
 };
 
-/// Resistance of two materials in contact. Each side keeps its own limit, since the linear law caps at min(eta1 r1,
-/// eta2 r2) (LAWS.md §3).
+/// Resistance of two materials in contact. Each side keeps its own limit (LAWS.md §3).
 struct PairResistance {
   double stiffness = 0;
   Resistance::Scale scale = Resistance::Scale::absolute;
@@ -75,7 +74,7 @@ T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const
 }
 
 /// Applies rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness the moment is zero,
-/// even if the initial state has one, which would otherwise rotate the grains for ever at no cost of energy.
+/// even if the initial state has one.
 template <class T, class Quantity, class Space>
 SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T, Space>& k, const Quantity& old,
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {
