@@ -5,6 +5,7 @@
 
 namespace soilweave {
 
+/// Eight numbers in one register.
 using Lane8 = double __attribute__((vector_size(64)));
 
 inline Lane4 low(const Lane8& x) { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }

@@ -59,6 +59,7 @@ class KeyRecorder {
     /// Number of earlier readings that made a choice.
     std::map<std::string, std::size_t> times;
   };
+  /// Answers to the first decisions of a reading.
   using Script = std::vector<std::size_t>;
 
   std::string choices_for(std::string_view table) const;

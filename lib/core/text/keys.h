@@ -22,15 +22,19 @@ class Settings;
 
 /// One key of a TOML document.
 struct Key {
+  /// Type of the value.
   enum class Type { number, integer, numbers, vector, text, choice, flag };
   std::string
       table;  // dotted path of its table, with [] after arrays of tables: "stage[]", "contact.rolling"; root: ""
+  /// Name of the key.
   std::string name;
+  /// Type of its value.
   Type type = Type::number;
   std::string unit = {}, sentence = {}, why = {};
   /// Bounds of a number, in its unit.
   double low = 0, high = 0;
-  bool open = false;  // true: the bounds themselves are excluded
+  /// Whether the bounds themselves are excluded.
+  bool open = false;
   /// Values of a choice; of another type: words that stand for no value.
   std::vector<std::string> words = {};
   std::optional<std::string> standard =

@@ -20,8 +20,10 @@ class KeyRecorder;
 
 /// Description of a key whose value is a text, a choice or a flag.
 struct Word {
-  std::string_view name;           // the key
-  std::string_view sentence = "";  // meaning, as one sentence without a full stop
+  /// Name of the key.
+  std::string_view name;
+  /// Meaning, as one sentence without a full stop.
+  std::string_view sentence = "";
 
   constexpr Word(std::string_view key, std::string_view meaning) : name(key), sentence(meaning) {}
   /// A key that another reader has described.

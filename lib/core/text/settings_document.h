@@ -25,6 +25,7 @@ struct Settings::Document {
     std::string key, text;
     bool operator<(const Mistake& other) const { return line < other.line; }
   };
+  /// Name of the document, for messages.
   std::string name;
   toml::table root;
   /// Targets of handles to absent tables.

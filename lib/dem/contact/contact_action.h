@@ -11,7 +11,8 @@ namespace soilweave::dem {
 /// Force and torques of a contact.
 template <class T, class Space = Spatial>
 struct Action {
-  Vector<T, Space> force;                      // N, on the second body
+  /// Force on the second body, N.
+  Vector<T, Space> force;
   Turn<T, Space> torque_first, torque_second;  // N m; the first acts the other way round
 };
 

@@ -65,7 +65,9 @@ class MaterialPairs {
     return static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b);
   }
 
+  /// Number of materials.
   std::size_t count_;
+  /// All pairs of materials, mixed.
   std::vector<typename Law::MaterialPair> all_;
 };
 

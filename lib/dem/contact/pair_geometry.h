@@ -12,16 +12,20 @@ namespace soilweave::dem {
 /// Input of contact law and sums for a pair. If the bodies do not touch, overlap and all increments are zero.
 template <class T, class Space = Spatial>
 struct PairGeometry {
+  /// Motion as the law sees it.
   Kinematics<T, Space> kinematics;
-  Along<T, Space> surface_slip;  // m, contact_kinematics.h
+  /// Slip of the surfaces, m (contact_kinematics.h).
+  Along<T, Space> surface_slip;
   // Gibbs vector of the rotation of the history (transport.h). In the plane the history along a contact needs none.
   Turn<T, Space> turn;
+  /// Whether the pair touches.
   Mask<T> touching;
 };
 
 /// Velocity that the deforming cell adds to a pair: the affine closing over the step, at the branch before the cell
 /// moved, to first order in the step: (L - dt L^2) d.
 struct AffineMotion {
+  /// Gradient L - dt L^2 of the cell, 1/s.
   Mat3 gradient;
   bool deforming, diagonal;
 
@@ -49,6 +53,7 @@ struct AffineMotion {
 /// Relative position of two grains.
 template <class T, class Space>
 struct RelativePosition {
+  /// Unit vector from body 1 to body 2.
   Vector<T, Space> normal;
   T overlap, R_star, per_reach, inverse_distance;
   Mask<T> touching;

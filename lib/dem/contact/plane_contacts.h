@@ -11,12 +11,15 @@ namespace soilweave::dem {
 
 /// A grain and a plane closer than the skin, with their history.
 struct PlanePair {
+  /// Indices of grain and plane.
   std::int32_t grain, plane;
+  /// History of the pair.
   PairHistory history = {};
 };
 
 /// Pairs of one plane with grains of one material. They have no second grains, and each pair has a load of its own.
 struct PlaneBlock {
+  /// Pairs of the block.
   ContactBlock pairs;
   std::int32_t plane;
 };
@@ -43,8 +46,10 @@ class PlaneContacts {
   void set_loads(std::size_t first);
 
  private:
+  /// Blocks of one plane and one material each.
   LargeVector<PlaneBlock> blocks_;
   std::size_t own_arrays_ = 0;
+  /// Numbers that only the law keeps, block by block.
   std::vector<double> own_;
 };
 

@@ -111,7 +111,9 @@ class ContactSweep {
 /// Makes the sweep for the law and materials of a model: eight contacts at a time if the processor has AVX-512, else
 /// four. The bits are equal.
 std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model);
+/// Makes a sweep of four contacts at a time.
 std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model);
+/// Makes a sweep of eight contacts at a time.
 std::unique_ptr<ContactSweep> make_contact_sweep_of_eight(const Model& model);
 
 }  // namespace soilweave::dem

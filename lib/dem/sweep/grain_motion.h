@@ -11,7 +11,8 @@ namespace soilweave::dem {
 /// Input of a step that all grains share.
 struct Push {
   double damping, dt, gyration;
-  std::array<std::array<double, 8>, 3> gravity;  // m/s2, along each axis, repeated for the grains of a register
+  /// Gravity along each axis, m/s2, repeated for the grains of a register.
+  std::array<std::array<double, 8>, 3> gravity;
   /// Velocity gradient of the cell, 1/s.
   Mat3 gradient;
   bool heavy, deforming;
@@ -45,6 +46,7 @@ using MoveGrains = void (*)(const Push& push, MovedGrains of, std::size_t begin,
 /// The loops of one width: for spheres, for disks, and the number of grains that they take at a time.
 struct GrainMotion {
   MoveGrains in_space, in_plane;
+  /// Number of grains moved at once.
   std::size_t at_once;
 };
 

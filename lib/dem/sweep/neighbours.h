@@ -54,9 +54,12 @@ class Neighbours {
     Mat3 velocity_gradient = Mat3::Zero();
   };
 
+  /// Sets the skin distance of each grain from its speed.
   void set_leeways(const Bodies& bodies);
   bool fit_outer_list(const Bodies& bodies);
+  /// Makes the swept list from the outer one.
   void filter(const Bodies& bodies, const Cell& cell);
+  /// Returns whether a pair may touch within the skins.
   bool is_near(const Pair& pair, const Bodies& bodies, const Cell& cell) const;
   std::vector<PlanePair> near_planes(const Bodies& bodies, const Planes& planes) const;
   void begin_list(Bodies& bodies);
@@ -64,6 +67,7 @@ class Neighbours {
   double longest() const { return 2 * radius_ + outer_skin_ + range_; }
 
   double radius_, outer_skin_, range_;  // m
+  /// The last counted step.
   Pace pace_;
   /// Skin distance of each grain, m.
   std::vector<double> leeway_;
@@ -73,6 +77,7 @@ class Neighbours {
   double skin_rate_ = 0, used_skin_ = 0;  // 1/s; largest used share of a skin, so far
   double planes_moved_ = 0, extent_ = 0;  // m; largest distance of a grain from the origin
   bool planes_ = false;
+  /// Number of threads.
   int threads_ = 1;
   Since filtered_, searched_;
   /// Outer list and swept list, sorted.

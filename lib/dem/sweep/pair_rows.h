@@ -13,7 +13,9 @@ namespace soilweave::dem {
 
 /// The grains on one side of the pairs, by byte offsets.
 struct Side {
+  /// First grain.
   const std::byte* grains;
+  /// Byte offsets of the grains.
   const std::uint32_t* distance;
   const Grain& operator[](int k) const { return *reinterpret_cast<const Grain*>(grains + distance[k]); }
 };
@@ -23,6 +25,7 @@ template <class T, class Space>
 struct PairRows {
   Vector<T, Space> branch, velocity;
   Turn<T, Space> spin_1, spin_2;
+  /// Radii, m.
   T radius_1, radius_2;
 };
 

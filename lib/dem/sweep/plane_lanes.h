@@ -47,9 +47,11 @@ class PlaneLanes {
         bodies_(scene.bodies),
         places_(of_grains(&Grain::position)) {}
 
+  /// Lanes of the block.
   BlockLanes<T> pairs;
   /// First of the law's own arrays of the block, from lane k on (own_history.h).
   double* own;
+  /// The plane.
   const Plane& plane;
 
   std::int32_t material_of_grains() const {

@@ -22,7 +22,8 @@ struct StepSums {
   Lane4 work{};  // contact_work.h
   /// Largest overlap, per lane.
   Lanes overlap{};
-  Lane4 affine_stiffness{};  // if requested
+  /// Affine stiffness, if requested, N m.
+  Lane4 affine_stiffness{};
   std::int64_t contacts = 0;
 
   void put_into(SweepSums& s) const {
@@ -35,10 +36,12 @@ struct StepSums {
 
 /// Input of a sweep beside the pairs.
 struct Surroundings {
+  /// Grains.
   const Bodies& bodies;
   /// Vectors of Contacts::images, m.
   const std::vector<Lane4>& shifts;
   AffineMotion affine;
+  /// Time step, s.
   double dt;
   /// Whether all pairs and grains stay in the cache from step to step.
   bool in_cache;

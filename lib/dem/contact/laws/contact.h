@@ -13,14 +13,18 @@ namespace soilweave::dem {
 /// History of one contact, already carried to the present normal.
 template <class T, class Space = Spatial>
 struct ContactHistory {
-  Along<T, Space> shear;   // N
-  Turn<T, Space> rolling;  // N m, normal to the contact normal
-  T twisting;              // N m, about the contact normal
+  /// Shear force, N.
+  Along<T, Space> shear;
+  /// Rolling moment, normal to the contact normal, N m.
+  Turn<T, Space> rolling;
+  /// Twisting moment, about the contact normal, N m.
+  T twisting;
 };
 
 /// A field of history that only one law keeps, as files, checkpoints and pages show it.
 struct HistoryField {
   enum class Kind { scalar, along };  // a number, or a vector along the contact that turns with it
+  /// Name in files, unit, and description.
   std::string_view name, unit, sentence;
   Kind kind = Kind::scalar;
 
@@ -31,16 +35,20 @@ struct HistoryField {
 /// History of one contact under a law with fields of its own.
 template <class T, class Space, class Own>
 struct HistoryWithOwn : ContactHistory<T, Space> {
+  /// Fields that only the law keeps.
   Own own;
 };
 
 /// Response of a law. Shear force and moments are in ContactHistory after the call.
 template <class T>
 struct Response {
-  T normal_force;                           // N, compression positive, viscous part included
-  T normal_stiffness, shear_stiffness;      // N/m, tangents, for the time step
-  T rolling_stiffness, twisting_stiffness;  // N m/rad
-  T pressing;                               // N, force between the surfaces that limits friction and rolling
+  /// Normal force, N, compression positive, viscous part included.
+  T normal_force;
+  /// Tangent stiffnesses for the time step, N/m.
+  T normal_stiffness, shear_stiffness;
+  /// Stiffnesses of the moments, N m/rad.
+  T rolling_stiffness, twisting_stiffness;
+  T pressing;  // N, force between the surfaces that limits friction and rolling
   /// Whether the Coulomb limit holds the shear force.
   Mask<T> sliding;
 };
@@ -48,7 +56,9 @@ struct Response {
 /// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.
 template <class T>
 struct ContactEnergies {
+  /// Energy by spring, J.
   T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
+  /// Energy lost in the step, J.
   T frictional, rolling_plastic, viscous;
 };
 
@@ -60,8 +70,11 @@ using soilweave::select;
 /// removes.
 template <class T, class Quantity>
 struct SpringStep {
+  /// Force or moment after the step.
   Quantity force;
+  /// Energy that the spring holds, and that the cut removes.
   T stored, dissipated;
+  /// Whether the limit cut the force.
   Mask<T> limited;
 };
 

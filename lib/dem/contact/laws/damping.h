@@ -40,7 +40,8 @@ inline double damping_ratio(double e, bool attraction) {
 
 /// Dashpot of a pair of materials. Unset restitution loses nothing; the smaller of two counts.
 struct Damping {
-  double ratio = 0;  // beta
+  /// Damping ratio beta, 1.
+  double ratio = 0;
   /// Whether the dashpot may pull while the bodies part.
   bool attraction = false;
 

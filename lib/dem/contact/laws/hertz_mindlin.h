@@ -19,6 +19,7 @@ namespace soilweave::dem {
 
 /// The law. Its members are those that laws.h demands.
 struct HertzMindlin {
+  /// Name in scenarios.
   static constexpr std::string_view name = "hertz-mindlin";
 
   /// Materials of two sands, as a scenario writes them; the property tests take them.
@@ -89,7 +90,9 @@ struct HertzMindlin {
 
   /// Returns the modulus that scales the contacts' stiffness, Pa.
   static double modulus(const Material& m) { return m.young_modulus; }
+  /// Returns whether the response needs the masses.
   static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
+  /// Returns whether contacts can have moments.
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2, whose kn is the

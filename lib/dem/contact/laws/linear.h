@@ -16,6 +16,7 @@ namespace soilweave::dem {
 
 /// The law. Its members are those that laws.h demands.
 struct Linear {
+  /// Name in scenarios.
   static constexpr std::string_view name = "linear";
 
   /// Materials of two sands, as a scenario writes them; the property tests take them.
@@ -87,7 +88,9 @@ struct Linear {
 
   /// Returns the modulus that scales the contacts' stiffness, Pa.
   static double modulus(const Material& m) { return m.young_modulus; }
+  /// Returns whether the response needs the masses.
   static bool uses_masses(const MaterialPair& c) { return c.damping.ratio > 0; }
+  /// Returns whether contacts can have moments.
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response of two springs in series (LAWS.md §3): kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn =

@@ -18,6 +18,7 @@ namespace soilweave::dem {
 
 /// The law. Its members are those that laws.h demands.
 struct LinearAdhesion {
+  /// Name in scenarios.
   static constexpr std::string_view name = "linear-adhesion";
 
   /// Materials of two moist sands, as a scenario writes them; the property tests take them.
@@ -65,7 +66,9 @@ struct LinearAdhesion {
   }
 
   static double modulus(const Material& m) { return m.young_modulus; }
+  /// Returns whether the response needs the masses.
   static bool uses_masses(const MaterialPair& c) { return Linear::uses_masses(c); }
+  /// Returns whether contacts can have moments.
   static bool uses_moments(const MaterialPair& c) { return Linear::uses_moments(c); }
   /// Returns the gap across which two grains still attract each other, m.
   static double range(const MaterialPair& c) { return c.range; }

@@ -17,6 +17,7 @@ struct Tangential {
   double mu;
   PairResistance rolling, twisting;
 
+  /// Returns whether contacts can have moments.
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
 
   /// Removes shear force and the moments scaled by it, if there is no shear stiffness.
