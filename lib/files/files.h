@@ -15,7 +15,8 @@ namespace soilweave::io {
 /// A packing: one state, at rest or nearly so.
 struct PackingFile {
   Snapshot state;
-  Source source;  // the file it was read from
+  /// The file it was read from.
+  Source source;
 };
 
 /// Work of a run in counts. Equal runs have equal counts, so seconds are not among them.
@@ -51,17 +52,19 @@ struct FieldsFile {
 
 /// An ensemble: parameter sets drawn from a prior, one per row. After assimilation it also holds weights and results.
 struct EnsembleFile {
-  Series members;     // id, parameters, log_importance; after assimilation also weight
-  std::string prior;  // TOML
+  Series members;  // id, parameters, log_importance; after assimilation also weight
+  /// The prior as TOML.
+  std::string prior;
   std::vector<FieldsFile::Group> groups;
   Source source;
 };
 
-/// A two-scale run: a series, and tables of the mesh, nodes, points and bars over all recorded times. `frames` holds
-/// the grains of points that were recorded whole, one per time and point, in the order of the table "recorded".
+/// A two-scale run over all recorded times.
 struct MultiscaleFile {
+  /// Tables of the mesh, nodes, points and bars.
   std::vector<FieldsFile::Group> groups;
   Series series;
+  /// Grains of points that were recorded whole, one per time and point, in the order of the table "recorded".
   std::vector<Snapshot> frames;
   std::string scenario;  // resolved TOML
   Work work;             // sum over all grains
@@ -79,22 +82,29 @@ struct SeriesFile {
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
 /// Returns the size of the file that write_packing() would write, bytes.
 std::size_t packing_bytes(const Snapshot& state);
+/// Writes a run: its states, series and scenario.
 void write_run(const std::filesystem::path& path, const RunFile& run, const History& history);
+/// Writes a two-scale run.
 void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history);
+/// Writes the tables of an analysis tool.
 void write_fields(const std::filesystem::path& path, const FieldsFile& fields, const History& history);
+/// Writes an ensemble, assimilated or not.
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
 
-/// Read each kind of file. Throw DataError for an unknown kind, a newer major version, a truncated file, NaN, or arrays
-/// whose lengths disagree; also MissingInput, IoError. `role` names the input in provenance.
+/// Read each kind of file. Throw DataError for a wrong kind, a newer major version or damaged data;
+/// MissingInput, IoError. `role` names the input in provenance.
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
+/// Reads a two-scale run.
 MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");
+/// Reads an ensemble.
 EnsembleFile read_ensemble(const std::filesystem::path& path, std::string role = "ensemble");
+/// Reads the series of a run or a fields file.
 SeriesFile read_run_series(const std::filesystem::path& path, std::string role = "run");
+/// Reads a plain text whole.
 TextFile read_text(const std::filesystem::path& path, std::string role);
 
-/// Reads a state to start from: a packing, or the last snapshot of a run. The path OUTPUT.part is the folder of an
-/// unfinished run, of which the newest state is read (under_way.h). read_states, read_kind and read_history accept it
-/// too.
+/// Reads a state to start from: a packing, or the last snapshot of a run. OUTPUT.part gives the newest state of an
+/// unfinished run (under_way.h); read_states, read_kind and read_history accept it too.
 PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
 /// Reads all states in a file; a packing has one.
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");
@@ -102,11 +112,11 @@ RunFile read_states(const std::filesystem::path& path, std::string role = "state
 bool is_hdf5(const std::filesystem::path& path);
 /// Read only the kind of a file ("packing", "run", "fields", "ensemble", "multiscale"), or only its history.
 std::string read_kind(const std::filesystem::path& path);
+/// Reads only the history of a file.
 History read_history(const std::filesystem::path& path);
 
-/// Checks a state as every reader promises and every writer requires it: equal lengths, finite numbers, positive radii,
-/// grains smaller than half the cell along periodic axes, contacts between existing grains. Throws DataError naming
-/// `where`.
+/// Checks equal lengths, finite numbers, positive radii, grains smaller than half the cell along periodic axes, and
+/// contacts between existing grains. Throws DataError naming `where`.
 void check(const Snapshot& state, const std::string& where);
 
 }  // namespace soilweave::io

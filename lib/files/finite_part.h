@@ -6,8 +6,8 @@
 
 namespace soilweave::io {
 
-/// Returns the grains and contacts with finite numbers, so that readers accept them. Contacts of removed grains are
-/// removed. Quaternions are normalised. Axes along which the cell collapsed become aperiodic.
+/// Returns the grains with finite numbers, and their contacts. Quaternions are normalised. Axes along which the cell
+/// collapsed become aperiodic.
 Snapshot finite_part(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -16,14 +16,17 @@
 
 namespace soilweave::io {
 
-/// A checkpoint: the state, the rows of the series so far, and numbers that only the running program knows. In a
-/// two-scale run `state` has no grains, only the step that names the file. Its grains are in the numbers, and its
-/// records so far in `tables` and `frames`.
+/// A checkpoint. A two-scale run keeps its grains in `numbers`.
 struct Checkpoint {
+  /// The state; in a two-scale run only the step, which names the file.
   Snapshot state;
+  /// Rows of the series so far.
   Series series;
+  /// Numbers that only the running program knows.
   Archive::Numbers numbers;
+  /// Tables recorded so far in a two-scale run.
   std::vector<FieldsFile::Group> tables = {};
+  /// Grains recorded so far in a two-scale run.
   std::vector<Snapshot> frames = {};
 };
 
@@ -49,9 +52,8 @@ class Part {
     resume_or_anew  // go on from its last checkpoint; empty the folder of another run
   };
 
-  /// Makes the folder beside the output and locks it for this process. history: the output's; a checkpoint with another
-  /// history is of another run. Throws CannotCreate if another process has the folder or if work in it would be lost.
-  /// Throws AnotherRun, which names the difference.
+  /// Makes the folder beside the output and locks it for this process. Throws CannotCreate if another process has it or
+  /// work would be lost; AnotherRun if a checkpoint has another history.
   Part(const std::filesystem::path& output, History history, Entry entry);
   /// Leaves the folder; removes it if it is empty.
   ~Part();
@@ -69,13 +71,13 @@ class Part {
 
   /// Returns the newest file and its step; an empty path and -1 before the first.
   std::filesystem::path last() const;
+  /// Returns the step of the newest file; -1 before the first.
   std::int64_t last_step() const { return files_.empty() ? -1 : files_.back().step; }
   /// Returns whether the folder held another run, which is gone.
   bool replaced() const { return replaced_; }
   /// Returns the error with a line on what is kept and how to go on.
   Error explained(const Error& error) const;
-  /// Returns the error of a guard. The state at which it stopped is left beside the checkpoints for inspection, without
-  /// grains whose numbers are not finite.
+  /// Returns the error of a guard. Leaves `state` beside the checkpoints, without grains whose numbers are not finite.
   Error stopped(const Error& error, const Snapshot& state) const;
   /// Returns the error of a guard; leave(path) writes what is left for inspection.
   Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
@@ -91,14 +93,15 @@ class Part {
 
   std::filesystem::path folder_;
   History history_;
-  std::vector<PartFile> files_;  // files in order of steps
+  /// Files in order of steps.
+  std::vector<PartFile> files_;
   std::optional<Checkpoint> last_;
   bool replaced_ = false;
   int lock_ = -1;
 };
 
-/// Returns whether the output exists with this history. Throws CannotCreate if it has another history, unless an
-/// unfinished run beside it was allowed to overwrite it.
+/// Returns whether the output exists with this history. Throws CannotCreate if it has another, unless an unfinished run
+/// may overwrite it.
 bool finished(const std::filesystem::path& output, const History& history);
 
 /// Returns the folder of an output.

@@ -1,5 +1,5 @@
-// Provenance of a file: one record per tool run, with references to the records of its inputs. Only what can change the
-// result is kept: no clock, host, absolute path or thread count.
+// Provenance of a file: one record per tool run. Only what can change the result is kept: no clock, host, absolute path
+// or thread count.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -15,16 +15,22 @@ namespace soilweave::io {
 struct CellRecord {
   Mat3 matrix = Mat3::Identity();
   std::array<bool, 3> periodic = {true, true, true};
-  Mat3 velocity_gradient = Mat3::Zero();         // 1/s, extension positive
-  Mat3 deformation_gradient = Mat3::Identity();  // relative to the reference state of the strains
+  /// Velocity gradient L, 1/s, extension positive.
+  Mat3 velocity_gradient = Mat3::Zero();
+  /// Deformation gradient F, relative to the reference state of the strains.
+  Mat3 deformation_gradient = Mat3::Identity();
 };
 
 /// N grains; every array has N entries. In 2D (disks) z components are zero and masses are per metre of thickness.
 struct GrainsRecord {
+  /// 3: spheres; 2: disks.
   int dimension = 3;
+  /// Number that stays with the grain.
   std::vector<std::int64_t> body_id;
-  std::vector<Vec3> position;          // m, not wrapped: it continues through periodic faces
-  std::vector<Vec4> orientation;       // w x y z
+  /// Centres, m, not wrapped: they continue through periodic faces.
+  std::vector<Vec3> position;
+  /// Quaternions w x y z.
+  std::vector<Vec4> orientation;
   std::vector<Vec3> velocity;          // m/s, fluctuation about the cell's affine motion, half a step behind position
   std::vector<Vec3> angular_velocity;  // rad/s, half a step behind position
   std::vector<double> radius;          // m
@@ -46,6 +52,7 @@ struct OwnHistory {
 /// M contacts, sorted by (first, second). Grains are indices into GrainsRecord, first < second; a rigid plane is -1 -
 /// (its number) in `second`. The contact's history is complete, so that a run can continue bit by bit.
 struct ContactsRecord {
+  /// The two bodies of each contact.
   std::vector<std::array<std::int32_t, 2>> bodies;
   std::vector<Vec3i> image;             // cell offset added to the second grain's position
   std::vector<Vec3> normal;             // unit, from first to second
@@ -76,8 +83,7 @@ struct PlanesRecord {
       {};  // bodies that touch it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, for every plane
 };
 
-/// Yarns of woven geotextiles: springs between nodes, which are grains. A grain is a node if a yarn ends in it, broken
-/// or not.
+/// Yarns of woven geotextiles: springs between nodes. A grain is a node if a yarn ends in it, broken or not.
 struct YarnsRecord {
   std::vector<std::array<std::int32_t, 2>> nodes;  // indices into GrainsRecord
   std::vector<std::int32_t> fabric;                // nodes of one fabric do not touch each other
@@ -86,6 +92,7 @@ struct YarnsRecord {
   std::vector<double> rest_length;                 // m
   std::vector<double> largest_strain;              // 1, greatest so far
   std::vector<double> tension;                     // N
+  /// 1 if the yarn is broken.
   std::vector<std::uint8_t> broken;
   std::vector<double> break_time;    // s; 0 if unbroken
   std::vector<Vec3> break_position;  // m, of its middle; zero if unbroken

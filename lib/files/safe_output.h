@@ -12,15 +12,15 @@
 
 namespace soilweave::io {
 
-/// Throws CannotCreate if the file at `output` has the bytes of an input in the history's last record. The command
-/// knows the files that a scenario or plan names only after reading them. option: the option that named the output.
+/// Throws CannotCreate if the file at `output` has the bytes of an input in the history's last record. `option` named
+/// the output.
 void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
 
 /// Output of one invocation.
 class SafeOutput {
  public:
-  /// Enters the folder of the output as --resume and --force say. Standard output, pipes and devices have no folder.
-  /// Throws what Part throws; CannotCreate if a finished output of another history exists.
+  /// Enters the folder of the output as --resume and --force say; standard output, pipes and devices have none. Throws
+  /// what Part throws, and CannotCreate if a finished output has another history.
   SafeOutput(const std::filesystem::path& output, const History& history, const tool::Invocation& invocation);
 
   /// Returns whether nothing is left to do. Reports where the work begins.

@@ -11,8 +11,7 @@
 
 namespace soilweave::io {
 
-/// A closed file of an unfinished run, named by its step. Files with `recorded` stay until the end of the run; the
-/// others are checkpoints, which newer ones replace.
+/// A closed file of an unfinished run, named by its step. Newer checkpoints replace it unless it is `recorded`.
 struct PartFile {
   std::int64_t step;
   bool recorded;
@@ -23,9 +22,9 @@ std::string name_of(const PartFile& file);
 /// Returns the files of a folder in order of steps. Throws IoError if the folder cannot be read.
 std::vector<PartFile> part_files(const std::filesystem::path& folder);
 
-/// Reads a run so far without disturbing it: its recorded states, then the newest checkpoint if it is later, and the
-/// series up to there. The source's digest is that of the lines "file digest". Throws MissingInput if nothing is
-/// written yet or the run has just ended, DataError for two-scale runs and damaged files.
+/// Reads a run so far: its recorded states, then the newest checkpoint if it is later, and the series up to there. The
+/// source's digest is that of the lines "file digest". Throws MissingInput if there is nothing to read, DataError for
+/// two-scale runs and damaged files.
 RunFile read_run_so_far(const std::filesystem::path& folder, std::string role);
 /// Returns the newest state alone. Throws what read_run_so_far() throws.
 PackingFile read_newest_state(const std::filesystem::path& folder, std::string role);

@@ -28,8 +28,8 @@ SphereColumns plain_columns(int dimension);
 /// unit.
 SphereColumns named_columns(const std::vector<std::string>& names);
 
-/// Returns the columns of YADE's line "#format x_y_z_r", "#format id_x_y_z_r_matId"; nothing for any other line. Throws
-/// DataError if the line names something unknown.
+/// Returns the columns of YADE's line "#format x_y_z_r"; nothing for any other line. Throws DataError for unknown
+/// columns.
 std::optional<SphereColumns> yade_columns(std::string_view line);
 
 /// Returns the columns that a comment such as "# x y z r" names, or nothing.

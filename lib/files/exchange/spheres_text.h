@@ -26,7 +26,7 @@ struct ImportedSpheres {
 };
 
 /// Returns the periodic cell for "LX,LY,LZ" (spheres) or "LX,LY" (disks), in m or with units. Throws UsageError naming
-/// `what` for any other text.
+/// `what`.
 CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 
 /// Reads grains, one per line.
@@ -39,8 +39,8 @@ CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 /// Throws DataError with line and column of anything else, and names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
-/// Returns a text from which import_spheres() reads the same grains: x y z r per line (disks: x y r below a header), in
-/// full precision. An upright periodic cell gives the line ##PERIODIC::.
+/// Returns a text from which import_spheres() reads the same grains, in full precision. An upright periodic cell gives
+/// the line ##PERIODIC::.
 std::string export_spheres(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -18,11 +18,9 @@ struct TriangleSoup {
 };
 
 /// Returns the triangles of an STL file, in the file's unit of length. Corners at one place are one point. A file whose
-/// length fits its count of triangles is binary, even if it begins with "solid". where: what messages call the file.
-/// Throws DataError with the line of a text, or with both lengths of a truncated binary file.
+/// length fits its count of triangles is binary, even if it begins with "solid". Throws DataError naming `where`.
 TriangleSoup read_stl(std::string_view bytes, const std::string& where);
-/// Returns the polygons of a .vtp file, cut into triangles. Throws DataError if it is no such file. Null in programs
-/// without VTK.
+/// Returns the polygons of a .vtp file, cut into triangles. Throws DataError. Null in programs without VTK.
 [[gnu::weak]] TriangleSoup read_vtp(const std::string& path);
 
 }  // namespace soilweave::io
