@@ -73,7 +73,8 @@ class Simulation {
   double unbalanced_force(double least = 0) const;
   /// Returns the kinetic energy, J.
   double kinetic_energy() const;
-  double kinetic_energy_of_acted_on() const;  // J, without grains that float free
+  /// Returns the kinetic energy without grains that float free, J.
+  double kinetic_energy_of_acted_on() const;
   /// Returns the largest overlap over the smaller radius.
   double largest_overlap() const;
   /// Returns the energies of this moment.
@@ -103,13 +104,16 @@ class Simulation {
   Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
   /// Makes the present cell the reference of the strains.
   void set_reference();
-  void set_velocity_gradient(const Mat3& gradient);  // 1/s, extension positive
+  /// Sets L, 1/s, extension positive.
+  void set_velocity_gradient(const Mat3& gradient);
 
-  void set_plane_velocity(std::size_t plane, const Vec3& velocity);  // m/s
+  /// Sets the velocity of a plane, m/s.
+  void set_plane_velocity(std::size_t plane, const Vec3& velocity);
   const Planes& planes() const;
   /// Returns the loads of the grains on the planes.
   std::vector<PlateLoad> plate_loads() const;
-  void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);  // m/s
+  /// Sets the velocity of a clamp, m/s.
+  void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);
   const std::vector<Clamp>& clamps() const;
   const YarnSums& yarns() const;
 

@@ -56,7 +56,7 @@ class Servo {
   void drive(const AxisGoals& goals, int dimension, Simulation& simulation, double pace = 1);
   /// Returns whether all strain goals are met.
   static bool strained(const AxisGoals& goals, int dimension, const Simulation& simulation);
-  /// Returns whether all goals are met within the tolerances, and the unbalanced force is below its own.
+  /// Returns whether all goals and the unbalanced force are within their tolerances.
   static bool settled(const AxisGoals& goals, int dimension, const Tolerances& tolerances,
                       const Simulation& simulation);
   /// Keeps or restores the state of the servo.

@@ -6,7 +6,7 @@
 
 namespace soilweave::dem::energies {
 
-/// The work of the boundaries. The cell's is that of the stress before and after the step, half each.
+/// The work of the boundaries. The work of the cell takes the mean of the stress before and after the step.
 struct BoundaryWork {
   static constexpr std::string_view name = "boundary_work";
   static constexpr std::string_view sentence = "work done on the grains by the cell and moving planes";
