@@ -9,12 +9,12 @@
 
 namespace soilweave::io {
 
-/// Returns where the drawn cell begins, in cell vectors: at zero, or, along periodic axes, half a cell before the
-/// middle of the geotextiles' nodes. A bag and its soil then lie in the cell in one piece.
+/// Returns the origin of the drawn cell, in cell vectors: zero, or, along periodic axes, half a cell before the middle
+/// of the geotextiles' nodes, so that a bag is in one piece.
 Vec3 cell_origin(const Snapshot& state);
 
-/// Returns the number of cell vectors to subtract from a position so that it lies in the cell that begins at `origin`
-/// (cell_origin); zero along axes that are not periodic.
+/// Returns the number of cell vectors to subtract from a position so that it lies in the cell at `origin`; zero along
+/// aperiodic axes.
 Vec3i cell_index(const CellRecord& cell, const Vec3& position, const Vec3& origin);
 
 /// Returns the factor (m/N) that makes the greatest normal force of all states a tube half as thick as the mean grain;
@@ -38,8 +38,8 @@ void add_principal(VtkPicture& picture);
 /// (m/N) times the normal force, if compressive.
 VtkPicture show_contacts(const Snapshot& state, bool unwrapped, double force_scale);
 
-/// Returns the cell as one hexahedron (2D: quad), so that its tilt shows. Along axes that are not periodic it extends
-/// as far as the grains. Cell data: volume, deformation_gradient, velocity_gradient.
+/// Returns the cell as one hexahedron (2D: quad). Along aperiodic axes it extends as far as the grains. Cell data:
+/// volume, deformation_gradient, velocity_gradient.
 VtkPicture show_cell(const Snapshot& state);
 
 /// Returns rigid planes as quads (2D: lines) as large as the assembly. Cell data: plane (its number), material_id,

@@ -28,9 +28,8 @@ bool has_positions(const Series& table);
 /// Positions, step and time are left out.
 std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size_t>& rows);
 
-/// Returns one vertex per row with the arrays of arrays_of() and of add_principal() (display.h). Rows with a direction
-/// and a length become lines about their positions, and the arrays cell data. Throws DataError if rows have no
-/// positions.
+/// Returns one vertex per row with the arrays of arrays_of() and add_principal(). Rows with a direction and a length
+/// become lines. Throws DataError if rows have no positions.
 VtkPicture show_rows(const Series& table, const TableState& state);
 
 /// Returns the principal axes at the place of each row, a line each, as thesis Fig. 5.4 shows them. Returns nothing if
@@ -39,9 +38,9 @@ VtkPicture show_rows(const Series& table, const TableState& state);
 /// square) of the mean volume. Cell data: principal (1: the greatest, 2, 3), principal_stress (Pa). A NaN has no line.
 std::optional<VtkPicture> show_axes(const Series& table, const TableState& state);
 
-/// Adds the table as point arrays to the grains with the same body_id. It takes the rows of the picture's step, or all
-/// rows of a table without steps. A grain without a row gets NaN; an array of the same name is replaced. Throws
-/// DataError if the table has no column body_id or no row for this state.
+/// Adds the table as point arrays to the grains with the same body_id, at the picture's step if the table has steps. A
+/// grain without a row gets NaN; an array of the same name is replaced. Throws DataError if the column body_id or this
+/// state is missing.
 void join_grains(VtkPicture& grains, const Series& table);
 
 /// Returns comma-separated values below a header of bare column names, as ParaView reads them.

@@ -14,16 +14,14 @@ namespace soilweave::io {
 /// Throws DataError if the times of a group's frames do not increase, because ParaView could not tell them apart.
 void demand_advance(const std::string& group, const std::vector<double>& times);
 
-/// Writer of the folder. Files are written under temporary names and renamed, the .pvd files last, so that readers meet
-/// only whole files.
+/// Writer of the folder. Files are renamed when whole, the .pvd files last.
 class ParaviewFolder {
  public:
-  /// Makes the folder. A folder that is not empty is refused without `force`. With it the frames, tables and .pvd files
-  /// of an earlier call are removed, and other files stay. compress: zlib. Throws CannotCreate.
+  /// Makes the folder. `force` removes the frames, tables and .pvd files of an earlier call; other files stay.
+  /// compress: zlib. Throws CannotCreate, also for a folder that is not empty without `force`.
   ParaviewFolder(std::filesystem::path folder, bool force, bool compress);
 
-  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh) and notes its time. Frames of a group come in order of
-  /// time; throws DataError if time does not increase.
+  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh). Throws DataError if the group's time does not increase.
   void add(const std::string& group, std::size_t index, const VtkPicture& picture);
   /// Writes NAME.csv, for columns without a position.
   void add_table(const std::string& name, const std::string& csv);

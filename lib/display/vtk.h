@@ -32,8 +32,8 @@ struct VtkPicture {
   std::vector<VtkArray> point_data, cell_data;
 };
 
-/// Returns PolyData: vertices, lines, triangles or quads. compress: zlib instead of raw. Equal pictures give equal
-/// bytes. Throws DataError if the length of an array disagrees with the points or cells.
+/// Returns PolyData. compress: zlib instead of raw. Equal pictures give equal bytes. Throws DataError if an array's
+/// length disagrees with the points or cells.
 std::string to_vtp(const VtkPicture& picture, bool compress = false);
 /// Returns an UnstructuredGrid of any shape.
 std::string to_vtu(const VtkPicture& picture, bool compress = false);

@@ -12,18 +12,15 @@ namespace soilweave::io {
 /// IoError.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Writes a file under a temporary name in the same folder, syncs it, renames it and syncs the folder. Until then, and
-/// after any failure, an existing file stays as it was; its permissions stay in any case. A link's target is made or
-/// replaced, not the link. Devices and pipes are written in place; "-" is standard output. Throws CannotCreate,
-/// IoError.
+/// Writes a file under a temporary name in the same folder, syncs it and renames it. After a failure an existing file
+/// is as it was; its permissions stay in any case. A link's target is replaced, not the link. Devices and pipes are
+/// written in place; "-" is standard output. Throws CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes a file into a folder that the program made for itself. It replaces whatever has the name, even a link, and
-/// cleans nothing up.
+/// Writes a file into a folder that the program made for itself. Replaces whatever has the name, even a link.
 void write_own_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes a folder that survives a crash. An existing folder stays as it is; a link to a folder is refused. Throws
-/// CannotCreate.
+/// Makes a folder that survives a crash, unless it exists. Throws CannotCreate, also for a link to a folder.
 void make_folder(const std::filesystem::path& path);
 
 /// Returns how messages call a path: "standard input" for "-".

@@ -1,5 +1,4 @@
-// The global heaps of an HDF5 file, which hold texts of variable length. HDF5 1.10 neither checks nor bounds them when
-// it reads.
+// Global heaps of an HDF5 file: texts of variable length. HDF5 1.10 neither checks nor bounds them when it reads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,9 +6,8 @@
 
 namespace soilweave::io {
 
-/// Returns true if the objects of a global heap in this file image do not fill it one after the other (HDF5 File Format
-/// Specification 3.0, section III.E). HDF5 would then copy from beyond the heap. Sizes of lengths are 8 bytes, as in
-/// all files of current programs.
+/// Returns true if the objects of a global heap do not fill it one after the other (HDF5 File Format Specification 3.0,
+/// section III.E). HDF5 would then copy from beyond the heap. Sizes of lengths must be 8 bytes.
 bool has_broken_heap(std::string_view bytes);
 
 }  // namespace soilweave::io

@@ -17,13 +17,11 @@ struct Way {
 /// Follows a path.
 Way way_to(hid_t file, const std::string& path);
 
-/// Returns why the values of a dataset may not be read ("keeps its values in ..."): they are in other files, or packed
-/// by a filter that this HDF5 lacks. Empty if they may. Call it before the dataspace is asked for, which makes HDF5
-/// open other files.
+/// Returns why the values of a dataset may not be read: they are in other files, or this HDF5 lacks their filter. Empty
+/// if they may. Call it before the dataspace is asked for, which makes HDF5 open other files.
 std::string refusal(hid_t dataset);
 
-/// Number of bytes that reading unpacks, from the dataset's shape and chunks. `gap` tells which values the file lacks
-/// ("lacks 3 of its 5 chunks"); empty: none.
+/// Number of bytes that reading unpacks, from shape and chunks. `gap` tells which values are missing; empty: none.
 struct Unpacked {
   Extent bytes = 0;
   std::string gap;

@@ -36,9 +36,8 @@ struct Label {
   std::string units, long_name;
 };
 
-/// A file under construction, in memory. Equal calls give equal bytes: there are no time stamps, and the format is
-/// fixed (HDF5 1.10). HDF5's checksums cover all structure and all numeric arrays. Parent groups are made as needed.
-/// Throws IoError naming the object.
+/// A file under construction, in memory. Equal calls give equal bytes (HDF5 1.10, no time stamps). Checksums cover all
+/// structure and numeric arrays. Parent groups are made as needed. Throws IoError naming the object.
 class Writer {
  public:
   /// Begins an empty file.
@@ -62,8 +61,8 @@ class Writer {
   /// Writes a number. T: double, int64, uint64.
   template <class T>
   void attribute(const std::string& path, const std::string& name, T value);
-  /// Write texts of variable length, which Python reads as str (fixed lengths are bytes to it). They lie in a heap
-  /// without a checksum, so they serve only what other programs read, and words that Reader knows.
+  /// Write texts of variable length, which Python reads as str. They lie in a heap without a checksum, so they serve
+  /// only other programs, and words that Reader knows.
   void variable_text(const std::string& path, const std::string& name, const std::string& text);
   void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
 
@@ -80,9 +79,8 @@ class Writer {
   std::int64_t file_ = -1;
 };
 
-/// A file read from its bytes. Every error is a DataError of one line: file, path within it, mistake. Nothing outside
-/// the file is read: external links, external storage and virtual datasets are refused. So are values that were never
-/// written, for which HDF5 would return zeros.
+/// A file read from its bytes. Every error is a DataError of one line: file, path within it, mistake. External links,
+/// external storage, virtual datasets and values never written are refused.
 class Reader {
  public:
   /// where: what messages call the file. Rejects other formats and truncated files.
@@ -122,8 +120,8 @@ class Reader {
     return integers<T>(path, name, {}).front();
   }
 
-  /// Counts memory that an object asks for, bytes; read() calls it. The size of the file bounds the sum, whatever the
-  /// file declares. Throws DataError beyond.
+  /// Counts memory that an object asks for, bytes; read() calls it. Throws DataError if the sum exceeds what a file of
+  /// this size can hold.
   void claim(const std::string& path, Extent bytes) const;
 
   /// Throws DataError: "FILE: PATH what".

@@ -8,9 +8,9 @@
 namespace soilweave::io {
 
 /// A new file beside `target` with an unpredictable name (".NAME.0123456789abcdef.tmp"). It is opened exclusively, so
-/// that no link or file of another user is followed or taken. It stays locked while it lives, which distinguishes it
-/// from the leftover of a killed process. It gets the permissions of an existing `target` (and its owner, if the user
-/// may) before a byte is written. It is removed unless renamed. Throws CannotCreate.
+/// that no link or file of another user is taken. Its lock distinguishes it from the leftover of a killed process. It
+/// has the permissions of an existing `target` before a byte is written, and its owner if the user may. It is removed
+/// unless renamed. Throws CannotCreate.
 class Temporary {
  public:
   /// Creates the file.
@@ -32,8 +32,7 @@ class Temporary {
   bool renamed_ = false;
 };
 
-/// Removes temporary files of `name` (empty: of any file) that ended processes left in a folder. Without file locks
-/// none counts as left.
+/// Removes temporary files of `name` (empty: of any file) that ended processes left. Needs file locks.
 void remove_left_temporaries(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace soilweave::io
