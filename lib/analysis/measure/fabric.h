@@ -63,8 +63,8 @@ struct Rose {
 };
 /// Returns the rose over the angle from the loading axis, 0 to 90 deg, normalised by solid angle (3D only).
 Rose polar_rose(const io::Snapshot& state, std::size_t classes);
-/// Returns the rose over the angle in the plane of axes a and b, 0 to 360 deg, for normals within 45 deg of the plane.
-/// Each normal counts in both directions.
+/// Returns the rose in the plane of axes a and b, 0 to 360 deg, for normals within 45 deg of it. Each normal counts in
+/// both directions.
 Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes);
 
 /// Chains of contacts with more than the mean normal force, followed from grain to grain within 45 deg of the larger

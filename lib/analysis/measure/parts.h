@@ -15,9 +15,8 @@ enum class Part : std::uint8_t { soil = 0, fill = 1, node = 2 };
 
 /// Returns for each grain whether it is a node of a geotextile.
 std::vector<bool> nodes(const io::Snapshot& state);
-/// Returns the part of each body; the only place that tells reinforced soil from fill. A node is an end of a yarn. If
-/// other grains belong to copies of a representative volume (copy_id >= 0), these are the reinforced soil and the rest
-/// is fill. Without copies all grains except nodes are soil.
+/// Returns the part of each body. A node is an end of a yarn. If other grains belong to copies (copy_id >= 0), these
+/// are the reinforced soil and the rest is fill. Without copies all grains except nodes are soil.
 std::vector<Part> parts(const io::Snapshot& state);
 /// Returns for each body whether it is of this part.
 std::vector<bool> those(const std::vector<Part>& parts, Part part);

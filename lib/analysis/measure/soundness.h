@@ -1,5 +1,4 @@
-// Numbers by which a packing is doubted, and their limits: one home for the doubts about packings that were made and
-// about states that runs compressed.
+// Limits beyond which a packing, or a state that a run compressed, is doubted.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -26,7 +26,7 @@ std::vector<Mat3> simplex_gradients(const io::Snapshot& reference, const io::Sna
 std::vector<Mat3> grain_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                   const std::vector<Simplex>& simplices, const std::vector<Mat3>& gradients);
 /// Returns the gradient that best maps the reference positions of some grains (indices in the present state) to the
-/// present ones: least squares, free translation. Throws DataError if they are too few or lie in a plane.
+/// present ones by least squares. Throws DataError if they are too few or lie in a plane.
 Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& present,
                        const std::vector<std::size_t>& grains);
 

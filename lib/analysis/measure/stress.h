@@ -20,14 +20,14 @@ namespace soilweave::analysis {
 /// Returns sum f (x) l over all contacts, over the cell's volume, Pa (2D: N/m), thesis Eq. 3.4. f acts on the second
 /// grain, l runs from the first to the second. The skew part is the moment that contacts carry.
 Mat3 contact_stress(const io::Snapshot& state);
-/// Returns -sum T l n (x) n over all yarns, over the cell's volume, Pa, with tension, length and direction of each.
-/// Zero in a cell without periodic axes, which has no faces to bear it.
+/// Returns -sum T l n (x) n over all yarns (tension, length, direction), over the cell's volume, Pa. Zero in a cell
+/// without periodic axes.
 Mat3 yarn_stress(const io::Snapshot& state);
 /// Returns the sum of both: the stress at the faces of the cell, which the servo of a run holds.
 Mat3 cell_stress(const io::Snapshot& state);
 
-/// Returns sum f (x) l of each grain, N m. The dyad of a contact is split between its grains by their distances from
-/// the contact point, so that the grains' sum equals the cell's.
+/// Returns sum f (x) l of each grain, N m. A contact's dyad is split at the contact point, so that the grains' sum
+/// equals the cell's.
 std::vector<Mat3> grain_dyads(const io::Snapshot& state);
 
 /// Principal values of the symmetric part, largest first, with unit directions as columns.

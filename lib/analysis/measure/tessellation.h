@@ -29,11 +29,10 @@
 
 namespace soilweave::analysis {
 
-/// Returns the volume of every grain's power cell, m3 (2D: area, m2). A cell that is periodic along every axis may be
-/// sheared. Throws DataError for a cell that is periodic along some axes only. Throws PhysicsError unless every grain
-/// has a cell and they fill the periodic cell to 1e-10, which reveals a grain lost or counted twice. In an open
-/// assembly of spheres the cells of geotextile nodes bound those of the soil. Nodes, and soil whose cell reaches
-/// outside, have volume 0.
+/// Returns the volume of every grain's power cell, m3 (2D: area, m2). A fully periodic cell may be sheared. In an open
+/// assembly the cells of geotextile nodes bound those of the soil. Nodes, and soil whose cell reaches outside, have
+/// volume 0. Throws DataError for a cell that is periodic along some axes only; PhysicsError unless every grain has a
+/// cell and they fill the periodic cell to 1e-10.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
 /// A tetrahedron of grain centres (2D: a triangle, without the fourth vertex). A vertex lies at position + cell *

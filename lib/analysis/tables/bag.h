@@ -25,8 +25,8 @@ struct YarnMean {
 /// Returns means by family, numbered as in files: faces; sides in plane; sides from face to face.
 std::array<YarnMean, 3> yarn_means(const io::Snapshot& state);
 
-/// The soil in the tetrahedra of its centres, by which the thesis defines its void ratio (section 3.2.3); zeros without
-/// soil. No tetrahedron passes a periodic face: those of reinforced soil end where it ends.
+/// The soil in the tetrahedra of its centres (thesis section 3.2.3); zeros without soil. No tetrahedron passes a
+/// periodic face.
 struct DelaunayFill {
   double volume = 0, solids = 0;  // m3
   /// Returns e = V_tetrahedra / V_grains - 1; 0 without soil.
@@ -49,8 +49,8 @@ BagRoom bag_room(const io::Snapshot& state, const std::vector<bool>& left_out, i
 /// row includes the yarns' part of the stress. With fill it includes the fill's stress, void ratio and coordination
 /// number, and p and q of the groups of reinforced soil (volume_of_interest.h).
 void put_bag(io::Series& table, const io::Snapshot& state, int threads = 1);
-/// Appends one row per yarn: family, middle and length (m), direction, tension (N), strain, whether it is broken, and
-/// its nearness to the seam of its face or side.
+/// Appends one row per yarn: family, middle and length (m), direction, tension (N), strain, whether it is broken,
+/// nearness to its seam.
 void put_yarns(io::Series& table, const io::Snapshot& state);
 /// Appends one row per broken yarn, in the order of breaking: time and place.
 void put_broken(io::Series& table, const io::Snapshot& state);

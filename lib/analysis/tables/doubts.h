@@ -22,16 +22,15 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state);
 /// state without yarns or soil.
 std::vector<Doubt> bag_doubts(const io::Snapshot& state);
 
-/// Returns the inertial number of a strain rate, rate * d * sqrt(rho / p), with the mean diameter d (m), the density
-/// rho in the equations of motion (kg/m3, scaling included) and the mean stress p (Pa). da Cruz et al. (2005).
+/// Returns the inertial number rate * d * sqrt(rho / p), with the mean diameter d (m), the scaled density rho (kg/m3)
+/// and the mean stress p (Pa). da Cruz et al. (2005).
 double inertial_number(double rate, double diameter, double density, double pressure);
 
-/// Returns the doubts that the input of a run raises, for --check: about the packing's cell and its bag, and "inertia",
-/// the largest inertial number of a stage with a prescribed axial rate.
+/// Returns doubts about the input of a run, for --check: its cell, its bag, and "inertia", the largest inertial number
+/// of a stage with a prescribed axial rate.
 std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario);
 
-/// Returns the doubts about an ended run: about the cell and the bag at its end, about the end of its last isotropic
-/// stage, and "inertia" at the stresses of the run.
+/// Returns doubts about an ended run: cell and bag at its end, the end of its last isotropic stage, and "inertia".
 std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run);
 
 }  // namespace soilweave::analysis
