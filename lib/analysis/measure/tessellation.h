@@ -30,9 +30,9 @@
 namespace soilweave::analysis {
 
 /// Returns the volume of every grain's power cell, m3 (2D: area, m2). A fully periodic cell may be sheared. In an open
-/// assembly the cells of geotextile nodes bound those of the soil. Nodes, and soil whose cell reaches outside, have
-/// volume 0. Throws DataError for a cell that is periodic along some axes only; PhysicsError unless every grain has a
-/// cell and they fill the periodic cell to 1e-10.
+/// assembly of spheres the cells of geotextile nodes bound those of the soil. Nodes, and soil whose cell reaches
+/// outside, have volume 0. Throws DataError for a cell that is periodic along some axes only; PhysicsError unless every
+/// grain has a cell and they fill the periodic cell to 1e-10.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
 /// A tetrahedron of grain centres (2D: a triangle, without the fourth vertex). A vertex lies at position + cell *

@@ -17,9 +17,8 @@ double expected_overlap(const dem::Model& model, double radius, double pressure,
 /// Returns the pressure at which that overlap is this share of the radius, Pa.
 double pressure_at_overlap(const dem::Model& model, double radius, double overlap, int dimension);
 
-/// Throws DataError if grains would overlap by more than `largest` of their radius at the pressure; the guard of the
-/// run would find that much later. Also throws it if grains without contacts would need more steps to meet than an
-/// equilibrium may take.
+/// Throws DataError if grains would overlap by more than `largest` of their radius at the pressure, or if a cloud
+/// without contacts would need more steps to meet than an equilibrium may take.
 void demand_feasible(const dem::Simulation& cloud, const dem::Model& model, const Recipe& recipe, double mean_radius,
                      int dimension, double largest);
 
