@@ -32,7 +32,7 @@ class Temporary {
   bool renamed_ = false;
 };
 
-/// Removes temporary files of `name` (empty: of any file) that ended processes left. Needs file locks.
+/// Removes temporary files of `name` (empty: of any file) that ended processes left. Removes none without file locks.
 void remove_left_temporaries(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace soilweave::io

@@ -15,7 +15,8 @@ struct ShearBox {
   std::vector<std::string> lids;    // planes that face down
 };
 
-/// Returns the shear box of a run. Throws DataError naming `where` and what the run lacks.
+/// Returns the shear box of a run. Throws DataError naming `where` and what the run lacks: a series, a geotextile, a
+/// named plane that touches soil alone and faces down, or another one beside it.
 ShearBox shear_box(const io::RunFile& run, const std::string& where);
 
 /// Returns one row per row of the series; files/FORMAT.md lists the columns. The sheet balances the force of the planes

@@ -17,7 +17,8 @@ struct ReinforcedCell {
   std::vector<std::optional<double>> loading_rate;  // greatest strain rate along z by stage, 1/s; none under a stress
 };
 
-/// Returns the reinforced cell of a run. Throws DataError naming `where` and what the run lacks.
+/// Returns the reinforced cell of a run. Throws DataError naming `where` and what the run lacks: a series, a cell
+/// periodic along all axes, reinforced soil in it, or a column.
 ReinforcedCell reinforced_cell(const io::RunFile& run, const std::string& where);
 
 /// Returns the row from which strains count: the last row where the strains of the series restart at zero, else the

@@ -7,8 +7,9 @@
 
 namespace soilweave::packing {
 
-/// Section across a side: a flat face, and an arc from it to the other face. Points are given by their distance outside
-/// the arc's centre, never inside, and their height above it, m.
+/// Section across a side: a flat face, and an arc from it to the other face. Sides with side_radius = half_height meet
+/// the faces without an edge. Points are given by their distance outside the arc's centre, never inside, and their
+/// height above it, m.
 struct Profile {
   double width = 0.374336;    // width of the flat faces, m
   double half_height = 0.04;  // m

@@ -9,10 +9,10 @@
 
 namespace soilweave::packing {
 
-/// Returns the bag between two plates that the run loads, sized by the filter-expand plan in the run's history. The
-/// area and height of a pillow, cushion or box come from its faces, of others from the box around the nodes. The plates
-/// are "top" and "bottom", or named by the stages of path "uniaxial". Throws DataError naming `where` and what the run
-/// lacks.
+/// Returns the bag between two plates that the run loads. Its size follows from the filter-expand plan in the run's
+/// history. The area and height of a pillow, cushion or box come from its faces, those of another container from the
+/// box around its nodes. The plates are "top" and "bottom", or named by the stages of path "uniaxial". Throws DataError
+/// naming `where` and what the run lacks: a series, a geotextile around a container, that plan, or a plate.
 analysis::LoadedBag loaded_bag(const io::RunFile& run, const std::string& where);
 
 }  // namespace soilweave::packing
