@@ -1,11 +1,10 @@
-// Grains that grow until they fill a container: radii grow by small factors, with equilibrium in between.
+// Grains that grow until they fill a container.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Soil cut from a block to the shape of a bag leaves a gap of one grain along the surface. Growth closes it (thesis
-// section 3.2.3). Each round multiplies all radii by a small factor and lets the grains come to equilibrium between the
-// nodes, which stand still. Free grains carry the volume of their Delaunay tetrahedra along as the cube of their radii;
-// once the bag is full that volume stands still, and overlaps grow instead. If the soil is then looser than asked for,
-// friction is lowered and grains rearrange. At last friction is restored, and the grains come to rest.
+// Soil cut from a block leaves a gap of one grain along the container (thesis section 3.2.3). Each round multiplies all
+// radii by a small factor. Then the grains come to equilibrium between the nodes, which stand still. Free grains grow
+// with the volume of their Delaunay tetrahedra. In a full bag that volume stands still, and overlaps grow instead. Soil
+// that is too loose rearranges under lower friction, which is restored at the end.
 #pragma once
 
 #include <optional>
@@ -23,30 +22,45 @@ namespace soilweave::packing {
 
 /// Settings of the growth; PLAN.md describes them.
 struct Growth {
-  double factor = 1.0002;    // growth of the radii per round
-  double filling = 1;        // growth of the radii that fills the container
-  double stretch_share = 1;  // share of the way to the container, in strain, by which the soil is stretched
-  /// Stretch from the grains as cut to the container that they fill. Coordinates grow by it while radii grow by
-  /// `filling`, so that nothing need travel far.
+  /// Growth of the radii per round.
+  double factor = 1.0002;
+  /// Growth of the radii that fills the container.
+  double filling = 1;
+  /// Share of the stretch that is applied, in strain.
+  double stretch_share = 1;
+  /// Stretch from the grains as cut to the full container. It multiplies coordinates while radii grow by `filling`, so
+  /// that grains need not travel far.
   Vec3 stretch = Vec3::Ones();
-  double unbalanced_force = 1e-3;  // limit at an equilibrium: mean resultant over mean contact force
-  double negligible = 1e-4;  // overlap over radius; its force replaces the mean contact force while contacts carry less
-  double damping = 0.5;      // Cundall's local damping
-  std::int64_t steps = 100;  // greatest number per round; ten times as many before a measurement
-  std::int64_t stop_every = 50;   // steps of growth after which motion is stopped, since flight is not damped; 0: never
-  double volume_tolerance = 0.9;  // growth of the Delaunay volume over that of free grains; below, it stands still
-  double overlap = 1e-4;          // mean overlap over mean radius at which the grains are full, at rest
-  double coordination_number = 2.5;  // least coordination number of full grains
-  /// Greatest coordination number: radii shrink at rest until it is reached. None: no limit.
+  /// Limit at equilibrium: mean resultant over mean contact force.
+  double unbalanced_force = 1e-3;
+  /// Overlap over radius. Its force replaces smaller mean contact forces.
+  double negligible = 1e-4;
+  /// Cundall's local damping.
+  double damping = 0.5;
+  /// Greatest number per round; ten times as many before a measurement.
+  std::int64_t steps = 100;
+  /// Steps of growth between stops of all motion, since flight is not damped; 0: never.
+  std::int64_t stop_every = 50;
+  /// Growth of the Delaunay volume over that of free grains. A smaller value means that it stands still.
+  double volume_tolerance = 0.9;
+  /// Mean overlap over mean radius of full grains at rest.
+  double overlap = 1e-4;
+  /// Least coordination number of full grains.
+  double coordination_number = 2.5;
+  /// Greatest coordination number: radii shrink at rest until it is met. None: no limit.
   std::optional<double> largest_coordination_number;
-  /// Void ratio of the full container. Friction is lowered while pressing grains are looser, and restored at the end.
-  /// None: as dense as they come.
+  /// Void ratio of the full container. Looser grains get lower friction. None: as dense as they come.
   std::optional<double> void_ratio;
-  bool by_delaunay = false;      // true: void ratio by the tetrahedra of the soil's centres; false: by its power cells
-  double friction_factor = 0.9;  // factor on the friction angles, each time
-  std::int64_t measure_every = 10;  // rounds
+  /// Whether tetrahedra of the centres give the void ratio, instead of power cells.
+  bool by_delaunay = false;
+  /// Factor per step on the friction angles.
+  double friction_factor = 0.9;
+  /// Rounds between measurements.
+  std::int64_t measure_every = 10;
+  /// Greatest number of rounds.
   std::int64_t largest_rounds = 2000;
-  std::int64_t largest_round = 100'000;  // steps
+  /// Greatest number of steps until rest.
+  std::int64_t largest_round = 100'000;
 
   /// Reads [growth].
   static Growth read(Settings& table);
@@ -54,27 +68,37 @@ struct Growth {
 
 /// Quantities measured at intervals.
 struct Fill {
-  double growth = 1;               // growth of the radii so far
-  double volume = 0;               // volume of the Delaunay tetrahedra of the soil's centres, m3
-  double void_ratio = 0;           // void ratio by the soil's power cells
-  double delaunay_void_ratio = 0;  // void ratio by those tetrahedra
-  double overlap = 0;              // mean over the contacts, over the soil's mean radius
-  double coordination_number = 0;  // 2 Nc/N of the soil; contacts with nodes count once
+  /// Growth of the radii so far.
+  double growth = 1;
+  /// Delaunay tetrahedra of the soil's centres, m3.
+  double volume = 0;
+  /// By power cells.
+  double void_ratio = 0;
+  /// By those tetrahedra.
+  double delaunay_void_ratio = 0;
+  /// Mean over the contacts, over the soil's mean radius.
+  double overlap = 0;
+  /// 2 Nc/N of the soil; contacts with nodes count once.
+  double coordination_number = 0;
 
-  /// Returns the measurements in a line, for progress.
+  /// Returns one line for progress.
   std::string text() const;
 };
 
 /// Result of the growth.
 struct Grown {
-  io::Snapshot state;  // state at rest
+  /// State at rest.
+  io::Snapshot state;
+  /// Last measurement.
   Fill fill;
-  io::Series history;  // one row per measurement
+  /// One row per measurement.
+  io::Series history;
+  /// Steps and time spent.
   dem::Cost cost;
 };
 
-/// Grows soil in the container that the nodes of the state's geotextiles form; the nodes stand still. The grains of the
-/// state must be at rest or nearly so. Throws TargetNotReached naming the criterion that was missed.
+/// Grows soil between the nodes of the geotextiles, which stand still. The grains must be nearly at rest. Throws
+/// TargetNotReached naming the missed criterion.
 Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
            const ProgressReport& report = {}, const dem::Safekeeping& safekeeping = {});
 

@@ -1,4 +1,4 @@
-// The bag that a run loads: its size, geotextile and plates, from plan, scenario and first state.
+// The bag that a run loads: size, geotextile and plates.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,9 @@
 
 namespace soilweave::packing {
 
-/// Returns the bag between two plates that the run loads. Its size follows from the filter-expand plan in the run's
-/// history. The area and height of a pillow, cushion or box come from its faces, those of another container from the
-/// box around its nodes. The plates are "top" and "bottom", or named by the stages of path "uniaxial". Throws DataError
-/// naming `where` and what the run lacks: a series, a geotextile around a container, that plan, or a plate.
+/// Returns the bag between two plates. Its size follows from the filter-expand plan in the run's history: from the
+/// faces of a pillow, cushion or box, else from the box around the nodes. The plates are "top" and "bottom", or named
+/// by the stages of path "uniaxial". Throws DataError naming `where` and the missing data.
 analysis::LoadedBag loaded_bag(const io::RunFile& run, const std::string& where);
 
 }  // namespace soilweave::packing

@@ -1,5 +1,4 @@
-// Tables of a whole run, according to what it loads: a bag between plates, reinforced soil in a cell, soil on a
-// geotextile. A new table is one file in tables/.
+// Tables of a whole run, one file each in tables/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,10 +9,11 @@
 
 namespace soilweave::packing {
 
-/// One such table.
+/// One table.
 struct RunTable {
+  /// Key, and description for --help.
   const char *name, *long_name;
-  /// Throws DataError naming `where` and what the run lacks for this table.
+  /// Throws DataError naming `where` and the missing data.
   void (*demand)(const io::RunFile& run, const std::string& where);
   /// Returns the table; throws what demand() throws.
   io::Series (*make)(const io::RunFile& run, const std::string& where);

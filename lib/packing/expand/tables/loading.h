@@ -10,11 +10,15 @@
 
 namespace soilweave::packing::tables {
 
-/// The table. Its members are those that run_tables.h demands.
+/// The table, with the members of RunTable.
 struct Loading {
+  /// Key of the table.
   static constexpr const char* name = "loading";
+  /// Description for --help.
   static constexpr const char* long_name = "a bag between two plates, one row per row of the series";
+  /// Throws DataError naming `where` if the run has no such test.
   static void demand(const io::RunFile& run, const std::string& where) { loaded_bag(run, where); }
+  /// Returns the table; throws what demand() throws.
   static io::Series make(const io::RunFile& run, const std::string& where) {
     return analysis::loading(run.series, loaded_bag(run, where));
   }

@@ -9,11 +9,15 @@
 
 namespace soilweave::packing::tables {
 
-/// The table. Its members are those that run_tables.h demands.
+/// The table, with the members of RunTable.
 struct Reinforced {
+  /// Key of the table.
   static constexpr const char* name = "reinforced";
+  /// Description for --help.
   static constexpr const char* long_name = "reinforced soil in a periodic cell, one row per row of the series";
+  /// Throws DataError naming `where` if the run has no such test.
   static void demand(const io::RunFile& run, const std::string& where) { analysis::reinforced_cell(run, where); }
+  /// Returns the table; throws what demand() throws.
   static io::Series make(const io::RunFile& run, const std::string& where) {
     return analysis::reinforced(run.series, analysis::reinforced_cell(run, where));
   }
