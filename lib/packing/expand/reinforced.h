@@ -1,5 +1,4 @@
-// The reinforced part of an assembly: soil and geotextiles to be surrounded, and the grains of a block that belong to
-// it.
+// The part of an assembly that is to be surrounded: soil and geotextiles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,29 +8,29 @@
 
 namespace soilweave::packing {
 
-/// For the grains of a block: which ones the reinforced part has already, or which ones lie inside it.
+/// Grains of a block that the reinforced part has, or that lie inside it.
 struct Origin {
-  bool cut = false;         // whether the reinforced soil was cut from this very block
-  std::vector<bool> taken;  // whether the reinforced part has the grain of the block, by grain
+  /// Whether the reinforced soil was cut from this block.
+  bool cut = false;
+  /// Whether the part has the grain, by grain of the block.
+  std::vector<bool> taken;
 };
 
-/// Returns whether the soil was cut from the block, by body_id, copies and radii, which growth multiplies by one
-/// factor.
+/// Returns whether the soil was cut from the block: body_id and copies agree, radii up to one factor.
 bool is_cut_from(const io::Snapshot& reinforced, const io::Snapshot& block);
 
-/// Returns the grains of the block that the reinforced part was cut from. If it was cut from another block, returns
-/// those inside its geotextile.
+/// Returns the grains of the block that the part was cut from. For another block, returns those inside its geotextile.
 Origin origin(const io::Snapshot& reinforced, const io::Snapshot& block);
 
-/// Returns the soil between flat geotextiles, for which keep(grain) holds. The geotextiles are faces (yarns of family
-/// 0) without sides, one fabric for each connected face.
+/// Returns the soil between flat geotextiles for which keep(grain) holds. The geotextiles are faces (yarns of family 0)
+/// without sides. Each connected face is one fabric.
 io::Snapshot between_faces(const io::Snapshot& bag, const std::vector<bool>& keep);
 
 /// Returns the edge lengths of the box around the bodies, m.
 Vec3 extent(const io::Snapshot& state);
 
-/// Tests whether points lie inside a closed geotextile that is star-shaped about its middle. Without one it tests
-/// against the box around the centres of the soil.
+/// Tests whether points lie inside a closed geotextile, star-shaped about its middle. Without one it tests against the
+/// box of the soil's centres.
 class Inside {
  public:
   /// Takes the geotextiles of a state.
@@ -40,12 +39,15 @@ class Inside {
   bool operator()(const Vec3& at) const;
 
  private:
-  /// A node, with the outward normal of its surroundings.
+  /// A node.
   struct Node {
+    /// Centre, and outward normal of the fabric there.
     Vec3 position, outwards;
   };
-  std::vector<Node> nodes_;                        // nodes of closed geotextiles
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();  // box of the soil's centres
+  /// Nodes of closed geotextiles.
+  std::vector<Node> nodes_;
+  /// Box of the soil's centres.
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
   bool any_soil_ = false;
 };
 

@@ -1,4 +1,4 @@
-// A loose cell around reinforced soil, compacted without harm to it.
+// Compaction of loose fill around reinforced soil.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,33 +13,43 @@ namespace soilweave::packing {
 
 /// Measurements of a cell around reinforced soil.
 struct Shape {
-  double void_ratio = 0;         // void ratio of all spheres
-  double height = 0;             // distance between the mean heights of the upper and lower faces of the geotextiles, m
-  double yarn_length = 1;        // mean distance of the ends of the faces' yarns, over their rest length
-  double soil_void_ratio = 0;    // void ratio of the reinforced soil, by the tetrahedra of its centres; 0 without soil
-  double fill_stress = 0;        // mean stress of the fill over its power cells, Pa
-  double soil_stress = 0;        // mean stress of the reinforced soil, Pa
-  double fill_coordination = 0;  // 2 Nc/N of the fill
+  /// Void ratio of all spheres.
+  double void_ratio = 0;
+  /// Mean distance of the geotextiles' upper and lower faces, m.
+  double height = 0;
+  /// Mean length of the faces' yarns, end to end, over their rest length.
+  double yarn_length = 1;
+  /// Void ratio of the reinforced soil, by tetrahedra of its centres; 0 without soil.
+  double soil_void_ratio = 0;
+  /// Mean stress of the fill over its power cells, Pa.
+  double fill_stress = 0;
+  /// Mean stress of the reinforced soil, Pa.
+  double soil_stress = 0;
+  /// 2 Nc/N of the fill.
+  double fill_coordination = 0;
 
-  /// Returns the measurements in a line, for progress.
+  /// Returns one line for progress.
   std::string text() const;
 };
-/// Measures a cell. fill: whether a body is fill. Stresses need a periodic cell.
+/// Measures a cell. fill: whether each body is fill. Stresses need a periodic cell.
 Shape shape(const io::Snapshot& state, const std::vector<bool>& fill);
 
 /// Result of compacting a cell.
 struct CompactedCell {
+  /// The cell at rest.
   Result result;
+  /// Measurements as placed and at rest.
   Shape before, after;
-  std::vector<Doubt> missed;  // one per missed criterion: its value, and what to change
+  /// One per missed criterion: its value, and the remedy.
+  std::vector<Doubt> missed;
 };
 
-/// Returns one row for the cell as placed, and one for it at rest.
+/// Returns two rows: the cell as placed, and at rest.
 io::Series table(const CompactedCell& cell);
 
-/// Compacts the cell at the pressure while the fill slides (Recipe::first_friction), slowly, so that the fill moves and
-/// not the reinforced part. The axes' rates make all fill equally dense. Then the fill's friction is lowered and
-/// restored until the void ratio holds (compact), and the result is judged. Throws what compact() throws.
+/// Compacts the cell slowly while the fill slides (Recipe::first_friction), so that the fill moves and not the
+/// reinforced part. The rates by axis make all fill equally dense. Then the fill's friction is lowered and restored
+/// until the void ratio holds. Throws what compact() throws.
 CompactedCell compact_around(const Surrounded& cell, const Surround& how, const dem::Model& model,
                              const dem::Numerics& numerics, const ProgressReport& report,
                              const dem::Safekeeping& safekeeping);

@@ -8,25 +8,33 @@
 
 namespace soilweave::packing {
 
-// Present work, each until an equilibrium. `bare`: friction was lowered to nothing and is restored once more.
+// Present work, each until an equilibrium. bare: friction was lowered to zero and is restored again.
 enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
 
 // Progress of the work.
 struct CompactionProgress {
   Phase phase = Phase::compressing;
-  std::int64_t first = 0;            // step at which the way to the equilibrium began
-  double friction = 0;               // present angle of all materials, rad; 0 before it was first changed
+  /// Step at which the way to the equilibrium began.
+  std::int64_t first = 0;
+  /// Present angle of all materials, rad; 0 before its first change.
+  double friction = 0;
   double lowered = 0, lowest = 0;    // rad
   double aim = 0, at_restoring = 0;  // void ratios
-  double lead = 0;                   // fall of the void ratio expected after friction is restored
-  // Results of earlier attempts: their fall below the target; friction angles (rad) at which clouds came to rest looser
-  // and denser than it; the angle at which this cloud is compressed, 0 for full friction.
+  /// Expected fall of the void ratio after friction is restored.
+  double lead = 0;
+  // Results of earlier attempts. least_lead: their fall below the target. loose_angle, dense_angle: friction angles at
+  // which clouds came to rest too loose or too dense, rad. cloud_angle: angle while this cloud is compressed, rad; 0:
+  // full friction.
   double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
-  double loosest = 0, frictionless = 0;  // void ratios at rest, at full friction and without friction
-  bool let_go = false;                   // whether grains that are apart from the cell's strain are no longer held
+  /// Void ratios at rest, at full friction and without.
+  double loosest = 0, frictionless = 0;
+  /// Whether grains apart from the cell's strain are released.
+  bool let_go = false;
   std::int64_t attempt = 0;
-  std::int64_t skipped = 0;        // numbers of steps that no attempt took
-  std::int64_t contact_steps = 0;  // contact steps of earlier attempts
+  /// Numbers of steps that no attempt took.
+  std::int64_t skipped = 0;
+  /// Contact steps of earlier attempts.
+  std::int64_t contact_steps = 0;
 
   void archive(Archive& a) {
     a.whole("phase", phase), a.item("phase_first_step", first);

@@ -11,11 +11,10 @@
 
 namespace soilweave::packing {
 
-/// Grains placed in a periodic cell, in bins one largest diameter wide, so that a test for overlaps visits 27 bins (9
-/// in 2D).
+/// Grains in a periodic cell. Bins one largest diameter wide limit a test for overlaps to 27 bins (9 in 2D).
 class Placed {
  public:
-  /// size: edge lengths of the upright cell, m. No grain may be larger than `largest_diameter`, m.
+  /// size: edges of the upright cell, m. largest_diameter: limit for all grains, m.
   Placed(const Vec3& size, double largest_diameter, int dimension) : size_(size), dimension_(dimension) {
     for (int a = 0; a < 3; ++a)
       bins_[a] = a < dimension ? std::clamp(static_cast<int>(std::floor(size[a] / largest_diameter)), 1, 128) : 1;
@@ -41,11 +40,13 @@ class Placed {
   void add(const Vec3& at, double radius) { members_[index(bin(at))].emplace_back(at, radius); }
 
  private:
+  /// Returns the bin of a position.
   Vec3i bin(const Vec3& at) const {
     Vec3i b = Vec3i::Zero();
     for (int a = 0; a < dimension_; ++a) b[a] = std::min(static_cast<int>(at[a] / size_[a] * bins_[a]), bins_[a] - 1);
     return b;
   }
+  /// Returns the index of a bin, folded into the cell.
   std::size_t index(const Vec3i& b) const {
     Vec3i folded;
     for (int a = 0; a < 3; ++a) folded[a] = (b[a] + bins_[a]) % bins_[a];
@@ -55,6 +56,7 @@ class Placed {
   Vec3 size_;
   int dimension_;
   Vec3i bins_;
+  /// Centres and radii, m, by bin.
   std::vector<std::vector<std::pair<Vec3, double>>> members_;
 };
 
