@@ -14,11 +14,11 @@ namespace soilweave::packing {
 /// (spheres: 5 contacts at a porosity of 0.4) the law gives the overlap that bears f.
 double expected_overlap(const dem::Model& model, double radius, double pressure, int dimension);
 
-/// Returns the pressure at which that overlap is this share of the radius, Pa.
+/// Returns the pressure at which that overlap is `overlap` radii, Pa.
 double pressure_at_overlap(const dem::Model& model, double radius, double overlap, int dimension);
 
-/// Throws DataError if grains would overlap by more than `largest` of their radius at the pressure, or if a cloud
-/// without contacts would need more steps to meet than an equilibrium may take.
+/// Throws DataError if the expected overlap exceeds `largest` radii; the guard of the run would find that much later.
+/// Also throws it if loose grains cannot meet within the steps of an equilibrium.
 void demand_feasible(const dem::Simulation& cloud, const dem::Model& model, const Recipe& recipe, double mean_radius,
                      int dimension, double largest);
 

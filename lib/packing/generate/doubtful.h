@@ -12,18 +12,16 @@
 
 namespace soilweave::packing {
 
-/// Returns a doubt if the absolute rolling or twisting stiffness of the first material is far from 1.26e-3 E R^3: above
-/// ten times that or below a tenth. It is the stiffness of the thesis's grains at its modulus E and this mean radius R,
-/// m.
+/// Returns a doubt if the rolling or twisting stiffness of the first material is far from 1.26e-3 E R^3, that of the
+/// thesis's grains: over ten times or below a tenth. mean_radius: R, m.
 std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius);
 
-/// Returns a doubt if the median diameter by mass of n grains of the curve is far from the curve's: a coarse tail of
-/// few, heavy grains needs many grains in all. `room`: the curve and its cell.
+/// Returns a doubt if the median diameter by mass of n grains is far from the curve's. A coarse tail of few, heavy
+/// grains needs many grains.
 std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains);
 
-/// Returns doubts about a packing at rest under an isotropic pressure: the two above, the share of rattlers, a
-/// coordination number below 3, the cell over its largest grain, q/p, the mean overlap. `room`: curve and cell of a new
-/// packing.
+/// Returns doubts about a packing at rest under an isotropic pressure: the two above, rattlers, a coordination number
+/// below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room);
 
 }  // namespace soilweave::packing

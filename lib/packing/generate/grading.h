@@ -9,29 +9,30 @@
 namespace soilweave::packing {
 
 /// Fraction by mass finer than a diameter: ascending diameters (m), fractions ascending to 1, linear in between. Grains
-/// finer than the first point are left out, because their size is unknown, and as in the author's packings. One per
-/// cent of the mass in grains of that size would be a tenth of all grains, most of them without a contact.
+/// finer than the first point are left out, as in the author's packings: their size is unknown. One per cent of the
+/// mass would be a tenth of all grains, most without a contact.
 struct Grading {
+  /// Diameters, m.
   std::vector<double> diameter;
+  /// Fractions by mass.
   std::vector<double> finer;
 
-  /// Reads a table with the columns diameter (a length, as [mm]) and finer_by_mass (a share: [%] or [1]). Throws
-  /// DataError naming document and row.
+  /// Reads a table with columns diameter (a length, as [mm]) and finer_by_mass ([%] or [1]). Throws DataError naming
+  /// document and row.
   static Grading from_tsv(std::string_view text, const std::string& where);
-  /// Returns the curve of thesis §3.2.2: data/gradings/toyoura.tsv, as it was when this program was built.
+  /// Returns data/gradings/toyoura.tsv (thesis §3.2.2), as built into this program.
   static Grading toyoura();
 
-  /// Returns what the packing lacks of the curve: "the part finer than 0.075 mm, 10 % of the mass, is left out"; empty
-  /// if the curve begins at 0 %.
+  /// Returns the missing part in words: "the part finer than 0.075 mm, 10 % of the mass, is left out"; empty for a
+  /// curve from 0 %.
   std::string left_out() const;
   /// Returns the curve without grains coarser than `diameter`, m. Throws DataError if nothing is left.
   Grading up_to(double diameter) const;
 
-  /// Returns the diameter below which a fraction of the mass lies, m. The mass finer than the first point does not
-  /// count.
+  /// Returns the diameter below which a fraction of the mass lies, m, without the mass finer than the first point.
   double quantile(double fraction) const;
-  /// Returns n radii (m), largest first, at the mid-quantiles of the curve's distribution by number in this dimension
-  /// (mass ~ d^3 for spheres, d^2 for disks). No sample of n grains follows the curve more closely.
+  /// Returns n radii (m), largest first, at mid-quantiles of the distribution by number (mass ~ d^3 for spheres, d^2
+  /// for disks). No sample of n grains is closer to the curve.
   std::vector<double> radii(std::size_t n, int dimension) const;
 };
 

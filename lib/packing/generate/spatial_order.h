@@ -6,9 +6,9 @@
 
 namespace soilweave::packing {
 
-/// Returns the grains sorted box by box, one chunk (dem/contact/contacts.h) per box, each with its identity. Grains
-/// that touch then lie close in memory. A packing of a single chunk, or with contacts or yarns that name rows, is
-/// returned unchanged.
+/// Returns the grains sorted box by box, one chunk (dem/contact/contacts.h) per box, each with its identity. Touching
+/// grains then lie close in memory. Returns a packing unchanged if it has one chunk, or contacts or yarns that name
+/// rows.
 io::Snapshot in_spatial_order(io::Snapshot state);
 
 }  // namespace soilweave::packing

@@ -17,7 +17,8 @@ struct Box final : Container {
   /// Reads a box from [container].
   static std::unique_ptr<Container> read(Settings& table, PlanFiles*);
 
-  Vec3 lower, upper;  // m
+  /// Corners, m.
+  Vec3 lower, upper;
 
   double depth(const Vec3& point) const override { return (point - lower).cwiseMin(upper - point).minCoeff(); }
   Vec3 low() const override { return lower; }

@@ -1,4 +1,4 @@
-// Containers given as closed triangulated surfaces, read from a file.
+// Containers given as closed triangulated surfaces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,19 +16,19 @@ namespace soilweave::packing {
 class Surface final : public Container {
  public:
   static constexpr std::string_view name = "surface";
-  /// Reads the surface of the file that [container] names; nullptr if there are no files.
+  /// Reads the file that [container] names; nullptr without files.
   static std::unique_ptr<Container> read(Settings& table, PlanFiles* files);
 
-  /// Reads STL, binary or text, or VTP. scale: metres per unit of length in the file. Throws DataError if the file is
-  /// no surface, or if the surface is open, intersects itself or encloses nothing.
+  /// Reads STL, binary or text, or VTP. scale: metres per unit of the file. Throws DataError if the surface is absent,
+  /// open, intersects itself or encloses nothing.
   explicit Surface(const std::string& path, double scale = 1);
   ~Surface() override;
   double depth(const Vec3& point) const override;
   Vec3 low() const override { return low_; }
   Vec3 high() const override { return high_; }
-  /// Counts points of a grid at that depth; for depth 0 it is the exact volume from the triangles.
+  /// Counts points of a grid; at depth 0 it is exact, from the triangles.
   double volume(double depth = 0) const override;
-  /// Throws DataError if the surface is not star-shaped about the middle of its interior.
+  /// Throws DataError for a surface that is not star-shaped about its middle.
   std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                            bool even) const override;
   Vec3 nearest(const Vec3& point, double outside) const override;
@@ -38,11 +38,15 @@ class Surface final : public Container {
   Chart chart() const;
 
   std::string path_;
+  /// Triangles and their search tree.
   std::unique_ptr<Mesh> mesh_;
-  Vec3 low_, high_;      // m
-  double enclosed_ = 0;  // m3
-  // Filled on first use.
-  mutable std::vector<double> depths_;  // depths of the grid's points inside, ascending, m
+  /// Corners of the box, m.
+  Vec3 low_, high_;
+  /// m3.
+  double enclosed_ = 0;
+  // Depths of the grid's points inside, ascending, m; filled on first use.
+  mutable std::vector<double> depths_;
+  /// Made on first use.
   mutable std::unique_ptr<Chart> chart_;
 };
 
