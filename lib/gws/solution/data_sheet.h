@@ -1,4 +1,4 @@
-// Geotextiles by their data sheets: tension at 2 and 5 % of strain and at failure, along the machine and across it.
+// Geotextiles by data sheet: tensions at 2 and 5 % of strain and at failure.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace soilweave::gws {
 
-/// One direction of a data sheet (ISO 10319, ASTM D4595), as far as it is given. Tensions in N/m.
+/// One direction of a data sheet (ISO 10319, ASTM D4595). Absent values are empty.
 struct DataSheet {
+  /// Tensions, N/m; failure strain, 1.
   std::optional<double> at_2, at_5, strength, failure_strain;
 };
 
-/// Returns the geotextile with the straight pieces between the points of the sheet as its curve; its stiffness is the
-/// secant to failure until a response tells the strain that is reached. Throws DataError naming `where` for values that
-/// are missing or contradict each other.
+/// Returns the geotextile with straight pieces between the points as its curve. Its stiffness is the secant to failure
+/// until a response gives the strain. Throws DataError naming `where` for missing or contradictory values.
 Geotextile of_sheet(const std::string& name, const DataSheet& sheet, const std::string& where);
 
-/// Returns whether a TOML table describes a data sheet: tensions at strains, or a direction.
+/// Returns whether a table is a data sheet: it has tensions at strains, or a direction.
 bool is_sheet(const Settings& table);
 
-/// Reads a data sheet: tension_at_2, tension_at_5, strength and failure_strain, or the same in the tables [machine] and
-/// [cross]. `direction`: "machine", "cross", or empty for the lesser value of each point, since the solution knows one
-/// tension for the hoops of both directions. Mistakes in keys go to the document.
+/// Reads tension_at_2, tension_at_5, strength and failure_strain, at the top or in [machine] and [cross]. direction:
+/// "machine", "cross", or empty for the lesser value at each point, since the solution knows one tension for both
+/// directions. Mistakes go to the document.
 Geotextile read_sheet(Settings& table, const std::string& direction, const std::string& where);
 
 }  // namespace soilweave::gws
