@@ -1,6 +1,4 @@
-// The soil's path from its first mean stress upwards: adaptive Runge-Kutta steps in ln p with a controlled error. The
-// path depends on the soil and on E alone. Surcharge, lateral stress and bag enter only the balance of forces at each
-// state.
+// The soil's path from its first mean stress upwards.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,35 +9,39 @@
 
 namespace soilweave::gws {
 
-/// A path that grows step by step and can be asked for any p within it. Every step and every answer is one step of the
-/// fifth-order method of Dormand and Prince, so the error between nodes is no greater than at them.
+/// A path that grows step by step and answers for any p within it. Each step and each answer is one step in ln p of
+/// Dormand and Prince's fifth-order method. So errors between nodes are no greater than at them.
 class Path {
  public:
-  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end of the path. Each step is held to a
-  /// hundredth of it.
+  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end; each step is held to a hundredth of
+  /// it.
   Path(const Soil& soil, double E, double tolerance);
 
-  /// Takes one more step. Returns false if the path has ended: end() then tells why, and the last node lies within
-  /// `resolution` of the end.
+  /// Takes one step. Returns false once the path has ended, within `resolution` of its end.
   bool advance();
-  /// Return why the path has ended (none: not yet), and the number of steps so far.
+  /// Returns why the path has ended; none: not yet.
   End end() const { return end_; }
+  /// Returns the number of steps so far.
   std::size_t steps() const { return nodes_.size() - 1; }
 
-  double first() const { return nodes_.front().x; }  // ln p, like all arguments below
+  /// Return the ends of the path so far, as ln p like all arguments.
+  double first() const { return nodes_.front().x; }
   double last() const { return nodes_.back().x; }
   /// Returns the state at ln p = x, between first() and last().
   SoilState at(double x) const;
 
-  /// Relative width in p within which the end of a path is found.
+  /// Relative error in p of the path's end.
   static constexpr double resolution = 1e-9;
 
  private:
   /// State at the end of one step.
   struct Node {
+    /// ln p.
     double x;
+    /// Plastic strain there.
     Plastic plastic;
   };
+  /// Returns the plastic strain after one step to x.
   Plastic stepped(const Node& from, double x) const;
 
   Soil soil_;
@@ -48,8 +50,8 @@ class Path {
   std::vector<Node> nodes_;
 };
 
-/// Returns the states of a path at axial strains, percent, that the bag passes one after another (below zero: the first
-/// state). Steps are controlled to `tolerance`. Fewer states than strains: the path ends before the next one.
+/// Returns the states at axial strains, percent, in the order of passing (below zero: the first state). tolerance:
+/// relative error. Fewer states than strains mean that the path ends earlier.
 std::vector<SoilState> states_at(const Soil& soil, double E, const std::vector<double>& strains, double tolerance);
 
 }  // namespace soilweave::gws

@@ -1,5 +1,4 @@
-// The constants of the wrapped soil (thesis Table 5.2): what they are, where they may lie, how they are read and
-// written.
+// Constants of the wrapped soil (thesis Table 5.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The soil in a bag obeys five relations, each a line through results of tests (thesis section 5.3):
@@ -10,9 +9,9 @@
 //   dilatancy line        -X = (M_f - M) - [p_1 (M_f - q/p) - p_2]      contraction, then dilation  Eq. 5.12
 //   stiffness             E = alpha J^beta                              of the soil in its wrap     Fig. 5.14
 //
-// Here X = d eps_v^p / d eps_d^p is positive in contraction, and J is the geotextile's stiffness. The constants of a
-// line stand in one TOML table: of data/soils, of a user's file, or as `gws-solve identify` writes them, with scatter.
-// Strains in the first three relations are in percent, because the thesis calibrated kappa, lambda and C_t so.
+// Here X = d eps_v^p / d eps_d^p is positive in contraction, and J is the geotextile's stiffness. Strains in the first
+// three relations are in percent, because the thesis calibrated kappa, lambda and C_t so. Each line is one TOML table,
+// as in data/soils or from `gws-solve identify`.
 #pragma once
 
 #include <optional>
@@ -27,54 +26,67 @@
 namespace soilweave::gws {
 
 /// Constants of the soil, SI. kappa, lambda, xi and C_t apply to strains in percent, alpha to J in MN/m. Defaults:
-/// thesis Table 5.2 for Toyoura sand at a void ratio of 0.68. The table lacks Poisson's ratio: 0.33 fits the author's
+/// Toyoura sand at a void ratio of 0.68 (thesis Table 5.2). Poisson's ratio of 0.33, absent there, fits the author's
 /// DEM series.
 struct Soil {
-  double C_t = 1.372, m = 0.3, p_a = 100e3, p_0 = 2.6e3;  // compression line, Eq. 5.6
-  double M = 1.35, n = 0.0723, p_c = 3.255e6;             // failure-state line, Eq. 5.5
-  double kappa = 1.386, lambda = 1.27, xi = 0.035;        // near-failure-state line, Eq. 5.4
-  double p_1 = 1.68, p_2 = 0.344;                         // stress-dilatancy line, Eq. 5.12
-  double alpha = 26.1e6, beta = 0.74;                     // Young's modulus E = alpha J^beta, Fig. 5.14
+  /// Compression line, Eq. 5.6.
+  double C_t = 1.372, m = 0.3, p_a = 100e3, p_0 = 2.6e3;
+  /// Failure-state line, Eq. 5.5.
+  double M = 1.35, n = 0.0723, p_c = 3.255e6;
+  /// Near-failure-state line, Eq. 5.4.
+  double kappa = 1.386, lambda = 1.27, xi = 0.035;
+  /// Stress-dilatancy line, Eq. 5.12.
+  double p_1 = 1.68, p_2 = 0.344;
+  /// Young's modulus E = alpha J^beta, Fig. 5.14.
+  double alpha = 26.1e6, beta = 0.74;
   double poisson_ratio = 0.33;
 
-  /// Returns Young's modulus of the wrapped soil, Pa, for a geotextile of stiffness J, N/m.
+  /// Returns Young's modulus of the wrapped soil, Pa. J: stiffness of the geotextile, N/m.
   double young_modulus(double J) const;
 };
 
-/// Description of one constant: its line (a TOML table), its parameter, its field in Soil.
+/// Description of one constant.
 struct Constant {
-  std::string_view line;  // "compression_line", "failure_line", ...
+  /// TOML table, as "failure_line".
+  std::string_view line;
+  /// Name, unit and range.
   Parameter parameter;
+  /// Its member of Soil.
   double Soil::*field;
 
-  std::string key() const;  // "compression_line.C_t"
+  /// Returns the full key, as "compression_line.C_t".
+  std::string key() const;
 };
 /// Returns all constants in the order of Table 5.2.
 std::span<const Constant> constants();
 
-/// Scatter of the constants of one line: standard errors and correlation (row by row; the unit matrix if the source
-/// gives none). A 95 % interval is estimate ± t * standard error, with Student's t for `freedom` degrees.
+/// Scatter of the constants of one line. A 95 % interval is estimate ± t * standard error.
 struct Scatter {
-  std::vector<std::string> keys;  // "near_failure_line.kappa", ...
+  /// Keys, as "near_failure_line.kappa".
+  std::vector<std::string> keys;
+  /// Correlation row by row; the unit matrix if unknown.
   std::vector<double> standard_errors, correlation;
+  /// Degrees of freedom of Student's t.
   double freedom = 0;
 
-  double quantile() const;  // Student's t for 95 %
+  /// Returns Student's t for 95 %.
+  double quantile() const;
 };
 
 /// Least and greatest value of some data.
 struct Span {
-  double low = 0, high = -1;  // high < low: not known
+  /// A high below low means unknown.
+  double low = 0, high = -1;
 
-  /// Returns whether the range is known.
+  /// Returns whether it is known.
   bool known() const { return high >= low; }
-  /// Widens the range to include the value.
+  /// Widens it to include the value.
   void add(double value);
 };
 
-/// Ranges of the bags on which the constants were identified: stiffness of the geotextile (N/m), mean stress of the
-/// soil (Pa), axial strain (1). Beyond them the constants are extrapolated.
+/// Ranges of the bags behind the constants, which are extrapolated beyond.
 struct Identified {
+  /// Geotextile's stiffness, N/m; soil's mean stress, Pa; axial strain, 1.
   Span stiffness, mean_stress, axial_strain;
 };
 
@@ -84,15 +96,16 @@ struct SoilFile {
   Soil soil;
   std::vector<Scatter> scatter;
   Identified identified = {};
-  std::string estimated = {};  // how the constants were estimated where no bags were computed; empty: they were not
+  /// How constants were estimated without bags; empty: they were not.
+  std::string estimated = {};
 };
 
-/// Reads a soil; absent keys take their defaults. Mistakes go to the document, on which the caller calls finish().
+/// Reads a soil; absent keys take defaults. Mistakes go to the document, on which the caller calls finish().
 SoilFile read_soil(Settings& document);
-/// Returns a soil as TOML text that read_soil() reads back. `comment` lines come first.
+/// Returns TOML text that read_soil() reads back, after the lines of `comment`.
 std::string soil_text(const SoilFile& file, std::string_view comment);
 
-/// Returns the scatter that includes constant `key`, and its `place` there; nullptr if it has none.
+/// Returns the scatter with constant `key`, and its `place` there; nullptr if there is none.
 const Scatter* scatter_of(const SoilFile& file, std::string_view key, std::size_t& place);
 
 }  // namespace soilweave::gws
