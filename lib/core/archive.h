@@ -11,9 +11,10 @@
 
 namespace soilweave {
 
-/// Named numbers, kept or given back. Each class has one list of items, in its archive(), for both.
+/// Named numbers, kept or given back. Each class lists its items once, in archive(), for both.
 class Archive {
  public:
+  /// Values by item name.
   using Numbers = std::map<std::string, std::vector<double>, std::less<>>;
 
   /// Makes an archive that keeps the items it is given.
@@ -25,15 +26,17 @@ class Archive {
   bool giving_back() const { return giving_back_; }
   /// Returns the numbers kept so far.
   const Numbers& numbers() const { return numbers_; }
-  /// Packs the numbers as bytes for another process on an equal machine; the second function unpacks them.
+  /// Packs the numbers as bytes for another process on an equal machine.
   static std::string packed(const Numbers& numbers);
+  /// Unpacks bytes of packed().
   static Numbers unpacked(const std::string& bytes);
 
-  // Keeps the value, or sets it to the kept one, bit for bit. Throws DataError if none has this name and length.
+  /// Keeps the value or sets it to the kept one, bit for bit. Throws DataError if name or length differ.
   void item(const std::string& name, double& value);
   /// Keeps an integer, exact below 2^53.
   void item(const std::string& name, std::int64_t& value);
   void item(const std::string& name, Vec3& value);
+  /// Keeps or sets a tensor.
   void item(const std::string& name, Mat3& value);
   /// Keeps a vector of any length.
   void item(const std::string& name, std::vector<double>& values);
@@ -48,7 +51,9 @@ class Archive {
   }
 
  private:
+  // Keeps or sets `length` numbers from `values` on.
   void numbers_of(const std::string& name, double* values, std::size_t length);
+  // Returns the kept numbers of an item. Throws DataError if there are none.
   const std::vector<double>& kept(const std::string& name) const;
 
   /// Numbers by name.

@@ -1,5 +1,4 @@
-// Doubts: results that a tool wrote as told, but that a reader should question. Said once on standard error and kept in
-// the output.
+// Doubts: findings on results that were written, but that a reader should question.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +8,7 @@
 
 namespace soilweave {
 
-/// A doubt about a result that is written all the same.
+/// One finding that a reader should know.
 struct Doubt {
   /// One word for scripts ("rattlers"), unique in a file.
   std::string key;
@@ -22,15 +21,15 @@ struct Doubt {
 /// Doubts of one run of a tool, in order of appearance.
 class Doubts {
  public:
-  /// Makes a list that prints nothing: for the library, and for processes that must not speak.
+  /// Makes a list that prints nothing.
   Doubts() = default;
-  /// Makes a list that prints each doubt as "TOOL: doubt: SENTENCE" on standard error. --quiet silences progress, not
-  /// doubts. Failures of standard error are ignored.
+  /// Makes a list that prints "TOOL: doubt: SENTENCE" on standard error, even with --quiet.
+  /// Failures of standard error are ignored.
   explicit Doubts(std::string tool) : tool_(std::move(tool)) {}
 
   /// Keeps the doubt and prints it, unless its key is there already.
   void add(const Doubt& doubt);
-  /// Keeps and says several doubts in order.
+  /// Keeps and prints several doubts in order.
   void add_all(const std::vector<Doubt>& doubts);
 
   /// Returns all doubts so far.

@@ -1,4 +1,4 @@
-// Errors, one type per exit status. They are thrown where they are known and translated once, in tool::start.
+// Errors, one type per exit status. tool::start translates them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,6 +10,7 @@ namespace soilweave {
 
 /// Exit statuses (values of sysexits). Every man page lists them.
 enum class Exit : int {
+  // success
   done = 0,
   /// Ran to the end, but missed the target.
   not_reached = 1,
@@ -33,21 +34,22 @@ enum class Exit : int {
 class Error : public std::runtime_error {
  public:
   Error(Exit status, const std::string& message) : std::runtime_error(message), status_(status) {}
+  /// Returns the exit status that the error leads to.
   Exit status() const { return status_; }
 
  private:
   Exit status_;
 };
 
-/// The run ended, but a station, void ratio or criterion was not reached. Output may exist; the message says so.
+/// The run ended, but missed a target. The message says whether output exists.
 struct TargetNotReached : Error {
   explicit TargetNotReached(const std::string& m) : Error(Exit::not_reached, m) {}
 };
-/// The command line is wrong: unknown option, value out of range, options that exclude each other.
+/// The command line is wrong.
 struct UsageError : Error {
   explicit UsageError(const std::string& m) : Error(Exit::usage, m) {}
 };
-/// Content of a file, scenario or plan is invalid. The message begins with its name, and line where there is one.
+/// Content of a file is invalid. The message begins with its name and line.
 struct DataError : Error {
   explicit DataError(const std::string& m) : Error(Exit::bad_data, m) {}
 };

@@ -8,10 +8,10 @@
 
 namespace soilweave {
 
-/// Calls use(i) once for every i < n. Each thread takes a contiguous range. One thread runs without an OpenMP team,
-/// which OpenMP would create anew each time.
+/// Calls use(i) once for every i < n. Each thread takes a contiguous range.
 template <class Use>
 void in_parallel(std::size_t n, int threads, const Use& use) {
+  // OpenMP would create a team of one anew each time.
   if (threads == 1) {
     for (std::size_t i = 0; i < n; ++i) use(i);
     return;
@@ -34,8 +34,8 @@ double largest_in_parallel(std::size_t n, int threads, const Value& value) {
   return *std::max_element(largest.begin(), largest.end());
 }
 
-/// Returns the sum of value(i) for i < n. Each stretch of `stretch` values is summed from zero, and the stretches are
-/// summed in order, so that the number of threads does not change the bits.
+/// Returns the sum of value(i) for i < n, with the same bits for any number of threads.
+/// Sums each stretch of `stretch` values, then the stretches in order.
 template <class Value>
 auto sum_in_parallel(std::size_t n, std::size_t stretch, int threads, const Value& value) {
   using Sum = decltype(value(n));

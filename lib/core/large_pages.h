@@ -7,7 +7,7 @@
 
 namespace soilweave {
 
-/// Returns the resource of the process. Threads may share it.
+/// Returns the memory resource of the process. Threads may share it.
 std::pmr::memory_resource& large_pages();
 
 /// Allocator of the standard library that takes large pages.
@@ -24,6 +24,7 @@ struct LargePages {
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 
+/// Array on large pages, for data that every step traverses.
 template <class T>
 /// Vector on large pages.
 using LargeVector = std::vector<T, LargePages<T>>;

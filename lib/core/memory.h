@@ -6,7 +6,7 @@
 
 namespace soilweave {
 
-/// Returns the bytes that this process may use: the machine's memory, or a lower limit (ulimit -v).
+/// Returns the bytes that this process may use: the machine's memory or ulimit -v.
 double memory_at_hand();
 
 /// Returns the most bytes of memory that this process has used so far.

@@ -8,8 +8,7 @@
 
 namespace soilweave {
 
-/// A DataError with one mistake a line. Any other DataError is a single mistake, whose line feeds belong to a file's
-/// name.
+/// A DataError with one mistake a line. Line feeds in any other DataError belong to a file's name.
 struct Mistakes : DataError {
   /// Takes the mistakes, separated by line feeds.
   explicit Mistakes(const std::string& lines) : DataError(lines) {}

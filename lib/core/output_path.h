@@ -6,9 +6,8 @@
 
 namespace soilweave {
 
-/// Returns the file that a name leads to. Links are followed even if their target does not exist, so that the output
-/// replaces the target and not the link. Throws CannotCreate for a cycle of links, and for another user's link in a
-/// shared (sticky) folder such as /tmp, which the kernel would not follow either.
+/// Returns the file that a name leads to, through links even if their target does not exist.
+/// Throws CannotCreate for a cycle of links and for another user's link in a sticky folder.
 std::filesystem::path followed(const std::filesystem::path& path);
 
 /// Returns whether two names lead to one file (by device and inode), or will once it is made.
@@ -17,9 +16,8 @@ bool same_file(const std::filesystem::path& one, const std::filesystem::path& ot
 /// Returns whether the name leads to a device, pipe or socket, which are written in place.
 bool written_in_place(const std::filesystem::path& path);
 
-/// Throws CannotCreate unless a file can be made or replaced at the name. The folder of the file (of a link: of its
-/// target) must exist and be writable. The name must not be too long, nor a directory. An existing file must be
-/// replaceable, a device or pipe writable.
+/// Throws CannotCreate unless a file can be made or replaced at the name.
+/// A link counts as its target. Devices and pipes must be writable.
 void demand_place(const std::filesystem::path& path);
 
 }  // namespace soilweave

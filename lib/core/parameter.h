@@ -1,5 +1,4 @@
-// Description of one quantity: name, symbol, unit, range, sentence. Options, scenario keys, help, man pages and range
-// errors all use it, so that nothing is described twice.
+// Description of one quantity, for options, scenario keys, help, man pages and errors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -9,11 +9,10 @@
 
 namespace soilweave {
 
-/// Receives the progress of a piece of work from the library, which prints nothing: the fraction done, from 0 to 1, and
-/// a line on the present state.
+/// Receives the fraction done (0 to 1) and a line on the present state.
 using ProgressReport = std::function<void(double fraction, const std::string& detail)>;
 
-/// Progress of one piece of work. Its line on a terminal is cleared when the object is destroyed.
+/// Progress of one piece of work. The destructor clears its line on a terminal.
 class Progress {
  public:
   /// name: the advancing quantity ("axial strain"). quiet: print nothing.
@@ -35,6 +34,7 @@ class Progress {
   /// Whether standard error is a terminal.
   bool terminal_;
   bool shown_ = false;
+  // Fraction of the first call.
   double first_ = 1;
   std::chrono::steady_clock::time_point start_, last_;
 };

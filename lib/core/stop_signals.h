@@ -1,5 +1,4 @@
-// Signals that ask a program to stop. They are held back and polled between steps, so that a step is finished and its
-// state written first.
+// Signals that ask a program to stop, held back and polled between steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,13 +6,13 @@
 
 namespace soilweave {
 
-/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP, without a handler, in this thread and in those it starts later.
-/// Signals that the caller of the program ignores stay ignored. Make it before the first parallel region.
+/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and those it starts later.
+/// Ignored signals stay ignored. Make it before the first parallel region.
 class StopSignals {
  public:
   /// Begins to hold the signals back.
   StopSignals();
-  /// Takes remaining signals off the queue: they were obeyed, or came after the work.
+  /// Takes remaining signals off the queue.
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;

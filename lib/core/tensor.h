@@ -15,7 +15,7 @@ using Vec4 = Eigen::Vector4d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Returns tr(t) / dimension (2 or 3). For a compression-positive stress it is the mean stress p.
+/// Returns tr(t) / dimension (2 or 3): the mean stress p if compression is positive.
 inline double mean(const Mat3& t, int dimension = 3) {
   return t.topLeftCorner(dimension, dimension).trace() / dimension;
 }
@@ -30,8 +30,8 @@ inline Mat3 deviator(const Mat3& t, int dimension = 3) {
   return d;
 }
 
-/// Returns the deviatoric stress q of the symmetric part: sqrt(3/2 s:s) in 3D, sqrt(1/2 s:s) in 2D, which is half the
-/// difference of the principal stresses.
+/// Returns the deviatoric stress q: sqrt(3/2 s:s) in 3D, sqrt(1/2 s:s) in 2D.
+/// s is the symmetric deviator. In 2D, q is half the difference of the principal stresses.
 inline double deviatoric_stress(const Mat3& stress, int dimension = 3) {
   const Mat3 s = deviator(symmetric(stress), dimension);
   return std::sqrt((dimension == 3 ? 1.5 : 0.5) * s.squaredNorm());

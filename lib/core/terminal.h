@@ -1,4 +1,4 @@
-// Standard error and text for a terminal. Text can neither end a program nor steer a terminal.
+// Output for a terminal, which text cannot steer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,16 +7,16 @@
 
 namespace soilweave {
 
-/// Returns the text with escapes for everything that a terminal obeys: \t, \n, \x1b for control characters, \u{202e}
-/// for signs that change the writing direction or are invisible, \xff for bytes that are not UTF-8. ASCII characters in
-/// `as_they_are` ("\n\t") stay.
+/// Returns the text with escapes (\n, \x1b, \u{202e}, \xff) for all that a terminal obeys.
+/// These are control characters, invisible or direction signs, and bytes that are not UTF-8.
+/// ASCII characters in `as_they_are` stay.
 std::string printable(std::string_view text, std::string_view as_they_are = "");
 
 /// Writes bytes to standard error. Failures are ignored, because they cannot be reported.
 void tell(std::string_view bytes);
 
-/// Occupies closed standard streams (0 to 2), so that no file opened later gets their number. Reading from and writing
-/// to them still fails.
+/// Occupies closed standard streams, so that no later file gets their number.
+/// Reading from and writing to them still fails.
 void occupy_standard_streams();
 
 }  // namespace soilweave

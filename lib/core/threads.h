@@ -4,8 +4,8 @@
 
 namespace soilweave {
 
-/// Throws UsageError with the possible number unless this process can have `count` threads at once. Call it before the
-/// work, since the OpenMP library ends the program if threads are missing.
+/// Throws UsageError with the possible number if `count` threads cannot be had.
+/// Call it before the work: OpenMP ends the program if threads are missing.
 void demand_threads(int count);
 
 }  // namespace soilweave

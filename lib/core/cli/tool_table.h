@@ -14,6 +14,7 @@
 
 namespace soilweave::tool {
 
+/// Kind of an option's value.
 enum class Kind { value, flag, choice, file, list };
 
 /// One option of a table.
@@ -56,6 +57,7 @@ struct Entry {
 /// One positional input, for a single file or for many.
 struct Positional {
   std::string name, sentence;
+  /// Whether it must be given; whether it takes any number of files.
   bool required = true, many = false;
   std::function<void(const std::string&)> assign;
   std::vector<std::string> given;
@@ -64,6 +66,7 @@ struct Positional {
 /// Everything declared about a tool, and the values read from its arguments.
 struct Table::Impl {
   std::string name, sentence, description;
+  /// Commands, each with its sentence.
   std::vector<std::pair<std::string, std::string>> examples;
   /// Positional inputs, in order.
   std::vector<Positional> inputs;
@@ -104,16 +107,16 @@ std::string verb_name(Table& verb);
 /// Reads the arguments into the fields and returns the information asked for. Appends every mistake to `mistakes`.
 Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
 
-/// Checks files as far as possible before the work. Throws MissingInput or DataError for inputs. Throws CannotCreate
-/// for an output that has no place, that exists without --force, or that is an input or another output.
+/// Checks files before the work. Throws MissingInput or DataError for inputs.
+/// Throws CannotCreate for an output without a place, that exists without --force, or that is another file of the run.
 void check_files(const Table::Impl& table);
 
-/// Returns the tool and its result-relevant options that differ from their defaults, in table order, quoted for a
-/// shell.
+/// Returns the tool and its recorded options other than defaults, in table order, quoted for a shell.
 std::string canonical_command(const Table::Impl& table);
 
-/// Return the texts of --help and --version.
+/// Returns the text of --help.
 std::string help_text(Table::Impl& table);
+/// Returns the text of --version.
 std::string version_text(const Table::Impl& table);
 /// Returns man(7) source. Equal tables give equal bytes.
 std::string man_text(Table::Impl& table);
