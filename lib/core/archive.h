@@ -35,6 +35,7 @@ class Archive {
   void item(const std::string& name, double& value);
   /// Keeps an integer, exact below 2^53.
   void item(const std::string& name, std::int64_t& value);
+  /// Keeps or sets a vector.
   void item(const std::string& name, Vec3& value);
   /// Keeps or sets a tensor.
   void item(const std::string& name, Mat3& value);

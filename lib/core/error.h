@@ -10,7 +10,7 @@ namespace soilweave {
 
 /// Exit statuses (values of sysexits). Every man page lists them.
 enum class Exit : int {
-  // success
+  /// Success.
   done = 0,
   /// Ran to the end, but missed the target.
   not_reached = 1,
@@ -49,7 +49,7 @@ struct TargetNotReached : Error {
 struct UsageError : Error {
   explicit UsageError(const std::string& m) : Error(Exit::usage, m) {}
 };
-/// Content of a file is invalid. The message begins with its name and line.
+/// Content of a file is invalid. The message begins with its name and, if there is one, line.
 struct DataError : Error {
   explicit DataError(const std::string& m) : Error(Exit::bad_data, m) {}
 };

@@ -26,7 +26,6 @@ struct LargePages {
 
 /// Array on large pages, for data that every step traverses.
 template <class T>
-/// Vector on large pages.
 using LargeVector = std::vector<T, LargePages<T>>;
 
 }  // namespace soilweave

@@ -6,7 +6,7 @@
 
 namespace soilweave {
 
-/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and those it starts later.
+/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and its later ones, without a handler.
 /// Ignored signals stay ignored. Make it before the first parallel region.
 class StopSignals {
  public:

@@ -108,7 +108,7 @@ std::string verb_name(Table& verb);
 Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
 
 /// Checks files before the work. Throws MissingInput or DataError for inputs.
-/// Throws CannotCreate for an output without a place, that exists without --force, or that is another file of the run.
+/// Throws CannotCreate for an output without a place, that exists without --force, or that is an input or other output.
 void check_files(const Table::Impl& table);
 
 /// Returns the tool and its recorded options other than defaults, in table order, quoted for a shell.
