@@ -1,5 +1,5 @@
-// Grains as rows: a vector and the scalar used with it lie side by side, one aligned load each. Velocities are
-// fluctuations about the cell's affine motion, half a step behind the positions.
+// Grains as rows: a vector lies beside the scalar used with it.
+// Velocities are fluctuations about the cell's affine motion, half a step behind the positions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,18 +25,18 @@ struct alignas(64) Grain {
   Lane4 orientation;
 };
 
-/// Resultant force and torque on a grain, one cache line. In the plane the torque is the third component of the force,
-/// and the row of the torque is zero.
+/// Resultant force and torque on a grain, one cache line. In the plane `force[2]` is the torque.
 struct alignas(64) Load {
-  /// Force, N, and torque, N m; the last component is 0.
+  /// Force, N, and torque, N m, each with a last component of 0.
   Lane4 force{}, torque{};
 };
 
 /// Returns the volume of a sphere (m3) or the area of a disk (m2).
 double grain_volume(int dimension, double radius);
 
-/// Byte offset of grain `index` from the first grain. `load_distance` is the same for the array of loads.
+/// Returns the byte offset of grain `index` from the first grain.
 inline std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }
+/// Returns the byte offset of load `index` from the first load.
 inline std::uint32_t load_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Load)); }
 
 /// All grains of a simulation: spheres, disks, and nodes of geotextiles.
@@ -47,13 +47,14 @@ struct Bodies {
   double gyration;
   /// Grains, in the order of files.
   LargeVector<Grain> grains;
-  LargeVector<double> angle;  // rotation of disks about the normal of their plane, rad
-  // One load per grain: the resultant without gravity, from Motion::collect to Motion::advance. During a sweep, loads
-  // of single pairs follow (Contacts::single_loads).
+  /// Rotation of disks in their plane, rad.
+  LargeVector<double> angle;
+  /// Resultant of each grain without gravity, valid from Motion::collect to Motion::advance.
+  /// During a sweep the loads of single pairs follow (Contacts::single_loads).
   LargeVector<Load> loads;
-  // Stiffness of the contacts, laid out like the loads. Zero except while a step evaluates it.
+  /// Stiffness of the contacts, laid out like the loads. Zero outside steps that evaluate it.
   LargeVector<Load> stiffness;
-  // 1 / (skin distance of the grain)², 1/m2.
+  /// 1 / (skin distance of the grain)², 1/m2.
   LargeVector<double> per_leeway2;
   /// Material of each grain.
   std::vector<std::int32_t> material;
@@ -64,32 +65,37 @@ struct Bodies {
 
   /// Takes the grains of a record, without their identities.
   explicit Bodies(const io::GrainsRecord& record);
-  /// Return number, radius and mass of grains.
+  /// Returns the number of grains.
   std::size_t size() const { return grains.size(); }
+  /// Returns the radius, m.
   double radius(std::size_t i) const { return grains[i].position[3]; }
+  /// Returns the mass, kg.
   double mass(std::size_t i) const { return grains[i].velocity[3]; }
-  /// Returns the moment of inertia, kg m2; infinite for nodes of geotextiles, which do not rotate.
+  /// Returns the moment of inertia, kg m2. Nodes do not rotate: theirs is infinite.
   double inertia(std::size_t i) const {
     return is_node(i) ? std::numeric_limits<double>::infinity() : gyration * mass(i) * radius(i) * radius(i);
   }
 
-  /// Return the fluctuation velocity, m/s, with the mass, and the spin, rad/s, with the radius.
+  /// Returns the fluctuation velocity, m/s, and the mass, kg.
   Lane4 velocity(std::size_t i) const {
     const Lane4& v = grains[i].velocity;
     return dimension == 2 ? Lane4{v[0], v[1], 0, v[3]} : v;
   }
+  /// Returns the spin, rad/s, and the radius, m.
   Lane4 spin(std::size_t i) const {
     return dimension == 2 ? Lane4{0, 0, grains[i].velocity[2], radius(i)} : grains[i].spin;
   }
-  /// Set velocity, m/s, and spin, rad/s, of one grain.
+  /// Sets the velocity of a grain, m/s.
   void set_velocity(std::size_t i, const Vec3& v);
+  /// Sets the spin of a grain, rad/s.
   void set_spin(std::size_t i, const Vec3& spin);
 
-  /// Return the force, N, and the torque, N m, on a grain.
+  /// Returns the force on a grain, N.
   Lane4 force(std::size_t i) const {
     const Lane4& f = loads[i].force;
     return dimension == 2 ? Lane4{f[0], f[1], 0, 0} : f;
   }
+  /// Returns the torque on a grain, N m.
   Lane4 torque(std::size_t i) const { return dimension == 2 ? Lane4{0, 0, loads[i].force[2], 0} : loads[i].torque; }
 
   /// Returns whether a grain is a node of a geotextile.
@@ -99,19 +105,23 @@ struct Bodies {
   /// Makes grains the nodes of fabrics, which do not rotate.
   void set_fabric(std::vector<std::int32_t> fabric_of);
 
-  /// Scales the radii at constant density, and the coordinates by `stretch`. Nodes stay. Inertia follows.
+  /// Scales the radii at constant density, and the coordinates by `stretch`. Nodes stay.
   void scale_radii(double factor, const Vec3& stretch);
   /// Returns the volume of the grains, m3 (2D: m2). Overlaps count twice.
   double solid_volume() const;
-  /// Return extremes over all grains, m, kg and kg m2; inertia without nodes.
+  /// Returns the largest radius, m.
   double largest_radius() const;
+  /// Returns the smallest radius, m.
   double smallest_radius() const;
+  /// Returns the smallest mass, kg.
   double smallest_mass() const;
+  /// Returns the smallest moment of inertia without nodes, kg m2.
   double smallest_inertia() const;
+  /// Returns the mass of all grains, kg.
   double total_mass() const;
   /// Returns the part of a record that Bodies lacks: the identities.
   static io::GrainsRecord identities(io::GrainsRecord record);
-  /// Writes positions, velocities, orientations, radii and masses into a record of identities.
+  /// Writes the state of the grains into a record of identities.
   void store(io::GrainsRecord& record) const;
 };
 

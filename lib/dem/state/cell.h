@@ -21,33 +21,41 @@ class Cell {
   /// Makes the present shape the reference of the deformation gradient.
   void set_reference() { deformation_gradient_ = Mat3::Identity(); }
 
-  const Mat3& matrix() const { return matrix_; }  // columns are the cell vectors, m
+  /// Returns H, m.
+  const Mat3& matrix() const { return matrix_; }
   /// Returns L, 1/s, extension positive.
   const Mat3& velocity_gradient() const { return velocity_gradient_; }
   /// Returns the deformation gradient since the reference.
   const Mat3& deformation_gradient() const { return deformation_gradient_; }
   /// Returns whether an axis is periodic.
   bool periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
+  /// Returns whether any axis is periodic.
   bool any_periodic() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
   /// Returns whether the last step changed the cell.
   bool deforming() const { return deforming_; }
 
   /// Returns the volume, m3 (2D: m2).
   double volume() const;
-  /// Distances between opposite faces, m.
+  /// Returns the distances between opposite faces, m.
   Vec3 widths() const;
-  /// Returns the integer offset of `to`'s image nearest to `from`, along periodic axes. Exact for grains smaller than
-  /// half the cell.
+  /// Returns the offset, in cells, of the image of `to` nearest to `from`.
+  /// Exact for grains smaller than half the cell.
   Vec3i nearest_image(const Vec3& from, const Vec3& to) const;
   /// Returns the cell as files hold it.
   io::CellRecord record() const;
 
  private:
+  /// Dimension of the space, 2 or 3.
   int dimension_ = 3;
+  /// H, m.
   Mat3 matrix_ = Mat3::Identity();
+  /// L, 1/s.
   Mat3 velocity_gradient_ = Mat3::Zero();
+  /// Deformation since the reference.
   Mat3 deformation_gradient_ = Mat3::Identity();
+  /// Whether each axis is periodic.
   std::array<bool, 3> periodic_ = {false, false, false};
+  /// Whether the last step changed the cell.
   bool deforming_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Number of cells between a grain and the image of another grain that it touches, packed into one integer.
+// Number of cells between a grain and a neighbour's image, packed into one integer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace soilweave::dem {
 
-/// Packed offset, x in the highest bits, so that offsets order, add and subtract as vectors do. Zero offset is 0.
-/// Offsets beyond a million cells along an axis are equal, since no pair reaches so far.
+/// Packed offset, x in the highest bits. Offsets order, add and subtract as vectors do.
 using CellOffset = std::int64_t;
 
-constexpr int cell_offset_bits = 21;  // bits per axis, sign included
+/// Bits per axis, sign included.
+constexpr int cell_offset_bits = 21;
 
-/// Packs three integers; all offsets beyond a million cells become one.
+/// Packs three integers. Each is held within a million cells, farther than any pair reaches.
 inline CellOffset cell_offset(const Vec3i& cells) {
   constexpr std::int64_t most = (std::int64_t{1} << (cell_offset_bits - 1)) - 1;
   const auto along = [&](int axis) { return std::clamp(std::int64_t{cells[axis]}, -most, most); };
@@ -34,7 +34,7 @@ inline Vec3i cells_of(CellOffset offset) {
   return cells;
 }
 
-/// Returns the vector to add to the second grain's position, m. matrix: the cell's.
+/// Returns the vector to add to the second grain's position, m. `matrix`: Cell::matrix.
 inline Vec3 shift_of(CellOffset offset, const Mat3& matrix) {
   return offset == 0 ? Vec3::Zero() : Vec3(matrix * cells_of(offset).cast<double>());
 }

@@ -1,4 +1,4 @@
-// Order of the passes of a step over the chunks of grains, and its division among threads.
+// Order of a step's passes over the chunks of grains, and their threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,22 +8,23 @@
 
 namespace soilweave::dem {
 
-/// Order of a step's passes: move the grains, sweep their pairs, collect their loads. A thread does all three chunk by
-/// chunk, while a chunk lies in its cache. A chunk is swept once all chunks that its pairs reach have moved. Its loads
-/// are collected right after, since pairs belong to the chunk of their lower grain. Each thread has a contiguous share
-/// of equal work. The last chunks of each share are swept by the first thread that is free. These, and chunks that
-/// pairs of another share reach, are moved before all sweeps and collected after them.
+/// Order of a step's passes: move the grains, sweep their pairs, collect their loads.
+/// A thread does all three chunk by chunk, while a chunk lies in its cache. A chunk is swept once all chunks
+/// that its pairs reach have moved. Each thread has a contiguous share of equal work. The last chunks of
+/// each share go to the first free thread. These, and chunks that another share reaches, move before all sweeps
+/// and are collected after them.
 class ChunkPlan {
  public:
   ChunkPlan() = default;
-  /// reached: for each chunk, the higher chunks that its pairs reach. work: positive cost of each chunk, in any unit.
+  /// `reached`: higher chunks that the pairs of each chunk reach. `work`: positive cost of each chunk, any unit.
   ChunkPlan(const std::vector<std::vector<std::uint32_t>>& reached, const std::vector<std::size_t>& work, int threads);
 
   /// Calls move(chunk), sweep(chunk) and collect(chunk) once for each chunk.
   template <class Move, class Sweep, class Collect>
   void run(const Move& move, const Sweep& sweep, const Collect& collect) const {
     const auto threads = static_cast<int>(shares_.size());
-    if (threads == 1) return run(shares_.front(), move, sweep, collect);  // not even a team of one thread
+    // A team of one thread would cost its start.
+    if (threads == 1) return run(shares_.front(), move, sweep, collect);
 #pragma omp parallel num_threads(threads)
     {
 #pragma omp for schedule(static)
@@ -65,7 +66,7 @@ class ChunkPlan {
     }
   }
 
-  /// Chunks moved and collected apart; those of them that no thread owns.
+  /// Chunks moved and collected apart, and those among them that no thread owns.
   std::vector<std::uint32_t> apart_, left_;
   /// One share per thread.
   std::vector<Share> shares_;

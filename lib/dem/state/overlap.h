@@ -8,7 +8,7 @@
 
 namespace soilweave::dem {
 
-/// The contact of the largest overlap over the smaller radius; zeros without contacts.
+/// Contact with the largest relative overlap. All zeros without contacts.
 struct DeepestContact {
   /// Bodies as in io::ContactsRecord::bodies.
   std::int32_t first = 0, second = 0;

@@ -1,4 +1,4 @@
-// Rigid planes as contact partners: a point, a unit normal towards the grains, a constant velocity.
+// Rigid planes as contact partners of grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ enum class Partners : std::int32_t { all = 0, soil = 1, fabric = 2 };
 
 /// One plane.
 struct Plane {
-  /// Point, m; unit normal towards the grains; velocity, m/s.
+  /// Point on the plane, m; unit normal towards the grains; velocity, m/s.
   Vec3 point, normal, velocity;
   /// Material of the plane.
   std::int32_t material;
@@ -26,8 +26,9 @@ struct Plane {
   bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
 };
 
-/// All planes of a simulation, which move at constant velocities.
+/// All planes of a simulation. Their velocities are constant.
 struct Planes {
+  /// Planes in the order of files.
   std::vector<Plane> all;
 
   Planes() = default;

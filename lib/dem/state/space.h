@@ -1,8 +1,8 @@
 // Vectors and rotations in space, and in the plane of disks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In the plane a vector has two components and a rotation one (core/simd/v2.h, core/simd/v3.h). A shear force is normal
-// to the contact normal. In the plane it is a number along the normal rotated by a right angle.
+// In the plane a vector has two components and a rotation one (core/simd).
+// A shear force there is a number along the normal rotated by a right angle.
 #pragma once
 
 #include "core/simd/v2.h"
@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// Types of space: vectors and rotations have three components.
+/// Types of space.
 struct Spatial {
   template <class T>
   using Vector = V3<T>;
@@ -22,7 +22,7 @@ struct Spatial {
   static constexpr bool twists = true;
 };
 
-/// Types of the plane: vectors have two components, rotations and forces along a contact have one.
+/// Types of the plane.
 struct Planar {
   template <class T>
   using Vector = V2<T>;
@@ -33,14 +33,17 @@ struct Planar {
   static constexpr bool twists = false;
 };
 
+/// Position, velocity or force.
 template <class T, class Space>
 using Vector = typename Space::template Vector<T>;
+/// Rotation, spin or torque.
 template <class T, class Space>
 using Turn = typename Space::template Turn<T>;
+/// Vector normal to the contact normal, such as the shear force.
 template <class T, class Space>
 using Along = typename Space::template Along<T>;
 
-/// Returns the part of a vector along a contact.
+/// Returns the part of a vector normal to the contact normal.
 template <class T>
 V3<T> along(const V3<T>& normal, const V3<T>& v) {
   return fused_less(dot(v, normal), normal, v);
