@@ -1,4 +1,4 @@
-// The soil's path from its first mean stress upwards.
+// The soil's path from its first mean stress upwards. It depends on the soil and on Young's modulus alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -4,6 +4,23 @@
 // A bag of width B and height H lies under a surcharge sigma_as. It flattens and spreads, which stretches the
 // geotextile. The hoop tension t_h presses the soil together from all sides, so the soil inside carries more than the
 // load outside. Balance of forces on half the bag, with strains eps_a and eps_r of the soil:
+//
+//   vertical  sigma_as = sigma_a - 4 t_h / [B (1 - eps_r)^2]
+//   lateral   2 (B + H) t_h = (sigma_r - sigma_rs) B H (1 - eps_a)(1 - eps_r)
+//
+// Eliminating t_h gives Eq. 5.3; the hoop strain is eps_h = t_h / J (Eq. 5.16).
+//
+// The soil's own path (path.h) gives stresses and strains as functions of its mean stress p alone. At each state the
+// balance gives the surcharge and the hoop strain. A response walks up the path until the hoops reach their stated
+// fraction of the strength: there sigma_as is the ultimate bearing capacity. It ends earlier if the soil fails or the
+// requested surcharge is reached (enum End).
+//
+// Compaction is a first stretch of the path, whose strains remain. A lateral stress sigma_rs, constant or a function of
+// the surcharge, describes the soil around a bag.
+//
+//   const Response response({.soil = soil, .geotextile = geotextile, .bag = {0.4, 0.08}});
+//   const Point ultimate = response.last();          // surcharge, strains, hoop tension
+//   const Point service = response.at_surcharge(500e3);
 #pragma once
 
 #include <optional>
@@ -64,7 +81,7 @@ struct Case {
   std::optional<double> initial_settlement;
   /// Compaction as a pressure, Pa.
   std::optional<double> initial_surcharge;
-  /// Surcharge at which to end, Pa, below the capacity or not.
+  /// Surcharge at which to end, Pa, even below the capacity.
   std::optional<double> until;
 
   /// Returns the hoop strain at the end: strength_fraction times strength over stiffness, or the lesser failure strain.
