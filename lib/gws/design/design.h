@@ -1,4 +1,4 @@
-// The inverse problem: which geotextile carries a surcharge within a settlement, and what a given bag carries.
+// The inverse problem: the geotextile for a surcharge and settlement, and what a given bag carries.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,16 +9,21 @@
 
 namespace soilweave::gws {
 
-/// Demand on a bag. The settlement is the axial strain at the surcharge, counted from compaction.
+/// Demand on a bag.
 struct Demand {
-  double surcharge = 0;   // surcharge at service, Pa
-  double settlement = 1;  // greatest admissible settlement; 1: any
-  double safety = 1;      // factor on the surcharge at which the hoops may reach their stated fraction of the strength
-  std::optional<Soil> weakened = {};  // soil in the check of failure; empty: the bag's own
+  /// Surcharge at service, Pa.
+  double surcharge = 0;
+  /// Greatest axial strain at the surcharge, from compaction; 1: any.
+  double settlement = 1;
+  /// Factor on the surcharge at which the hoops may reach their fraction of the strength.
+  double safety = 1;
+  /// Soil in the check of failure; empty: the bag's own.
+  std::optional<Soil> weakened = {};
 };
 
-/// Range of stiffness to search, N/m.
+/// Range of stiffness to search.
 struct StiffnessRange {
+  /// N/m.
   double low = 1e3, high = 1e8;
 };
 
@@ -26,35 +31,42 @@ enum class Governs { settlement, strength, range };
 
 /// The answer to a demand.
 struct Design {
-  Geotextile geotextile;  // softest geotextile that meets the demand, with the strength it needs
+  /// Softest geotextile that meets the demand, with its required strength.
+  Geotextile geotextile;
+  /// Criterion that decides.
   Governs governs = Governs::settlement;
-  Point start, service, factored;  // states after compaction, at the surcharge, and at `safety` times the surcharge
+  /// States after compaction, at the surcharge, and at `safety` times it.
+  Point start, service, factored;
 };
 
-/// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J.
-/// If the case's geotextile has a strength, the ratio of strength to stiffness is kept, and the hoops stay within their
-/// limit at `safety` times q. If it has none (0), the strength follows from the hoop tension at `safety` times q.
-/// Throws TargetNotReached if the stiffest geotextile of the range is too soft, DataError for an inadmissible demand.
+/// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J. A
+/// strength of the case's geotextile keeps its ratio to the stiffness and limits the hoops at `safety` times q. Without
+/// one (0), it follows from the hoop tension there. Throws TargetNotReached if the stiffest geotextile is too soft,
+/// DataError for an inadmissible demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
 /// Surcharge that a given bag carries.
 struct Allowance {
-  double surcharge = 0;  // Pa
+  /// Pa.
+  double surcharge = 0;
+  /// Criterion that decides.
   Governs governs = Governs::strength;
+  /// State at the surcharge.
   Point at;
 };
-/// Returns the surcharge that a bag carries within the settlement, and with the safety against its capacity.
+/// Returns the surcharge within the settlement, and with the safety against the capacity.
 Allowance allowable_surcharge(const Case& bag, double settlement, double safety,
                               const std::optional<Soil>& weakened = std::nullopt);
 
-/// One bag of a design chart. A NaN marks what the bag does not reach.
+/// One bag of a design chart. NaN: not reached.
 struct ChartRow {
   Geotextile geotextile;
-  double capacity = 0, settlement = 0, hoop_strain = 0;    // values at the end of the response
-  double service_settlement = 0, allowable_surcharge = 0;  // values for the demand
+  /// At the end of the response.
+  double capacity = 0, settlement = 0, hoop_strain = 0;
+  /// For the demand.
+  double service_settlement = 0, allowable_surcharge = 0;
 };
-/// Returns n bags with stiffnesses at equal steps of ln J. They keep the geotextile's strength over stiffness and
-/// failure strain.
+/// Returns n bags at equal steps of ln J. Strength over stiffness and failure strain stay constant.
 std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n);
 
 }  // namespace soilweave::gws

@@ -1,4 +1,4 @@
-// Factors that a design office brings: reduction of the strength, partial factors on load and soil. None is a default.
+// Factors of a design office on strength, load and soil. Each is 1 by default.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,20 +11,24 @@
 namespace soilweave::gws {
 
 struct Factors {
-  double creep = 1, installation = 1, durability = 1;  // divide the strength (ISO/TS 20432)
-  double load = 1;                                     // multiplies the surcharge that must not bring failure
-  double soil = 1;                                     // divides tan phi in the check of failure
+  /// Divide the strength (ISO/TS 20432).
+  double creep = 1, installation = 1, durability = 1;
+  /// Multiplies the surcharge that must not bring failure.
+  double load = 1;
+  /// Divides tan phi in the check of failure.
+  double soil = 1;
 
+  /// Declares the options in a tool's table.
   void declare(tool::Table& table);
+  /// Returns the factor that divides the strength.
   double reduction() const { return creep * installation * durability; }
-  /// Returns the soil whose tan phi, from M by sin phi = 3 M/(6 + M), is divided by the factor; none if that is 1. The
-  /// failure line is lowered as a whole.
+  /// Returns the soil with tan phi divided by the factor; none if that is 1. sin phi = 3 M/(6 + M). The failure line is
+  /// lowered as a whole.
   std::optional<Soil> weakened(const Soil& soil) const;
 };
 
-/// Returns what an answer rests on, a sentence a line: the fraction of the strength that counts and where its default
-/// comes from, the factors other than 1, and Matsuoka and Liu's closed form with the same tension. `unreduced`:
-/// strength before its reduction, N/m. `chosen`: the fraction was given.
+/// Returns the basis of an answer, one sentence a line: the fraction of the strength and its source, factors other than
+/// 1, and Matsuoka and Liu's closed form. unreduced: strength before reduction, N/m. chosen: the fraction was given.
 std::string conditions(const Case& bag, const Factors& factors, double unreduced, bool chosen);
 
 }  // namespace soilweave::gws
