@@ -13,10 +13,11 @@ template <class T, class Space = Spatial>
 struct Action {
   /// Force on the second body, N.
   Vector<T, Space> force;
-  Turn<T, Space> torque_first, torque_second;  // N m; the first acts the other way round
+  /// Torques on the bodies, N m; the first acts the other way round.
+  Turn<T, Space> torque_first, torque_second;
 };
 
-/// Returns force and torques. arm_1, arm_2: distances from the centres to the contact point, m.
+/// Returns force and torques. `arm_1`, `arm_2`: distances from centre to contact point, m.
 template <class T, class Space>
 Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_2,
                         const ContactHistory<T, Space>& history, const T& normal_force) {
@@ -26,8 +27,8 @@ Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_
   return {joined(normal_force, n, history.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
 }
 
-/// Diagonals of a contact's stiffness matrices about the axes, for translation and rotation (Chareyre & Villard 2005;
-/// LAWS.md §8).
+/// Returns the diagonals of a contact's stiffness for translation and rotation.
+/// Source: Chareyre & Villard 2005 (LAWS.md §8).
 template <class T>
 std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {
   const V3<T> n2{n.x * n.x, n.y * n.y, n.z * n.z}, one{broadcast<T>(1), broadcast<T>(1), broadcast<T>(1)};
@@ -42,7 +43,8 @@ std::pair<V2<T>, T> axis_stiffness(const V2<T>& n, const Response<T>& r, const T
           r.rolling_stiffness + r.shear_stiffness * (radius * radius)};
 }
 
-/// Returns the response of a contact to a stretch of the cell along each axis: l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
+/// Returns the stiffness of a contact against a stretch of the cell along each axis:
+/// l_a^2 (kn n_a^2 + ks (1 - n_a^2)).
 template <class T>
 V2<T> affine_stiffness(const V2<T>& n, const T& length, const Response<T>& r) {
   const T ks = r.shear_stiffness, difference = r.normal_stiffness - ks, length2 = length * length;

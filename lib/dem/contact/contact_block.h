@@ -1,4 +1,4 @@
-// Pairs of grains in blocks of eight: data that a lane of the sweep reads and writes lie side by side.
+// Pairs of grains in blocks of eight, one for each lane of the sweep.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,11 +15,11 @@
 
 namespace soilweave::dem {
 
-/// Grains per chunk, whose pairs one thread sweeps at a time. So many fit the second cache.
+/// Grains per chunk. One thread sweeps a chunk, which fits the second cache.
 inline constexpr std::size_t grains_per_chunk = 1000;
-/// Returns the number of chunks of so many grains.
+/// Returns the number of chunks.
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
-/// Index of the first grain of `chunk`; the number of grains if there is no such chunk.
+/// Returns the first grain of `chunk`, or the number of grains past the last chunk.
 inline std::size_t first_grain(std::size_t chunk, const Bodies& bodies) {
   return std::min(bodies.size(), chunk * grains_per_chunk);
 }
@@ -28,7 +28,7 @@ inline std::size_t chunk_of(std::int32_t grain) { return static_cast<std::size_t
 
 /// Eight pairs. Lane k of an array is pair k; lanes from `count` on are empty.
 struct alignas(64) ContactBlock {
-  /// Pairs per block; arrays of numbers, which lie one after the other.
+  /// Pairs per block; number of consecutive arrays of doubles.
   static constexpr int size = 8, arrays = 8;
   /// Shear force, N.
   double shear[3][size];
@@ -38,16 +38,16 @@ struct alignas(64) ContactBlock {
   double twisting[size];
   /// Normal force, N.
   double normal_force[size];
-  // Byte offsets of the two grains (first < second), and of the load that takes the force on the second grain (for a
-  // plane: on the only grain).
+  /// Byte offsets of the two grains (first < second), and of the load of the second grain.
+  /// A plane's pair has the load of its only grain.
   std::uint32_t first[size], second[size], load_second[size];
   /// Cell offset of the second grain, as an index into Contacts::images.
   std::uint16_t image[size];
-  // Masks, bit k for pair k. folded: the pair reaches across the cell's faces.
+  /// Masks, bit k for pair k. A folded pair reaches across the cell's faces.
   std::uint8_t touching = 0, sliding = 0, folded = 0;
   /// Number of pairs.
   std::uint8_t count = 0;
-  /// Whether a second grain is in another chunk.
+  /// Whether any second grain is in another chunk.
   bool far = false;
 
   /// Returns a mask with bit k set or cleared.
@@ -85,7 +85,7 @@ std::span<SomePair> of_chunk(std::span<SomePair> pairs, std::size_t chunk) {
 class PairOrder {
  public:
   explicit PairOrder(const Bodies& bodies) : material_(bodies.of_one_material ? nullptr : bodies.material.data()) {}
-  /// True if the order by grains is this order already, because all grains have one material.
+  /// Returns whether the order by grains is this order, because all grains have one material.
   bool is_that_of_grains() const { return !material_; }
   /// Returns whether two pairs have the same pair of materials.
   bool same_materials(const Pair& a, const Pair& b) const {
@@ -98,24 +98,27 @@ class PairOrder {
   }
 
  private:
-  const std::int32_t* material_;  // nullptr if all grains have one material
+  /// Materials of the grains; nullptr if all grains have one.
+  const std::int32_t* material_;
 };
 
 /// History of one pair from step to step.
 struct PairHistory {
+  /// Shear force and moments.
   ContactHistory<double> history{{0, 0, 0}, {0, 0, 0}, 0};
   /// Normal force, N.
   double normal_force = 0;
+  /// Whether the pair touches, and whether it slides.
   bool touching = false, sliding = false;
   /// Numbers that only its law keeps.
   std::vector<double> own = {};
 };
 
-/// Returns the history in a lane. own: the law's own arrays of the block, `arrays` of them.
+/// Returns the history in a lane. `own`: the law's own `arrays` arrays of the block.
 PairHistory history_of(const ContactBlock& block, int lane, const double* own = nullptr, std::size_t arrays = 0);
-/// Stores a history in a lane, and its own numbers in the arrays at `own`.
+/// Stores a history in a lane, and the law's numbers in the arrays at `own`.
 void set_history(ContactBlock& block, int lane, const PairHistory& history, double* own = nullptr);
-/// Copies the history of a lane into a lane that holds zeros, and the law's own `arrays` if there are any.
+/// Copies the history of a lane, and the law's own `arrays`, into a lane of zeros.
 void copy_history(const ContactBlock& from, const double* own, int lane, std::size_t arrays, ContactBlock& to,
                   double* own_to, int to_lane);
 

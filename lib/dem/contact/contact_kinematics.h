@@ -1,4 +1,4 @@
-// Increments that a contact law works with, from the motion of two bodies.
+// Increments for a contact law, from the motion of two bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,24 @@ template <class T, class Space = Spatial>
 struct PairMotion {
   /// Relative velocity of the centres, m/s.
   Vector<T, Space> velocity;
-  Turn<T, Space> spin_1, spin_2;  // rad/s
+  /// Spins, rad/s.
+  Turn<T, Space> spin_1, spin_2;
   /// Radii, m; 0 for a plane.
   T lever_1, lever_2;
-  T inverse_distance;  // 1/m: 1/(distance of the centres); 1/radius for a plane
+  /// 1/(distance of the centres), for a plane 1/radius, 1/m.
+  T inverse_distance;
 };
 
-/// Returns the sum of the levers times the spins, over dt: the rotation's part of the slip.
+/// Returns the slip from rotation over dt: the sum of levers times spins.
 template <class T, class Space>
 Turn<T, Space> turning(const PairMotion<T, Space>& m, const T& dt) {
   const T lever_1 = dt * m.lever_1, lever_2 = dt * m.lever_2;
   return fused(lever_2, m.spin_2, Turn<T, Space>(lever_1 * m.spin_1));
 }
 
-/// Sets the increments over dt. Levers are the full radii, and the translation is multiplied by (r1 + r2)/distance.
-/// Then a contact does not ratchet when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; LAWS.md §1). The
-/// caller sets normal, overlap, radii and masses.
+/// Sets the increments over dt. The caller sets normal, overlap, radii and masses.
+/// Levers are full radii, and (r1 + r2)/distance multiplies the translation. So a contact does not ratchet
+/// when its overlap cycles (McNamara, Garcia-Rojo & Herrmann 2008; LAWS.md §1).
 template <class T, class Space>
 void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Space>& k) {
   const T translation = dt * ((m.lever_1 + m.lever_2) * m.inverse_distance);
@@ -41,8 +43,8 @@ void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Sp
   }
 }
 
-/// Returns the slip of the surfaces over dt, m, at the contact point, which lies half the overlap inside each grain.
-/// The shear force does its work on this slip; the law's slip above has longer levers.
+/// Returns the slip of the surfaces over dt, m, half the overlap inside each grain.
+/// The shear force works on this slip. The law's slip has longer levers.
 template <class T, class Space>
 Along<T, Space> surface_slip(const PairMotion<T, Space>& m, const Kinematics<T, Space>& k, const T& dt) {
   const T depth = 0.5 * dt * k.overlap;

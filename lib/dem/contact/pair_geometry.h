@@ -1,4 +1,4 @@
-// Geometry and motion of a pair of grains, or of a grain and a plane, from their rows. T is double or lanes.
+// Geometry and motion of a pair of grains, or of a grain and a plane. T is double or lanes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,24 +9,25 @@
 
 namespace soilweave::dem {
 
-/// Input of contact law and sums for a pair. If the bodies do not touch, overlap and all increments are zero.
+/// Input of the contact law for a pair. Without touch, overlap and increments are zero.
 template <class T, class Space = Spatial>
 struct PairGeometry {
   /// Motion as the law sees it.
   Kinematics<T, Space> kinematics;
   /// Slip of the surfaces, m (contact_kinematics.h).
   Along<T, Space> surface_slip;
-  // Gibbs vector of the rotation of the history (transport.h). In the plane the history along a contact needs none.
+  /// Gibbs vector of the history's rotation (transport.h), which only space needs.
   Turn<T, Space> turn;
   /// Whether the pair touches.
   Mask<T> touching;
 };
 
-/// Velocity that the deforming cell adds to a pair: the affine closing over the step, at the branch before the cell
-/// moved, to first order in the step: (L - dt L^2) d.
+/// Velocity that the deforming cell adds to a pair, to first order in the step: (L - dt L^2) d.
+/// It belongs to the branch before the cell moved.
 struct AffineMotion {
   /// Gradient L - dt L^2 of the cell, 1/s.
   Mat3 gradient;
+  /// Whether the cell deforms, and whether the gradient is diagonal.
   bool deforming, diagonal;
 
   AffineMotion(const Mat3& L, bool moving, double dt)
@@ -35,7 +36,8 @@ struct AffineMotion {
   template <class T>
   V3<T> operator()(const V3<T>& d) const {
     const Mat3& g = gradient;
-    if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y, g(2, 2) * d.z};  // adding zeros would change no bit
+    // Adding zeros would change no bit.
+    if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y, g(2, 2) * d.z};
     const auto component = [&](int i) {
       return fused(broadcast<T>(g(i, 2)), d.z, fused(broadcast<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)));
     };
@@ -55,7 +57,9 @@ template <class T, class Space>
 struct RelativePosition {
   /// Unit vector from body 1 to body 2.
   Vector<T, Space> normal;
+  /// Overlap, m; r1 r2 / (r1 + r2), m; 1/(r1 + r2), 1/m; 1/distance, 1/m.
   T overlap, R_star, per_reach, inverse_distance;
+  /// Whether the grains touch.
   Mask<T> touching;
 };
 
@@ -72,8 +76,8 @@ RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, con
           inverse_distance,          touching};
 }
 
-/// Returns the position of a pair that acts across gaps up to `range`, m. A pair farther apart has an overlap of
-/// -range.
+/// Returns the position of a pair that acts across gaps up to `range`, m.
+/// A pair farther apart has an overlap of -range.
 template <class T, class Space>
 RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, const T& r1, const T& r2, const T& range) {
   RelativePosition<T, Space> relative = relative_position<T, Space>(branch, r1, r2);
@@ -83,7 +87,7 @@ RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, con
   return relative;
 }
 
-/// Sets the motion over a step dt that led to the position. The caller sets the masses.
+/// Sets the motion over the step dt to the position. The caller sets the masses.
 template <class T, class Space>
 void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
   Kinematics<T, Space>& k = g.kinematics;
@@ -97,9 +101,9 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
   k.approach_speed = masked(g.touching, k.approach_speed);
 }
 
-/// Returns the geometry of a grain and a plane with a constant inward normal. velocity: the plane's, relative to the
-/// grain. Levers are the full radius for slip and torque alike, hence work-conjugate and exact in the rigid limit.
-/// listed: mask of the pairs that exist. range: the gap across which they act, m.
+/// Returns the geometry of a grain and a plane with a constant inward normal.
+/// `velocity`: plane relative to grain. `listed`: mask of existing pairs. `range`: gap across which they act, m.
+/// Slip and torque have the full radius as lever, so they are work-conjugate.
 template <class T>
 PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
                                const T& height, const V3<T>& inward, const Mask<T>& listed, double dt,

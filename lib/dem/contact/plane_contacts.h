@@ -17,10 +17,11 @@ struct PlanePair {
   PairHistory history = {};
 };
 
-/// Pairs of one plane with grains of one material. They have no second grains, and each pair has a load of its own.
+/// Pairs of one plane with grains of one material. Each pair has a load of its own.
 struct PlaneBlock {
   /// Pairs of the block.
   ContactBlock pairs;
+  /// Index of the plane.
   std::int32_t plane;
 };
 
@@ -35,7 +36,7 @@ class PlaneContacts {
   /// Returns the law's own numbers of a block, array by array (Contacts::own).
   double* own(std::size_t block) { return own_.data() + block * own_arrays_ * ContactBlock::size; }
   const double* own(std::size_t block) const { return own_.data() + block * own_arrays_ * ContactBlock::size; }
-  /// Sets how many numbers of its own the law keeps for a contact. Must be called before any pair is listed.
+  /// Sets how many numbers of its own the law keeps for a contact. No pair may be listed yet.
   void keep_own(std::size_t arrays) { own_arrays_ = arrays; }
   /// Returns all listed pairs, in the order of the blocks.
   std::vector<PlanePair> pairs() const;
@@ -48,6 +49,7 @@ class PlaneContacts {
  private:
   /// Blocks of one plane and one material each.
   LargeVector<PlaneBlock> blocks_;
+  /// Numbers that only the law keeps, per contact.
   std::size_t own_arrays_ = 0;
   /// Numbers that only the law keeps, block by block.
   std::vector<double> own_;

@@ -1,4 +1,4 @@
-// Rotates the history of a contact with the pair, exactly for rotations of any size.
+// Rotates the history of a contact with the pair.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,15 +6,15 @@
 
 namespace soilweave::dem {
 
-/// Returns 2/(1 + g2) by a series instead of a division; the error is of the fourth power of g2.
+/// Returns 2/(1 + g2) by a series. Its error is of the fourth power of g2.
 template <class T>
 T small_scale(const T& g2) {
   const T two = broadcast<T>(2);
   return fused_less(g2, fused_less(g2, fused_less(g2, two, two), two), two);
 }
 
-/// Rotation by its Gibbs vector g, the axis times the tangent of half the angle (Rodrigues 1840): v + 2/(1 + g^2) g x
-/// (v + g x v). Lengths are kept to rounding.
+/// Rotation v + 2/(1 + g^2) g x (v + g x v), which keeps lengths to rounding.
+/// The Gibbs vector g is the axis times the tangent of half the angle (Rodrigues 1840).
 template <class T>
 class Rotation {
  public:
@@ -27,7 +27,7 @@ class Rotation {
  private:
   Rotation(const V3<T>& gibbs, const T& scale) : gibbs_(gibbs), scaled_(scale * gibbs) {}
 
-  // Returns a x b + c.
+  /// Returns a x b + c.
   static V3<T> add_cross(const V3<T>& a, const V3<T>& b, const V3<T>& c) {
     return {fused_less(a.z, b.y, fused(a.y, b.z, c.x)), fused_less(a.x, b.z, fused(a.z, b.x, c.y)),
             fused_less(a.y, b.x, fused(a.x, b.y, c.z))};
@@ -36,22 +36,23 @@ class Rotation {
   V3<T> gibbs_, scaled_;
 };
 
-/// Returns the Gibbs vector of the smallest rotation from one unit vector to another, less than half a turn away.
+/// Returns the Gibbs vector of the smallest rotation between unit vectors that are not opposite.
 template <class T>
 V3<T> between(const V3<T>& old_normal, const V3<T>& normal) {
   return T(1.0 / (1.0 + dot(old_normal, normal))) * cross(old_normal, normal);
 }
 
-/// Returns the Gibbs vector for the normal of a pair that moved with a relative velocity (m/s) over dt; `parting` is
-/// the component along the normal (m/s). Exact to the third power of displacement over distance.
+/// Returns the Gibbs vector for the normal of a pair that moved for dt.
+/// `velocity`: relative, m/s. `parting`: its component along the normal, m/s.
+/// Exact to the third power of displacement over distance.
 template <class T, class V>
 auto between(const V& velocity, const T& parting, const T& inverse_distance, const V& normal, const T& dt) {
   const T step = dt * inverse_distance, parted = step * parting, one = broadcast<T>(1);
   return T(0.5 * step * fused(parted, one + parted, one)) * cross(normal, velocity);
 }
 
-/// Returns the Gibbs vector of a rotation with its axis in the contact plane, followed by one about the normal by an
-/// angle (rad, the grains' mean spin over the step). The tangent of half the angle is exact to the seventh power.
+/// Returns the Gibbs vector of a rotation about an axis in the contact plane, then by `angle` about the normal.
+/// `angle`: rotation by the grains' mean spin, rad. The tangent of its half is exact to the seventh power.
 template <class T>
 V3<T> then_spin(const V3<T>& gibbs, const V3<T>& normal, const T& angle) {
   const T s2 = angle * angle;

@@ -1,5 +1,4 @@
-// Yarns as tension-only springs along a piecewise-linear curve: they yield, unload and break. Only strains and tensions
-// here; nodes and lists are elsewhere.
+// Yarns as tension-only springs that yield, unload and break.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +10,8 @@
 
 namespace soilweave::dem {
 
-/// Tension against strain of a yarn, linear between points from the origin on. Beyond the last point it breaks. Below
-/// its largest strain so far it unloads and reloads with slope `unloading` from the plastic strain (LAWS.md §9).
+/// Tension of a yarn against strain, linear between points from the origin on. Beyond the last point it breaks.
+/// Below its largest strain it unloads and reloads with slope `unloading` (LAWS.md §9).
 struct WireCurve {
   /// Name of the geotextile.
   std::string name;
@@ -25,7 +24,7 @@ struct WireCurve {
 
   /// Returns the strain at which a yarn breaks.
   double breaking_strain() const { return strain.back(); }
-  /// Returns the tension on the curve of first loading, N, from 0 to breaking_strain(). T is double or lanes.
+  /// Returns the tension of first loading, N, for strains from 0 to breaking_strain().
   template <class T>
   T loading(const T& e) const {
     std::size_t k = strain.size() - 1;
@@ -33,7 +32,7 @@ struct WireCurve {
     while (k-- > 0) t = select<T>(e < broadcast<T>(strain[k]), on_piece(k, e), t);
     return t;
   }
-  /// Returns the steepest slope that the curve ever has, N per unit of strain.
+  /// Returns the steepest slope, N per unit of strain.
   double stiffest() const {
     double most = unloading;
     for (std::size_t k = 0; k < strain.size(); ++k) most = std::max(most, piece(k).slope);
@@ -43,7 +42,7 @@ struct WireCurve {
  private:
   /// One linear piece of the curve.
   struct Piece {
-    /// Values at its beginning.
+    /// Strain and tension (N) at its beginning; slope, N per unit of strain.
     double strain, tension, slope;
   };
   /// Returns the piece that ends at point k.
@@ -51,6 +50,7 @@ struct WireCurve {
     const double e0 = k ? strain[k - 1] : 0, t0 = k ? tension[k - 1] : 0;
     return {e0, t0, (tension[k] - t0) / (strain[k] - e0)};
   }
+  /// Returns the tension on the line of piece k, N.
   template <class T>
   T on_piece(std::size_t k, const T& e) const {
     const Piece p = piece(k);
