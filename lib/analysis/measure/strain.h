@@ -1,4 +1,4 @@
-// Strain of the cell, of a volume of interest, and of the space between neighbouring grains; compression positive.
+// Strains of the cell, of volumes and of grain neighbourhoods; compression positive.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,24 +9,24 @@
 
 namespace soilweave::analysis {
 
-/// Returns minus the logarithm of the left stretch of a deformation gradient.
+/// Returns minus the logarithm of the left stretch.
 Mat3 natural_strain(const Mat3& deformation_gradient);
-/// Returns the natural strains of the cell since its reference.
+/// Returns the cell's natural strains since its reference.
 Mat3 cell_strain(const io::CellRecord& cell);
-/// Return the trace of the natural strains, contraction positive, and sqrt(2/3 e:e) of their deviator e (in 2D the
-/// difference of the principal strains).
+/// Returns the trace of natural strains, contraction positive.
 double volumetric_strain(const Mat3& strain, int dimension);
+/// Returns sqrt(2/3 e:e) of the deviator e; 2D: the difference of principal strains.
 double deviatoric_strain(const Mat3& strain, int dimension);
 
-/// Returns the deformation gradient of each simplex of the reference, from the displacements of its grains, matched by
-/// body_id. Throws DataError if one is missing. Exact for an affine motion. Bagi 1996.
+/// Returns the deformation gradient of each reference simplex (Bagi 1996), exact for affine motion. Grains are matched
+/// by body_id; throws DataError if one is missing.
 std::vector<Mat3> simplex_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                     const std::vector<Simplex>& simplices);
-/// Returns for each present grain the mean gradient of the simplices around it, weighted by their reference volume.
+/// Returns for each present grain the mean gradient of its simplices, weighted by reference volume.
 std::vector<Mat3> grain_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                   const std::vector<Simplex>& simplices, const std::vector<Mat3>& gradients);
-/// Returns the gradient that best maps the reference positions of some grains (indices in the present state) to the
-/// present ones by least squares. Throws DataError if they are too few or lie in a plane.
+/// Returns the least-squares gradient from reference to present positions. `grains` are indices in the present state.
+/// Throws DataError if they are too few or lie in a plane.
 Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& present,
                        const std::vector<std::size_t>& grains);
 

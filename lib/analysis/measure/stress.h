@@ -1,14 +1,13 @@
 // Love-Weber stress of the cell and of each grain, compression positive.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stress of a granular assembly is the virial of its contact forces (Love 1927, Weber 1966): the mean over a volume
-// V of force f times branch l, from centre to centre,
+// Stress is the virial of the contact forces (Love 1927, Weber 1966): the mean over a volume V of force f times branch
+// l, from centre to centre,
 //
 //   sigma = (1/V) sum over contacts of f (x) l                                                      thesis Eq. 3.4
 //
-// Cut the assembly by a plane: the forces of the contacts that cross it, over its area, are the traction sigma n. The
-// sum counts each contact as often as planes meet its branch. Inertia is neglected, since loading is quasi-static. The
-// share of a grain in this sum, over the volume of its power cell, is the stress of a grain.
+// The forces across a plane, over its area, are the traction sigma n. Inertia is neglected, since loading is
+// quasi-static. A grain's stress is its share of the sum, over the volume of its power cell.
 #pragma once
 
 #include <vector>
@@ -17,25 +16,25 @@
 
 namespace soilweave::analysis {
 
-/// Returns sum f (x) l over all contacts, over the cell's volume, Pa (2D: N/m), thesis Eq. 3.4. f acts on the second
-/// grain, l runs from the first to the second. The skew part is the moment that contacts carry.
+/// Returns the stress of all contacts, Pa (2D: N/m), thesis Eq. 3.4. f acts on the second grain; l runs from the first
+/// to the second. The skew part is the moment that contacts carry.
 Mat3 contact_stress(const io::Snapshot& state);
-/// Returns -sum T l n (x) n over all yarns (tension, length, direction), over the cell's volume, Pa. Zero in a cell
-/// without periodic axes.
+/// Returns -sum T l n (x) n / V over all yarns (tension, length, direction), Pa. Zero in a cell without periodic axes.
 Mat3 yarn_stress(const io::Snapshot& state);
-/// Returns the sum of both: the stress at the faces of the cell, which the servo of a run holds.
+/// Returns the sum of both, Pa: the stress that a run's servo holds.
 Mat3 cell_stress(const io::Snapshot& state);
 
-/// Returns sum f (x) l of each grain, N m. A contact's dyad is split at the contact point, so that the grains' sum
-/// equals the cell's.
+/// Returns sum f (x) l of each grain, N m. Dyads are split at contact points, so grains add up to the cell.
 std::vector<Mat3> grain_dyads(const io::Snapshot& state);
 
-/// Principal values of the symmetric part, largest first, with unit directions as columns.
+/// Principal values and directions of the symmetric part.
 struct Principal {
+  /// Largest first.
   Vec3 values;
+  /// Unit vectors, as columns.
   Mat3 directions;
 };
-/// Computes principal values and directions. The largest component of a direction is positive.
+/// Computes both. The largest component of a direction is positive.
 Principal principal(const Mat3& stress, int dimension);
 
 }  // namespace soilweave::analysis
