@@ -1,16 +1,15 @@
 // The shape of every tool: a struct with options(), validate() and run(), and a main of one line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A tool is a filter of files: it reads some, computes, and writes one. Its three functions divide that work:
+// A tool is a filter of files. Three functions divide its work:
 //
-//   options()   binds each option to a field of the struct: name, unit, range, sentence. This is its only definition.
+//   options()   binds each option to a field of the struct: name, unit, range, sentence.
 //   validate()  checks the fields against each other. It throws all usage mistakes at once and opens no data file.
-//   run()       reads, computes, writes. It parses nothing and throws an error of core/error.h where something fails.
+//   run()       reads, computes, writes. It throws an error of core/error.h where something fails.
 //
-// From the one table of options come parsing, --help, the manual page, bash completion, range errors, and the command
-// that provenance records. start() calls the three in order, and checks in between that all inputs exist and that the
-// output can be made. It turns each error into one line on standard error and one exit status. A new tool begins as a
-// copy of the smallest one (tools/fabric.cpp):
+// The table of options serves parsing, --help, manual page, completion, range errors and provenance. start() calls the
+// three in order. Before run() it checks that all inputs exist and that the output can be made. It turns each error
+// into one line and one exit status. A new tool begins as a copy of the smallest one (tools/fabric.cpp):
 //
 //   struct Fabric {
 //     std::filesystem::path input, output;
@@ -37,7 +36,7 @@ namespace soilweave::tool {
 
 inline constexpr std::string_view version = "0.1.0";
 
-/// Call of this process: the words that provenance records, and the options that concern only the terminal.
+/// Call of this process, for provenance and for options that every tool has.
 struct Invocation {
   /// Name of the tool.
   std::string tool;
@@ -58,7 +57,7 @@ class Table {
  public:
   Table();
   ~Table();
-  /// Sets the name, the sentence and the description that help and manual page begin with.
+  /// Sets what help and manual page begin with.
   void about(std::string name, std::string sentence, std::string description = "");
   /// Adds an example that can be pasted; the tests run every one.
   void example(std::string command, std::string sentence);
@@ -68,25 +67,25 @@ class Table {
   void inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_inputs(std::vector<std::filesystem::path>& field, std::string name, std::string sentence);
   void optional_input(std::filesystem::path& field, std::string name, std::string sentence);
-  /// Declares -o/--output ("-": standard output) and --force, without which an existing file is refused. If the field
-  /// is empty when bound, the user must give it.
+  /// Declares -o/--output ("-": standard output) and --force. An empty field makes it required.
   void output(std::filesystem::path& field, std::string sentence);
   /// Declares the output of a tool that can do without a file because it prints.
   void optional_output(std::filesystem::path& field, std::string sentence);
-  /// Declares an option that names one more output file, on the terms of output(); call it beside output().
+  /// Declares an option for one more output file. Call it beside output().
   void also_output(std::filesystem::path& field, std::string_view name, std::string sentence);
   /// Declares the output of a tool that writes a folder of files.
   void output_folder(std::filesystem::path& field, std::string sentence);
 
-  // Declares an option. A name of one letter ("n") is written -n, a longer one --with-hyphens, "pressure,p" both ways.
-  // Numbers may carry a unit ("100 kPa"). A number out of range is a usage mistake with range and reason.
+  /// Declares an option: "n" is written -n, a longer name --with-hyphens, "pressure,p" both ways.
+  /// Numbers may carry a unit. A number out of range is a usage mistake.
   void option(double& field, const Parameter& parameter);
   void option(std::int64_t& field, const Parameter& parameter);
   void option(std::optional<double>& field, const Parameter& parameter);
   void option(std::string& field, std::string_view name, std::string_view metavar, std::string_view sentence);
   void option(std::filesystem::path& field, std::string_view name, std::string_view metavar, std::string_view sentence);
+  /// Declares a repeatable option.
   void option(std::vector<std::string>& field, std::string_view name, std::string_view metavar,
-              std::string_view sentence);  // repeatable
+              std::string_view sentence);
   void choice(std::string& field, std::string_view name, std::vector<std::string> values, std::string_view sentence);
   void flag(bool& field, std::string_view name, std::string_view sentence);
   /// Keeps an option that cannot change the result (--resume) out of Invocation::command.
@@ -97,8 +96,10 @@ class Table {
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
   /// Declares --keys, which prints every key of the tool's TOML document. title: what the document is.
   void keys(std::string title, std::vector<Key> (*of)());
-  void seed();     // --seed N, into Invocation::seed
-  void threads();  // --threads N, into Invocation::threads
+  /// Declares --seed N, into Invocation::seed.
+  void seed();
+  /// Declares --threads N, into Invocation::threads.
+  void threads();
 
   struct Impl;
   Impl& impl() { return *impl_; }
@@ -115,8 +116,8 @@ struct Program {
   std::function<void(const Invocation&)> run;
 };
 
-/// Parses, validates and runs a tool, and translates errors to one line and an exit status. Handles --help, --version,
-/// --man, --completion and --keys. A broken pipe counts as success. Standard output is closed and checked.
+/// Parses, validates and runs a tool, and returns its exit status. A broken pipe counts as success.
+/// Handles --help, --version, --man, --completion and --keys.
 int start(int argc, char** argv, const Program& program);
 
 template <class Tool>
@@ -131,8 +132,8 @@ int start(int argc, char** argv) {
   return start(argc, argv, program(t));
 }
 
-/// A tool of several verbs ("gws-solve respond"). The first argument names the verb. Each verb is a program named "TOOL
-/// VERB" with its own option table; help, manual page and completion of the tool cover all verbs.
+/// A tool of several verbs ("gws-solve respond"), each with its own option table.
+/// Help, manual page and completion of the tool cover all verbs.
 struct Suite {
   /// One verb: the word after the tool's name, and its program.
   struct Verb {

@@ -14,27 +14,26 @@
 
 namespace soilweave {
 
-/// Notes the keys of a reader over many readings. A question with several answers is a decision. The script of a
-/// reading fixes the first decisions; later ones take their first answer. Each answer not yet tried becomes a script,
-/// once for each set of choices under which the question is asked.
+/// Notes the keys of a reader over many readings.
+///
+/// A question with several answers is a decision. The script of a reading fixes the first decisions. Later ones take
+/// their first answer. Each answer not yet tried becomes a script, once for each set of choices before the question.
 class KeyRecorder {
  public:
-  /// others: whether numbers without a default get other values than usual. A default that then changes follows from
-  /// them.
+  /// others: whether numbers get other values than usual, to find defaults that follow from them.
   explicit KeyRecorder(bool others = false) : others_(others) {}
-  /// Returns the value of a number without a default, small and in its range. Readers make grids and lists of such
-  /// sizes.
+  /// Returns a small value in the number's range, since readers make grids of such sizes.
   double value(const Parameter& parameter) const;
   /// Begins the next reading. Returns false if every answer has been tried.
   bool begin();
-  /// Notes that the reading came to its end. Other readings say nothing about the keys after their error.
+  /// Notes that the reading came to its end without an error.
   void end();
 
   /// Returns an answer, a number below `answers`, to the question about a key.
   std::size_t decide(std::string_view table, std::string_view key, std::size_t answers);
   /// Returns whether the key is there; absence comes first.
   bool has(std::string_view table, std::string_view key);
-  /// Returns one of the values of a choice. governs: whether it also decides what other tables mean (Settings::kind).
+  /// Returns one of the values. governs: whether it decides what other tables mean (Settings::kind).
   std::string choose(std::string_view table, std::string_view key, const std::vector<std::string>& values,
                      bool governs);
   /// Notes a key with the choices made so far.
@@ -44,19 +43,22 @@ class KeyRecorder {
   std::vector<Key> keys() const;
 
  private:
+  /// Value given to a key in the present reading.
   struct Choice {
     std::string table, key, value;
     bool governs;
     std::string name() const { return table.empty() ? key : table + "." + key; }
+    /// Returns whether it may decide about keys of the other table.
     bool counts_for(std::string_view other) const;
   };
+  /// A key and the readings that asked for it.
   struct Noted {
-    /// The noted key.
     Key key;
+    /// Number of readings that asked for the key.
     std::size_t readings = 0;
     /// Values with which the key was read, by choice.
     std::map<std::string, std::set<std::string>> values;
-    /// Number of earlier readings that made a choice.
+    /// Number of readings in which each choice came before the key.
     std::map<std::string, std::size_t> times;
   };
   /// Answers to the first decisions of a reading.
@@ -71,6 +73,7 @@ class KeyRecorder {
   std::deque<Script> scripts_{Script{}};
   /// Pairs of question and answer on the list already.
   std::set<std::string> tried_;
+  /// Script of the present reading; all its answers so far.
   Script script_, taken_;
   /// Choices of the present reading.
   std::vector<Choice> choices_;

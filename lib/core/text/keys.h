@@ -1,9 +1,8 @@
 // Every key that a reader of TOML asks for, as data: name, type, unit, range, default, sentence, and when it counts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A reader describes each key where it reads it: settings.number(parameter, default). keys_of() lets the reader read a
-// document that notes every question and answers it. Some answers decide what is asked next. The reader runs again for
-// each other answer, so that all branches are seen:
+// A reader describes each key where it reads it. keys_of() gives it a document that notes and answers every question.
+// The reader runs again for each other answer, so that all branches are seen:
 //
 //   const std::vector<Key> keys = keys_of([](Settings& document) { dem::read(document); });
 //   print: "[[stage]]  pressure  Pa, above 0  mean stress  (path = isotropic)"
@@ -45,8 +44,8 @@ struct Key {
   std::vector<std::string> when = {};
 };
 
-/// Returns all keys that `read` asks for, table by table, in the order in which they were asked for first. `read` gets
-/// an empty document. Errors that it throws end one reading, not the search.
+/// Returns all keys that `read` asks for, by table, in the order of first request.
+/// `read` gets an empty document. Errors that it throws end one reading, not the search.
 std::vector<Key> keys_of(const std::function<void(Settings&)>& read);
 
 /// Returns the keys as text: a head line for each table, and a line for each key.

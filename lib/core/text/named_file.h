@@ -12,11 +12,11 @@ namespace soilweave {
 struct NamedFiles {
   /// Path of the document; - for standard input.
   std::string document;
-  std::vector<std::string> overrides;  // KEY=VALUE of each --set
+  /// KEY=VALUE of each --set.
+  std::vector<std::string> overrides;
 
-  /// Returns the path that `word`, the text of the full key `key`, points to. Relative paths count from the document's
-  /// folder. They count from the working folder if --set gave the text or the document came from standard input. Throws
-  /// MissingInput that names the places searched.
+  /// Returns the path that `word`, the text of the full key `key`, points to. Throws MissingInput.
+  /// Relative paths count from the document's folder, or from the working folder for --set and standard input.
   std::filesystem::path path(const std::string& key, const std::string& word) const;
 };
 

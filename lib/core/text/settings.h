@@ -1,5 +1,4 @@
-// A TOML document read by described keys. All mistakes are collected: unknown keys with the nearest known one, values
-// out of range with range and reason, wrong types. finish() reports them at once, with file and line.
+// A TOML document read by described keys. finish() reports all mistakes at once, with file and line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -34,40 +33,43 @@ struct Word {
 /// Returns numbers as a TOML list: "[1, 2]".
 std::string list_text(const std::vector<double>& numbers);
 
-/// One table of the document, as a cheap handle. All handles of a document share its list of mistakes.
+/// Handle to one table of the document. All handles share the document's list of mistakes.
 class Settings {
  public:
-  /// Parses TOML text. name: what messages call the document (its path). Throws DataError with line and column.
+  /// Parses TOML text. name: path of the document, for messages. Throws DataError.
   static Settings parse(std::string_view text, std::string name);
-  /// Returns an empty document that notes what its reader asks for, and answers by the recorder (keys.h).
+  /// Returns an empty document that the recorder answers (keys.h).
   static Settings describing(KeyRecorder& recorder);
   /// Applies one --set key=value. Dotted keys reach into tables, "stage.0.pressure" into arrays of tables.
   void set(std::string_view assignment);
 
   /// Returns whether the key exists, without reading it.
   bool has(std::string_view key) const;
-  /// Returns numbers in the parameter's unit: bare numbers have it already, text such as "100 kPa" is converted.
+  /// Returns a number in the parameter's unit. Text such as "100 kPa" is converted.
   double number(const Parameter& parameter, std::optional<double> fallback = std::nullopt);
+  /// Returns a whole number.
   std::int64_t integer(const Parameter& parameter, std::optional<std::int64_t> fallback = std::nullopt);
   /// Returns a number, or nullopt for the word `word` (as in limit = "none").
   std::optional<double> number_or(const Parameter& parameter, std::string_view word);
+  /// Returns a list of numbers in the parameter's unit.
   std::vector<double> numbers(const Parameter& parameter, std::optional<std::vector<double>> fallback = std::nullopt);
+  /// Returns three numbers in the parameter's unit.
   Vec3 vector(const Parameter& parameter, std::optional<Vec3> fallback = std::nullopt);
   /// Returns a vector, or nullopt for the word `word` (as in point = "touch").
   std::optional<Vec3> vector_or(const Parameter& parameter, std::string_view word);
-  /// Return texts. choice() accepts only the listed values and names the nearest one in its mistake.
+  /// Returns a text.
   std::string text(const Word& key, std::optional<std::string> fallback = std::nullopt);
+  /// Returns one of the listed values.
   std::string choice(const Word& key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);
-  /// Returns a choice that decides which other keys the table has. After a wrong choice no further mistake of the table
-  /// is reported.
+  /// Returns a choice that decides which other keys the table has. A wrong one silences the table's other mistakes.
   std::string kind(const Word& key, const std::vector<std::string>& values);
   /// Returns true or false; the fallback if the key is absent.
   bool flag(const Word& key, bool fallback);
 
-  /// Empty table if absent.
+  /// Returns the table, empty if absent.
   Settings table(std::string_view key);
-  /// Array of tables; empty if absent.
+  /// Returns the array of tables, empty if absent.
   std::vector<Settings> tables(std::string_view key);
 
   /// Adds a mistake about `key` (or about the table if empty), with file and line.
@@ -81,13 +83,16 @@ class Settings {
 
  private:
   Settings(std::shared_ptr<Document> document, std::string path, void* table);
-  // Note a key for the recorder. noted() returns a value that the key may have, noted_choice() one of the words.
+  // Notes a key for the recorder, and returns a value that it may have.
   double noted(const Parameter& parameter, Key::Type type, std::optional<double> fallback,
                std::vector<std::string> words = {}, std::string standard = "");
+  // Notes a key whose value is a word.
   void note_word(const Word& word, Key::Type type, std::vector<std::string> words, std::string standard);
+  // Notes a choice, and returns one of its values.
   std::string noted_choice(const Word& word, const std::vector<std::string>& values,
                            const std::optional<std::string>& fallback, bool governs);
   std::shared_ptr<Document> document_;
+  // Dotted path of the table; empty for the root.
   std::string path_;
   void* table_;
 };

@@ -11,7 +11,7 @@
 
 namespace soilweave {
 
-/// Returns the known name with the fewest edits, if it is near enough to be a typing error; otherwise an empty text.
+/// Returns the nearest known name by edits, or an empty text if none is near.
 std::string nearest(std::string_view name, const std::vector<std::string>& known);
 
 /// Returns "; did you mean 'x'?" for the nearest known name, or lists the known names if none is near.
@@ -20,11 +20,12 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
 /// Returns the shortest decimal text that reads back as the same double. Long rows of zeros become an exponent.
 std::string number_text(double value);
 
-/// Returns a duration in seconds, minutes, hours or days, with two or three figures: "45 s", "3.5 min", "12.4 h".
+/// Returns a duration with two or three figures: "45 s", "3.5 min", "12.4 h".
 std::string time_text(double seconds);
 
-/// Round a positive number to two significant digits, up or down, for values that remedies name.
+/// Rounds a positive number up to two significant digits, for values that remedies name.
 double rounded_up(double value);
+/// Rounds down likewise.
 double rounded_down(double value);
 
 /// Returns "from 0 to 1 Pa", "above 0 Pa", "at least 2", ...; empty if the parameter is unbounded.

@@ -7,9 +7,8 @@
 
 namespace soilweave {
 
-/// Returns why a TOML text would overrun the parser's stack: a key or header of more than 32 parts, lists and tables
-/// more than 32 deep, more than 16 MiB. Returns an empty text otherwise. The reason begins with line and column: "3:1:
-/// a key of more than 32 parts".
+/// Returns why a TOML text would overrun the parser's stack, with line and column; otherwise an empty text.
+/// Limits: 32 parts of a key or header, 32 nested lists and tables, 16 MiB.
 std::string toml_excess(std::string_view text);
 
 }  // namespace soilweave

@@ -9,18 +9,18 @@
 
 namespace soilweave {
 
-inline constexpr double degree = std::numbers::pi / 180;  // rad
+/// One degree, rad.
+inline constexpr double degree = std::numbers::pi / 180;
 
-/// Returns the factor from unit `from` to unit `to` (1 kPa -> 1000 Pa). Throws DataError that names the part that is no
-/// unit, or the two units that measure different things.
+/// Returns the factor from one unit to another (1 kPa -> 1000 Pa).
+/// Throws DataError if a part is no unit, or if the units measure different things.
 double unit_factor(std::string_view from, std::string_view to);
 
 /// Throws DataError with the nearest unit if the text is none.
 void demand_unit(std::string_view unit);
 
-/// Returns the number in `text` in `unit`. Bare numbers have that unit; "100 kPa" is converted. Throws DataError if the
-/// text is no number (with its spelling: "0,1 MPa" needs a point) or if its unit does not fit (with the nearest unit
-/// for 'KPa'). nan and inf are accepted; callers judge them.
+/// Returns the number in `text` in `unit`. Bare numbers have that unit; "100 kPa" is converted.
+/// Throws DataError with a remedy if the text is no number or its unit does not fit. Accepts nan and inf.
 double quantity(std::string_view text, std::string_view unit);
 
 }  // namespace soilweave

@@ -9,8 +9,8 @@
 
 namespace soilweave::dem {
 
-/// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive(). keeping: s spent
-/// in checkpoints.
+/// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive().
+/// keeping: s spent in checkpoints.
 template <class... Parts>
 io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, double keeping, const io::Series& table,
                              Parts&... parts) {
@@ -21,8 +21,7 @@ io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, dou
   return {simulation.snapshot(), table, archive.numbers()};
 }
 
-/// Throws DataError unless a number from a checkpoint is possible in this run (the file was edited). file: the
-/// checkpoint. what: name of the number.
+/// Throws DataError naming the checkpoint and the number unless the number is possible in this run.
 inline void demand_kept(bool possible, const std::filesystem::path& file, const char* what) {
   if (!possible)
     throw DataError(file.string() + ": keeps a " + what +

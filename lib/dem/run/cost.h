@@ -30,7 +30,7 @@ struct Cost {
   double contacts() const { return steps > 0 ? static_cast<double>(contact_steps) / static_cast<double>(steps) : 0; }
   /// Returns the time of a whole step per contact, ns.
   double per_contact() const { return contact_steps > 0 ? 1e9 * stepping / static_cast<double>(contact_steps) : 0; }
-  /// Returns the share of a phase in the total time, from the sampled steps. The shares sum to at most 1.
+  /// Returns the share of a phase in the total time, from the sampled steps.
   double share(Phase phase) const;
   /// Returns the cost as one line.
   std::string line() const;
@@ -39,8 +39,8 @@ struct Cost {
 /// Measures the cost of work that may be interrupted and resumed.
 class CostClock {
  public:
-  /// Returns the cost over all sessions; the simulation counts its steps from 0. keeping: s spent in checkpoints in
-  /// this session.
+  /// Returns the cost over all sessions. The simulation counts its steps from 0.
+  /// keeping: s spent in checkpoints in this session.
   Cost cost(const Simulation& simulation, double keeping) const;
   /// Keeps the seconds of all sessions, or restores those of earlier sessions.
   void archive(const Simulation& simulation, double keeping, Archive& archive);

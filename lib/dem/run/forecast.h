@@ -22,7 +22,7 @@ struct Forecast {
     std::size_t stations = 0;
     /// Estimate: the time to rest is known only afterwards.
     double steps = 0;
-    /// Number of them that wait for rest.
+    /// Number of steps that wait for rest.
     double waiting = 0;
     /// Range of the steps.
     double fewest = 0, most = 0;
@@ -33,10 +33,13 @@ struct Forecast {
   std::vector<OfStage> stages;
   /// Limit of the step and the step itself at the start, s.
   double stability_limit = 0, time_step = 0;
+  /// Unbalanced force and largest overlap at the start, as ratios.
   double unbalanced_force = 0, largest_overlap = 0;
   /// Number of recorded states.
   std::size_t states = 0;
+  /// Size of the run's file and of the memory, bytes.
   double file_bytes = 0, memory_bytes = 0;
+  /// Cost of the whole run.
   Cost cost;
   /// Range of the time, s.
   double least_time = 0, greatest_time = 0;

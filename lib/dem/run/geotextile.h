@@ -12,9 +12,9 @@
 
 namespace soilweave::dem {
 
-/// Reads a [[geotextile]] table: `curve` (a name of data/geotextiles, a multiple such as 3PP, or a TOML file) or the
-/// lists `strain` and `tension`; `multiple`; `unloading_slope`. key: the table's own, "geotextile.0". Mistakes go to
-/// the table. Files that were read are added to `sources`.
+/// Reads a [[geotextile]] table. `curve` is a name of data/geotextiles, a multiple such as 3PP, or a TOML file.
+/// The lists `strain` and `tension` may replace it. key: the table's own, "geotextile.0".
+/// Mistakes go to the table. Files that were read are added to `sources`.
 WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFiles& files,
                           std::vector<io::Source>& sources);
 

@@ -35,7 +35,8 @@ class Keeper {
   bool keeps() const { return how_.part != nullptr; }
   /// Returns the folder; only if keeps().
   io::Part& part() const { return *how_.part; }
-  /// Call it after every step. Writes the checkpoint that make() returns when it is due. Throws Stopped after a signal.
+  /// Writes the checkpoint that make() returns when it is due. Throws Stopped after a signal.
+  /// Call it after every step.
   template <class Make>
   void after_step(const Make& make) {
     if (!keeps() || ++steps_ % look_interval_ != 0) return;
@@ -61,8 +62,9 @@ class Keeper {
   double seconds_ = 0;
 };
 
-/// Calls work.run(). If the work is kept, errors say what is whole and how to go on. A guard then leaves work.left()
-/// for inspection: a state, or a function that writes a file. So does an unreached target if show_unreached.
+/// Calls work.run(). If the work is kept, errors say what is whole and how to go on.
+/// Broken physics leaves work.left(), a state or a function that writes a file. So does an unreached target if
+/// show_unreached.
 template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();

@@ -10,8 +10,8 @@
 
 namespace soilweave::dem {
 
-/// Returns the packing with the scenario's density (masses follow), mass scaling, and planes; planes that are to touch
-/// are put in place. Throws DataError if packing and scenario do not fit:
+/// Returns the packing with the scenario's density (masses follow), mass scaling and planes.
+/// Planes that are to touch are put in place. Throws DataError if packing and scenario do not fit:
 /// - the packing names materials or geotextiles that the scenario lacks;
 /// - a stage loads an aperiodic axis, or a strain to record is no station;
 /// - a yarn passes through a periodic face, a plane starts inside the grains, or a clamp holds nothing;

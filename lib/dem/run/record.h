@@ -7,12 +7,12 @@
 
 namespace soilweave::dem {
 
-/// Returns the columns that every run has, without rows. The energies among them are the terms of engine/energies.
+/// Returns the columns that every run has, without rows. Energies are the terms of engine/energies.
 io::Series empty_series();
 /// Appends the present state. energies: the present ones; stage: number of the stage, from 0.
 void record(const Simulation& simulation, const Energies& energies, int dimension, int stage, io::Series& series);
-/// Demands that the first row gave each column one value and that their names differ, before a run's work could be lost
-/// to a term or observer that has taken another one's name. Throws std::logic_error naming the column.
+/// Throws std::logic_error naming the column unless the first row gave each column one value and all names differ.
+/// Call it before the work, which a name taken twice would lose.
 void demand_distinct_columns(const io::Series& first_row);
 
 }  // namespace soilweave::dem
