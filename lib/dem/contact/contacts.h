@@ -3,10 +3,9 @@
 //
 // Pairs lie in blocks of eight. A pair whose grains do not touch holds zeros.
 //
-// Grains are cut into chunks by their index, and a pair belongs to the chunk of its first grain. Within a chunk, pairs
-// of one pair of materials follow one another, sorted by (first, second, image). Each chunk, and each pair of
-// materials, begins a new block, so that one set of law parameters serves a block. Hence the sums over a chunk do not
-// depend on pairs that do not touch, on the width of a register, or on the number of threads.
+// A pair belongs to the chunk of its first grain. Pairs of a chunk are sorted by materials, then by (first, second,
+// image). Each pair of materials begins a new block, so that a block has one set of law parameters.
+// Sums over a chunk do not depend on untouching pairs, register width or threads.
 #pragma once
 
 #include <cstdint>
@@ -22,36 +21,39 @@ namespace soilweave::dem {
 
 /// All pairs of a simulation, in chunks of blocks, with the history of those that touch.
 struct Contacts {
+  /// Blocks of each chunk.
   std::vector<LargeVector<ContactBlock>> chunks;
   /// Pairs of grains and planes.
   PlaneContacts planes;
-  // Cell offsets that occur: zero, then the others sorted. No pair touches across the last.
+  /// Cell offsets that occur: zero, then the others sorted. No pair touches across the last.
   std::vector<CellOffset> images;
-  // Loads of pairs with grains of other chunks, and with planes. They follow the loads of the grains in Bodies::loads,
-  // in the order of the blocks, planes last. Grain b has single_loads[single_loads_start[b]] up to
-  // single_loads[single_loads_start[b + 1]], in the order of its pairs, planes last.
+  /// Load of a pair with a plane or with a grain of another chunk.
+  /// In Bodies::loads it follows those of the grains, in the order of blocks, planes last.
   struct SingleLoad {
     /// Index into Bodies::loads.
     std::uint32_t load;
     /// Grain that the load acts on.
     std::int32_t grain;
   };
+  /// Single loads, sorted by grain, then in the order of its pairs, planes last.
   std::vector<SingleLoad> single_loads;
+  /// First single load of each grain; the last entry is their number.
   std::vector<std::uint32_t> single_loads_start;
-  // Fields of history that only the law keeps, and their numbers by chunk (sweep/own_history.h): for each block an
-  // array of eight for each number. Empty for laws without such fields.
+  /// Fields of history that only the law keeps; may be empty.
   std::span<const HistoryField> own_fields;
+  /// Numbers of these fields by chunk: per block, an array of eight for each number (sweep/own_history.h).
   std::vector<std::vector<double>> own;
   /// Number of threads that share the chunks.
   int threads = 1;
   /// Order of the chunks in a step.
   ChunkPlan plan;
 
-  /// Lists these pairs, in the order of lists, and pairs with planes. A pair that was listed before keeps its history.
-  /// Resizes the loads, which must be zero. Throws DataError beyond 65,000 cell offsets or 33 million grains.
+  /// Lists pairs, sorted by PairOrder, and pairs with planes. A pair that was listed before keeps its history.
+  /// Resizes the loads, which must be zero.
+  /// Throws DataError beyond 65,000 cell offsets or 33 million grains.
   void list(const std::vector<Pair>& pairs, std::vector<PlanePair> with_planes, Bodies& bodies);
 
-  /// Sets the fields that only the law keeps. Must be called before any pair is listed.
+  /// Sets the fields that only the law keeps. No pair may be listed yet.
   void keep_own(std::span<const HistoryField> fields);
   /// Returns the law's own numbers of a block, array by array.
   double* own_of(std::size_t chunk, std::size_t block) {
@@ -60,17 +62,20 @@ struct Contacts {
   const double* own_of(std::size_t chunk, std::size_t block) const {
     return own[chunk].data() + block * own_numbers_ * ContactBlock::size;
   }
-  /// Returns how many numbers a contact keeps for these fields.
+  /// Returns how many numbers of these fields a contact keeps.
   std::size_t own_numbers() const { return own_numbers_; }
   /// Returns the pair in a lane of a block.
   Pair pair(const ContactBlock& block, int lane) const;
 
  private:
+  /// Finds the second grains in other chunks.
   void look_across(const std::vector<Pair>& pairs);
+  /// Assigns single loads to pairs and grains.
   void name_single_loads(Bodies& bodies);
 
+  /// Numbers that only the law keeps, per contact.
   std::size_t own_numbers_ = 0;
-  /// Like known_, the law's own numbers.
+  /// The law's own numbers of the blocks in known_.
   std::vector<std::vector<double>> known_own_;
   /// Blocks of one chunk while it is listed anew, by thread.
   std::vector<LargeVector<ContactBlock>> known_;
@@ -84,13 +89,13 @@ struct Contacts {
   std::vector<std::uint32_t> next_;
 };
 
-/// Returns the shear forces of the contacts of disks, N, as the numbers that are kept (space.h), in the order of lists.
-/// Each is followed by the vectors that only the law keeps.
+/// Returns the shear forces of disks as kept (space.h), N, in the order of lists.
+/// The vectors that only the law keeps follow each force.
 std::vector<double> shear_forces_of_disks(const Contacts& contacts);
 /// Restores these shear forces. Throws DataError if their number differs.
 void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts);
 
-/// Returns the sum of the magnitudes of all contact forces, N, summed contact by contact.
+/// Returns the sum of the magnitudes of all contact forces, N.
 double force_sum(const Contacts& contacts);
 
 }  // namespace soilweave::dem

@@ -9,7 +9,7 @@
 
 namespace soilweave::dem {
 
-/// Returns the touching pairs of grains, and of grains and planes, with their history, sorted by bodies.
+/// Returns all touching pairs, planes included, with their history, sorted by bodies.
 io::ContactsRecord contacts_record(const Contacts& contacts, const Bodies& bodies, const Cell& cell,
                                    const Planes& planes);
 

@@ -1,4 +1,4 @@
-// Motion of one contact over one step, the input of every contact law. Geometry only, no forces.
+// Motion of one contact over one step, the input of every contact law.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace soilweave::dem {
 
-/// All vectors point from body 1 to body 2; increments are those of body 2 relative to body 1 over the step that led to
-/// the present positions. T is double or a vector of doubles, one contact per lane.
+/// Vectors point from body 1 to body 2. T is double or lanes, one contact each.
+/// Increments are of body 2 relative to body 1, over the step to the present positions.
 template <class T, class Space = Spatial>
 struct Kinematics {
   /// Unit vector from body 1 to body 2.

@@ -1,4 +1,4 @@
-// The list of all contact laws by their types. The build makes it from the headers in laws/ (Makefile).
+// The list of all contact laws by their types.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,6 +7,7 @@
 
 namespace soilweave::dem {
 
+/// All laws, listed by the build from the headers in laws/ (Makefile).
 using Laws = LawList<SOILWEAVE_LAWS>;
 
 }  // namespace soilweave::dem

@@ -1,14 +1,14 @@
-// Requirements on a contact law, and what the list of laws tells of each.
+// Requirements on a contact law.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A law is one header in laws/. It declares its name, its materials with their keys, and its answer to a contact. Two
-// things it may declare besides, and the engine provides for both:
+// A law is one header in laws/. It declares its name, its materials with their keys, and its answer to a contact.
+// It may also declare:
 //
-//   history   fields that only this law keeps for each contact, as the largest overlap so far. They are carried with
-//             the contact, kept in files and checkpoints, and given back to the law in the next step.
+//   history   fields that only this law keeps for each contact, such as the largest overlap so far.
+//             Files and checkpoints hold them, and the next step gives them back.
 //   range     the gap across which two bodies still act on each other. Pairs are then searched that far.
 //
-// The build lists the headers of the folder (Makefile), so that no other file names a law.
+// The build lists the headers (Makefile): no other file names a law.
 #pragma once
 
 #include <concepts>
@@ -28,20 +28,21 @@ class Settings;
 
 namespace soilweave::dem {
 
-/// A law that keeps history of its own: `history`, an array of HistoryField, and `Own<T, Space>`, their values, whose
-/// fields() ties them in that order.
+/// A law with history of its own: `history` is an array of HistoryField.
+/// `Own<T, Space>` holds their values, and its fields() ties them in that order.
 template <class L>
 concept KeepsHistory = requires {
   L::history.size();
 };
 
-/// A law that acts across gaps: range(mixed) is the largest gap, m. A pair that is farther apart comes to respond()
-/// with an overlap of -range, and must get neither force nor energy.
+/// A law that acts across gaps up to range(mixed), m.
+/// Farther pairs come to respond() with an overlap of -range. They must get neither force nor energy.
 template <class L>
 concept ActsAcrossGaps = requires(const typename L::MaterialPair& mixed) {
   { L::range(mixed) } -> std::same_as<double>;
 };
 
+/// History of a contact, by law.
 template <class L, class T, class Space>
 struct HistoryOfLaw {
   using type = ContactHistory<T, Space>;
@@ -62,15 +63,15 @@ constexpr std::span<const HistoryField> history_fields() {
   else
     return {};
 }
-/// Returns how many numbers a contact keeps for these fields.
+/// Returns how many numbers of these fields a contact keeps.
 constexpr std::size_t numbers_of(std::span<const HistoryField> fields) {
   std::size_t n = 0;
   for (const HistoryField& f : fields) n += f.numbers();
   return n;
 }
 
-/// A stateless law: materials are mixed once per pair of materials. Pure functions then turn kinematics and history
-/// into forces, for one contact or several at once.
+/// A stateless law. Materials are mixed once per pair.
+/// Pure functions then turn kinematics and history into forces, one contact per lane.
 template <class L>
 concept ContactLaw = requires(const typename L::Material& material, const typename L::MaterialPair& mixed,
                               const Kinematics<double>& kinematics, double dt, HistoryOf<L, double>& history,
@@ -95,7 +96,7 @@ struct LawList {};
 
 /// Returns the names of all laws, for scenarios.
 const std::vector<std::string>& law_names();
-/// Reads each table as a material of the law `name`, which must be one of law_names().
+/// Reads each table as a material of the law `name`, one of law_names().
 Materials read_materials(std::string_view name, std::vector<Settings>& tables);
 
 }  // namespace soilweave::dem

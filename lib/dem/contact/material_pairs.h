@@ -23,7 +23,7 @@ class MaterialPairs {
 
   /// Returns the pair of two materials.
   const typename Law::MaterialPair& of(std::int32_t a, std::int32_t b) const { return all_[place(a, b)]; }
-  /// Returns the pair of materials of a block, which all its pairs share.
+  /// Returns the pair of materials of a block.
   const typename Law::MaterialPair& of(const ContactBlock& block, const Bodies& bodies) const {
     const auto material = [&](std::uint32_t grain) {
       return bodies.material[static_cast<std::size_t>(ContactBlock::index(grain))];
@@ -54,13 +54,13 @@ class MaterialPairs {
     return largest;
   }
 
-  /// Returns whether some pair of materials resists rolling or twisting. If none does, moments in the history mean
-  /// nothing.
+  /// Returns whether some pair of materials resists rolling or twisting.
   bool use_moments() const {
     return std::any_of(all_.begin(), all_.end(), [](const auto& mixed) { return Law::uses_moments(mixed); });
   }
 
  private:
+  /// Returns the index of a pair in all_.
   std::size_t place(std::int32_t a, std::int32_t b) const {
     return static_cast<std::size_t>(a) * count_ + static_cast<std::size_t>(b);
   }

@@ -1,7 +1,7 @@
-// Materials of one contact law, without its type: what stages, plates, the generator and doubts read and change.
+// Materials of one contact law, without its type.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the sweep over contacts needs the type of a law, and gets it back by of(). A new law recompiles nothing else.
+// Only the sweep over contacts needs the type, and gets it by of(). So a new law recompiles little.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ struct CommonMaterial {
   double modulus = 0;
 };
 
-/// Materials of one law by material_id, planes included. A value: a copy has materials of its own.
+/// Materials of one law by material_id, planes included. A copy has materials of its own.
 class Materials {
  public:
   /// Holds no materials.
@@ -52,13 +52,13 @@ class Materials {
   /// Changes the common part of material k, its modulus excepted.
   void set(std::size_t k, const CommonMaterial& m) { held_->set(k, m); }
 
-  /// Returns whether they are materials of this law. Its name decides, because objects for eight lanes have type
-  /// information of their own (Makefile).
+  /// Returns whether they are materials of this law.
+  /// Names decide, because objects for eight lanes have their own type information (Makefile).
   template <class Material>
   bool are() const {
     return law() == Material::Law::name;
   }
-  /// Return the materials by their type. Throw std::bad_cast if they are of another law.
+  /// Returns the materials by their type. Throws std::bad_cast if they are of another law.
   template <class Material>
   const std::vector<Material>& of() const {
     if (!are<Material>()) throw std::bad_cast();
@@ -71,6 +71,7 @@ class Materials {
   }
 
  private:
+  /// Materials of any law.
   struct Held {
     virtual ~Held() = default;
     virtual std::unique_ptr<Held> copy() const = 0;
@@ -79,6 +80,7 @@ class Materials {
     virtual CommonMaterial common(std::size_t k) const = 0;
     virtual void set(std::size_t k, const CommonMaterial& m) = 0;
   };
+  /// Materials of one law.
   template <class Material>
   struct HeldOf final : Held {
     explicit HeldOf(std::vector<Material> materials) : all(std::move(materials)) {}
@@ -97,6 +99,7 @@ class Materials {
     std::vector<Material> all;
   };
 
+  /// The materials; nullptr if there are none.
   std::unique_ptr<Held> held_;
 };
 

@@ -26,8 +26,8 @@ struct Limits {
   double overlap = 0.5;
   /// Error of the balance over the turned-over energy.
   double energy_error = 0.1;
-  double escape =
-      2;  // distance beyond the extent of grains and planes at the start, over that extent, along an open axis
+  /// Distance of a grain beyond the start's extent along an open axis, over that extent.
+  double escape = 2;
 };
 
 /// Numerical settings of the steps.
@@ -36,14 +36,15 @@ struct Numerics {
   double damping = 0.2;
   /// Fraction of the stability limit from the present stiffness.
   double time_step_safety = 0.8;
-  std::optional<double> time_step;  // s, fixed; replaces the estimate
+  /// Fixed time step, s; replaces the estimate.
+  std::optional<double> time_step;
   /// May be false if the time step is fixed and no servo drives the cell.
   bool watch_stiffness = true;
   /// Acceleration of gravity, m/s2.
   Vec3 gravity = Vec3::Zero();
   /// Limits of the guards.
   Limits limits;
-  /// Grains of each clamp; they move at its velocity.
+  /// Grains of each clamp, which move at its velocity.
   std::vector<std::vector<std::int32_t>> clamps = {};
   /// Number of threads.
   int threads = 1;

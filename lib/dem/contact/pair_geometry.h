@@ -103,7 +103,7 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
 
 /// Returns the geometry of a grain and a plane with a constant inward normal.
 /// `velocity`: plane relative to grain. `listed`: mask of existing pairs. `range`: gap across which they act, m.
-/// Slip and torque have the full radius as lever, so they are work-conjugate.
+/// The full radius is the lever of slip and torque: work-conjugate, and exact for rigid grains.
 template <class T>
 PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
                                const T& height, const V3<T>& inward, const Mask<T>& listed, double dt,
