@@ -18,7 +18,8 @@ struct BagSeries {
   std::vector<double> strain_axial, strain_volumetric, mean_stress, deviatoric_stress;
   /// Rows of the compression line; empty: contraction() chooses.
   std::vector<bool> contracting;
-  std::size_t first_row = 0;  // number of rows of the table or run before these
+  /// Rows of the table or run before these.
+  std::size_t first_row = 0;
   /// Whether strains begin where the solution does; false: from another stress.
   bool from_rest = true;
   /// Origin of rows and stiffness in a run; empty for tables.

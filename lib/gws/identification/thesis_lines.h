@@ -1,5 +1,4 @@
-// The lines of the wrapped soil, each fitted on its own as the thesis fits it (Figs. 5.6, 5.7, 5.10 to 5.14): the other
-// constants are those of the soil given. The compression line is fitted to all of the strain while the soil contracts.
+// Lines of the wrapped soil, each fitted alone as in the thesis (Figs. 5.6, 5.7, 5.10 to 5.14).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,22 +9,23 @@
 
 namespace soilweave::gws {
 
-/// Each function returns its line, fitted. They throw DataError where the points do not determine its constants.
+/// Return the fitted lines; throw DataError if points do not determine them. Other constants are those of `soil`. The
+/// compression line takes all strain while the soil contracts. `points`: of another test, for compression instead of
+/// the series'.
 ///
-/// Where the thesis plots ratios or increments, what is fitted has equal errors: the dilatancy line, increments of
-/// plastic volumetric strain (a ratio of two small increments has errors of its own size); Young's modulus, the plastic
-/// axial strain accumulated over the accumulated p*. `points`: of another test, instead of (compression) the series'.
+/// Fits need equal errors, so ratios are not fitted. The dilatancy line fits increments of plastic volumetric strain.
+/// Young's modulus fits accumulated plastic axial strain over accumulated p*.
 Line compression_line(const std::vector<BagSeries>& series, const Soil& soil, const Points& points);
 Line failure_line(const std::vector<BagSeries>& series, const Soil& soil, const Points& points);
 Line near_failure_line(const std::vector<BagSeries>& series, const Soil& soil);
 Line dilatancy_line(const std::vector<BagSeries>& series, const Soil& soil, Difference difference);
 Line stiffness_line(const std::vector<BagSeries>& series, const Soil& soil, Difference difference);
 
-/// Returns Young's modulus of one bag, Pa. Throws DataError where the plastic strain does not grow with the stress.
+/// Returns Young's modulus of one bag, Pa. Throws DataError if plastic strain does not grow with stress.
 double young_modulus(const BagSeries& series, const Soil& soil, Difference difference);
 
-/// Returns the number of rows at the start of a series that count as contraction: those where the slope of eps_v over
-/// (p/p_a)^m is at least half of the steepest slope before it.
+/// Returns the number of first rows that contract: the slope of eps_v over (p/p_a)^m is at least half of the steepest
+/// before.
 std::size_t contraction(const BagSeries& series, const Soil& soil);
 
 }  // namespace soilweave::gws
