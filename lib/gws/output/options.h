@@ -1,4 +1,4 @@
-// Options that say which bag is meant: geotextile, bag, soil, lateral stress. The verbs of gws-solve share them.
+// Options on geotextile, bag, soil and lateral stress, shared by the verbs of gws-solve.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -48,39 +48,44 @@ inline constexpr Parameter lowest_stiffness{
 inline constexpr Parameter highest_stiffness{
     "to", "N/m", 0, 1e10, true, "highest stiffness", "without stiffness the geotextile holds nothing"};
 
-/// Name of the soil that is used if none is chosen.
+/// Soil if none is chosen.
 inline constexpr const char* default_soil = "toyoura-gws";
 
-/// Adds a usage mistake where a pressure is below any that a bag begins with, as a number in kPa is.
+/// Adds a usage mistake for a pressure below any first one: it was probably given in kPa.
 void doubt_pressure(double surcharge, std::vector<std::string>& wrong);
 
-/// A case, with the sources of its parts.
+/// A case with its sources.
 struct ReadCase {
   Case the_case;
   SoilFile soil;
   std::vector<io::Source> sources;
-  std::string scenario;  // the soil as TOML, for provenance
+  /// Soil as TOML, for provenance.
+  std::string scenario;
   Factors factors;
-  double unreduced = 0;  // strength of the geotextile before its reduction, N/m
+  /// Strength of the geotextile before reduction, N/m.
+  double unreduced = 0;
+  /// Whether the user gave them.
   bool chose_soil = false, chose_fraction = false;
 
-  /// Returns the first line of an answer: a soil that nobody chose, or one that was estimated; else nothing.
+  /// Returns the first line of an answer: an unchosen or estimated soil; else nothing.
   std::string soil_line() const;
-  /// Returns the surcharge that must not bring failure: the given one, times the factor on the load.
+  /// Returns the surcharge that must not bring failure: the given one times the factor on load.
   std::optional<double> asked(const std::optional<double>& surcharge) const;
-  /// Returns what the answer for `bag` rests on (gws/design/factors.h). A geotextile that was found has no strength
-  /// before its reduction; the one that it needs is told.
+  /// Returns the basis of the answer for `bag` (gws/design/factors.h). A geotextile that was found has its required
+  /// strength.
   std::string conditions(const Case& bag) const;
 };
 
-/// Options of a bag, shared by several verbs.
+/// Options of a bag.
 struct CaseOptions {
-  std::string geotextile, soil;  // soil: empty if none was chosen
+  /// soil: empty if none was chosen.
+  std::string geotextile, soil;
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;
   std::filesystem::path history;
   double width = 0.4, height = 0.08, lateral = 0, tolerance = 1e-6;
-  std::optional<double> fraction;  // of the strength; empty: the default of Case
+  /// Fraction of the strength; empty: default of Case.
+  std::optional<double> fraction;
   Factors factors;
 
   /// Declares the options in a tool's table.
@@ -99,13 +104,11 @@ struct CaseOptions {
 SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
                    std::vector<io::Source>& sources, std::string& resolved);
 
-/// Reads a table from TSV text, or from a group of an HDF5 fields file; the first bytes tell which. "-" is standard
-/// input.
+/// Reads a table from TSV text or a group of an HDF5 fields file. "-" is standard input.
 io::Series read_series(const std::filesystem::path& path, const std::string& group, std::vector<io::Source>& sources);
 
-/// Reads one bag per path. A path is a run of run-dem, RUN.part of an unfinished run, or a table for read_series().
-/// `geotextiles`: one per bag, or none. `natural`: strains of plain tables are logarithmic; tables of a bag's loading
-/// always hold engineering strains.
+/// Reads one bag per path: a run of run-dem, RUN.part of an unfinished run, or a table for read_series(). geotextiles:
+/// one per bag, or none. natural: strains of plain tables are logarithmic; those of a bag's loading never are.
 std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths, const std::string& group,
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources);

@@ -1,4 +1,4 @@
-// Output of gws-solve: text for a reader, one table as TSV, all tables as a fields file.
+// Output of gws-solve: text, a TSV table, or a fields file of all tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,8 +23,8 @@ struct Output : io::TableOutput {
   /// Returns the place of the table that --tsv prints; it needs none without --tsv. Throws DataError if the table was
   /// not identified.
   std::size_t place_of(const Groups& groups, const std::string& table) const;
-  /// Says the doubts first. Then prints the text, or the table `chosen` as TSV, unless the file itself goes to standard
-  /// output. Writes the file with the doubts.
+  /// Says the doubts. Prints the text or table `chosen` as TSV, unless the file goes to standard output. Writes the
+  /// file with the doubts.
   void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
            const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;
 };

@@ -1,4 +1,4 @@
-// Reports of gws-solve on identification, design and sensitivity: tables in SI, and paragraphs for a reader.
+// Reports of gws-solve on identification, design and sensitivity.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace soilweave::gws {
 
-/// Assumptions of the model and where it ends, with their source.
+/// Assumptions and limits of the model, with their source.
 inline constexpr std::string_view assumptions =
     "The elastoplastic solution of H. Cheng's dissertation (Hiroshima University, 2016, section 5.3) for a cuboid of "
     "soil wrapped in a geotextile, under vertical pressure and, if asked, lateral stress. It assumes principal "
@@ -24,37 +24,35 @@ inline constexpr std::string_view assumptions =
     "the discrete elements' own, settlements agree. Beyond 53 to 1160 kN/m and 100 kPa of lateral stress it is "
     "untested; a lateral stress makes its beginning too soft.";
 
-/// Returns one row: each constant (NAME), the ends of its 95 % interval (NAME_low, NAME_high) and its starting value
-/// (NAME_given).
+/// Returns one row: each constant (NAME), its 95 % interval (NAME_low, NAME_high) and start (NAME_given).
 io::Series constants_table(const Identification& found);
-/// Returns one row per point: series (number from 0), row, x, y, fitted, residual, studentized residual, and whether
-/// the point is an outlier.
+/// Returns one row per point: series (from 0), row, x, y, fitted, residual, studentized residual, outlier.
 io::Series line_table(const Line& line);
 /// Returns one row per increment of each series (thesis Fig. 5.13).
 io::Series increments_table(const Identification& found);
-/// Returns the names of all tables that groups_of() can give.
+/// Returns the names of all tables of groups_of().
 std::vector<std::string> table_names();
 /// Adds a mistake if there is no such table.
 void check_table(const std::string& name, std::vector<std::string>& mistakes);
 /// Returns all tables as groups of a fields file.
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
-/// Describes lines, constants, intervals, differences from the given soil, outliers, and what was left out.
+/// Describes lines, constants, intervals, changes, outliers, and missing lines.
 std::string describe(const Identification& found, const std::vector<BagSeries>& series, Method method);
-/// Returns the identified soil as TOML. Its comment names the command, and the rows and runs it rests on.
+/// Returns the identified soil as TOML, with command, rows and runs in its comment.
 std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series, Method method,
                             const std::string& command);
 
-/// Describe a design or an allowance in a paragraph.
+/// Describe an answer in a paragraph.
 std::string describe(const Design& design, const Demand& demand, const Case& bag);
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag);
-/// Return designs, allowances and charts as tables in SI.
+/// Return tables in SI.
 io::Series design_table(const Design& design);
 io::Series allowance_table(const Allowance& allowance);
 io::Series chart_table(const std::vector<ChartRow>& rows);
 /// Returns the chart in kPa, kN/m and percent.
 io::Series readable(const std::vector<ChartRow>& rows);
 
-/// Returns one row per constant, in the order of describe(); `constant` is its number.
+/// Returns one row per constant, numbered in the order of describe().
 io::Series sensitivity_table(const std::vector<Sensitivity>& rows);
 /// Describe sensitivities and bands in paragraphs.
 std::string describe(const std::vector<Sensitivity>& rows);

@@ -1,4 +1,4 @@
-// The options of identification: which series, and how their lines are fitted.
+// Options of identification.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,6 +12,7 @@
 
 namespace soilweave::gws {
 
+/// Choice of series, and of their fit.
 struct SeriesOptions {
   std::vector<std::filesystem::path> inputs;
   std::vector<std::string> geotextiles;
@@ -24,7 +25,7 @@ struct SeriesOptions {
   Method method() const { return fit == "path" ? Method::path : Method::thesis; }
   /// Reads the bags. Throws DataError, MissingInput.
   std::vector<BagSeries> bags(std::vector<io::Source>& sources) const;
-  /// Reads the points of other tests, and identifies the soil from them and the bags.
+  /// Reads points of other tests, and identifies the soil.
   Identification identified(const std::vector<BagSeries>& bags, const SoilFile& given,
                             std::vector<io::Source>& sources) const;
 };
