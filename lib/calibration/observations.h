@@ -1,4 +1,4 @@
-// Observations of the laboratory, and runs interpolated to their stations.
+// Observations of the laboratory, and runs at their stations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,18 +14,21 @@
 
 namespace soilweave::calibration {
 
-/// An observed quantity, and the columns of a run whose mean is compared with it.
+/// An observed quantity.
 struct Observable {
   std::string name, unit;
+  /// Columns of a run whose mean is compared with it.
   std::vector<std::string> columns;
 };
 
 /// Observations of C quantities at T stations.
 struct Observations {
   Observable station;
-  std::vector<double> at;  // T, increasing
+  /// T, increasing.
+  std::vector<double> at;
   std::vector<Observable> observables;
-  Matrix values;  // T x C, in the units of the table
+  /// T x C, in the units of the table.
+  Matrix values;
 
   /// Returns the number of stations.
   std::size_t stations() const { return at.size(); }
@@ -33,36 +36,42 @@ struct Observations {
 
 /// Selection from tables.
 struct Choice {
-  std::string station;                                // NAME or NAME=COLUMN; empty: the first column
-  std::vector<std::string> observables;               // NAME or NAME=COLUMN,...; empty: all columns except the station
-  std::optional<double> until;                        // last station
-  std::vector<std::pair<std::string, double>> where;  // selects rows of a run: COLUMN equals number
-  bool greatest = false;                              // compare the greatest value of a run, without stations
+  /// NAME or NAME=COLUMN; empty: the first column.
+  std::string station;
+  /// NAME or NAME=COLUMN,...; empty: all columns but the station.
+  std::vector<std::string> observables;
+  /// Last station.
+  std::optional<double> until;
+  /// Rows of a run in which COLUMN equals number.
+  std::vector<std::pair<std::string, double>> where;
+  /// Compare the greatest value of a run, without stations.
+  bool greatest = false;
 };
 
 /// Returns the observations of a table. Throws DataError for NaN (line and column), stations that do not increase, an
-/// empty selection, and several rows if Choice::greatest is set.
+/// empty selection, and several rows with Choice::greatest.
 Observations observations(const io::Series& table, const Choice& choice, const std::string& where);
 
 /// Fate of a member's run.
 enum class Fate { used, missing, unreadable, unordered, not_finite, too_short };
-/// Returns the fate as a word for tables and messages.
+/// Returns the fate as a word.
 std::string_view word(Fate fate);
 
-/// Runs of N members at the stations of the observations.
+/// Runs of N members at the stations.
 struct Simulated {
-  std::vector<Matrix> values;  // T x C per member, in the units of the observations; empty without a run
+  /// T x C per member, in the observations' units; empty without a run.
+  std::vector<Matrix> values;
   std::vector<Fate> fate;
-  std::vector<std::string> why;  // reason; empty if used
+  /// Reason; empty if used.
+  std::vector<std::string> why;
 
   /// Returns the number of members with a used run.
   std::size_t used() const;
 };
 
-/// Returns the runs of the members. A `pattern` with {id} (in fmt's forms, {id:06}) names one file per member, an HDF5
-/// run or a TSV. Without it, `pattern` is one TSV whose column id names the member of each row. Values are interpolated
-/// between rows, never beyond them; with Choice::greatest they are the greatest of the run's rows. The result tells of
-/// missing and unfit runs. A missing column throws DataError.
+/// Returns the runs. A `pattern` with {id} (fmt's forms, {id:06}) names one HDF5 run or TSV per member; else it is one
+/// TSV with column id. Values are interpolated between rows, never beyond; Choice::greatest takes the greatest of the
+/// rows. Missing and unfit runs are told in the result. Throws DataError for a missing column.
 Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
                     const Choice& choice, std::vector<io::Source>& sources);
 

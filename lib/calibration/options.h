@@ -34,7 +34,7 @@ inline constexpr Parameter components_range{"components",         "1", 1, 100, f
 inline constexpr Parameter prior_share_range{
     "prior-share", "1", 0, 1, false, "share drawn from the prior, which bounds importance", "it is a share"};
 
-/// Choice of the observations, the columns of the runs that they are compared with, and their accuracy.
+/// Options for observations, columns of runs, and accuracy.
 struct ComparisonOptions {
   std::string station, error, variance;
   std::string covariance = "uniform";
@@ -46,23 +46,23 @@ struct ComparisonOptions {
   void declare(tool::Table& table);
   /// Adds usage mistakes.
   void check(std::vector<std::string>& mistakes) const;
-  /// Returns the selection that the options describe.
+  /// Returns the selection.
   Choice choice() const;
-  /// Returns the error model: the variances of --variance, the squares of --error, or its relative standard deviation.
+  /// Returns the error model from --variance, or from --error, its standard deviation.
   ErrorModel model() const;
-  /// Returns a line that says --error is a standard deviation, where earlier scripts gave it variances; else nothing.
+  /// Returns a line that --error is a standard deviation, where earlier scripts gave variances; else nothing.
   std::optional<std::string> remark() const;
   /// Returns the stations of --at.
   std::vector<double> chosen_stations() const;
 };
 
-/// Output of a verb: a text, a table as TSV, or a file.
+/// Output of a verb.
 struct Output : io::TableOutput {
   /// Declares the options in a tool's table.
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes, bool needed) const;
-  /// Prints the table (--tsv) or the text, unless the file itself goes to standard output. Writes the file.
+  /// Prints table (--tsv) or text, unless the file goes to standard output. Writes the file.
   void put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
            const std::vector<io::Source>& sources, const tool::Invocation& invocation) const;
 };

@@ -1,5 +1,5 @@
-// Distributions that an ensemble was drawn from, round after round, and the density of all rounds together. In the
-// prior's coordinates, the unit cube, where the prior density is 1.
+// Distributions of all rounds of sampling, and their joint density. Coordinates are the prior's, in the unit cube,
+// where the prior density is 1.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,37 +10,43 @@
 
 namespace soilweave::calibration {
 
-/// One Gaussian of a mixture, in the prior's coordinates.
+/// One Gaussian of a mixture.
 struct Gaussian {
-  double share;  // share in the mixture
+  /// Share in the mixture.
+  double share;
   Vector mean;
-  Matrix root;  // lower triangular, covariance = root root^T
+  /// Lower triangular; covariance = root root^T.
+  Matrix root;
 };
 
 /// Returns the log density of one Gaussian at a point.
 double log_density(const Gaussian& gaussian, const Vector& point);
-/// Stores log(share * density) of each Gaussian in `parts`. Returns the log of the sum.
+/// Stores log(share * density) of each Gaussian in `parts`; returns the log of the sum.
 double log_parts(const std::vector<Gaussian>& gaussians, const Vector& point, Vector& parts);
 
 /// Gaussians and a share of the prior, cut off at the cube's faces.
 struct CutMixture {
-  std::vector<Gaussian> gaussians;  // empty: the prior
+  /// Empty: the prior alone.
+  std::vector<Gaussian> gaussians;
   double prior_share = 1;
-  double inside = 1;  // probability inside the cube before the cut
+  /// Probability inside the cube before the cut.
+  double inside = 1;
 
   /// Returns the log density of a point in the cube.
   double log_density(const Vector& point) const;
 };
 
-/// One round of sampling: the distribution that its sets were drawn from, and their number.
+/// One round of sampling.
 struct Round {
+  /// Distribution of the draws.
   CutMixture from;
-  std::size_t sets;  // number of drawn sets
+  /// Number of drawn sets.
+  std::size_t sets;
 };
 
-/// Returns the log density that the sets of all rounds sample: the mean of the rounds' densities, weighted by their
-/// numbers of sets. It is the balance heuristic of Veach & Guibas (1995); for rounds that follow one another, the
-/// adaptive multiple importance sampling of Cornuet, Marin, Mira & Robert (2012).
+/// Returns the log density of all rounds together: their mean, weighted by numbers of sets. This is the balance
+/// heuristic (Veach & Guibas 1995), and for rounds in sequence adaptive multiple importance sampling (Cornuet, Marin,
+/// Mira & Robert 2012).
 double log_density(const std::vector<Round>& rounds, const Vector& point);
 
 /// Returns one row per Gaussian: round, sets, prior_share, inside, share, mean_<i>, root_<i>_<j>. A round from the

@@ -1,4 +1,4 @@
-// Points that fill the unit cube evenly: Halton, Sobol, Latin hypercube. Rows are points, columns parameters.
+// Points that fill the unit cube evenly. Rows are points, columns parameters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,26 +10,24 @@
 
 namespace soilweave::calibration {
 
-/// Returns the digits of `index` in the base, mirrored at the point (van der Corput): 6 = 110 in base 2 gives 0.011 =
-/// 3/8.
+/// Returns the digits of `index` mirrored at the point (van der Corput): 6 = 110 in base 2 gives 0.011 = 3/8.
 double radical_inverse(std::uint64_t index, unsigned base);
 
 /// Returns the first primes, Halton's own bases.
 std::vector<unsigned> prime_bases(std::size_t dimension);
 
-/// Parses "2,5,7,9,11". Throws UsageError for anything but numbers from 2 on, or if two share a factor (points would
-/// lie on lines). Bases need not be primes (thesis chapter 2 uses 9).
+/// Parses "2,5,7,9,11". Throws UsageError for anything but numbers from 2 on, and if two share a factor: points would
+/// lie on lines. Bases need not be primes (thesis chapter 2 uses 9).
 std::vector<unsigned> parse_bases(std::string_view text);
 
-/// Returns rows first, first + 1, ... of the Halton sequence (Halton 1960). Row 0 is the origin.
+/// Returns rows from `first` of the Halton sequence (Halton 1960); row 0 is the origin.
 Matrix halton(std::size_t rows, const std::vector<unsigned>& bases, std::uint64_t first);
 
-/// Returns rows first, first + 1, ... of the Sobol sequence (GSL; Bratley and Fox 1988). Row 0 is the origin. Throws
-/// DataError above 40 dimensions.
+/// Returns rows from `first` of the Sobol sequence (GSL; Bratley and Fox 1988); row 0 is the origin. Throws DataError
+/// above 40 dimensions.
 Matrix sobol(std::size_t rows, std::size_t dimension, std::uint64_t first);
 
-/// Returns one random point in each of `rows` equal slices of every axis (McKay et al. 1979). One seed gives the same
-/// points everywhere.
+/// Returns one random point in each of `rows` slices of every axis (McKay et al. 1979). Seeds repeat anywhere.
 Matrix latin_hypercube(std::size_t rows, std::size_t dimension, std::uint64_t seed);
 
 }  // namespace soilweave::calibration
