@@ -1,4 +1,4 @@
-// Friction between soil and a flat geotextile, from the forces of the walls of a shear box over the sheet.
+// Friction between soil and a flat geotextile in a shear box.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,18 +9,20 @@
 
 namespace soilweave::analysis {
 
-/// Names of the planes around the soil of a shear box, which touch soil alone.
+/// Planes that touch the soil of a shear box alone.
 struct ShearBox {
-  std::vector<std::string> planes;  // all
-  std::vector<std::string> lids;    // planes that face down
+  /// Names of all planes.
+  std::vector<std::string> planes;
+  /// Names of the planes that face down.
+  std::vector<std::string> lids;
 };
 
-/// Returns the shear box of a run. Throws DataError naming `where` and what the run lacks: a series, a geotextile, a
-/// named plane that touches soil alone and faces down, or another one beside it.
+/// Returns the shear box of a run. Throws DataError naming `where` unless the run has a series, a geotextile and named
+/// planes of soil alone, one of them facing down.
 ShearBox shear_box(const io::RunFile& run, const std::string& where);
 
-/// Returns one row per row of the series; files/FORMAT.md lists the columns. The sheet balances the force of the planes
-/// on the soil along their travel, under the force of the lid.
+/// Returns one row per row of the series (columns: files/FORMAT.md). The sheet balances the planes' force on the soil
+/// along their travel, under the force of the lid.
 io::Series interface(const io::Series& run, const ShearBox& box);
 
 }  // namespace soilweave::analysis
