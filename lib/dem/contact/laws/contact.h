@@ -1,5 +1,5 @@
-// History, response and energies of a contact, as every law has them. Forces and moments act on body 2. T is double or
-// lanes.
+// History, response and energies of a contact under any law.
+// Forces and moments act on body 2. T is double or lanes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,11 +21,13 @@ struct ContactHistory {
   T twisting;
 };
 
-/// A field of history that only one law keeps, as files, checkpoints and pages show it.
+/// A field of history that only one law keeps.
 struct HistoryField {
-  enum class Kind { scalar, along };  // a number, or a vector along the contact that turns with it
+  /// A number, or a vector along the contact that turns with it.
+  enum class Kind { scalar, along };
   /// Name in files, unit, and description.
   std::string_view name, unit, sentence;
+  /// Kind of the field.
   Kind kind = Kind::scalar;
 
   /// Returns how many numbers a contact keeps for it.
@@ -48,15 +50,16 @@ struct Response {
   T normal_stiffness, shear_stiffness;
   /// Stiffnesses of the moments, N m/rad.
   T rolling_stiffness, twisting_stiffness;
-  T pressing;  // N, force between the surfaces that limits friction and rolling
+  /// Force between the surfaces that limits friction and rolling, N.
+  T pressing;
   /// Whether the Coulomb limit holds the shear force.
   Mask<T> sliding;
 };
 
-/// Energies of one contact, J: stored now; stored by the old history at the present stiffness; dissipated in this step.
+/// Energies of one contact.
 template <class T>
 struct ContactEnergies {
-  /// Energy by spring, J.
+  /// Energy stored in each spring, J.
   T elastic_normal, elastic_shear, elastic_rolling, elastic_twisting;
   /// Energy lost in the step, J.
   T frictional, rolling_plastic, viscous;
@@ -65,20 +68,19 @@ struct ContactEnergies {
 using soilweave::masked;
 using soilweave::select;
 
-/// One spring of a contact, a vector (shear, rolling) or a scalar (twisting): force -= stiffness * increment, cut back
-/// to the limit. Returns stored energies and dissipation, which by the trapezoidal rule is the energy that the cut
-/// removes.
+/// Step of one spring of a contact: force -= stiffness * increment, cut back to the limit.
+/// Shear and rolling are vectors, twisting is a scalar.
 template <class T, class Quantity>
 struct SpringStep {
   /// Force or moment after the step.
   Quantity force;
-  /// Energy that the spring holds, and that the cut removes.
+  /// Energies that the spring holds and that the cut removes (trapezoidal rule), J.
   T stored, dissipated;
   /// Whether the limit cut the force.
   Mask<T> limited;
 };
 
-/// Return the square, the magnitude, and the product of two quantities, each a scalar or a vector.
+/// Returns the square of a scalar or a vector.
 template <class T>
 T squared(const T& a) {
   return a * a;
@@ -87,6 +89,7 @@ template <class T>
 T squared(const V3<T>& a) {
   return norm2(a);
 }
+/// Returns the magnitude of a scalar or a vector.
 template <class T>
 T magnitude(const T& a) {
   return absolute(a);
@@ -95,6 +98,7 @@ template <class T>
 T magnitude(const V3<T>& a) {
   return norm(a);
 }
+/// Returns the product of two scalars or vectors.
 template <class T>
 T product(const T& a, const T& b) {
   return a * b;
@@ -104,7 +108,7 @@ T product(const V3<T>& a, const V3<T>& b) {
   return dot(a, b);
 }
 
-/// limit: the largest magnitude, not negative; 0 if there is no stiffness.
+/// Applies a spring with a limit. `limit`: largest magnitude, not negative; 0 without stiffness.
 template <class T, class Quantity>
 SpringStep<T, Quantity> limited_spring_step(const Quantity& old, const T& stiffness, const Quantity& increment,
                                             const T& limit) {

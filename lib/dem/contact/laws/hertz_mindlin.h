@@ -1,7 +1,6 @@
-// Hertz-Mindlin law: elastic spheres without slip, with Coulomb's limit, rolling and twisting resistance (LAWS.md §2).
-// The shear force is incremental with the present stiffness and is not rescaled when the overlap falls, so a cycle of
-// shear at varying overlap can create energy (Elata & Berryman 1996). The energy balance has a term for it, and
-// tests/property/laws_test.cpp measures it.
+// Hertz-Mindlin law for elastic spheres, with Coulomb's limit, rolling and twisting resistance (LAWS.md §2).
+// The shear force is not rescaled when the overlap falls, so cycles can create energy (Elata & Berryman 1996).
+// The energy balance has a term for it (energies/law.h).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +21,7 @@ struct HertzMindlin {
   /// Name in scenarios.
   static constexpr std::string_view name = "hertz-mindlin";
 
-  /// Materials of two sands, as a scenario writes them; the property tests take them.
+  /// Two sands, as a scenario writes them, for the property tests.
   static constexpr std::array<std::string_view, 2> examples = {
       "young_modulus = 4e9\n"
       "poisson_ratio = 0.33\n"
@@ -38,11 +37,15 @@ struct HertzMindlin {
   /// Parameters of one material.
   struct Material {
     using Law = HertzMindlin;
-    double young_modulus;  // Pa
+    /// Young's modulus, Pa.
+    double young_modulus;
+    /// Poisson's ratio, 1.
     double poisson_ratio;
-    double friction_angle;  // rad
-    /// Normal coefficient of restitution; none: no viscous damping.
+    /// Friction angle, rad.
+    double friction_angle;
+    /// Normal coefficient of restitution; unset without viscous damping.
     std::optional<double> restitution;
+    /// Resistance to rolling and to twisting.
     Resistance rolling, twisting;
     /// Whether the dashpot may pull while the grains part (damping.h).
     bool attraction = false;
@@ -51,11 +54,15 @@ struct HertzMindlin {
   };
   /// A pair of materials.
   struct MaterialPair {
-    double E_star, G_star;  // Pa
+    /// Effective moduli E* and G*, Pa.
+    double E_star, G_star;
+    /// Dashpot.
     Damping damping;
+    /// Friction, rolling and twisting.
     Tangential tangential;
   };
 
+  /// Key `young_modulus` of a material.
   static constexpr Parameter young_modulus{"young_modulus",
                                            "Pa",
                                            1e3,
@@ -63,6 +70,7 @@ struct HertzMindlin {
                                            false,
                                            "Young's modulus of the grains",
                                            "the contacts of stiffer grains cannot be resolved in double precision"};
+  /// Key `poisson_ratio` of a material.
   static constexpr Parameter poisson_ratio{"poisson_ratio",
                                            "1",
                                            0,
@@ -78,7 +86,8 @@ struct HertzMindlin {
             read_attraction(table)};
   }
 
-  /// Mixes two materials: 1/E* = sum (1 - nu^2)/E; thesis Eq. 3.3: 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
+  /// Mixes two materials: 1/E* = sum (1 - nu^2)/E, and 1/G* = sum (2 - nu)/G with G = E/(2(1 + nu)).
+  /// Source: thesis Eq. 3.3.
   static MaterialPair mix(const Material& a, const Material& b) {
     const auto compliance = [](const Material& m) { return (1 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
     const auto shear = [](const Material& m) {
@@ -95,12 +104,13 @@ struct HertzMindlin {
   /// Returns whether contacts can have moments.
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
-  /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5; ks = 8 G* sqrt(R* delta), thesis Eq. 3.2, whose kn is the
-  /// tangent 2 E* sqrt(R* delta).
+  /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5, ks = 8 G* sqrt(R* delta).
+  /// kn is the tangent 2 E* sqrt(R* delta), as in thesis Eq. 3.2.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
-    const T a = square_root(k.R_star * k.overlap);  // contact radius, m
+    // Contact radius, m.
+    const T a = square_root(k.R_star * k.overlap);
     const T kn = 2.0 * c.E_star * a, ks = 8.0 * c.G_star * a;
     const T elastic = (2.0 / 3.0) * kn * k.overlap;
     // Tsuji, Tanaka & Ishida (1992): a critical fraction beta gives a restitution independent of speed.

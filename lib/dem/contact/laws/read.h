@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// Reads a friction angle, degrees in the scenario, as radians.
+/// Reads a friction angle in degrees and returns it in radians.
 inline double read_friction_angle(Settings& table) {
   static constexpr Parameter friction_angle{"friction_angle",
                                             "deg",
@@ -40,8 +40,8 @@ inline bool read_attraction(Settings& table) {
   return table.flag({"attraction", "whether the dashpot may pull while the grains part"}, false);
 }
 
-/// Reads [contact.rolling] or [contact.twisting]: stiffness, scale, limit ("none" or a number; 0 means no moment at
-/// all), arm.
+/// Reads [contact.rolling] or [contact.twisting]: stiffness, scale, limit and arm.
+/// The limit is "none" or a number; 0 means no moment at all.
 inline Resistance read_resistance(Settings& table, std::string_view key) {
   static constexpr Parameter stiffness{
       "stiffness", "1",   0,

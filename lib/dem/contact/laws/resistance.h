@@ -1,4 +1,4 @@
-// Resistance to rolling and twisting: an elastic spring with an optional plastic limit. Any law may hold it.
+// Resistance to rolling and twisting: a spring with an optional plastic limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,29 +14,37 @@ namespace soilweave::dem {
 
 /// Resistance of one material to rolling or twisting.
 struct Resistance {
-  /// Stiffness in N m/rad, or a factor on ks r1 r2.
+  /// Unit of the stiffness: N m/rad, or a factor on ks r1 r2.
   enum class Scale { absolute, contact };
+  /// Length over which the plastic limit acts.
   enum class Arm { mean_radius, smaller_radius };
+  /// Stiffness in its scale.
   double stiffness = 0;
+  /// Scale of the stiffness.
   Scale scale = Scale::absolute;
-  /// Greatest moment over (arm * normal force); none: elastic; 0: no moment at all.
+  /// Greatest moment over (arm * normal force). Without it the spring is elastic; at 0 there is no moment.
   std::optional<double> limit;
+  /// Arm of the limit.
   Arm arm = Arm::mean_radius;
 };
 
 /// Resistance of two materials in contact. Each side keeps its own limit (LAWS.md §3).
 struct PairResistance {
+  /// Stiffness in its scale.
   double stiffness = 0;
+  /// Scale of the stiffness.
   Resistance::Scale scale = Resistance::Scale::absolute;
+  /// Arm of the limits.
   Resistance::Arm arm = Resistance::Arm::mean_radius;
+  /// Whether either side has a limit.
   bool limited = false;
   /// Limits of the two sides; infinite on a side without one.
   double limit_1 = 0, limit_2 = 0;
 };
 
-/// Mixes two resistances. Stiffnesses scaled by the contact are in series (harmonic mean, LAWS.md §3). The smaller
-/// absolute stiffness counts, since a moment passes through both grains. A limit of 0 removes the stiffness. Throws
-/// DataError if the kinds differ: N m/rad and a factor have no mean.
+/// Mixes two resistances. A limit of 0 removes the stiffness.
+/// Stiffnesses scaled by the contact have their harmonic mean (LAWS.md §3). The smaller absolute one counts.
+/// Throws DataError if scales or arms differ.
 inline PairResistance mix(const Resistance& a, const Resistance& b) {
   if (a.stiffness > 0 && b.stiffness > 0 && (a.scale != b.scale || a.arm != b.arm))
     throw DataError("rolling or twisting resistance: two materials in contact must have the same scale and arm");
@@ -51,7 +59,7 @@ inline PairResistance mix(const Resistance& a, const Resistance& b) {
   return m;
 }
 
-/// Returns the stiffness, N m/rad. shear_stiffness: tangent ks of the law, N/m.
+/// Returns the stiffness, N m/rad. `shear_stiffness`: tangent ks of the law, N/m.
 template <class T, class Space>
 T resistance_stiffness(const PairResistance& r, const Kinematics<T, Space>& k, const T& shear_stiffness) {
   if (r.scale == Resistance::Scale::absolute) return broadcast<T>(r.stiffness);
@@ -65,7 +73,7 @@ T resistance_compliance(const PairResistance& r, const T& stiffness) {
   return compliance_of(stiffness);
 }
 
-/// Returns the greatest moment of a limited resistance, N m. normal_force: N, not negative.
+/// Returns the greatest moment of a limited resistance, N m. `normal_force`: N, not negative.
 template <class T, class Space>
 T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const T& normal_force) {
   const T arm = r.arm == Resistance::Arm::mean_radius ? T(0.5 * std::min(r.limit_1, r.limit_2) * (k.r1 + k.r2))
@@ -73,8 +81,8 @@ T resistance_limit(const PairResistance& r, const Kinematics<T, Space>& k, const
   return arm * normal_force;
 }
 
-/// Applies rolling (a vector) or twisting (a scalar) resistance over one step. Without stiffness the moment is zero,
-/// even if the initial state has one.
+/// Applies rolling (a vector) or twisting (a scalar) resistance over one step.
+/// Without stiffness the moment is zero, whatever it was before.
 template <class T, class Quantity, class Space>
 SpringStep<T, Quantity> resistance_step(const PairResistance& r, const Kinematics<T, Space>& k, const Quantity& old,
                                         const T& stiffness, const Quantity& increment, const T& normal_force) {

@@ -1,5 +1,4 @@
-// Parts that laws share beside the normal force: incremental shear with Coulomb's limit, rolling and twisting
-// resistance.
+// Shear with Coulomb's limit, rolling and twisting, which all laws share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,12 +14,13 @@ namespace soilweave::dem {
 struct Tangential {
   /// Tangent of the friction angle.
   double mu;
+  /// Resistance to rolling and to twisting.
   PairResistance rolling, twisting;
 
   /// Returns whether contacts can have moments.
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
 
-  /// Removes shear force and the moments scaled by it, if there is no shear stiffness.
+  /// Removes the shear force and the moments that it scales.
   template <class T, class Space>
   void let_go(ContactHistory<T, Space>& history) const {
     history.shear = Along<T, Space>{};
@@ -29,7 +29,7 @@ struct Tangential {
   }
 };
 
-/// Returns the smaller friction angle, rad, unless a material's friction holds against any other.
+/// Returns the smaller friction angle, rad, or that of the material whose friction decides.
 template <class Material>
 double mix_friction(const Material& a, const Material& b) {
   if (a.friction_decides != b.friction_decides) return a.friction_decides ? a.friction_angle : b.friction_angle;
@@ -42,8 +42,8 @@ Tangential mix_tangential(const Material& a, const Material& b) {
   return {std::tan(mix_friction(a, b)), mix(a.rolling, b.rolling), mix(a.twisting, b.twisting)};
 }
 
-/// Completes a response with known normal force and shear stiffness: Fs <- Fs - ks slip, |Fs| <= mu Fn (LAWS.md §2,
-/// §3). `history` becomes the present shear force and moments, `energies` the energies of the three springs.
+/// Completes a response with known normal force and shear stiffness.
+/// Fs <- Fs - ks slip, |Fs| <= mu Fn (LAWS.md §2, §3). Updates `history`, and `energies` of the three springs.
 template <class T, class Space>
 void tangential_step(const Tangential& c, const Kinematics<T, Space>& k, ContactHistory<T, Space>& history,
                      Response<T>& r, ContactEnergies<T>& energies) {
