@@ -1,7 +1,7 @@
 // Estimate of how long the stations of a run wait until their grains are at rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The wait is the number of e-folds that the motion has to fall by, times the time of one e-fold.
+// A wait is the number of e-folds by which the motion has to fall, times the time of one e-fold.
 //
 // In a cell, grains that rearrange move by their own size in the inertial time t = d sqrt(rho/p). The unbalanced force
 // on arrival grows with the inertial number I = rate t, and each of its e-folds takes a fixed share of t, less with
@@ -26,34 +26,42 @@ struct Arrival {
   bool sheared = false;
   /// Whether a plate or clamp takes a load that it did not have.
   bool new_load = false;
-  bool first = false;  // true: first station of the run, which also waits for what is unbalanced at the start
+  /// Whether it is the first station, which also waits for the unbalanced force at the start.
+  bool first = false;
 };
 
 /// Estimate for one run.
 class RestEstimate {
  public:
+  /// Measures the simulation at its start. The scenario must outlive the estimate.
   RestEstimate(const Simulation& simulation, const Scenario& scenario);
 
   /// Returns the steps that a station waits for rest.
   double steps(const Stage& stage, const Arrival& arrival) const;
   /// Learns from tried steps how the time step depends on the pressure.
   void learn(const Simulation& tried);
-  /// Returns the mean time step on the way to a station over the one at the start. Contacts get stiffer with the
-  /// pressure of the goals; soil in a geotextile gets stiffer as it is sheared, because the yarns confine it.
+  /// Returns the mean time step on the way to a station over the one at the start.
+  /// Contacts get stiffer with pressure. Yarns confine soil that is sheared.
   double step_share(const Arrival& arrival) const;
-  /// Return the ends of the range of the steps to a station that is forecast to move for `moving` steps and to wait for
-  /// `waiting`.
+  /// Returns the lower end of the steps to a station, forecast to move and to wait for so many.
   double fewest(const Arrival& arrival, double moving, double waiting) const;
+  /// Returns the upper end.
   double most(const Arrival& arrival, double moving, double waiting) const;
   /// Returns the pressure of a load (N) along a unit vector on the soil between plates, Pa.
   double pressure_of(double force, const Vec3& direction) const;
 
  private:
+  /// Returns the mean stress of the soil, Pa.
   double pressure_of(const Simulation& simulation) const;
+  /// Returns d sqrt(rho/p), s.
   double inertial_time(double pressure) const;
+  /// Returns the unbalanced force when the loading to a station ends.
   double unbalanced_at_arrival(const Stage& stage, const Arrival& arrival) const;
+  /// Returns the steps of a wait in a periodic cell.
   double in_cell(const Stage& stage, const Arrival& arrival, double damping) const;
+  /// Returns the steps of a wait between plates without a drag.
   double between_plates(const Arrival& arrival, double damping) const;
+  /// Returns the steps of a wait under a drag; half: half of the drag, 1/s.
   double under_drag(const Stage& stage, const Arrival& arrival, double half) const;
 
   const Scenario& scenario_;

@@ -14,8 +14,9 @@
 
 namespace soilweave::dem {
 
-/// Returns the packing with positions moved at random by at most `fraction` of the radius along each axis: a twin that
-/// shows the scatter of a chaotic system. One seed gives the same twin everywhere. Contacts keep their history.
+/// Returns the packing with each grain moved at random by at most `fraction` of its radius along each axis.
+/// Such a twin shows the scatter of a chaotic system. One seed gives the same twin everywhere.
+/// Contacts keep their history.
 io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
 
 /// Appends further columns on a recorded state to the series, the same columns each time.
@@ -23,14 +24,15 @@ using Observe = std::function<void(const io::Snapshot& state, io::Series& series
 
 /// Result of a run.
 struct Outcome {
+  /// Series, snapshots and resolved scenario.
   io::RunFile file;
+  /// Cost over all sessions.
   Cost cost;
 };
 
-/// Runs all stages. The file holds the series (one row at the start and one per station), the requested snapshots with
-/// the first and last, and the resolved scenario. With a folder to keep it in, the run goes on from what is there and
-/// ends in the same bytes. Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks,
-/// Stopped after a signal. The message says what is kept.
+/// Runs all stages. The series has one row at the start and one per station.
+/// With a folder in `safekeeping`, the run goes on from what is there and ends in the same bytes.
+/// Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks, Stopped after a signal.
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,
             const Safekeeping& safekeeping = {}, const Observe& observe = {});
 

@@ -30,18 +30,19 @@ struct Stage {
   std::optional<double> damping;
   /// Local damping while a station waits for rest.
   std::optional<double> rest_damping;
-  double way_unbalanced_force =
-      0;  // limit of the unbalanced force, to which the loading slows down; 0: never slows down
+  /// Limit of the unbalanced force, to which the loading slows down; 0: never slows down.
+  double way_unbalanced_force = 0;
   /// Drag on all motion, over the mass, 1/s, while a station waits for rest.
   double rest_drag = 0;
   /// Whether rest_drag follows the slowest homogeneous swing at the start of each wait.
   bool critical_drag = false;
-  /// Loading begins and ends with a homogeneous field of velocity (homogeneous.h).
+  /// Whether loading begins and ends with a homogeneous field of velocity (homogeneous.h).
   bool homogeneous_start = false;
 };
 
-/// Rule that selects which recorded stations get a full snapshot beside their row in the series.
+/// Rule that selects which recorded stations get a full snapshot.
 struct SnapshotRule {
+  /// First and last state, every station, or stations at listed strains.
   enum class Which { ends, stations, list };
   Which which = Which::ends;
   /// Strains along the loading axis, for `list`.
@@ -50,9 +51,10 @@ struct SnapshotRule {
 /// Distance below which a strain to record belongs to a station.
 inline constexpr double station_tolerance = 1e-7;
 
-/// A plate or clamp that can be driven. box: an upright box around the nodes that a clamp holds, m.
+/// A plate or clamp that can be driven.
 struct PartSetting {
   RigPart part;
+  /// Corners of the upright box around the nodes that a clamp holds, m.
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
@@ -60,18 +62,23 @@ struct PartSetting {
 struct Scenario {
   /// Contact law and materials.
   Model model;
+  /// Time step, damping and guards.
   Numerics numerics;
   /// Density by material_id, kg/m3, scaled. Positive values replace the packing's masses.
   std::vector<double> density;
   /// Masses with which all grains admit the same step (mass_scaling.h).
   bool equal_steps = false;
+  /// Tolerances of a settled station.
   Tolerances tolerances;
+  /// Servo of the periodic cell.
   ServoRule servo;
   /// Number of steps after which a station counts as unreachable.
   std::int64_t largest_station = 0;
+  /// States to keep in full.
   SnapshotRule snapshots;
   /// Stages, in order.
   std::vector<Stage> stages;
+  /// Planes that prepare() adds to the packing.
   io::PlanesRecord planes;
   /// Planes that prepare() moves until they touch the grains.
   std::vector<std::size_t> touching;
@@ -90,22 +97,22 @@ double read_density(Settings& document);
 /// Reads [numerics] and [guards].
 Numerics read_numerics(Settings& document);
 
-/// Reads and checks everything; all mistakes are reported at once. Throws DataError.
+/// Reads and checks a scenario. Throws DataError with all mistakes.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 /// Reads a scenario from a document. files: how its file names are resolved.
 Scenario read_scenario(Settings& document, const NamedFiles& files);
 /// Returns every key that a scenario may have (core/text/keys.h).
 std::vector<Key> scenario_keys();
 
-/// Returns the model with another friction angle, rad, of these materials (empty: of all).
+/// Returns the model with another friction angle (rad) of these materials; empty: of all.
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
-/// Returns the model with these materials' friction angle, rad, against any other material: for rough or smooth plates.
+/// Returns the model with these materials' friction angle (rad) against any other, for plates.
 Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials);
 /// Returns the model with every friction angle multiplied.
 Model with_friction_times(double factor, const Model& model);
 /// Returns the smallest friction angle of these materials (empty: of all), rad.
 double friction(const Model& model, const std::vector<std::int32_t>& materials = {});
-/// rad; friction below it makes a packing no denser.
+/// Friction angle below which a packing gets no denser, rad.
 inline constexpr double lowest_friction = 0.05 * std::numbers::pi / 180;
 
 }  // namespace soilweave::dem

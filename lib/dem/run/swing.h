@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A mode of frequency w under a drag c (over the mass) decays soonest for c = 2 w. With less it swings on, with more it
-// creeps. The slowest swing of an assembly with scaled density is that of the whole. Its frequency follows from samples
-// of the velocity gradient L that fits the grains best: L'' + c L' + w^2 L = 0 gives by least squares
+// creeps. The whole assembly swings slowest. Its frequency follows from samples of the velocity gradient L that fits
+// the grains best: L'' + c L' + w^2 L = 0 gives by least squares
 //   w^2 = -sum M L (L'' + c L') / sum M L^2,
-// with the second moments of mass M as weights, so that the swing with most energy counts. Dynamic relaxation estimates
-// its damping in this way (Underwood, 1983). Contacts that strain affinely are stiffer than others. Their frequency
-// bounds the estimate from above, and serves before the first estimate.
+// with the second moments of mass M as weights, as in dynamic relaxation (Underwood, 1983). The frequency of contacts
+// that strain affinely bounds the estimate from above, and serves before the first one.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ namespace soilweave::dem {
 /// Estimator of the swing of one run.
 class Swing {
  public:
-  /// Starts anew when the loading stops, because the grains then swing about another state.
+  /// Starts anew. Call it when the loading stops.
   void begin(const Simulation& simulation);
   /// Samples the grains after a step, at intervals.
   void look(const Simulation& simulation);
@@ -30,12 +29,14 @@ class Swing {
   void archive(Archive& archive);
 
  private:
+  /// Fits the frequency to the samples so far.
   void estimate(const Vec3& moments, double interval);
 
-  double bound_ = 0, frequency_ = 0;  // 1/s; bound_: of contacts that strain affinely; 0: no contacts
+  /// Frequency if contacts strain affinely (0: no contacts), and the estimate, 1/s.
+  double bound_ = 0, frequency_ = 0;
   /// Diagonal of L at the last three samples, latest last, 1/s.
   std::array<Vec3, 3> gradient_ = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  /// Number since it began.
+  /// Number of samples since the wait began.
   std::int64_t looks_ = 0;
   /// Sums in which older samples count less.
   double products_ = 0, squares_ = 0;

@@ -17,15 +17,15 @@ class Way {
  public:
   /// Begins a stage, whose first loading has no earlier one.
   void begin_stage();
-  /// Call it before each step. If the stage asks for it, a homogeneous field of velocity is added when the loading
-  /// begins, and the mean field is removed when it ends.
+  /// Adds a homogeneous field of velocity when the loading begins and removes it at the end, if the stage asks for it.
+  /// Call it before each step.
   void before_step(const Stage& stage, bool waiting, const std::vector<DriveGoal>& goals, double pace, const Rig& rig,
                    Simulation& simulation);
-  /// Call it after that step. Slows the grains by a drag while a station waits.
+  /// Slows the grains by a drag while a station waits. Call it after that step.
   void after_step(Simulation& simulation);
-  /// Returns the number of steps in which stations waited for rest, since the run began.
+  /// Returns the number of steps of all waits in the run.
   std::int64_t waited() const { return waited_; }
-  /// Counts steps of a wait in which only the kinetic energy was above its limit.
+  /// Counts steps in which only the kinetic energy was above its limit.
   void wait_for_energy(std::int64_t steps) { waited_for_energy_ += steps; }
   /// Returns the number of these steps since the run began.
   std::int64_t waited_for_energy() const { return waited_for_energy_; }
