@@ -1,4 +1,4 @@
-// Plane-strain laws of continua, for verification and for setting up problems: elastic, and Mohr-Coulomb.
+// Plane-strain laws of continua: elastic and Mohr-Coulomb.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,16 +6,22 @@
 
 namespace soilweave::fem {
 
-/// Isotropic elasticity in rate form, optionally with a Mohr-Coulomb limit. It is objective: the increment is taken on
-/// the midway configuration and the stress is rotated (Hughes & Winget 1980), so that a rigid rotation of any size
-/// leaves no stress.
+/// Isotropic elasticity in rate form, optionally with a Mohr-Coulomb limit. It is objective: strain is that of the
+/// midway configuration, and stress rotates with it (Hughes & Winget 1980). A rigid rotation of any size leaves no
+/// stress.
 struct ContinuumLaw {
-  double young_modulus = 1e7;  // Pa
+  /// Pa.
+  double young_modulus = 1e7;
+  /// Poisson's ratio.
   double poisson_ratio = 0.25;
-  std::optional<double> friction_angle;  // rad; none: elastic
-  double cohesion = 0;                   // Pa
-  double dilation_angle = 0;             // rad
-  Vec3 initial_stress = Vec3::Zero();    // xx, yy, zz, tension positive, Pa
+  /// rad; none: elastic.
+  std::optional<double> friction_angle;
+  /// Pa.
+  double cohesion = 0;
+  /// rad.
+  double dilation_angle = 0;
+  /// xx, yy, zz, Pa, tension positive.
+  Vec3 initial_stress = Vec3::Zero();
 };
 
 /// A material point with a continuum law.
@@ -29,17 +35,20 @@ class ContinuumPoint : public MaterialPoint {
   void archive(Archive& archive, const std::string& prefix) override;
 
  private:
+  /// Maps the stress back to the Mohr-Coulomb surface.
   void limit();
   double elastic_energy() const;
 
   ContinuumLaw law_;
-  double lame_, shear_;  // Pa
+  /// Elastic moduli, Pa.
+  double lame_, shear_;
   Mat2 stress_;
-  double out_of_plane_, work_ = 0, initial_energy_ = 0;  // Pa; J/m3
+  /// Out-of-plane stress, Pa; energies, J/m3.
+  double out_of_plane_, work_ = 0, initial_energy_ = 0;
 };
 
 /// Returns principal stresses (descending, tension positive) mapped back to the Mohr-Coulomb surface; unchanged inside
-/// it. sines: of friction and dilation. Perfectly plastic (De Souza Neto, Peric & Owen 2008, boxes 8.4 to 8.7).
+/// it. Perfectly plastic (De Souza Neto, Peric & Owen 2008, boxes 8.4 to 8.7).
 Vec3 mohr_coulomb_return(const Vec3& trial, double bulk, double shear, double sin_friction, double sin_dilation,
                          double cohesion);
 

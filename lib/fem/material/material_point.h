@@ -1,4 +1,4 @@
-// Material of an integration point: it takes a displacement gradient and returns a stress.
+// Material of an integration point: from displacement gradient to stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,15 +12,17 @@
 
 namespace soilweave::fem {
 
-/// Local state of a point besides its stress; NaN for what it does not have.
+/// Local state of a point besides stress; NaN: absent.
 struct Local {
   double void_ratio = std::numeric_limits<double>::quiet_NaN();
-  double anisotropy = std::numeric_limits<double>::quiet_NaN();  // F_a; -1 without contacts
-  double rotation = std::numeric_limits<double>::quiet_NaN();    // mean of the disks since the start, rad
+  /// F_a; -1 without contacts.
+  double anisotropy = std::numeric_limits<double>::quiet_NaN();
+  /// Mean rotation of the disks since the start, rad.
+  double rotation = std::numeric_limits<double>::quiet_NaN();
   double contacts = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Energies of a point since its start, J per m2 of its initial cross-section and metre of thickness.
+/// Energies since the start, J per m2 of initial cross-section and metre of thickness.
 struct PointEnergy {
   double stored = 0, kinetic = 0, dissipated = 0;
 };
@@ -33,28 +35,30 @@ class MaterialPoint {
   MaterialPoint& operator=(const MaterialPoint&) = delete;
   virtual ~MaterialPoint() = default;
 
-  /// Takes one step. gradient: of the displacement increment on the geometry before the step, element (i, j) =
-  /// du_i/dx_j. Its skew part rotates the material. Throws PhysicsError.
+  /// Takes one step. gradient: displacement increment on the geometry before the step, (i, j) = du_i/dx_j. Its skew
+  /// part rotates the material. Throws PhysicsError.
   virtual void advance(const Mat2& gradient) = 0;
   /// Returns the stress, Pa, symmetric, tension positive.
   virtual Mat2 stress() const = 0;
-  /// Returns the stiffness for stability, Pa: rows and columns xx, yy, xy (engineering shear).
+  /// Returns the stiffness for stability, Pa, for xx, yy, xy (engineering shear).
   virtual Mat3 tangent() const = 0;
-  /// Return local state and energies since the start.
+  /// Returns the local state.
   virtual Local local() const { return {}; }
+  /// Returns energies since the start.
   virtual PointEnergy energy() const { return {}; }
-  /// Sets the damping of the point's own motion, if it has any; none: as the scenario says.
+  /// Sets the damping of the point's own motion; none: the scenario's.
   virtual void set_damping(std::optional<double>) {}
-  /// Returns the point's own time step over its stability limit; 0 if it has none.
+  /// Returns the point's time step over its limit; 0 without one.
   virtual double step_over_limit() { return 0; }
-  /// Returns the point's grains, if it has any.
+  /// Returns the grains, if any.
   virtual std::optional<io::Snapshot> packing() const { return std::nullopt; }
-  /// Returns the number of grain steps and of contacts so far.
+  /// Returns the number of grain steps so far.
   virtual std::int64_t steps() const { return 0; }
-  /// Return sums over the grains of the point; 0 without grains.
+  /// Returns the contacts, summed over the steps.
   virtual std::int64_t contact_steps() const { return 0; }
+  /// Returns the number of grains.
   virtual std::size_t grains() const { return 0; }
-  /// Keeps the state under names with the prefix, or restores it, bit for bit.
+  /// Keeps or restores the state bit for bit, under names with the prefix.
   virtual void archive(Archive& archive, const std::string& prefix) = 0;
 };
 

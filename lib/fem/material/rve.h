@@ -1,5 +1,5 @@
-// A material point made of grains: a representative volume element, a periodic packing of disks that follows the
-// displacement gradient of its point and gives back the symmetric Love-Weber stress.
+// A material point made of a periodic packing of disks (RVE). The packing follows the displacement gradient and returns
+// the symmetric Love-Weber stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,26 @@
 
 namespace soilweave::fem {
 
-/// Properties that the grains of all points share.
+/// Properties of the grains of all points.
 struct Grains {
   dem::Model model;
   dem::Numerics numerics;
-  double density = 0;  // kg/m3; positive: replaces the packing's masses
+  /// kg/m3; positive: replaces the packing's masses.
+  double density = 0;
 };
 
-/// Prepares a packing: masses; clock, strains and rotations of the disks from zero. Throws DataError unless it consists
-/// of disks in a periodic cell, of known materials.
+/// Prepares a packing: sets masses; zeroes clock, strains and rotations. Throws DataError unless it has disks of known
+/// materials in a periodic cell.
 io::Snapshot prepare(const io::Snapshot& packing, const Grains& grains);
 
-/// Data from which the time steps of both scales are chosen.
+/// Data for the time steps of both scales.
 struct Probe {
-  double limit = 0;             // stability limit of the grains, s
-  Mat3 tangent = Mat3::Zero();  // stiffness as in MaterialPoint::tangent
-  Mat2 stress = Mat2::Zero();   // Pa, tension positive
+  /// Stability limit of the grains, s.
+  double limit = 0;
+  /// Stiffness as in MaterialPoint::tangent.
+  Mat3 tangent = Mat3::Zero();
+  /// Pa, tension positive.
+  Mat2 stress = Mat2::Zero();
   double solid_fraction = 0;
 };
 /// Measures a packing before the run.
@@ -35,7 +39,7 @@ Probe probe(const io::Snapshot& packing, const Grains& grains);
 /// A packing of disks as a material point.
 class Rve : public MaterialPoint {
  public:
-  /// Each step takes `substeps` substeps of step/substeps s, with equal parts of the gradient.
+  /// Takes `substeps` substeps of step/substeps s in each step, with equal parts of the gradient.
   Rve(const io::Snapshot& packing, const Grains& grains, double step, std::int64_t substeps);
 
   void advance(const Mat2& gradient) override;
@@ -54,14 +58,16 @@ class Rve : public MaterialPoint {
  private:
   io::Snapshot identities_;
   Grains grains_;
+  /// s.
   double step_;
   std::int64_t substeps_;
-  double area_;  // area of the cell at the start, m2
+  /// Area of the cell at the start, m2.
+  double area_;
   dem::Simulation simulation_;
 };
 
-/// Returns F_a = sqrt(F:F/2) with F = 4 (phi - tr(phi)/2 I) and phi the mean of n n^T (Guo & Zhao 2013, in the plane);
-/// -1 without contacts.
+/// Returns F_a = sqrt(F:F/2) in the plane (Guo & Zhao 2013); -1 without contacts. F = 4 (phi - tr(phi)/2 I), phi the
+/// mean of n n^T.
 double anisotropy(const io::ContactsRecord& contacts);
 
 }  // namespace soilweave::fem
