@@ -1,4 +1,4 @@
-// A folder for ParaView: numbered VTK files, one .pvd per group with the physical times, and a script that shows them.
+// A folder for ParaView: VTK files, one .pvd per group, and a script.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,31 +11,34 @@
 
 namespace soilweave::io {
 
-/// Throws DataError if the times of a group's frames do not increase, because ParaView could not tell them apart.
+/// Throws DataError unless times increase, because ParaView cannot tell equal ones apart.
 void demand_advance(const std::string& group, const std::vector<double>& times);
 
-/// Writer of the folder. Files are renamed when whole, the .pvd files last.
+/// Writer of the folder. Whole files are renamed into place, .pvd files last.
 class ParaviewFolder {
  public:
-  /// Makes the folder. `force` removes the frames, tables and .pvd files of an earlier call; other files stay.
-  /// compress: zlib. Throws CannotCreate, also for a folder that is not empty without `force`.
+  /// Makes the folder. `force` removes earlier frames, tables and .pvd files; `compress` means zlib. Throws
+  /// CannotCreate, also for a folder not empty without `force`.
   ParaviewFolder(std::filesystem::path folder, bool force, bool compress);
 
-  /// Writes GROUP_INDEX.vtp (.vtu for a hexahedron or a mesh). Throws DataError if the group's time does not increase.
+  /// Writes GROUP_INDEX.vtp (.vtu for hexahedra and meshes). Throws DataError if time does not increase.
   void add(const std::string& group, std::size_t index, const VtkPicture& picture);
-  /// Writes NAME.csv, for columns without a position.
+  /// Writes NAME.csv, for tables without positions.
   void add_table(const std::string& name, const std::string& csv);
-  /// Writes one .pvd per group, and show.py for `paraview --script=show.py`.
+  /// Writes the .pvd files, and show.py for `paraview --script=show.py`.
   void finish() const;
 
  private:
-  /// One written file, with its time.
+  /// One written file.
   struct Frame {
-    double time;  // s
+    /// Time, s.
+    double time;
+    /// Name within the folder.
     std::string file;
   };
   std::filesystem::path folder_;
   bool compress_;
+  /// Frames by group.
   std::map<std::string, std::vector<Frame>> groups_;
 };
 

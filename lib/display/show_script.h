@@ -1,4 +1,4 @@
-// The ParaView script that to-vtk lays beside its files.
+// The ParaView script beside the files of to-vtk.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace soilweave::io {
 
-/// Returns the script, show.py as it was when this program was built.
+/// Returns show.py as it was when the program was built.
 std::string_view show_script();
 
 }  // namespace soilweave::io

@@ -41,7 +41,7 @@ struct Simplex {
     Vec3i image = Vec3i::Zero();
   };
   std::array<Vertex, 4> vertices;
-  /// m3 (2D: m2).
+  /// Volume, m3 (2D: m2).
   double volume = 0;
 };
 

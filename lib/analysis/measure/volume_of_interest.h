@@ -35,7 +35,7 @@ Vec3 centre(const io::Snapshot& state, const Volume& volume);
 
 /// Averages over a volume.
 struct VolumeState {
-  /// m3 (2D: m2).
+  /// Volume, m3 (2D: m2).
   double volume = 0;  // m3 (2D: m2)
   double void_ratio = 0;
   /// Pa (2D: N/m).

@@ -24,9 +24,9 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate);
 struct Local {
   /// Sums of force times branch, N m.
   std::vector<Mat3> dyads;
-  /// m3 (2D: m2).
+  /// Power-cell volumes, m3 (2D: m2).
   std::vector<double> cell_volumes;
-  /// Gradients since the reference.
+  /// Deformation gradients since the reference.
   std::vector<Mat3> deformation;
 };
 /// Computes them. `reference` may be `state` itself.
