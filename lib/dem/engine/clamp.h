@@ -1,5 +1,4 @@
-// Clamps: grains held rigidly together without rotation. They move at a prescribed velocity, whatever force acts on
-// them.
+// Clamps: grains held together that move at a prescribed velocity without rotation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +8,7 @@
 
 namespace soilweave::dem {
 
-/// One clamp: its grains by index, its velocity, and the force on it.
+/// One clamp.
 struct Clamp {
   /// Indices of its grains.
   std::vector<std::int32_t> grains;
@@ -22,12 +21,13 @@ struct Clamp {
 /// All clamps of a simulation.
 class Clamps {
  public:
+  /// Clamps in the order of Numerics::clamps.
   std::vector<Clamp> all;
 
-  /// Moves the forces from the clamped grains to the clamps, so that the next step moves these grains at the clamp's
-  /// velocity. Call it after all forces are summed. Returns the work of the clamps over the step dt that led here, J.
+  /// Moves the forces from clamped grains to clamps, once all forces are summed.
+  /// So the next step moves these grains at the clamp's velocity. Returns the clamps' work over the last step, J.
   double take(const Vec3& gravity, double dt, Bodies& bodies);
-  /// Sets the velocity of clamp k from now on. Returns the kinetic energy that this adds, J.
+  /// Sets the velocity of clamp k. Returns the kinetic energy that this adds, J.
   double set_velocity(std::size_t k, const Vec3& velocity, Bodies& bodies);
 };
 

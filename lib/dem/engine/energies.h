@@ -1,4 +1,4 @@
-// Energies of an assembly since the start, and their balance. Each term is one file in energies/ (energy_term.h).
+// Energies of an assembly since the start, and their balance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,14 +13,20 @@ struct AssemblyState;
 struct Intervention;
 struct StepWork;
 
-/// Part of the balance to which a term belongs. Columns of the series stand in this order.
+/// Part of the balance to which a term belongs, in the order of columns.
 enum class EnergyRole {
-  kinetic,     // energy of motion
-  stored,      // energy that unloading returns
-  dissipated,  // energy that is lost for good
-  supplied,    // work done on the assembly from outside
-  numerical,   // energy that the numerical scheme takes out (+) or creates (-)
-  internal,    // work between other terms, which counts as turned over and enters no sum
+  /// Energy of motion.
+  kinetic,
+  /// Energy that unloading returns.
+  stored,
+  /// Energy that is lost for good.
+  dissipated,
+  /// Work done on the assembly from outside.
+  supplied,
+  /// Energy that the numerical scheme takes out (+) or creates (-).
+  numerical,
+  /// Work between other terms, which counts as turned over and enters no sum.
+  internal,
 };
 
 /// A column of the series that holds an energy, J.
@@ -31,7 +37,8 @@ struct EnergyColumn {
   double value = 0;
 };
 
-/// All terms, J (2D: J per metre of thickness). Sums leave out the shares of other terms.
+/// All terms, J (2D: J/m), one file each in energies/ (energy_term.h).
+/// Sums leave out the shares of other terms.
 class Energies {
  public:
   Energies();
@@ -48,23 +55,26 @@ class Energies {
   double initial() const { return initial_; }
   /// Returns the sum of |work| and |dissipation| of every step.
   double turned_over() const { return turned_over_; }
-  /// Returns the remainder of the balance: initial + supplied - kinetic - stored - dissipated - numerical.
+  /// Returns the balance's error: initial + supplied - kinetic - stored - dissipated - numerical.
   double error() const;
-  /// Returns the columns of all runs, the error last; or those that only some runs have, if this one has them.
+  /// Returns the columns of all runs, the error last.
   std::vector<EnergyColumn> columns() const;
+  /// Returns this run's columns that not all runs have.
   std::vector<EnergyColumn> further_columns() const;
 
-  /// Sets what terms begin with, and takes kinetic and stored energy as the initial one.
+  /// Starts all terms. Takes kinetic and stored energy as the initial one.
   void start(const AssemblyState& now);
-  /// Add what a step did, and what was changed from outside between two steps.
+  /// Adds the energies of a step.
   void add(const StepWork& step);
+  /// Adds the energies of a change from outside between two steps.
   void add(const Intervention& change);
-  /// Returns these energies with the terms that belong to a moment, such as the stored ones, computed for `now`.
+  /// Returns these energies with the terms of a moment, such as the stored ones, at `now`.
   Energies at(const AssemblyState& now) const;
   /// Keeps or restores the numbers.
   void archive(Archive& archive);
 
  private:
+  /// Returns `sum` plus the terms of a role.
   double add_up(EnergyRole role, double sum) const;
   std::vector<EnergyColumn> columns_where(bool of_some_runs) const;
 
@@ -72,6 +82,7 @@ class Energies {
   std::vector<double> values_;
   /// Whether the assembly has the term.
   std::vector<bool> occurs_;
+  /// Kinetic and stored energy at the start, and energy turned over, J.
   double initial_ = 0, turned_over_ = 0;
 };
 

@@ -19,7 +19,7 @@ struct Linear {
   /// Name in scenarios.
   static constexpr std::string_view name = "linear";
 
-  /// Materials of two sands, as a scenario writes them; the property tests take them.
+  /// Two sands, as a scenario writes them, for the property tests.
   static constexpr std::array<std::string_view, 2> examples = {
       "young_modulus = 5.449e8\n"
       "stiffness_ratio = 0.08\n"
@@ -35,11 +35,15 @@ struct Linear {
   /// Parameters of one material.
   struct Material {
     using Law = Linear;
-    double young_modulus;    // E in kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), Pa
-    double stiffness_ratio;  // ks/kn of two equal grains
-    double friction_angle;   // rad
-    /// Normal coefficient of restitution; none: no viscous damping.
+    /// Modulus E in kn, Pa.
+    double young_modulus;
+    /// ks/kn of two equal grains, 1.
+    double stiffness_ratio;
+    /// Friction angle, rad.
+    double friction_angle;
+    /// Normal coefficient of restitution; unset without viscous damping.
     std::optional<double> restitution;
+    /// Resistance to rolling and to twisting.
     Resistance rolling, twisting;
     /// Whether the dashpot may pull while the grains part (damping.h).
     bool attraction = false;
@@ -48,13 +52,17 @@ struct Linear {
   };
   /// A pair of materials.
   struct MaterialPair {
-    double E1, E2;  // Pa
+    /// Moduli, Pa.
+    double E1, E2;
     /// Modulus times stiffness ratio, Pa.
     double S1, S2;
+    /// Dashpot.
     Damping damping;
+    /// Friction, rolling and twisting.
     Tangential tangential;
   };
 
+  /// Key `young_modulus` of a material.
   static constexpr Parameter young_modulus{"young_modulus",
                                            "Pa",
                                            1e2,
@@ -62,6 +70,7 @@ struct Linear {
                                            false,
                                            "contact modulus of the grains",
                                            "the contacts of stiffer grains cannot be resolved in double precision"};
+  /// Key `stiffness_ratio` of a material.
   static constexpr Parameter stiffness_ratio{"stiffness_ratio",
                                              "1",
                                              0,
@@ -77,6 +86,7 @@ struct Linear {
             read_attraction(table)};
   }
 
+  /// Keeps the moduli of both materials, and mixes damping and friction.
   static MaterialPair mix(const Material& a, const Material& b) {
     return {a.young_modulus,
             b.young_modulus,
@@ -93,8 +103,8 @@ struct Linear {
   /// Returns whether contacts can have moments.
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
-  /// Returns the response of two springs in series (LAWS.md §3): kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise; Fn =
-  /// kn delta.
+  /// Returns the response of two springs in series (LAWS.md §3).
+  /// kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise, Fn = kn delta.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
@@ -114,7 +124,7 @@ struct Linear {
     r.normal_force = c.damping.force(elastic, c.damping.ratio, r.normal_stiffness, k);
     energies.elastic_normal = 0.5 * elastic * k.overlap;
     energies.viscous = c.damping.work(r.normal_force, elastic, k, dt);
-    // Without shear stiffness there is no shear force and no moment scaled by it, even if the initial state has one.
+    // Without shear stiffness no shear force remains, and no moment scaled by it.
     if (c.S1 == 0 || c.S2 == 0) c.tangential.let_go(history);
     tangential_step(c.tangential, k, history, r, energies);
     return r;

@@ -1,10 +1,10 @@
 // Linear springs with an adhesion that acts within a finite range, also across a gap (LAWS.md §10).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two grains attract each other with the constant force 2 pi w R* while they overlap (Derjaguin, Muller & Toporov 1975:
-// the pull-off force of a small, stiff sphere), and across a gap with a force that falls linearly to zero at the range
-// (the reversible adhesion of Singh, Magnanimo, Saitoh & Luding 2014). A cycle of approach and separation costs no
-// energy. Springs, friction, rolling and damping are those of laws/linear.h, from the repulsive force alone.
+// While two grains overlap, they attract each other with 2 pi w R* (Derjaguin, Muller & Toporov 1975).
+// Across a gap the force falls linearly to zero at the range (Singh, Magnanimo, Saitoh & Luding 2014).
+// A cycle of approach and separation costs no energy.
+// The rest is as in laws/linear.h, from the repulsive force alone.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct LinearAdhesion {
   /// Name in scenarios.
   static constexpr std::string_view name = "linear-adhesion";
 
-  /// Materials of two moist sands, as a scenario writes them; the property tests take them.
+  /// Two moist sands, as a scenario writes them, for the property tests.
   static constexpr std::array<std::string_view, 2> examples = {
       "young_modulus = 5.449e8\n"
       "stiffness_ratio = 0.08\n"
@@ -38,33 +38,40 @@ struct LinearAdhesion {
       "rolling = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"
       "twisting = {stiffness = 0.8, scale = \"contact\", limit = 0.1, arm = \"smaller-radius\"}\n"};
 
+  /// Key `work_of_adhesion` of a material.
   static constexpr Parameter work_of_adhesion{
       "work_of_adhesion", "J/m2", 0, 1e3, false, "work of adhesion w; the grains pull with 2 pi w R*"};
+  /// Key `adhesion_range` of a material.
   static constexpr Parameter adhesion_range{
       "adhesion_range", "m", 0, 1, true, "gap at which the adhesion ends", "without a range the force would jump"};
 
   /// Parameters of one material: those of the springs, and those of the adhesion.
   struct Material : Linear::Material {
     using Law = LinearAdhesion;
-    double work_of_adhesion = 0;  // J/m2
-    double adhesion_range = 0;    // m
+    /// Work of adhesion w, J/m2.
+    double work_of_adhesion = 0;
+    /// Gap at which the adhesion ends, m.
+    double adhesion_range = 0;
   };
   /// A pair of materials.
   struct MaterialPair : Linear::MaterialPair {
-    double pull_per_radius;  // 2 pi w, N/m
-    double range;            // m
+    /// 2 pi w, N/m.
+    double pull_per_radius;
+    /// Gap at which the adhesion ends, m.
+    double range;
   };
 
   /// Reads a material from [contact] or a [[material]] table.
   static Material read(Settings& table) {
     return {Linear::read(table), table.number(work_of_adhesion), table.number(adhesion_range)};
   }
-  /// Mixes two materials: the geometric mean of the works of adhesion (Israelachvili 2011), the mean of the ranges.
+  /// Mixes two materials: geometric mean of w (Israelachvili 2011), mean of the ranges.
   static MaterialPair mix(const Material& a, const Material& b) {
     return {Linear::mix(a, b), 2 * std::numbers::pi * std::sqrt(a.work_of_adhesion * b.work_of_adhesion),
             0.5 * (a.adhesion_range + b.adhesion_range)};
   }
 
+  /// Returns the modulus that scales the contacts' stiffness, Pa.
   static double modulus(const Material& m) { return m.young_modulus; }
   /// Returns whether the response needs the masses.
   static bool uses_masses(const MaterialPair& c) { return Linear::uses_masses(c); }
@@ -73,8 +80,8 @@ struct LinearAdhesion {
   /// Returns the gap across which two grains still attract each other, m.
   static double range(const MaterialPair& c) { return c.range; }
 
-  /// Returns the response of the springs minus the adhesion: with depth = overlap + range, cut at 0 and at the range,
-  /// the pull is 2 pi w R* depth/range. Its energy counts from the range on, where it is zero.
+  /// Returns the response of the springs minus the pull 2 pi w R* depth/range.
+  /// The depth is overlap + range, held between 0 and the range. Its energy is zero at the range.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
@@ -88,7 +95,8 @@ struct LinearAdhesion {
     springs.twist = masked(pressed, k.twist);
     Response<T> r = Linear::respond(static_cast<const Linear::MaterialPair&>(c), springs, dt, history, energies);
     const T depth = minimum(maximum(T(k.overlap + c.range), zero), broadcast<T>(c.range));
-    const T slope = k.R_star * (c.pull_per_radius / c.range);  // N/m
+    // N/m.
+    const T slope = k.R_star * (c.pull_per_radius / c.range);
     r.normal_force = r.normal_force - slope * depth;
     // Across a gap the force falls with the distance. The step needs the size of the slope.
     r.normal_stiffness = select<T>(pressed, r.normal_stiffness, slope);
