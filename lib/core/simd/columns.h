@@ -9,9 +9,10 @@ namespace soilweave {
 /// Columns with as many rows as T has lanes: row = grain, column = quantity.
 template <class T>
 struct Columns {
+  /// First to fourth quantity of all rows.
   T a, b, c, d;
 };
-/// Transposes four rows: a holds the first numbers of all rows, b the second, c and d the others.
+/// Transposes four rows.
 inline Columns<Lane4> columns(const Lane4 (&r)[4]) {
   const Lane4 t0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
   const Lane4 t1 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
@@ -20,7 +21,7 @@ inline Columns<Lane4> columns(const Lane4 (&r)[4]) {
   return {__builtin_shufflevector(t0, t2, 0, 1, 4, 5), __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
           __builtin_shufflevector(t0, t2, 2, 3, 6, 7), __builtin_shufflevector(t1, t3, 2, 3, 6, 7)};
 }
-/// Returns argument i of columns() from the rows that it holds; row(k) gives row k.
+/// Returns the rows that make up argument i of columns(); row(k) gives row k.
 template <class T, class Row>
 requires(width<T> == 4) T rows(const Row& row, int i) { return row(i); }
 /// Transposes columns back to rows and passes each to put(i, row), from first to last.

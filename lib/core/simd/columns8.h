@@ -4,7 +4,7 @@
 
 namespace soilweave {
 
-/// r[i] holds row i and row i + 4.
+/// Transposes eight rows: r[i] holds row i and row i + 4.
 inline Columns<Lane8> columns(const Lane8 (&r)[4]) {
   const Lane8 t0 = __builtin_shufflevector(r[0], r[1], 0, 8, 2, 10, 4, 12, 6, 14);
   const Lane8 t1 = __builtin_shufflevector(r[0], r[1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -15,8 +15,10 @@ inline Columns<Lane8> columns(const Lane8 (&r)[4]) {
           __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15),
           __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
+/// Returns rows i and i + 4 in one register.
 template <class T, class Row>
 requires(width<T> == 8) T rows(const Row& row, int i) { return join(row(i), row(i + 4)); }
+/// Transposes columns back to eight rows and passes each to put(i, row).
 template <class Put>
 void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, const Put& put) {
   const Lane8 t0 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -30,6 +32,7 @@ void to_rows(const Lane8& a, const Lane8& b, const Lane8& c, const Lane8& d, con
   put(0, low(r02)), put(1, low(r13)), put(2, high(r02)), put(3, high(r13));
   put(4, low(r46)), put(5, low(r57)), put(6, high(r46)), put(7, high(r57));
 }
+/// Writes two columns to halves of eight rows.
 template <class Half>
 void to_halves(const Lane8& a, const Lane8& b, const Half& half) {
   const Lane8 even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);

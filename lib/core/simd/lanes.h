@@ -1,6 +1,5 @@
-// Arithmetic on one contact (a double) or several at once (a GCC vector of doubles). A law is written once and gives
-// the same bits in every lane. No branch may depend on a value: select() replaces it. Only fused() makes one operation
-// of a multiplication and an addition.
+// Arithmetic on one contact (a double) or several at once (a GCC vector of doubles), with the same bits in every lane.
+// No branch may depend on a value: select() replaces it. Only fused() joins a multiplication and an addition.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +11,10 @@
 
 namespace soilweave {
 
-/// Four contacts at once, the width of x86-64-v3; other processors take two registers. Equal bits of lanes and scalars
-/// need -ffp-contract=off.
+/// Four contacts at once, the width of x86-64-v3. Equal bits of lanes and scalars need -ffp-contract=off.
 using Lane4 = double __attribute__((vector_size(32)));
 
+/// Whether T holds several contacts.
 template <class T>
 inline constexpr bool is_lane = !std::is_arithmetic_v<T>;
 

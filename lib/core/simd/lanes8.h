@@ -1,13 +1,13 @@
-// Eight contacts at once: lanes.h at the width of AVX-512 (or of the baseline, for tests of its bits). Only lanes.h
-// includes this file.
+// Eight contacts at once, with AVX-512 or, for tests, without. Only lanes.h includes this file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 namespace soilweave {
 
-/// Eight numbers in one register.
+/// Eight contacts at once.
 using Lane8 = double __attribute__((vector_size(64)));
 
+/// Returns the lower four lanes; high() the upper four; join() makes eight of them.
 inline Lane4 low(const Lane8& x) { return __builtin_shufflevector(x, x, 0, 1, 2, 3); }
 
 #if defined(__AVX512F__) && !defined(SOILWEAVE_PORTABLE)

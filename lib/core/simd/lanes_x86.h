@@ -1,4 +1,4 @@
-// The vector instructions of x86-64-v3 for four lanes. Only lanes.h includes this file.
+// Vector instructions of x86-64-v3 for four lanes. Only lanes.h includes this file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,6 +12,7 @@ inline Lane4 square_root(const Lane4& x) { return _mm256_sqrt_pd(x); }
 inline Lane4 fused(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fmadd_pd(a, b, c); }
 inline Lane4 fused_less(const Lane4& a, const Lane4& b, const Lane4& c) { return _mm256_fnmadd_pd(a, b, c); }
 
+/// Returns an integer whose bit i is lane i of the mask.
 inline unsigned bits(const Mask<Lane4>& mask) {
   Lane4 signs;
   std::memcpy(&signs, &mask, sizeof signs);

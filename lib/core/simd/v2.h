@@ -1,5 +1,4 @@
-// Vectors of the plane, for one contact or several at once; v3.h has those of space. A rotation in the plane is one
-// number, about the axis normal to it.
+// Vectors of the plane, for one contact or several at once (lanes.h).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,6 +6,7 @@
 
 namespace soilweave {
 
+/// Vector of the plane. A rotation in the plane is one number, about its normal.
 template <class T>
 struct V2 {
   T x, y;

@@ -1,5 +1,4 @@
-// The servo of the periodic cell. It turns stress or strain goals on each axis into the velocity gradient of the next
-// step.
+// The servo of the periodic cell turns goals on each axis into a velocity gradient.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,26 +19,28 @@ struct AxisGoal {
   /// Greatest strain rate, 1/s.
   double max_rate = 0;
 };
+/// Goals of the axes x, y, z.
 using AxisGoals = std::array<AxisGoal, 3>;
 
 /// Tolerances of an equilibrium.
 struct Tolerances {
   /// Tolerance of a stress, relative to its goal.
   double stress = 1e-3;
-  /// Mean resultant over mean contact force.
+  /// Greatest unbalanced force: mean resultant over mean contact force.
   double unbalanced_force = 1e-3;
-  /// Kinetic energy of grains under load, J.
+  /// Greatest kinetic energy of grains under load, J.
   double kinetic_energy = std::numeric_limits<double>::infinity();
 };
 
 /// Rule by which an axis follows its stress goal.
 struct ServoRule {
-  /// stiffness: for all new work. inertia: to repeat the thesis's runs.
+  /// Law from stress error to strain rate.
   enum class Kind {
-    // Proportional-integral and critically damped. Gains follow the stiffness of the contact network.
+    /// Proportional-integral and critically damped. Gains follow the stiffness of the contact network.
     stiffness,
-    // The strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2, as in the thesis's
-    // runs), damped like a grain. It oscillates, and it slows down as the packing grows. Use it to repeat those runs.
+    /// The strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2), damped like a
+    /// grain.
+    /// It oscillates. Use it only to repeat the thesis's runs.
     inertia
   };
   Kind kind = Kind::stiffness;
@@ -50,9 +51,10 @@ struct ServoRule {
 /// A controller of all cell axes. One object serves one run, since it keeps an integral part.
 class Servo {
  public:
+  /// Makes a controller at rest.
   explicit Servo(const ServoRule& rule = {}) : rule_(rule) {}
-  /// Sets the velocity gradient of the next step. Strain goals are approached at the share `pace` of their greatest
-  /// rate. Axes beyond the dimension stay at rest.
+  /// Sets the velocity gradient of the next step. Axes beyond the dimension stay at rest.
+  /// pace: share of the greatest rate at which strain goals are approached.
   void drive(const AxisGoals& goals, int dimension, Simulation& simulation, double pace = 1);
   /// Returns whether all strain goals are met.
   static bool strained(const AxisGoals& goals, int dimension, const Simulation& simulation);
@@ -63,6 +65,7 @@ class Servo {
   void archive(Archive& archive) { archive.item("servo_rate", rate_); }
 
  private:
+  /// Returns the strain rate, 1/s, that brings an axis to its stress.
   double stress_rate(int axis, const AxisGoal& goal, const Simulation& simulation);
 
   ServoRule rule_;

@@ -1,5 +1,4 @@
-// Loading speed of plates and cells. It slows down while the unbalanced force exceeds its limit, and never exceeds the
-// prescribed rate.
+// Loading speed of plates and cells, which slows down while the unbalanced force exceeds its limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,16 +9,16 @@
 
 namespace soilweave::dem {
 
-/// A loading speed that adapts to the unbalanced force. It begins at a hundredth of the prescribed speed.
+/// A loading speed that adapts to the unbalanced force, from a hundredth of the prescribed speed.
 class Pace {
  public:
-  /// The number of grains and the dimension tell how many steps a wave takes across the assembly.
+  /// Estimates from the number of grains how many steps a wave takes across them.
   Pace(std::size_t grains, int dimension);
 
   /// Begins slowly and searches the admissible speed anew.
   void begin_stage();
-  /// Adapts the speed so that the unbalanced force (mean resultant over mean contact force, now measured) stays near
-  /// `wanted`. steps: number of steps since the last call.
+  /// Adapts the speed so that the unbalanced force stays near `wanted`.
+  /// unbalanced: the present ratio. steps: number of steps since the last call.
   void follow(double unbalanced, double wanted, std::int64_t steps);
   /// Returns the share of the prescribed speeds and rates, in (0, 1].
   double share() const { return share_; }
@@ -31,7 +30,7 @@ class Pace {
   double crossing_;
   /// Present share of the prescribed speed.
   double share_;
-  /// Whether the unbalanced force came near the wanted one since the stage began.
+  /// Whether the unbalanced force came near the wanted one in this stage.
   bool found_ = false;
 };
 

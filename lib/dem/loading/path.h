@@ -1,5 +1,4 @@
-// A loading path: a sequence of stations, and the goals of each axis on the way. A new path is one file in
-// paths/.
+// A loading path: a sequence of stations with goals. A new path is one file in paths/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,13 +24,13 @@ struct PathState {
   Vec3 strain;
 };
 
-/// A loading path. Objects are immutable: goals depend only on the station and the state.
+/// A loading path. Goals depend only on the station and the state.
 class Path {
  public:
   virtual ~Path() = default;
   /// Returns the number of stations.
   virtual std::size_t stations() const = 0;
-  /// Returns the goals on the way to a station (0 to stations() - 1). Strains count from the start of the stage.
+  /// Returns the goals on the way to a station, from 0. Strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
   /// Returns the goals of plates and clamps on the way to a station.
   virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
@@ -52,7 +51,7 @@ struct StrainStations {
 
 /// Reads axial_strain and increment, or an explicit list `stations`, and rate.
 StrainStations read_strain_stations(Settings& table);
-/// Returns strains `step` apart from `step` to `end`. More than a million are a mistake of the table's key `increment`.
+/// Returns strains `step` apart from `step` to `end`. More than a million are a mistake of the key `increment`.
 std::vector<double> stations_every(double step, double end, Settings& table);
 /// Reads max_rate of the stress-controlled axes, 1/s.
 double read_max_rate(Settings& table);

@@ -1,4 +1,4 @@
-// Drives the named plates and clamps of a run: displacements at a speed, and loads, which stay until changed.
+// Drives the named plates and clamps of a run by displacements and loads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,14 +10,14 @@
 
 namespace soilweave::dem {
 
-/// Goal of one part along one direction. The velocities of several goals of one part add up.
+/// Goal of one part along one direction. Velocities of several goals add up.
 struct DriveGoal {
   /// Quantity that the part is driven to.
   enum class Kind { displacement, load };
   /// Name of the plate or clamp.
   std::string part;
   Kind kind = Kind::displacement;
-  /// Unit vector; a load pushes the grains along it.
+  /// Unit vector along which the part moves, or a load pushes the grains.
   Vec3 direction = Vec3::UnitZ();
   /// Displacement since the start of the stage, m, or load, N.
   double value = 0;
@@ -29,6 +29,7 @@ struct DriveGoal {
 struct RigPart {
   /// Name in the scenario.
   std::string name;
+  /// Whether it is a clamp; otherwise it is a plate.
   bool is_clamp = false;
   /// Index of the plane or clamp.
   std::size_t number = 0;
@@ -47,17 +48,16 @@ class Rig {
   bool any() const { return !parts_.empty(); }
   /// Makes displacements count from here.
   void begin_stage();
-  /// Sets the velocities of all parts for the next step. Goals are followed, displacements at the share `pace` of their
-  /// speed. Loads of earlier stages are held. Other parts rest.
+  /// Sets the velocities of all parts for the next step. Loads of earlier stages are held. Other parts rest.
+  /// pace: share of the greatest speed at which displacements are approached.
   void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace = 1);
-  /// Returns the velocity gradient, 1/s, that the displacements demand of the grains between facing parts: two planes,
-  /// or two clamps. The relative velocity of a pair is spread evenly. Elements that no pair determines stay as in
-  /// `before`.
+  /// Returns the velocity gradient (1/s) that displacements demand of the grains between two facing planes or clamps.
+  /// The relative velocity of a pair is spread evenly. Other elements stay as in `before`.
   Mat3 gradient_of_way(const std::vector<DriveGoal>& goals, double pace, const Mat3& before,
                        const Simulation& simulation) const;
   /// Returns whether all displacements are reached.
   bool moved(const std::vector<DriveGoal>& goals) const;
-  /// Returns whether all displacements are reached, and all loads, earlier ones included, are met to the tolerance.
+  /// Returns whether all displacements are reached and all loads, also earlier ones, are within the tolerance.
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
   /// Appends displacement and force of every part to the series.
   void record(const Simulation& simulation, io::Series& series) const;
@@ -73,20 +73,28 @@ class Rig {
     Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();
     /// Whether it carries a load.
     bool loaded = false;
+    /// Unit vector of the load.
     Vec3 direction = Vec3::Zero();
-    double load = 0, speed = 0, velocity = 0;  // N, m/s; velocity: along the direction of the load
+    /// Load, N; greatest speed and velocity along the load, m/s.
+    double load = 0, speed = 0, velocity = 0;
   };
-  /// Two facing parts, and the distance from first to second along the unit vector between them, m.
+  /// Two facing parts.
   struct Facing {
     std::size_t first, second;
+    /// Unit vector from the first towards the second.
     Vec3 across;
+    /// Distance along it, m.
     double distance;
   };
+  /// Returns all pairs of facing parts.
   std::vector<Facing> facing(const Simulation& simulation) const;
+  /// Returns the index of a part by its name. Throws DataError if there is none.
   std::size_t index(const std::string& name) const;
   /// Whether a part carries a load.
   bool loaded() const;
+  /// Returns the force of the grains on a part, N.
   Vec3 force(std::size_t part, const std::vector<PlateLoad>& plates, const Simulation& simulation) const;
+  /// Returns the velocity, m/s, with which a part follows its load.
   double load_velocity(std::size_t part, const std::vector<PlateLoad>& plates, double damping,
                        const Simulation& simulation);
 

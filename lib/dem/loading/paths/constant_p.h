@@ -1,4 +1,4 @@
-// Axial strain in stations at constant mean stress: the lateral stress falls as the axial stress rises.
+// Axial strain in stations at constant mean stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace soilweave::dem {
 
-/// Shear at constant p: the lateral stress is p times the dimension minus the axial stress, shared evenly.
+/// Shear at constant p: the lateral stress falls as the axial stress rises.
 class ConstantP final : public Path {
  public:
   /// Name in scenarios.
@@ -17,13 +17,14 @@ class ConstantP final : public Path {
     return {p, read_max_rate(table), read_strain_stations(table)};
   }
 
+  /// Takes the mean stress, Pa, the greatest lateral rate, 1/s, and the stations.
   ConstantP(double mean_stress, double max_rate, StrainStations axial)
       : mean_stress_(mean_stress), max_rate_(max_rate), axial_(std::move(axial)) {}
   std::size_t stations() const override { return axial_.strain.size(); }
   AxisGoals goals(std::size_t station, const PathState& state) const override {
     const int axis = loading_axis(state.dimension);
     const double lateral_stress = (state.dimension * mean_stress_ - state.stress(axis, axis)) / (state.dimension - 1);
-    // Lower bound of the lateral stress. Below it p cannot be held, and a tensile goal would open the cell.
+    // A tensile goal would open the cell. Below this bound p is not held.
     const AxisGoal lateral{AxisGoal::Kind::stress, std::max(lateral_stress, 1e-3 * mean_stress_), max_rate_};
     AxisGoals goals = {lateral, lateral, lateral};
     goals[static_cast<std::size_t>(axis)] = {AxisGoal::Kind::strain, axial_.strain[station], axial_.rate};

@@ -1,4 +1,4 @@
-// Undrained loading: axial strain in stations at constant volume of the cell.
+// Undrained loading: axial strain in stations at constant volume.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,7 @@ class ConstantVolume final : public Path {
 
   explicit ConstantVolume(StrainStations axial) : axial_(std::move(axial)) {}
   std::size_t stations() const override { return axial_.strain.size(); }
-  /// Every axis moves straight to the station, the lateral ones in proportion, so that the volume is constant in every
-  /// step.
+  /// Returns goals of all axes in proportion, so that every step keeps the volume.
   AxisGoals goals(std::size_t station, const PathState& state) const override {
     const double share = 1.0 / (state.dimension - 1);
     const double goal = axial_.strain[station];

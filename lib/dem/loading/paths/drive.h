@@ -1,4 +1,4 @@
-// Free motion and loading of plates and clamps: [[stage.move]] and [[stage.load]], approached in equal parts.
+// Moves and loads of plates and clamps: [[stage.move]] and [[stage.load]].
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace soilweave::dem {
 
-/// Moves and loads of named parts. Goals of the stations are equal parts of the way.
+/// Moves and loads of named parts, approached in equal parts.
 class Drive final : public Path {
  public:
   /// Name in scenarios.

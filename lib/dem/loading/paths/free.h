@@ -14,8 +14,8 @@ class Free final : public Path {
  public:
   /// Name in scenarios.
   static constexpr std::string_view name = "free";
-  /// Reads [stage.x], [stage.y], [stage.z]: `stress` (held, or reached from `stress_from` over the stations) or
-  /// `strain`, and `max_rate`. `stations`: number of equal parts of the strains and ramped stresses.
+  /// Reads [stage.x], [stage.y], [stage.z]: `stress` (held, or ramped from `stress_from`) or `strain`, and `max_rate`.
+  /// `parts`: number of equal parts of strains and ramps.
   static Free read(Settings& table) {
     static constexpr Parameter count{"parts", "1", 1, 1e6, false, "equal parts the goals are approached in"};
     static constexpr Parameter strain{"strain", "1", -2, 2, false, "natural strain of the stage, compression positive"};

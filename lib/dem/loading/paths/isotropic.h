@@ -16,6 +16,7 @@ class Isotropic final : public Path {
     return {read_stress(table, "pressure", "mean stress"), read_max_rate(table)};
   }
 
+  /// Takes the pressure, Pa, and the greatest rate, 1/s.
   Isotropic(double pressure, double max_rate) : pressure_(pressure), max_rate_(max_rate) {}
   std::size_t stations() const override { return 1; }
   AxisGoals goals(std::size_t, const PathState&) const override {

@@ -25,6 +25,7 @@ class K0 final : public Path {
     return {table.numbers(stresses), read_max_rate(table)};
   }
 
+  /// Takes the axial stresses, Pa, and the greatest rate, 1/s.
   K0(std::vector<double> axial_stress, double max_rate) : axial_stress_(std::move(axial_stress)), max_rate_(max_rate) {}
   std::size_t stations() const override { return axial_stress_.size(); }
   AxisGoals goals(std::size_t station, const PathState& state) const override {

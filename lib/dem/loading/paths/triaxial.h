@@ -17,6 +17,7 @@ class Triaxial final : public Path {
     return {confining, read_max_rate(table), read_strain_stations(table)};
   }
 
+  /// Takes the lateral stress, Pa, the greatest lateral rate, 1/s, and the stations.
   Triaxial(double confining_pressure, double max_rate, StrainStations axial)
       : confining_pressure_(confining_pressure), max_rate_(max_rate), axial_(std::move(axial)) {}
   std::size_t stations() const override { return axial_.strain.size(); }
