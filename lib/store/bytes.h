@@ -1,4 +1,4 @@
-// Reads and writes whole files as bytes. "-" is standard input or output. No reader meets a half-written file.
+// Reads and writes whole files. "-" is standard input or output. Readers never meet half a file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,22 +8,21 @@
 
 namespace soilweave::io {
 
-/// Returns all bytes of a file, or of standard input for "-". Throws MissingInput, DataError (a directory, a terminal),
+/// Returns all bytes of a file or of standard input ("-"). Throws MissingInput, DataError (a directory, a terminal),
 /// IoError.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Writes a file under a temporary name in the same folder, syncs it and renames it. After a failure an existing file
-/// is as it was; its permissions stay in any case. A link's target is replaced, not the link. Devices and pipes are
-/// written in place; "-" is standard output. Throws CannotCreate, IoError.
+/// Writes a temporary file in the same folder, syncs and renames it. After a failure the old file is as it was.
+/// Permissions stay. A link's target is replaced; devices and pipes are written in place. Throws CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes a file into a folder that the program made for itself. Replaces whatever has the name, even a link.
+/// Writes a file into a folder that the program made. Replaces whatever has the name, even a link.
 void write_own_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Makes a folder that survives a crash, unless it exists. Throws CannotCreate, also for a link to a folder.
+/// Makes a folder durably unless it exists. Throws CannotCreate, also for a link to a folder.
 void make_folder(const std::filesystem::path& path);
 
-/// Returns how messages call a path: "standard input" for "-".
+/// Returns the path, or "standard input" for "-", for messages.
 std::string input_name(const std::filesystem::path& path);
 
 }  // namespace soilweave::io

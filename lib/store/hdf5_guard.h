@@ -1,4 +1,4 @@
-// Refuses HDF5 objects outside the file, and more values than a file of its size can hold.
+// Refuses HDF5 objects outside the file or larger than it can hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,21 +9,25 @@
 
 namespace soilweave::io::hdf5 {
 
-/// Result of following a path link by link. No link is followed out of the file.
+/// Result of following a path within the file, link by link.
 struct Way {
+  /// Whether the path leads to an object.
   bool there = false;
-  std::string refusal;  // reason why a link on the way is not followed ("is a link to ..."); empty: all were followed
+  /// Reason why a link is not followed ("is a link to ..."); else empty.
+  std::string refusal;
 };
 /// Follows a path.
 Way way_to(hid_t file, const std::string& path);
 
-/// Returns why the values of a dataset may not be read: they are in other files, or this HDF5 lacks their filter. Empty
-/// if they may. Call it before the dataspace is asked for, which makes HDF5 open other files.
+/// Returns why values may not be read (they are in other files, or their filter is missing), else nothing. Call it
+/// before asking for the dataspace, which makes HDF5 open other files.
 std::string refusal(hid_t dataset);
 
-/// Number of bytes that reading unpacks, from shape and chunks. `gap` tells which values are missing; empty: none.
+/// Size of a dataset once unpacked.
 struct Unpacked {
+  /// Bytes, from shape and chunks.
   Extent bytes = 0;
+  /// Which values are missing; empty: none.
   std::string gap;
 };
 /// Measures a dataset before it is read.

@@ -1,4 +1,4 @@
-// HDF5 identifiers that close themselves, and HDF5's names for our types. Only this file includes HDF5.
+// HDF5 identifiers that close themselves, and HDF5's types. Only this file includes HDF5.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -30,7 +30,7 @@ class Id {
   herr_t (*close_)(hid_t);
 };
 
-/// Returns HDF5's type of a number in memory. T: double, int64, uint64, int32, uint8.
+/// Returns HDF5's type of a number. T: double, int64, uint64, int32, uint8.
 template <class T>
 hid_t native() {
   if (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -39,7 +39,7 @@ hid_t native() {
   return std::is_same_v<T, std::int32_t> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT8;
 }
 
-/// Returns the extents in HDF5's type, which is unsigned long or unsigned long long depending on its version.
+/// Returns the extents in HDF5's type, which depends on its version.
 inline std::vector<hsize_t> extents(const Shape& shape) { return {shape.begin(), shape.end()}; }
 
 }  // namespace soilweave::io::hdf5

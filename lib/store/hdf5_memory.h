@@ -8,10 +8,10 @@
 
 namespace soilweave::io::hdf5 {
 
-/// Creates a file that grows in the string. Negative on failure. The string must outlive the file and must not move.
+/// Creates a file that grows in the string; negative on failure. The string must outlive the file, unmoved.
 hid_t create_in_memory(std::string& bytes);
 
-/// Opens the string as a file for reading. Negative on failure. The string must outlive the file, unmoved.
+/// Opens the string for reading; negative on failure. The string must outlive the file, unmoved.
 hid_t open_in_memory(std::string& bytes);
 
 }  // namespace soilweave::io::hdf5

@@ -1,18 +1,16 @@
 // HDF5 behind two plain classes: Writer builds a file in memory, Reader reads one from memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Here a file is a string of
-// bytes that becomes such a tree, and back. Writing to the disk, a pipe or a checkpoint is another matter (bytes.h),
-// and so is what the arrays mean (schema.h):
+// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Here a string of bytes becomes
+// such a tree, and back. Input and output (bytes.h) and the meaning of arrays (schema.h) are apart:
 //
 //   records of a packing or run  --schema-->  groups and arrays  --Writer-->  bytes  -->  file or pipe
 //
-// Files must be equal when their content is, so that two runs can be compared by digest. Writer therefore fixes what
-// HDF5 leaves open: no times, one format version, and chunk sizes that depend on the shape alone. Checksums cover the
-// structure and the arrays, so that a damaged file is noticed before its numbers are used.
+// Equal content gives equal files, so that two runs can be compared by digest. Writer fixes what HDF5 leaves open: no
+// times, one format version, chunk sizes by shape alone. Checksums show damage to structure and arrays.
 //
-// Reader trusts nothing. A file may be cut short, foreign or made to do harm. It refuses links that lead out of the
-// file, sizes that the file cannot hold, and arrays of another shape or type than the caller names:
+// Reader trusts nothing: a file may be cut short, foreign or malicious. It refuses links that lead out of the file,
+// sizes that the file cannot hold, and unexpected shapes and types:
 //
 //   Writer file;
 //   file.write<double>("/particles/radius", radii, {radii.size()}, {"m", "radius of each grain"});
@@ -36,8 +34,8 @@ struct Label {
   std::string units, long_name;
 };
 
-/// A file under construction, in memory. Equal calls give equal bytes (HDF5 1.10, no time stamps). Checksums cover all
-/// structure and numeric arrays. Parent groups are made as needed. Throws IoError naming the object.
+/// A file under construction, in memory. Equal calls give equal bytes (HDF5 1.10). Parent groups are made as needed.
+/// Throws IoError naming the object.
 class Writer {
  public:
   /// Begins an empty file.
@@ -48,22 +46,25 @@ class Writer {
 
   /// Makes a group.
   void group(const std::string& path);
-  /// Writes an array. T: double, int64, int32, uint8. values.size() must be the product of the shape.
+  /// Writes an array. T: double, int64, int32, uint8. `values` must fill the shape.
   template <class T>
   void write(const std::string& path, std::span<const T> values, const Shape& shape, const Label& label);
   /// Writes a text as a dataset.
   void write_text(const std::string& path, const std::string& text, const Label& label);
 
-  /// Write attributes: one text, several texts, or integers.
+  /// Writes a text as an attribute.
   void attribute(const std::string& path, const std::string& name, const std::string& text);
+  /// Writes several texts.
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
+  /// Writes integers.
   void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
   /// Writes a number. T: double, int64, uint64.
   template <class T>
   void attribute(const std::string& path, const std::string& name, T value);
-  /// Write texts of variable length, which Python reads as str. They lie in a heap without a checksum, so they serve
-  /// only other programs, and words that Reader knows.
+  /// Writes a text of variable length, which Python reads as str. It has no checksum: use it only for other programs
+  /// and words that Reader knows.
   void variable_text(const std::string& path, const std::string& name, const std::string& text);
+  /// Writes several such texts.
   void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
 
   /// Gives an object a second name (a hard link).
@@ -79,19 +80,19 @@ class Writer {
   std::int64_t file_ = -1;
 };
 
-/// A file read from its bytes. Every error is a DataError of one line: file, path within it, mistake. External links,
-/// external storage, virtual datasets and values never written are refused.
+/// A file read from its bytes. Errors are DataErrors: file, path, mistake. Refuses external links and storage, virtual
+/// datasets and values never written.
 class Reader {
  public:
-  /// where: what messages call the file. Rejects other formats and truncated files.
+  /// `where` names the file in messages. Throws DataError for other formats and truncated files.
   Reader(std::string bytes, std::string where);
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// Returns how messages call the file.
+  /// Returns the file's name for messages.
   const std::string& where() const { return where_; }
-  /// Throws DataError if the path leads out of the file (an external or user-defined link).
+  /// Returns whether the path exists. Throws DataError if it leads out of the file.
   bool has(const std::string& path) const;
   /// Returns whether the path is a group.
   bool is_group(const std::string& path) const;
@@ -102,15 +103,17 @@ class Reader {
   Shape shape(const std::string& path) const;
   /// Returns whether a dataset holds integers.
   bool is_integer(const std::string& path) const;
-  /// Returns the whole array, row major. Rejects another shape, another class of type, and wider integers.
+  /// Returns the whole array, row major. Throws DataError for another shape or class of type, and for wider integers.
   template <class T>
   std::vector<T> read(const std::string& path, const Shape& expected) const;
-  /// Return texts of datasets and attributes, of fixed or variable length.
+  /// Returns a text of fixed or variable length.
   std::string read_text(const std::string& path) const;
 
   /// Returns whether an object has an attribute.
   bool has_attribute(const std::string& path, const std::string& name) const;
+  /// Returns a text attribute.
   std::string text_attribute(const std::string& path, const std::string& name) const;
+  /// Returns an attribute of several texts.
   std::vector<std::string> text_attributes(const std::string& path, const std::string& name) const;
   /// Returns integer attributes. T: int64, uint64.
   template <class T>
@@ -120,8 +123,7 @@ class Reader {
     return integers<T>(path, name, {}).front();
   }
 
-  /// Counts memory that an object asks for, bytes; read() calls it. Throws DataError if the sum exceeds what a file of
-  /// this size can hold.
+  /// Counts memory that an object needs, bytes. Throws DataError if the sum exceeds what such a file can hold.
   void claim(const std::string& path, Extent bytes) const;
 
   /// Throws DataError: "FILE: PATH what".

@@ -1,4 +1,4 @@
-// First bytes of an HDF5 file: its signature and its stated end.
+// Start of an HDF5 file: signature and stated end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace soilweave::io {
 
-/// Returns the end of the file that its superblock states (versions 2 and 3; Writer makes these); 0 for other versions.
+/// Returns the end that the superblock states; 0 unless its version is 2 or 3.
 std::uint64_t stated_end(std::string_view bytes);
 
-/// Throws DataError naming `where` unless the bytes begin an HDF5 file and reach to its stated end.
+/// Throws DataError naming `where` unless the bytes are HDF5 and reach the stated end.
 void check_whole(std::string_view bytes, const std::string& where);
 
 }  // namespace soilweave::io

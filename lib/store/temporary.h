@@ -1,4 +1,4 @@
-// Temporary file that an output is written to before it is renamed.
+// Temporary files that are renamed to outputs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,13 +7,12 @@
 
 namespace soilweave::io {
 
-/// A new file beside `target` with an unpredictable name (".NAME.0123456789abcdef.tmp"). It is opened exclusively, so
-/// that no link or file of another user is taken. Its lock distinguishes it from the leftover of a killed process. It
-/// has the permissions of an existing `target` before a byte is written, and its owner if the user may. It is removed
-/// unless renamed. Throws CannotCreate.
+/// A new, locked file beside `target` with an unpredictable name (".NAME.0123456789abcdef.tmp"). It is opened
+/// exclusively, so that no link or other file is taken. The lock tells it from leftovers of killed processes. It has
+/// the permissions of `target`, and its owner if possible. It is removed unless renamed.
 class Temporary {
  public:
-  /// Creates the file.
+  /// Creates the file. Throws CannotCreate.
   explicit Temporary(const std::filesystem::path& target);
   ~Temporary();
   Temporary(const Temporary&) = delete;
@@ -21,7 +20,7 @@ class Temporary {
 
   /// Returns the open descriptor.
   int descriptor() const { return descriptor_; }
-  /// Closes the file. Returns false if the system could not write all of it.
+  /// Closes the file. Returns false if not all could be written.
   bool close();
   /// Renames the file to its target. Throws CannotCreate.
   void rename();
@@ -32,7 +31,7 @@ class Temporary {
   bool renamed_ = false;
 };
 
-/// Removes temporary files of `name` (empty: of any file) that ended processes left. Removes none without file locks.
+/// Removes temporary files of `name` (empty: any) that ended processes left. Removes none without file locks.
 void remove_left_temporaries(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace soilweave::io
