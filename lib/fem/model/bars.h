@@ -1,5 +1,4 @@
-// The geosynthetic: a chain of bars beside the soil's boundary that touches it, and fixed guides, through virtual
-// disks. Quantities per metre of width. Within each step of the soil the chain takes leap-frog steps of its own.
+// The geosynthetic: a chain of bars that touches the soil's boundary and fixed guides through virtual disks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,9 +12,9 @@
 
 namespace soilweave::fem {
 
-/// Parameters of contacts.
+/// Contact parameters.
 struct Touch {
-  double normal_stiffness = 0;  // N/m3, per length of bar and width
+  double normal_stiffness = 0;  // N/m3: per length of bar and width
   double shear_ratio = 0;       // shear over normal stiffness
   double friction_angle = 0;    // rad
 };
@@ -23,34 +22,34 @@ struct Touch {
 /// A straight fixed bar without friction.
 struct Guide {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  bool holds_soil = false;  // whether it carries the interface too
+  bool holds_soil = false;  // carries the interface too
 };
 
-/// Prescribed velocity of an end of the chain.
+/// Motion of an end of the chain.
 struct ChainEnd {
-  std::optional<double> x, y;  // prescribed velocity, m/s; none: free
+  std::optional<double> x, y;  // velocity, m/s; none: free
 };
 
 /// Input of a geosynthetic.
 struct BarsSetup {
-  std::vector<Vec2> interface;                                // nodes of the soil's boundary, with the soil on the left
+  std::vector<Vec2> interface;                                // nodes of the soil's boundary, soil on the left
   std::vector<Vec2> chain;                                    // nodes of the geosynthetic, m
-  double radius = 0;                                          // radius of the virtual disks of chain and boundary, m
+  double radius = 0;                                          // of the virtual disks, m
   double stiffness = 0;                                       // J, N/m
   double strength = std::numeric_limits<double>::infinity();  // N/m
-  bool compression = true;                                    // whether bars resist shortening
+  bool compression = true;                                    // bars resist shortening
   double areal_density = 0;                                   // kg/m2
   double damping = 0;                                         // local, non-viscous
   Vec2 gravity = Vec2::Zero();                                // m/s2, on the chain
   double safety = 0.7;                                        // fraction of the stable step
-  Touch touch;  // contact of chain and boundary; guides have this stiffness without friction
+  Touch touch;                                                // guides have this stiffness without friction
   std::vector<Guide> guides;
   ChainEnd start, end;
   bool stop_when_broken = true;
 };
 
-/// Returns chain nodes at a distance 2r outside the line, at most `spacing` apart along each edge, with corners on
-/// their bisector. overhang: straight length before the start, m. Throws DataError above 100,000 bars.
+/// Returns chain nodes 2r outside the line, at most `spacing` apart on each edge, corners on bisectors. overhang:
+/// straight length before the start, m. Throws DataError above 100,000 bars.
 std::vector<Vec2> chain_beside(const std::vector<Vec2>& line, double radius, double spacing, double overhang);
 
 /// Energies of the geosynthetic since the start, J per metre.
@@ -65,38 +64,38 @@ struct BarEnergies {
   }
 };
 
-/// The chain, its contacts and its guides in motion.
+/// Chain, contacts and guides in motion.
 class Bars {
  public:
   explicit Bars(BarsSetup setup);
 
-  /// Returns the stable step for chain and contacts, safety included, s: row sums of the stiffness over the lumped
-  /// mass.
+  /// Returns the stable step times safety, s: from row sums of the stiffness over lumped masses.
   double time_step() const { return stable_; }
-  /// Returns the greatest stiffness that contacts add to each interface node of the soil's boundary, N/m per metre.
+  /// Returns the greatest contact stiffness at each interface node, N/m per metre.
   std::vector<double> interface_stiffness() const;
-  /// Moves the interface evenly to these positions during `duration`. Throws PhysicsError naming bar or disk.
+  /// Moves the interface evenly within `duration`. Throws PhysicsError naming bar or disk.
   void advance(const std::vector<Vec2>& interface, double duration);
-  /// Returns the forces on the nodes of the interface at the present positions, N/m.
+  /// Returns the forces on interface nodes, N/m.
   const std::vector<Vec2>& interface_forces() const { return on_interface_; }
-  /// Seats the chain before the start: interface nodes yield along y under these loads (N/m) until contacts carry them,
-  /// and chain nodes move along y only. Friction is forgotten. Throws TargetNotReached.
+  /// Seats the chain before the start: interface nodes yield along y under loads (N/m) until contacts carry them. Chain
+  /// nodes move along y only. Friction is forgotten. Throws TargetNotReached.
   void seat(const std::vector<double>& loads);
-  /// Returns how far interface nodes stand off the soil's nodes since seat().
+  /// Returns the distances of interface nodes from soil nodes since seat(), m.
   const std::vector<Vec2>& offsets() const { return offsets_; }
 
-  /// Holds the ends still and replaces the damping, or releases them.
+  /// Holds the ends still and replaces the damping, or releases both.
   void hold(bool held, std::optional<double> damping = std::nullopt);
   const std::vector<Vec2>& nodes() const { return x_; }
   const std::vector<Vec2>& velocities() const { return v_; }
   const std::vector<Vec2>& interface() const { return lines_.front().x; }
   std::size_t bars() const { return x_.size() - 1; }
-  double tension(std::size_t bar) const;  // N/m, tension positive
+  /// Returns the tension of a bar, N/m.
+  double tension(std::size_t bar) const;
   bool broken(std::size_t bar) const { return broken_[bar]; }
   std::size_t broken_bars() const;
-  /// Returns normal and shear force between a bar and the boundary, N/m; shear is positive along the chain.
+  /// Returns normal and shear force between bar and boundary, N/m, shear positive along the chain.
   Vec2 contact_of(std::size_t bar) const;
-  /// Returns the sum of contact_of() over the boundary, N/m.
+  /// Returns their sum over the boundary, N/m.
   Vec2 contact_sum() const;
   /// Returns the force that drives an end, N/m.
   Vec2 end_force(bool last) const;
@@ -108,10 +107,10 @@ class Bars {
  private:
   struct Line {
     std::vector<Vec2> x, v;
-    bool fixed = true;  // true: a guide, which takes up any force
+    bool fixed = true;  // a guide, which takes up any force
   };
-  // Contact of a virtual disk, at the middle of a bar of the chain or at a node of the interface, with a line. The
-  // shear force stays with the disk while it slides from one bar of the line to the next.
+  // Contact of a virtual disk, at the middle of a bar or an interface node, with a line. The shear force stays with the
+  // disk while it slides from bar to bar.
   struct Contact {
     std::size_t bar, line;
     bool of_interface;
@@ -126,7 +125,7 @@ class Bars {
   void bar_forces();
   void contact_force(Contact& contact, double dt);
   void touch(Contact& contact, const Vec2& p, const Vec2& v, double spin, double dt);
-  /// Finds the nearest bar of the line, stores it in contact.segment and returns the position on it, 0 to 1.
+  /// Stores the nearest bar of the line in contact.segment. Returns the position on it, 0 to 1.
   static double nearest(const Line& line, const Vec2& p, Contact& contact);
   Vec2 place(const Contact& contact) const;
   void look_around();

@@ -1,4 +1,4 @@
-// The two scales together: finite elements whose points are packings of grains, and the geosynthetic beside them.
+// Finite elements whose points are packings of grains, and the geosynthetic beside them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Nobody writes down a constitutive law for the soil. Each integration point holds a packing of disks instead:
@@ -32,27 +32,38 @@ namespace soilweave::fem {
 
 /// Input of a model.
 struct ModelSetup {
-  SoilSetup soil;                   // density 0: density of the grains times their solid fraction
-  std::optional<ContinuumLaw> law;  // without it, points hold grains
+  /// Density 0: that of the grains times their solid fraction.
+  SoilSetup soil;
+  /// Law of the points; none: they hold grains.
+  std::optional<ContinuumLaw> law;
   Grains grains;
-  std::vector<io::Snapshot> packings;  // one for all points, or one per point
-  std::optional<BarsSetup> bars;       // friction of the interface comes from the line
-  std::vector<std::string> along;      // boundaries beside which the chain lies
-  double spacing = 0, overhang = 0;    // distance of the chain's nodes, and its length before the start, m
-  double seat_pressure = 0;            // pressure along y that chain and guides carry before the start, Pa
-  std::optional<double> time_step;     // s; none: from the eigenvalues
-  double safety = 0.5;                 // fraction of the stable step
-  double interval = 0;                 // s, to be filled by a whole number of steps; 0: none
+  /// One for all points, or one per point.
+  std::vector<io::Snapshot> packings;
+  std::optional<BarsSetup> bars;  // friction of the interface comes from the line
+  /// Boundaries beside which the chain lies.
+  std::vector<std::string> along;
+  /// Distance of the chain's nodes, and its length before the start, m.
+  double spacing = 0, overhang = 0;
+  /// Pressure along y on chain and guides before the start, Pa.
+  double seat_pressure = 0;
+  /// s; none: from the eigenvalues.
+  std::optional<double> time_step;
+  /// Fraction of the stable step.
+  double safety = 0.5;
+  /// Time filled by a whole number of steps, s; 0: none.
+  double interval = 0;
   int threads = 1;
 };
 
 /// Damping while a state comes to rest.
 struct Relaxation {
-  double soil = 0;              // viscous, 1/s
-  double grains = 0, bars = 0;  // local, non-viscous
+  /// Viscous, 1/s.
+  double soil = 0;
+  /// Local, non-viscous.
+  double grains = 0, bars = 0;
 };
 
-/// Energy balance of everything: external work = kinetic + stored + dissipated + error. J per metre of thickness.
+/// Energy balance, J per metre: external work = kinetic + stored + dissipated + error.
 struct Balance {
   double external = 0, kinetic = 0, stored = 0, dissipated = 0;
   /// Returns the energy that the balance lacks.
@@ -62,34 +73,36 @@ struct Balance {
 /// Both scales in motion.
 class Model {
  public:
-  /// ranks: processes that share the points; must outlive the model. Throws DataError for unknown boundaries, packings
-  /// that do not fit, or a time step above the stable one.
+  /// ranks: processes that share the points; must outlive the model. Throws DataError for unknown boundaries, unfit
+  /// packings, or an unstable time step.
   explicit Model(ModelSetup setup, const Ranks* ranks = nullptr);
 
-  /// Takes one step of the soil. The grains of each point and the geosynthetic take smaller steps of their own. Free
-  /// threads take the next point; the result does not depend on their number. Throws PhysicsError naming element and
-  /// point.
+  /// Takes one step of the soil. Grains and geosynthetic take smaller ones. Free threads take the next point; results
+  /// do not depend on their number. Throws PhysicsError naming element and point.
   void step();
 
-  /// Return the step of the soil, its stability limit (s), and the number of grain steps within it.
+  /// Returns the step of the soil, s.
   double time_step() const { return dt_; }
+  /// Returns its stability limit, s.
   double stable_time_step() const { return 2 / std::sqrt(eigenvalue_); }
+  /// Returns the number of grain steps within it.
   std::int64_t substeps() const { return substeps_; }
-  /// Return time, s, and number of steps so far.
+  /// Returns the time, s.
   double time() const { return time_; }
+  /// Returns the number of steps so far.
   std::int64_t steps() const { return steps_; }
-  /// Return the parts of the model; bars() is nullptr without a geosynthetic.
+  /// Return the parts; bars() is nullptr without a geosynthetic.
   const Soil& soil() const { return *soil_; }
   Soil& soil() { return *soil_; }
   const Points& points() const { return points_; }
   const Bars* bars() const { return bars_.get(); }
-  /// Brings the points of all processes to the first one; all must call it. On other processes points() lag behind.
+  /// Brings all points to the first process; all must call it. Elsewhere points() lag behind.
   void collect();
-  /// Throws PhysicsError if the step of the soil or of a point's grains exceeds its limit.
+  /// Throws PhysicsError if a step exceeds its limit.
   void check_steps() const;
   /// Returns the energy balance since the start.
   Balance balance() const;
-  /// Stops supports, chain ends and clock, and damps everything; none: go on.
+  /// Stops supports, chain ends and clock, and damps all; none: go on.
   void relax(const std::optional<Relaxation>& how);
   /// Keeps or restores everything that steps change.
   void archive(Archive& archive);
@@ -111,7 +124,7 @@ class Model {
   std::unique_ptr<Bars> bars_;
   Points points_;
   std::vector<Mat2> stresses_;
-  std::vector<double> areas_;  // areas of the points at the start, m2
+  std::vector<double> areas_;  // initial areas of the points, m2
   double dt_ = 0, eigenvalue_ = 0, time_ = 0;
   std::int64_t substeps_ = 0, steps_ = 0, loading_steps_ = 0;
   bool relaxing_ = false;

@@ -10,7 +10,7 @@
 namespace soilweave::fem {
 
 /// A process of a run. Every process computes the same soil and geosynthetic; points are dealt out in turn. Only the
-/// first process reads and writes checkpoints and writes the output.
+/// first one handles checkpoints and output.
 class Ranks {
  public:
   /// Joins the processes of this run.
@@ -23,20 +23,21 @@ class Ranks {
   bool first() const { return rank_ == 0; }
   /// Returns the number of processes.
   int size() const { return size_; }
-  /// Return whether this process computes a point, and which process does.
+  /// Returns whether this process computes a point.
   bool owns(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)) == rank_; }
+  /// Returns the process that computes a point.
   int owner(std::size_t point) const { return static_cast<int>(point % static_cast<std::size_t>(size_)); }
 
   // All processes must call these functions together.
 
-  /// Shares numbers of all points, `width` each: numbers of a process's own points go to every process, bit for bit.
+  /// Shares numbers of all points, `width` each, with every process, bit for bit.
   void share(std::vector<double>& values, std::size_t width) const;
-  /// Returns the failure of the lowest task over all processes, at most 1000 bytes; empty without a failure.
+  /// Returns the lowest task's failure, at most 1000 bytes; empty without one.
   std::string agree(const std::string& failure, std::int64_t task) const;
   /// Returns the number that the first process passes.
   std::int64_t told(std::int64_t number) const;
   std::string told(const std::string& bytes) const;
-  /// Sends bytes from a process to the first one, which returns them; others return an empty text.
+  /// Returns bytes of a process to the first one, an empty text to others.
   std::string to_first(const std::string& bytes, int from) const;
 
  private:

@@ -1,4 +1,4 @@
-// The finite elements: lumped mass, internal forces on the present geometry, central differences.
+// The finite elements: lumped mass, internal forces, central differences.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,11 +14,13 @@
 
 namespace soilweave::fem {
 
-/// Prescribed motion of the nodes of a boundary ("all": every node) along the given axes, m/s.
+/// Prescribed motion of a boundary's nodes ("all": every node).
 struct Support {
   std::string boundary;
+  /// m/s.
   std::optional<double> x, y;
-  std::optional<Mat2> gradient;  // 1/s: velocity = gradient times position, on both axes
+  /// 1/s: velocity = gradient times position, on both axes.
+  std::optional<Mat2> gradient;
 };
 
 /// Force per present area of the boundary, Pa.
@@ -37,18 +39,18 @@ struct SoilSetup {
   std::vector<Traction> tractions;
 };
 
-/// A material point of the soil: where it lies, and its share of the area.
+/// A material point of the soil.
 struct SoilPoint {
   Index element;
   Vec2 position;  // m
-  double area;    // part of the element's area, m2
+  double area;    // its part of the element's area, m2
 };
 
 /// Work and energy since the start, J per metre of thickness.
 struct SoilEnergies {
   double kinetic = 0, internal_work = 0, viscous = 0;
   double traction_work = 0, support_work = 0, interface_work = 0;
-  /// Returns the work of tractions, supports and interface.
+  /// Returns the work of all outer forces.
   double external() const { return traction_work + support_work + interface_work; }
   /// Returns the energy that the balance lacks.
   double error() const { return external() - kinetic - internal_work - viscous; }
@@ -59,26 +61,26 @@ using Points = std::vector<std::unique_ptr<MaterialPoint>>;
 /// The finite elements in motion.
 class Soil {
  public:
-  /// Checks the mesh and lumps masses (HRZ: Hinton, Rock & Zienkiewicz 1976): the diagonal of the consistent mass
-  /// matrix is scaled to the element's mass. Throws DataError for an unknown boundary.
+  /// Checks the mesh and lumps masses: scales the consistent diagonal to the element's mass (HRZ: Hinton, Rock &
+  /// Zienkiewicz 1976). Throws DataError for an unknown boundary.
   explicit Soil(SoilSetup setup);
-  /// Return the number of points, in total and per element.
+  /// Returns the number of points.
   Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
   Index points_of_element() const { return rule_.size(); }
 
-  /// Returns an upper bound of the largest eigenvalue of M^-1 K, 1/s2: that of the stiffest single element (Irons &
-  /// Treharne 1971). The stable step is 2/sqrt of it. tangent: of a point, as MaterialPoint::tangent.
+  /// Returns an upper bound of the largest eigenvalue of M^-1 K, 1/s2: the stiffest element's (Irons & Treharne 1971).
+  /// The stable step is 2/sqrt of it. tangent: as MaterialPoint::tangent.
   double largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const;
 
-  /// Takes one step of central differences (thesis Eqs. 6.1 to 6.3). Stresses of all points (Pa, tension positive),
-  /// tractions, and forces of the interface (N/m per node) move the nodes. Sets gradients() of the displacement
-  /// increment on the geometry before the step. Throws PhysicsError naming a degenerate element.
+  /// Takes one step of central differences (thesis Eqs. 6.1 to 6.3) from stresses of all points (Pa, tension positive)
+  /// and interface forces (N/m per node). Sets gradients(). Throws PhysicsError naming a degenerate element.
   void step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt);
 
-  /// Returns the gradients of the last displacement increment, one per point.
+  /// Returns the gradients of the last increment, one per point, on the geometry before the step.
   const std::vector<Mat2>& gradients() const { return gradients_; }
-  const std::vector<Mat2>& strains() const { return strains_; }  // plain sums of the gradients
-  /// Return positions and displacements (m), velocities (m/s) and masses (kg/m) of the nodes.
+  /// Returns plain sums of the gradients.
+  const std::vector<Mat2>& strains() const { return strains_; }
+  /// Return the nodes' positions and displacements (m), velocities (m/s) and masses (kg/m).
   const std::vector<Vec2>& positions() const { return positions_; }
   const std::vector<Vec2>& displacements() const { return displacements_; }
   const std::vector<Vec2>& velocities() const { return velocities_; }
@@ -89,15 +91,14 @@ class Soil {
   double kinetic_energy() const;
   /// Returns element, position and area of a point.
   SoilPoint soil_point(Index point) const;
-  /// Returns point values averaged at the nodes, weighted by area.
+  /// Returns node averages of point values, weighted by area.
   std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
-  /// Returns the resultant of the internal forces at a boundary's nodes, N/m; at rest supports and interface exert it.
+  /// Returns the resultant internal force at a boundary, N/m; at rest supports and interface exert it.
   Vec2 reaction(const std::string& boundary) const;
-  /// Returns the internal forces of the present stresses, N/m per node. Throws PhysicsError naming a degenerate
-  /// element.
+  /// Returns internal forces, N/m per node. Throws PhysicsError naming a degenerate element.
   std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
 
-  /// Holds supports still, or releases them. damping: replaces the scenario's viscous coefficient.
+  /// Holds supports still, or releases them. damping: replaces the viscous coefficient.
   void hold(bool held, std::optional<double> damping = std::nullopt);
   /// Keeps or restores everything that steps change.
   void archive(Archive& archive);
@@ -126,8 +127,8 @@ class Soil {
   SoilEnergies energies_;
 };
 
-/// Returns the gradient rounded to multiples of 2^-60. Equal strains of unequal elements differ by rounding, and grains
-/// would amplify that chaotically.
+/// Returns the gradient rounded to multiples of 2^-60. Rounding makes equal strains of unequal elements differ, which
+/// grains would amplify chaotically.
 Mat2 rounded_gradient(const Mat2& gradient);
 
 }  // namespace soilweave::fem

@@ -1,4 +1,4 @@
-// Records an output of a two-scale run: tables of nodes, points and bars, a row of the series.
+// Records outputs of a two-scale run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,11 @@
 
 namespace soilweave::fem {
 
-/// Appends to the tables "elements" (once), "nodes", "points", "bars" and "recorded". Stress and strain are compression
-/// positive.
+/// Appends to tables "elements" (once), "nodes", "points", "bars" and "recorded". Compression is positive.
 void record(const Model& model, const std::vector<Index>& recorded, io::MultiscaleFile& file);
 
-/// Returns the recorded states of one point as a run, whose series are its rows of the table "points". Throws DataError
-/// if the point was not recorded.
+/// Returns the recorded states of a point as a run, with its rows of "points" as series. Throws DataError for an
+/// unrecorded point.
 io::RunFile run_of_point(const io::MultiscaleFile& file, Index point);
 
 }  // namespace soilweave::fem

@@ -1,4 +1,4 @@
-// Carries out a two-scale scenario step by step and output by output.
+// Runs a two-scale scenario.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,17 +14,17 @@ namespace soilweave::fem {
 /// Result of a run.
 struct Outcome {
   io::MultiscaleFile file;
-  std::string cost;  // a line: steps, grain steps per second, seconds
+  /// Steps, grain steps per second, and seconds, in one line.
+  std::string cost;
 };
 
-/// Runs the whole duration. Every output is a row of the series and of the tables. With a folder to keep it in, the run
-/// goes on from what is there and ends in the same bytes, on any number of threads and processes. All processes call
-/// it; only the first one has a folder and the outcome. Throws PhysicsError when physics breaks, TargetNotReached if a
-/// quasi-static state is not reached, Stopped after a signal.
+/// Runs the whole duration, with a row of the series per output. A safekeeping folder lets the run go on later, to the
+/// same bytes, on any number of threads and processes. All processes call it; only the first has folder and outcome.
+/// Throws PhysicsError, TargetNotReached if no quasi-static state is reached, Stopped after a signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks);
 
-/// Returns a forecast: time steps of both scales, memory, file size and time, from a few tried steps.
+/// Returns time steps, memory, file size and time, forecast from a few steps.
 std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings);
 
 }  // namespace soilweave::fem

@@ -1,5 +1,4 @@
-// A scenario of two scales: mesh, material of the points, supports, geosynthetic, duration, read from TOML and checked
-// whole.
+// A scenario of two scales, read from TOML and checked whole.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,24 +12,29 @@
 
 namespace soilweave::fem {
 
-/// Quasi-static loading: at every output the loading stops until the kinetic energy is this small.
+/// Quasi-static loading: stops at every output until kinetic energy is small.
 struct QuasiStatic {
   Relaxation damping;
-  double kinetic_energy = 0;      // limit for the soil, J per metre
-  std::int64_t largest_rest = 0;  // steps after which it counts as unreachable
+  /// Limit for the soil, J per metre.
+  double kinetic_energy = 0;
+  /// Steps after which rest counts as unreachable.
+  std::int64_t largest_rest = 0;
 };
 
 /// A whole two-scale scenario.
 struct Scenario {
-  ModelSetup model;  // model without packings
+  /// Without packings.
+  ModelSetup model;
+  /// s.
   double duration = 0;
-  std::vector<Index> recorded;  // points whose grains are recorded
+  /// Points whose grains are recorded.
+  std::vector<Index> recorded;
   std::optional<QuasiStatic> quasi_static;
+  /// TOML with all defaults.
   std::string resolved;
 };
 
-/// Reads a scenario. mesh: from a file; none: [mesh] of the scenario describes a rectangle. Throws DataError with all
-/// mistakes.
+/// Reads a scenario. mesh: from a file; none: the rectangle of [mesh]. Throws DataError with all mistakes.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                        std::optional<Mesh> mesh);
 /// Reads a scenario from a document.

@@ -1,4 +1,4 @@
-// Tables of a two-scale run: its global response, the history of a place, the rows of one state.
+// Tables of a two-scale run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,20 +14,18 @@ io::Series table(const io::MultiscaleFile& file, const std::string& name, const 
 
 /// Returns the global response (thesis Fig. 6.2), one row per output:
 /// - step, time (s), displacement of the chain's ends (m);
-/// - mean traction on the soil of each boundary over its present length (Pa), from the nodal stresses (force_x_ and
-///   force_y_ of the series);
-/// - interface_friction: shear over normal force between soil and chain, positive if it resists a pull at the chain's
-///   end, NaN without contact;
+/// - mean traction on each boundary over its present length (Pa), from nodal stresses (force_x_ and force_y_ of the
+/// series);
+/// - interface_friction: shear over normal force, positive against a pull at the chain's end, NaN without contact;
 /// - the energy balance (J per metre).
 io::Series loading(const io::MultiscaleFile& file);
 
-/// Returns the rows of the states that `which` names: all, first, last or a number from 0 (io::chosen_states).
-/// Throws UsageError for a missing state, or if the table has no column `step`.
+/// Returns the rows of states: all, first, last or a number from 0 (io::chosen_states). Throws UsageError for a missing
+/// state or column `step`.
 io::Series of_state(const io::Series& table, const std::string& which, const std::string& name);
 
-/// Returns the rows of the point or node that was nearest to `place` (m) in the first state; the first of equally near
-/// ones. name: "points" or "nodes". Throws UsageError for another table, and for a place outside the box around the
-/// nodes of the first state.
+/// Returns the rows of the point or node nearest to `place` (m) in the first state; the first of equally near ones.
+/// name: "points" or "nodes". Throws UsageError for another table, and outside the box of the nodes.
 io::Series near(const io::MultiscaleFile& file, const std::string& name, const Vec2& place);
 
 }  // namespace soilweave::fem
