@@ -21,8 +21,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows progress. fraction: 0 to 1 of the advancing quantity; the first call may be above 0. detail: free text
-  /// ("step 1200, unbalanced 2e-3"). Prints at most 10 times a second on a terminal and every 30 s elsewhere.
+  /// Shows progress, at most 10 times a second on a terminal and every 30 s elsewhere.
+  /// fraction: 0 to 1; resumed work may begin above 0. detail: free text ("step 1200").
   void update(double fraction, std::string_view detail = "");
   /// Prints a note on its own line ("isotropic: done, e = 0.664").
   void note(std::string_view line);

@@ -59,7 +59,9 @@ struct Positional {
   std::string name, sentence;
   /// Whether it must be given; whether it takes any number of files.
   bool required = true, many = false;
+  /// Sets the field from a word.
   std::function<void(const std::string&)> assign;
+  /// Words as given, in order.
   std::vector<std::string> given;
 };
 
@@ -70,9 +72,11 @@ struct Table::Impl {
   std::vector<std::pair<std::string, std::string>> examples;
   /// Positional inputs, in order.
   std::vector<Positional> inputs;
-  std::deque<Entry> options;  // a deque, so that references stay valid while options are added
+  /// Options; in a deque references stay valid while options are added.
+  std::deque<Entry> options;
   /// Field of the output.
   std::filesystem::path* output = nullptr;
+  /// Whether the output must be named; whether it is a folder.
   bool output_required = false, output_is_folder = false;
   /// Kind of document whose keys --keys prints.
   std::string keys_title;

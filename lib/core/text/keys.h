@@ -23,12 +23,13 @@ class Settings;
 struct Key {
   /// Type of the value.
   enum class Type { number, integer, numbers, vector, text, choice, flag };
-  std::string
-      table;  // dotted path of its table, with [] after arrays of tables: "stage[]", "contact.rolling"; root: ""
+  /// Dotted path of its table, with [] after arrays of tables ("stage[]"); root: "".
+  std::string table;
   /// Name of the key.
   std::string name;
   /// Type of its value.
   Type type = Type::number;
+  /// Unit, meaning, and reason for the range.
   std::string unit = {}, sentence = {}, why = {};
   /// Bounds of a number, in its unit.
   double low = 0, high = 0;
@@ -36,8 +37,8 @@ struct Key {
   bool open = false;
   /// Values of a choice; of another type: words that stand for no value.
   std::vector<std::string> words = {};
-  std::optional<std::string> standard =
-      std::nullopt;  // default as TOML text; nullopt: none, or it follows from other keys
+  /// Default as TOML text; nullopt: none, or it follows from other keys.
+  std::optional<std::string> standard = std::nullopt;
   /// Whether its table must have it.
   bool required = false;
   /// Conditions under which it is read: "path = triaxial", "contact.law = linear".

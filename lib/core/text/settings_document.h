@@ -19,8 +19,11 @@
 
 namespace soilweave {
 
+/// Content, questions and mistakes of one document.
 struct Settings::Document {
+  /// A mistake about a key.
   struct Mistake {
+    /// Line in the file; 0: in --set.
     std::uint32_t line;
     std::string key, text;
     bool operator<(const Mistake& other) const { return line < other.line; }
@@ -34,6 +37,7 @@ struct Settings::Document {
   std::map<std::string, std::set<std::string>> asked;
   /// Full key -> the --set that gave it.
   std::map<std::string, std::string> assigned;
+  /// Mistakes found so far.
   std::vector<Mistake> mistakes;
   /// Tables whose one mistake leaves open which keys they may have.
   std::set<std::string> unread;
@@ -42,10 +46,12 @@ struct Settings::Document {
   /// Set if the document only notes what its reader asks for (keys.h).
   KeyRecorder* recorder = nullptr;
 
+  /// Returns whether a table or one above it is unread.
   bool is_unread(const std::string& path) const {
     return std::any_of(unread.begin(), unread.end(),
                        [&](const std::string& table) { return path == table || path.starts_with(table + "."); });
   }
+  /// Adds a mistake about a key.
   void add(const std::string& key, std::uint32_t line, std::string_view what) {
     auto by_set = assigned.find(key);
     // A table that only --set made has no line of its own.
@@ -62,8 +68,10 @@ struct Settings::Document {
 
 namespace settings_parts {
 
+/// Returns the table behind a handle.
 inline toml::table& as_table(void* table) { return *static_cast<toml::table*>(table); }
 
+/// Returns the dotted path of a key.
 inline std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }

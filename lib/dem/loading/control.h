@@ -38,8 +38,7 @@ struct ServoRule {
   enum class Kind {
     /// Proportional-integral and critically damped. Gains follow the stiffness of the contact network.
     stiffness,
-    /// The strain rate grows by the stress error over the grains' total mass (Pa/kg taken as 1/s2), damped like a
-    /// grain.
+    /// The strain rate grows by stress error over total mass (Pa/kg taken as 1/s2), damped like a grain.
     /// It oscillates. Use it only to repeat the thesis's runs.
     inertia
   };

@@ -52,9 +52,11 @@ class Keeper {
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Throws Stopped.
   [[noreturn]] void stop(const char* signal) const;
 
   Safekeeping how_;
+  /// Number of steps so far, and between two looks at the clock.
   std::int64_t steps_ = 0, look_interval_;
   /// Time of the next checkpoint.
   Clock::time_point due_;
@@ -63,8 +65,8 @@ class Keeper {
 };
 
 /// Calls work.run(). If the work is kept, errors say what is whole and how to go on.
-/// Broken physics leaves work.left(), a state or a function that writes a file. So does an unreached target if
-/// show_unreached.
+/// Broken physics leaves work.left(): a state, or a function that writes a file.
+/// So does an unreached target if show_unreached.
 template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();

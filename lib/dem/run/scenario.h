@@ -53,6 +53,7 @@ inline constexpr double station_tolerance = 1e-7;
 
 /// A plate or clamp that can be driven.
 struct PartSetting {
+  /// Plate or clamp.
   RigPart part;
   /// Corners of the upright box around the nodes that a clamp holds, m.
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();

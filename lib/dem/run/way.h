@@ -43,6 +43,7 @@ class Way {
   double drag_ = 0;
   /// Whether the drag follows the swing instead.
   bool critical_ = false;
+  /// Swing while the station waits.
   Swing swing_;
   std::int64_t waited_ = 0, waited_for_energy_ = 0;
 };
