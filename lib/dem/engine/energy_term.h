@@ -1,33 +1,32 @@
-// A term of the energy balance: what its file states, and what it is made from.
+// A term of the energy balance, and its data.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The energy that an assembly had and was given is the energy that it has or has lost:
+// The balance of an assembly:
 //
 //   initial + supplied = kinetic + stored + dissipated + numerical + error
 //
-// Every part is a sum of terms (EnergyRole). A term is one header in energies/, whose struct has the file's name in
-// camel case. It declares
+// Every part is a sum of terms (EnergyRole). A term is one header in energies/.
+// Its struct has the file's name in camel case and declares
 //
-//   name          word by which code asks for it (Energies); after "energy_", the name of its number in a checkpoint
+//   name          its name in Energies; a checkpoint has it after "energy_"
 //   sentence      its meaning, for the series and FORMAT.md
 //   role          its part of the balance
 //
-// and either now(state, energies), its value, J, or the functions whose results are added up from step to step:
+// and either now(state, energies), its value, J, or functions whose results are added up:
 //
 //   in_step(step)           energy of one step, J; its magnitude counts as turned over
 //   between_steps(change)   energy of a change from outside, J
 //   at_start(state)         value to begin with, J; 0 if there is no such function
 //
-// Further members are for those that need them:
+// Further members are optional:
 //
-//   column        column of the series, where it is not `name`; "" for a term without a column
+//   column        column of the series, if not `name`; "" for a term without a column
 //   share         true for a part of an energy that other terms hold: it stays out of all sums
-//   place         its place among the terms. It fixes the last digits of sums and the order of columns within a role.
+//   place         its place among the terms, which fixes the last digits of sums and the order of columns.
 //                 Terms without it come last, by name. now() may read all terms before it, and those added up.
-//   occurs(state) whether an assembly has the term; the answer must be the same throughout a run. The column then comes
-//                 after all others, in runs that have the term.
+//   occurs(state) whether an assembly has the term, the same throughout a run. Its column comes after all others.
 //
-// The build lists the headers of the folder (Makefile), so that no other file names a term.
+// The build lists the headers (Makefile): no other file names a term.
 #pragma once
 
 #include <limits>
@@ -41,40 +40,49 @@
 
 namespace soilweave::dem {
 
-/// Results of one step. Positions and forces are those at its end, velocities those of its middle.
+/// Results of one step: positions and forces at its end, velocities at its middle.
 struct StepWork {
-  double dt;  // s
+  /// Time step, s.
+  double dt;
+  /// Grains at the end of the step.
   const Bodies& bodies;
-  const Mat3& velocity_gradient;  // of the cell in this step, 1/s
-  // Sums over the contacts at the start and the end of the step. In a periodic cell force_branch has the yarns' part.
+  /// Velocity gradient of the cell, 1/s.
+  const Mat3& velocity_gradient;
+  /// Sums over the contacts at the start and the end of the step.
+  /// In a periodic cell force_branch has the yarns' part.
   const SweepSums &before, &contacts;
+  /// Sums over the grains.
   const MotionSums& grains;
+  /// Sums over the yarns.
   const YarnSums& yarns;
   /// Work of the clamps on their grains, J.
   double clamps;
 };
 
-/// Energies that a change from outside between two steps takes and gives, J.
+/// Energies of a change from outside between two steps.
 struct Intervention {
   /// Work done on the assembly, J.
   double supplied = 0;
-  /// Kinetic energy taken from the grains.
+  /// Kinetic energy taken from the grains, J.
   double damped = 0;
-  /// Energy that the numerical terms must get, so that the change leaves them as they were.
+  /// Energy by which the change would alter the numerical terms, J.
   double numerical = 0;
 };
 
-/// An assembly at the moment for which energies are asked.
+/// An assembly at the moment of its energies.
 struct AssemblyState {
   const Bodies& bodies;
   const Cell& cell;
   const Planes& planes;
   const Contacts& contacts;
   const Yarns& yarns;
+  /// Energies stored in the contacts, J.
   StoredEnergies in_contacts;
-  const Vec3& gravity;  // m/s2
-  /// Time step by half of which velocities lag behind positions, s; 0 at the start.
+  /// Acceleration of gravity, m/s2.
+  const Vec3& gravity;
+  /// Twice the time by which velocities lag behind positions, s; 0 at the start.
   double dt;
+  /// Number of threads.
   int threads;
 };
 

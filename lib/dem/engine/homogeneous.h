@@ -1,13 +1,10 @@
-// A homogeneous field of velocity: added to grains before plates start, removed when plates stop.
+// A homogeneous field of velocity, added before plates start and removed when they stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plates that start send a wave into grains of scaled density, and another when they stop, because the grains in the
-// middle do not move yet. No wave leaves the plates if each grain gets the velocity v = L (x - c) that it would have if
-// the assembly strained evenly; c is the centre of mass. When the plates stop, least squares gives the gradient L that
-// fits the grains best,
-//   L = (sum m v x^T) (sum m x x^T)^-1,  x and v from the mean of all, weighted by mass,
-// and its field is removed. The grains keep the motion that differs from the mean strain. Since c is the centre of
-// mass, momentum does not change.
+// Plates that start or stop send a wave into grains of scaled density. No wave leaves them if each grain gets the
+// velocity v = L (x - c) of an even strain, where c is the centre of mass. When the plates stop, the best fit
+//   L = (sum m v x^T) (sum m x x^T)^-1,  x and v relative to their means, weighted by mass,
+// is removed. The grains keep their other motion, and momentum does not change.
 #pragma once
 
 #include <array>
@@ -23,13 +20,13 @@ using OpenAxes = std::array<bool, 3>;
 /// Moments about the centre of mass of the grains that are not held.
 class HomogeneousField {
  public:
-  /// held: indices of grains with a prescribed motion, which take no part.
+  /// `held`: whether each grain has a prescribed motion and takes no part.
   HomogeneousField(const Bodies& bodies, OpenAxes open, std::vector<bool> held);
   /// Takes all grains of a simulation except those in its clamps.
   explicit HomogeneousField(const Simulation& simulation);
 
-  /// Returns the gradient that fits the velocities best, 1/s, extension positive. Zero along axes that are not open,
-  /// and zero altogether if the grains do not span the open ones.
+  /// Returns the gradient that fits the velocities best, 1/s, extension positive.
+  /// It is zero along closed axes, and altogether if the grains do not span the open ones.
   Mat3 gradient(const Bodies& bodies) const;
   /// Adds v = L (x - c) to the velocities.
   void add(const Mat3& gradient, Bodies& bodies) const;
@@ -37,7 +34,9 @@ class HomogeneousField {
   Vec3 second_moments() const;
 
  private:
+  /// Axes along which the field varies.
   OpenAxes open_;
+  /// Whether each grain takes no part.
   std::vector<bool> held_;
   /// Mass of these grains, kg.
   double mass_ = 0;
@@ -47,8 +46,8 @@ class HomogeneousField {
   Mat3 second_ = Mat3::Zero();
 };
 
-/// Returns the frequency, 1/s, of the slowest swing of a homogeneous strain along an open axis: the root of the
-/// contacts' affine stiffness, when last evaluated, over the second moment of mass. 0 if nothing resists.
+/// Returns the frequency of the slowest swing of a homogeneous strain along an open axis, 1/s.
+/// It is the root of the last affine stiffness over the second moment of mass; 0 if nothing resists.
 double slowest_swing(const Simulation& simulation);
 
 }  // namespace soilweave::dem

@@ -1,5 +1,5 @@
-// Lists of the numbers that a checkpoint keeps beyond the state of the grains and the energies. A member added to
-// SweepSums or Measures must be added here.
+// Numbers that a checkpoint keeps beyond the state of the grains and the energies.
+// A member added to SweepSums or Measures must be added here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ namespace soilweave::dem {
 static_assert(sizeof(SweepSums) == 16 * sizeof(double) && sizeof(Measures) == 13 * sizeof(double),
               "a number was added that is not in the lists below");
 
-/// Keep or restore sums of a sweep, and measurements.
+/// Keeps or restores the sums of a sweep.
 inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_force_branch", s.force_branch), a.item("sum_contacts", s.contacts);
   a.item("sum_tangential_work", s.tangential_work), a.item("sum_frictional", s.frictional);
@@ -24,11 +24,13 @@ inline void archive(Archive& a, SweepSums& s) {
   a.item("sum_plane_work", s.plane_work), a.item("sum_largest_overlap", s.largest_overlap);
 }
 
+/// Keeps or restores measurements.
 inline void archive(Archive& a, Measures& m) {
   a.item("stress", m.stress), a.item("axial_stiffness", m.axial_stiffness), a.item("contacts", m.contacts);
 }
 
-/// Keeps forces and torques of the grains from their loads, and for disks their rotation.
+/// Keeps or restores forces and torques of the grains, and the rotation of disks.
+/// Throws DataError for another number of grains.
 inline void archive(Archive& a, Bodies& bodies) {
   const auto of_as_many = [&bodies](const std::string& name, std::size_t numbers, std::size_t of_each) {
     if (numbers != of_each * bodies.size()) throw DataError(name + ": is of another number of grains; begin anew");
