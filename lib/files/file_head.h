@@ -14,9 +14,9 @@ namespace soilweave::io {
 /// Writes the root attributes and /provenance.
 void write_head(Writer& file, const std::string& kind, const History& history);
 
-/// An open file of the project, whose kind and version are known to be readable.
+/// An open file of a known kind and readable version.
 struct OpenFile {
-  /// role: name of the source in provenance. Throws what read_bytes and Reader throw; DataError for foreign files and
+  /// `role` names the source in provenance. Throws what read_bytes and Reader throw; DataError for foreign files and
   /// newer versions.
   OpenFile(const std::filesystem::path& path, std::string role);
   /// Throws DataError unless the kind is one of `kinds` (words separated by blanks).
@@ -39,20 +39,22 @@ std::string child_path(const std::string& group, const std::string& name);
 /// Group of a run's table.
 inline const std::string series_group = "/series";
 
-/// Write and read a table: one dataset per column in group `path`. A missing group reads as an empty table.
+/// Writes a table: one dataset per column in group `path`.
 void write_columns(Writer& file, const std::string& path, const Series& table);
+/// Reads a table; a missing group gives an empty one.
 Series read_columns(const Reader& file, const std::string& path);
 
-/// Write and read groups of tables, in /fields.
+/// Writes groups of tables in /fields.
 void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups);
+/// Reads them back.
 std::vector<FieldsFile::Group> read_groups(const Reader& file);
-/// Writes the tables and grains that a two-scale run recorded. Without grains there is no trajectory.
+/// Writes the tables and grains of a two-scale run. Without grains there is no trajectory.
 void write_recorded(Writer& file, const std::vector<FieldsFile::Group>& groups, const std::vector<Snapshot>& frames,
                     const History& history);
 
-/// Write and read the frames of packings and runs. Writing throws DataError if frames differ in grains, dimension or
-/// planes.
+/// Writes the frames of a packing or run. Throws DataError if grains, dimension or planes differ.
 void write_states(Writer& file, const std::vector<const Snapshot*>& states, const History& history);
+/// Reads them back.
 std::vector<Snapshot> read_frames(const Reader& file);
 
 }  // namespace soilweave::io

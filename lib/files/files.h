@@ -1,5 +1,5 @@
-// The file kinds that tools exchange, read and written whole. FORMAT.md specifies them; store.h alone knows HDF5. The
-// path "-" is an HDF5 file image on standard input or output.
+// File kinds that tools exchange (FORMAT.md), read and written whole. The path "-" is an HDF5 image on standard input
+// or output.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,12 +19,13 @@ struct PackingFile {
   Source source;
 };
 
-/// Work of a run in counts. Equal runs have equal counts, so seconds are not among them.
+/// Work of a run. Counts are equal for equal runs; seconds are not.
 struct Work {
-  std::int64_t steps = 0, contact_steps = 0;  // contact_steps: number of contacts, summed over the steps
+  /// Steps, and contacts summed over the steps.
+  std::int64_t steps = 0, contact_steps = 0;
 };
 
-/// A run: series over all recorded states, snapshots of some. The last snapshot is the state to continue from.
+/// A run: series of all states, snapshots of some. The last snapshot is the state to continue from.
 struct RunFile {
   std::vector<Snapshot> snapshots;
   Series series;
@@ -50,9 +51,10 @@ struct FieldsFile {
   Source source;
 };
 
-/// An ensemble: parameter sets drawn from a prior, one per row. After assimilation it also holds weights and results.
+/// An ensemble of parameter sets from a prior, one per row, before or after assimilation.
 struct EnsembleFile {
-  Series members;  // id, parameters, log_importance; after assimilation also weight
+  /// Columns id, parameters, log_importance; after assimilation also weight.
+  Series members;
   /// The prior as TOML.
   std::string prior;
   std::vector<FieldsFile::Group> groups;
@@ -64,21 +66,21 @@ struct MultiscaleFile {
   /// Tables of the mesh, nodes, points and bars.
   std::vector<FieldsFile::Group> groups;
   Series series;
-  /// Grains of points that were recorded whole, one per time and point, in the order of the table "recorded".
+  /// Grains of recorded points, one per time and point, in the order of the table "recorded".
   std::vector<Snapshot> frames;
   std::string scenario;  // resolved TOML
   Work work;             // sum over all grains
   Source source;
 };
 
-/// Series of a run without its states, from the run or from homogenize's fields file.
+/// Series of a run without its states, also from homogenize's fields.
 struct SeriesFile {
   Series series;
   Source source;
 };
 
-/// Write each kind of file atomically (temporary name, fsync, rename). Equal content gives equal bytes. Throw
-/// CannotCreate, IoError.
+/// Writes a packing. All writers are atomic (temporary name, fsync, rename), give equal bytes for equal content, and
+/// throw CannotCreate, IoError.
 void write_packing(const std::filesystem::path& path, const Snapshot& state, const History& history);
 /// Returns the size of the file that write_packing() would write, bytes.
 std::size_t packing_bytes(const Snapshot& state);
@@ -91,8 +93,8 @@ void write_fields(const std::filesystem::path& path, const FieldsFile& fields, c
 /// Writes an ensemble, assimilated or not.
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
 
-/// Read each kind of file. Throw DataError for a wrong kind, a newer major version or damaged data;
-/// MissingInput, IoError. `role` names the input in provenance.
+/// Reads tables. All readers throw DataError for a wrong kind, a newer major version or damaged data; MissingInput,
+/// IoError. `role` names the input in provenance.
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
 /// Reads a two-scale run.
 MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");
@@ -103,20 +105,20 @@ SeriesFile read_run_series(const std::filesystem::path& path, std::string role =
 /// Reads a plain text whole.
 TextFile read_text(const std::filesystem::path& path, std::string role);
 
-/// Reads a state to start from: a packing, or the last snapshot of a run. OUTPUT.part gives the newest state of an
-/// unfinished run (under_way.h); read_states, read_kind and read_history accept it too.
+/// Reads a state to start from: a packing, or a run's last snapshot. A folder OUTPUT.part gives its newest state
+/// (under_way.h), also for read_states, read_kind and read_history.
 PackingFile read_state(const std::filesystem::path& path, std::string role = "packing");
 /// Reads all states in a file; a packing has one.
 RunFile read_states(const std::filesystem::path& path, std::string role = "states");
 /// Returns whether a file begins like HDF5; false if it cannot be opened.
 bool is_hdf5(const std::filesystem::path& path);
-/// Read only the kind of a file ("packing", "run", "fields", "ensemble", "multiscale"), or only its history.
+/// Reads only the kind: "packing", "run", "fields", "ensemble", "multiscale".
 std::string read_kind(const std::filesystem::path& path);
 /// Reads only the history of a file.
 History read_history(const std::filesystem::path& path);
 
-/// Checks equal lengths, finite numbers, positive radii, grains smaller than half the cell along periodic axes, and
-/// contacts between existing grains. Throws DataError naming `where`.
+/// Throws DataError naming `where` unless lengths are equal, numbers finite, radii positive, grains smaller than half a
+/// periodic cell, and contacts between existing grains.
 void check(const Snapshot& state, const std::string& where);
 
 }  // namespace soilweave::io

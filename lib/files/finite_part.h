@@ -6,8 +6,8 @@
 
 namespace soilweave::io {
 
-/// Returns the grains with finite numbers, and their contacts. Quaternions are normalised. Axes along which the cell
-/// collapsed become aperiodic.
+/// Returns grains with finite numbers, and their contacts. Normalises quaternions. Axes of a collapsed cell become
+/// aperiodic.
 Snapshot finite_part(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -1,5 +1,5 @@
-// The folder of an unfinished run, OUTPUT.part. It holds recorded states and checkpoints, each a closed file from which
-// the run can go on to the same bytes. FORMAT.md specifies the files.
+// The folder of an unfinished run, OUTPUT.part: recorded states and checkpoints. A run goes on from each to the same
+// bytes (FORMAT.md).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,13 +16,13 @@
 
 namespace soilweave::io {
 
-/// A checkpoint. A two-scale run keeps its grains in `numbers`.
+/// A checkpoint.
 struct Checkpoint {
-  /// The state; in a two-scale run only the step, which names the file.
+  /// The state; in a two-scale run only the step.
   Snapshot state;
   /// Rows of the series so far.
   Series series;
-  /// Numbers that only the running program knows.
+  /// Numbers that only the program knows; in a two-scale run also its grains.
   Archive::Numbers numbers;
   /// Tables recorded so far in a two-scale run.
   std::vector<FieldsFile::Group> tables = {};
@@ -30,8 +30,7 @@ struct Checkpoint {
   std::vector<Snapshot> frames = {};
 };
 
-/// Writes a file of kind "checkpoint" atomically. Throws CannotCreate, IoError; DataError for a state that is not
-/// finite.
+/// Writes a checkpoint atomically. Throws CannotCreate, IoError; DataError for a state that is not finite.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint, const History& history);
 /// Reads a checkpoint. Throws DataError for a damaged file or another kind.
 Checkpoint read_checkpoint(const std::filesystem::path& path, History& history);
@@ -52,17 +51,17 @@ class Part {
     resume_or_anew  // go on from its last checkpoint; empty the folder of another run
   };
 
-  /// Makes the folder beside the output and locks it for this process. Throws CannotCreate if another process has it or
-  /// work would be lost; AnotherRun if a checkpoint has another history.
+  /// Makes and locks the folder. Throws CannotCreate if another process has it or work would be lost; AnotherRun if a
+  /// checkpoint has another history.
   Part(const std::filesystem::path& output, History history, Entry entry);
   /// Leaves the folder; removes it if it is empty.
   ~Part();
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
 
-  /// Hands over the checkpoint to go on from, once; none at the beginning of a run.
+  /// Hands over the checkpoint to go on from, once; none for a new run.
   std::optional<Checkpoint> take_last();
-  /// Writes a checkpoint. Recorded ones stay until the end; of the others the last two files stay.
+  /// Writes a checkpoint. Recorded ones stay until the end, others only as the last two.
   void keep(Checkpoint checkpoint, bool recorded);
   /// Reads the recorded states back, in order.
   std::vector<Snapshot> recorded() const;
@@ -77,9 +76,9 @@ class Part {
   bool replaced() const { return replaced_; }
   /// Returns the error with a line on what is kept and how to go on.
   Error explained(const Error& error) const;
-  /// Returns the error of a guard. Leaves `state` beside the checkpoints, without grains whose numbers are not finite.
+  /// Returns a guard's error. Leaves `state` beside the checkpoints, without grains whose numbers are not finite.
   Error stopped(const Error& error, const Snapshot& state) const;
-  /// Returns the error of a guard; leave(path) writes what is left for inspection.
+  /// Returns a guard's error; leave(path) writes what is left.
   Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
 
  private:

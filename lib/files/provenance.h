@@ -1,5 +1,5 @@
-// Provenance of a file: one record per tool run. Only what can change the result is kept: no clock, host, absolute path
-// or thread count.
+// Provenance of a file: one record per tool run. No clock, host, absolute path or thread count, since these change no
+// result.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,8 @@ namespace soilweave::io {
 struct InputRecord {
   std::string role;    // "packing", "scenario", "grading", ...
   std::string sha256;  // digest of the bytes read
-  int origin = -1;     // index in History of the record that made it; -1: data from outside
+  /// Index in History of the record that made it; -1: data from outside.
+  int origin = -1;
 };
 
 /// One tool run.
@@ -28,7 +29,7 @@ struct ProvenanceRecord {
   std::vector<Doubt> doubts = {};  // about the output of this run
 };
 
-/// Records, oldest first. The last record is the run that wrote the file. A merge keeps all parents, each once.
+/// Records, oldest first, each once. The last one wrote the file.
 using History = std::vector<ProvenanceRecord>;
 
 /// Returns the SHA-256 of bytes in lower-case hexadecimal.
@@ -40,15 +41,15 @@ struct Source {
   History history;
 };
 
-/// Returns the history of a new file: the merged histories of its sources, then the record of this invocation.
+/// Returns the merged histories of the sources, then a record of this invocation.
 History extend(const std::vector<Source>& sources, const tool::Invocation& invocation, std::string scenario = "");
 
-/// Returns the history with the doubts of the writing run in its last record.
+/// Returns the history with these doubts in its last record.
 History with_doubts(History history, const Doubts& doubts);
-/// Returns the history without the doubts in its last record, as it is known before a run has ended.
+/// Returns the history without doubts in its last record, as before a run ends.
 History without_doubts(History history);
 
-/// Returns the chain for people, one paragraph per record (to-vtk --history).
+/// Returns a paragraph per record (to-vtk --history).
 std::string describe(const History& history);
 
 }  // namespace soilweave::io

@@ -1,4 +1,4 @@
-// Plain arrays for an assembly of grains at one time. All tools exchange them through files.
+// Plain arrays for an assembly at one time, as all files hold them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,17 +11,19 @@
 
 namespace soilweave::io {
 
-/// The periodic cell. Columns of `matrix` are the cell vectors, m. periodic[i] is false for an aperiodic axis.
+/// The periodic cell.
 struct CellRecord {
+  /// Cell vectors as columns, m.
   Mat3 matrix = Mat3::Identity();
+  /// False for an aperiodic axis.
   std::array<bool, 3> periodic = {true, true, true};
   /// Velocity gradient L, 1/s, extension positive.
   Mat3 velocity_gradient = Mat3::Zero();
-  /// Deformation gradient F, relative to the reference state of the strains.
+  /// Deformation gradient F since the reference of the strains.
   Mat3 deformation_gradient = Mat3::Identity();
 };
 
-/// N grains; every array has N entries. In 2D (disks) z components are zero and masses are per metre of thickness.
+/// N grains; each array has N entries. In 2D (disks) z components are zero.
 struct GrainsRecord {
   /// 3: spheres; 2: disks.
   int dimension = 3;
@@ -31,59 +33,63 @@ struct GrainsRecord {
   std::vector<Vec3> position;
   /// Quaternions w x y z.
   std::vector<Vec4> orientation;
-  std::vector<Vec3> velocity;          // m/s, fluctuation about the cell's affine motion, half a step behind position
+  /// Fluctuation about the cell's affine motion, m/s, half a step behind position.
+  std::vector<Vec3> velocity;
   std::vector<Vec3> angular_velocity;  // rad/s, half a step behind position
   std::vector<double> radius;          // m
-  std::vector<double> mass;            // kg (2D: kg/m), with scaled density
+  /// Masses with scaled density, kg (2D: kg/m of thickness).
+  std::vector<double> mass;
   std::vector<std::int32_t> material_id;
-  std::vector<std::int32_t> copy_id;  // number of the copy of a tiled representative volume; 0 if not tiled
+  /// Copy of a tiled representative volume; 0 if not tiled.
+  std::vector<std::int32_t> copy_id;
 
   /// Returns the number of grains.
   std::size_t size() const { return position.size(); }
 };
 
-/// A field of history that only one contact law keeps: one number a contact, or three for a vector.
+/// History that one contact law alone keeps.
 struct OwnHistory {
   std::string name, unit, long_name;
-  std::size_t width = 1;       // 1 or 3
-  std::vector<double> values;  // width numbers a contact, contact by contact
+  std::size_t width = 1;  // 1, or 3 for a vector
+  /// `width` numbers per contact, contact by contact.
+  std::vector<double> values;
 };
 
-/// M contacts, sorted by (first, second). Grains are indices into GrainsRecord, first < second; a rigid plane is -1 -
-/// (its number) in `second`. The contact's history is complete, so that a run can continue bit by bit.
+/// M contacts, sorted by (first, second). The history is complete, so that runs continue bit by bit.
 struct ContactsRecord {
-  /// The two bodies of each contact.
+  /// Indices of two grains, first < second. A rigid plane is -1 - (its number) in `second`.
   std::vector<std::array<std::int32_t, 2>> bodies;
   std::vector<Vec3i> image;             // cell offset added to the second grain's position
   std::vector<Vec3> normal;             // unit, from first to second
-  std::vector<Vec3> branch_vector;      // m, centre to centre (for a plane: to the contact point)
+  std::vector<Vec3> branch_vector;      // m, centre to centre (plane: to the contact point)
   std::vector<double> overlap;          // m
   std::vector<double> normal_force;     // N, compression positive, viscous part included
-  std::vector<Vec3> shear_force;        // N, on the SECOND body (the first gets the opposite), normal to `normal`
+  std::vector<Vec3> shear_force;        // N, on the SECOND body, normal to `normal`
   std::vector<Vec3> rolling_moment;     // N m, on the second body
   std::vector<double> twisting_moment;  // N m, about `normal`, on the second body
   std::vector<std::uint8_t> sliding;    // 1 if the Coulomb limit holds the shear force
-  std::vector<OwnHistory> own = {};     // further fields of the contact law; a number stays with its contact
+  std::vector<OwnHistory> own = {};     // further fields of the contact law
 
   /// Returns the number of contacts.
   std::size_t size() const { return bodies.size(); }
-  /// Returns the force on the second body, normal_force * normal + shear_force, N.
+  /// Returns the force on the second body, N.
   Vec3 force(std::size_t c) const { return normal_force[c] * normal[c] + shear_force[c]; }
-  /// Appends contact c of another record, whose fields it has or, if it is empty, takes over.
+  /// Appends contact c of another record of the same fields. An empty record takes over its fields.
   void append(const ContactsRecord& from, std::size_t c);
-  /// Appends the law's own fields of contact c alone. side: factor on vectors, -1 if the bodies change places.
+  /// Appends the law's own fields of contact c. side: factor on vectors, -1 if the bodies change places.
   void append_own(const ContactsRecord& from, std::size_t c, double side = 1);
 };
 
-/// Rigid planes (aperiodic runs): a point, and the unit normal towards the grains.
+/// Rigid planes of aperiodic runs.
 struct PlanesRecord {
+  /// One point, the unit normal towards the grains, and the velocity of each.
   std::vector<Vec3> point, normal, velocity;
   std::vector<std::int32_t> material_id;
-  std::vector<std::int32_t> partners =
-      {};  // bodies that touch it, 0: all, 1: soil, 2: nodes of geotextiles; empty: all, for every plane
+  /// Bodies that touch each plane. 0: all, 1: soil, 2: geotextile nodes. Empty: all touch every plane.
+  std::vector<std::int32_t> partners = {};
 };
 
-/// Yarns of woven geotextiles: springs between nodes. A grain is a node if a yarn ends in it, broken or not.
+/// Yarns of geotextiles: springs between nodes. A node is a grain where a yarn ends, broken or not.
 struct YarnsRecord {
   std::vector<std::array<std::int32_t, 2>> nodes;  // indices into GrainsRecord
   std::vector<std::int32_t> fabric;                // nodes of one fabric do not touch each other
@@ -101,7 +107,7 @@ struct YarnsRecord {
   std::size_t size() const { return nodes.size(); }
 };
 
-/// One state of an assembly.
+/// A state of an assembly.
 struct Snapshot {
   std::int64_t step = 0;
   double time = 0;  // s
@@ -112,19 +118,20 @@ struct Snapshot {
   YarnsRecord yarns;
 };
 
-/// One column of a series, with a value per recorded state.
+/// A column, with a value per recorded state.
 struct Column {
   std::string name, unit, long_name;
   std::vector<double> values;
 };
 
-/// Columns of equal length, one row per recorded state. `step` and `time` are ordinary columns.
+/// Columns of equal length, one row per recorded state.
 struct Series {
   std::vector<Column> columns;
 
   /// Returns the column of this name, or nullptr.
   const Column* find(std::string_view name) const;
-  const Column& at(std::string_view name) const;  // throws DataError that names the nearest column
+  /// Returns the column. Throws DataError naming the nearest one.
+  const Column& at(std::string_view name) const;
   /// Returns the number of rows.
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 };

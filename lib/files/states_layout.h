@@ -1,4 +1,4 @@
-// Pairs datasets with arrays of a snapshot, and turns arrays into rows of numbers.
+// Pairs datasets with arrays of a snapshot, as rows of numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,11 +14,12 @@
 
 namespace soilweave::io::layout {
 
+/// Group of the grains.
 inline const std::string grains = "/particles/grains";
+/// Returns the group of a frame's contacts.
 inline std::string contacts_of(std::size_t frame) { return fmt::format("/contacts/{:06}", frame); }
 
-// Arrays as rows: `width` numbers per item, in order.
-
+/// Appends items as rows: `width` numbers per item, in order.
 template <class T>
 void append(std::vector<T>& out, const std::vector<T>& items, Extent) {
   out.insert(out.end(), items.begin(), items.end());
@@ -30,11 +31,13 @@ void append(std::vector<T>& out, const std::vector<Eigen::Matrix<T, Rows, 1>>& i
 inline void append(std::vector<std::int32_t>& out, const std::vector<std::array<std::int32_t, 2>>& items, Extent) {
   for (const auto& item : items) out.insert(out.end(), item.begin(), item.end());
 }
+/// Appends the first `dimension` rows and columns of a matrix.
 inline void append_rows(std::vector<double>& out, const Mat3& matrix, int dimension) {
   for (int i = 0; i < dimension; ++i)
     for (int j = 0; j < dimension; ++j) out.push_back(matrix(i, j));
 }
 
+/// Reads `n` items of `width` numbers back.
 template <class T>
 void assign(std::vector<T>& items, const T* numbers, Extent n, Extent) {
   items.assign(numbers, numbers + n);
@@ -54,6 +57,7 @@ inline void assign(std::vector<std::array<std::int32_t, 2>>& items, const std::i
     numbers += 2;
   }
 }
+/// Reads a matrix back; missing rows are those of the identity.
 inline Mat3 matrix_of_rows(const double* numbers, int dimension) {
   Mat3 matrix = Mat3::Identity();
   for (int i = 0; i < dimension; ++i)
@@ -77,7 +81,7 @@ struct NumberOf<std::vector<std::array<std::int32_t, 2>>> {
 
 // The only list that pairs datasets with records. Writing and reading both use it.
 
-/// Visit each dataset with its array: those that change with time, those that last, contacts, planes, yarns.
+/// Visits arrays of grains that change with time.
 template <class Visit>
 void moving(const Visit& visit) {
   visit(grains + "/position/value", &GrainsRecord::position);
@@ -85,6 +89,7 @@ void moving(const Visit& visit) {
   visit(grains + "/velocity/value", &GrainsRecord::velocity);
   visit(grains + "/angular_velocity/value", &GrainsRecord::angular_velocity);
 }
+/// Visits arrays of grains that last.
 template <class Visit>
 void lasting(const Visit& visit) {
   visit(grains + "/radius", &GrainsRecord::radius);
@@ -93,6 +98,7 @@ void lasting(const Visit& visit) {
   visit(grains + "/id", &GrainsRecord::body_id);
   visit(grains + "/copy_id", &GrainsRecord::copy_id);
 }
+/// Visits arrays of contacts.
 template <class Visit>
 void of_contacts(const Visit& visit) {
   visit("bodies", &ContactsRecord::bodies);
@@ -106,6 +112,7 @@ void of_contacts(const Visit& visit) {
   visit("twisting_moment", &ContactsRecord::twisting_moment);
   visit("sliding", &ContactsRecord::sliding);
 }
+/// Visits arrays of planes.
 template <class Visit>
 void of_planes(const Visit& visit) {
   visit("/planes/point", &PlanesRecord::point);
@@ -114,6 +121,7 @@ void of_planes(const Visit& visit) {
   visit("/planes/material_id", &PlanesRecord::material_id);
   visit("/planes/partners", &PlanesRecord::partners);
 }
+/// Visits arrays of yarns.
 template <class Visit>
 void of_yarns(const Visit& visit) {
   visit("/yarns/nodes", &YarnsRecord::nodes);

@@ -1,4 +1,4 @@
-// The folder OUTPUT.part seen from outside: its closed files, and the run so far.
+// The folder OUTPUT.part from outside: closed files, and the run so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,24 +11,25 @@
 
 namespace soilweave::io {
 
-/// A closed file of an unfinished run, named by its step. Newer checkpoints replace it unless it is `recorded`.
+/// A closed file of an unfinished run.
 struct PartFile {
+  /// Step that names the file.
   std::int64_t step;
+  /// True if newer checkpoints do not replace it.
   bool recorded;
 };
 
-/// Returns the name of the file within its folder.
+/// Returns the file's name within its folder.
 std::string name_of(const PartFile& file);
-/// Returns the files of a folder in order of steps. Throws IoError if the folder cannot be read.
+/// Returns a folder's files in order of steps. Throws IoError if it cannot be read.
 std::vector<PartFile> part_files(const std::filesystem::path& folder);
 
-/// Reads a run so far: its recorded states, then the newest checkpoint if it is later, and the series up to there. The
-/// source's digest is that of the lines "file digest". Throws MissingInput if there is nothing to read, DataError for
-/// two-scale runs and damaged files.
+/// Reads a run so far: recorded states, a later checkpoint, and the series up to there. The digest is that of the lines
+/// "file digest". Throws MissingInput for an empty folder, DataError for two-scale runs and damaged files.
 RunFile read_run_so_far(const std::filesystem::path& folder, std::string role);
-/// Returns the newest state alone. Throws what read_run_so_far() throws.
+/// Returns the newest state. Throws like read_run_so_far().
 PackingFile read_newest_state(const std::filesystem::path& folder, std::string role);
-/// Returns the history that the output will carry. Throws what read_run_so_far() throws.
+/// Returns the output's history. Throws like read_run_so_far().
 History read_history_so_far(const std::filesystem::path& folder);
 
 }  // namespace soilweave::io
