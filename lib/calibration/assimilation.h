@@ -28,7 +28,7 @@ struct Assimilation {
   Ensemble ensemble;
   Observations observed;
   Simulated runs;
-  /// N x T; T x C, with its factor.
+  /// chi2, N x T; variances with their factor, T x C.
   Matrix misfit, variance;
   Filtered filtered;
   /// Steps for densities and covariances.

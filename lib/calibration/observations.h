@@ -24,7 +24,7 @@ struct Observable {
 /// Observations of C quantities at T stations.
 struct Observations {
   Observable station;
-  /// T, increasing.
+  /// Positions of the T stations, increasing.
   std::vector<double> at;
   std::vector<Observable> observables;
   /// T x C, in the units of the table.

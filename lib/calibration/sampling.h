@@ -27,7 +27,8 @@ Matrix halton(std::size_t rows, const std::vector<unsigned>& bases, std::uint64_
 /// above 40 dimensions.
 Matrix sobol(std::size_t rows, std::size_t dimension, std::uint64_t first);
 
-/// Returns one random point in each of `rows` slices of every axis (McKay et al. 1979). Seeds repeat anywhere.
+/// Returns one random point in each of `rows` slices of every axis (McKay et al. 1979). One seed gives the same points
+/// everywhere.
 Matrix latin_hypercube(std::size_t rows, std::size_t dimension, std::uint64_t seed);
 
 }  // namespace soilweave::calibration

@@ -10,17 +10,17 @@ namespace soilweave::fem {
 /// midway configuration, and stress rotates with it (Hughes & Winget 1980). A rigid rotation of any size leaves no
 /// stress.
 struct ContinuumLaw {
-  /// Pa.
+  /// Young's modulus, Pa.
   double young_modulus = 1e7;
   /// Poisson's ratio.
   double poisson_ratio = 0.25;
-  /// rad; none: elastic.
+  /// Friction angle, rad; none: elastic.
   std::optional<double> friction_angle;
-  /// Pa.
+  /// Cohesion, Pa.
   double cohesion = 0;
-  /// rad.
+  /// Dilation angle, rad.
   double dilation_angle = 0;
-  /// xx, yy, zz, Pa, tension positive.
+  /// Initial stress xx, yy, zz, Pa, tension positive.
   Vec3 initial_stress = Vec3::Zero();
 };
 

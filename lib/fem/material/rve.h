@@ -15,7 +15,7 @@ namespace soilweave::fem {
 struct Grains {
   dem::Model model;
   dem::Numerics numerics;
-  /// kg/m3; positive: replaces the packing's masses.
+  /// Density of the grains, kg/m3; positive: replaces the packing's masses.
   double density = 0;
 };
 
@@ -29,7 +29,7 @@ struct Probe {
   double limit = 0;
   /// Stiffness as in MaterialPoint::tangent.
   Mat3 tangent = Mat3::Zero();
-  /// Pa, tension positive.
+  /// Stress, Pa, tension positive.
   Mat2 stress = Mat2::Zero();
   double solid_fraction = 0;
 };
@@ -58,7 +58,7 @@ class Rve : public MaterialPoint {
  private:
   io::Snapshot identities_;
   Grains grains_;
-  /// s.
+  /// Step of the soil, s.
   double step_;
   std::int64_t substeps_;
   /// Area of the cell at the start, m2.

@@ -30,7 +30,7 @@ GmshType gmsh_type(int number);
 struct GmshFile {
   /// One node.
   struct Node {
-    /// m.
+    /// Position, m.
     Vec3 at;
     /// Line in the file.
     std::size_t line;

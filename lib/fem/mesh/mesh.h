@@ -30,9 +30,9 @@ struct Boundary {
 /// A mesh of triangles or quadrilaterals.
 struct Mesh {
   Shape shape = Shape::triangle3;
-  /// m.
+  /// Positions, m.
   std::vector<Vec2> nodes;
-  /// Counter-clockwise, corners first.
+  /// Nodes of each element, counter-clockwise, corners first.
   std::vector<std::array<Index, most_nodes>> elements;
   std::map<std::string, Boundary, std::less<>> boundaries;
   /// Numbers of nodes in their file; empty for a rectangle.
@@ -69,7 +69,7 @@ struct Mesh {
 Mesh rectangle(double width, double height, Index columns, Index rows, Shape shape);
 
 /// Reads Gmsh's MSH format, ASCII, 2.2 and 4.1: triangles of 3 or quadrilaterals of 8 nodes in z = 0. Boundaries are
-/// named physical groups of lines and points. Mends and throws as build_mesh().
+/// named physical groups of lines and points. For repairs and errors see parse_gmsh() and build_mesh().
 Mesh read_gmsh(std::string_view text, const std::string& where);
 
 }  // namespace soilweave::fem

@@ -32,7 +32,7 @@ namespace soilweave::fem {
 
 /// Input of a model.
 struct ModelSetup {
-  /// Density 0: that of the grains times their solid fraction.
+  /// Elements. Density 0 means the density of the grains times their solid fraction.
   SoilSetup soil;
   /// Law of the points; none: they hold grains.
   std::optional<ContinuumLaw> law;
@@ -46,7 +46,7 @@ struct ModelSetup {
   double spacing = 0, overhang = 0;
   /// Pressure along y on chain and guides before the start, Pa.
   double seat_pressure = 0;
-  /// s; none: from the eigenvalues.
+  /// Step of the soil, s; none: from the eigenvalues.
   std::optional<double> time_step;
   /// Fraction of the stable step.
   double safety = 0.5;
@@ -57,9 +57,9 @@ struct ModelSetup {
 
 /// Damping while a state comes to rest.
 struct Relaxation {
-  /// Viscous, 1/s.
+  /// Viscous damping, 1/s.
   double soil = 0;
-  /// Local, non-viscous.
+  /// Local, non-viscous damping.
   double grains = 0, bars = 0;
 };
 

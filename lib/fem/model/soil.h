@@ -17,9 +17,9 @@ namespace soilweave::fem {
 /// Prescribed motion of a boundary's nodes ("all": every node).
 struct Support {
   std::string boundary;
-  /// m/s.
+  /// Velocity along the axes, m/s.
   std::optional<double> x, y;
-  /// 1/s: velocity = gradient times position, on both axes.
+  /// Velocity over position, on both axes, 1/s.
   std::optional<Mat2> gradient;
 };
 

@@ -23,9 +23,9 @@ struct QuasiStatic {
 
 /// A whole two-scale scenario.
 struct Scenario {
-  /// Without packings.
+  /// Model without packings.
   ModelSetup model;
-  /// s.
+  /// Duration, s.
   double duration = 0;
   /// Points whose grains are recorded.
   std::vector<Index> recorded;

@@ -23,7 +23,7 @@ struct Demand {
 
 /// Range of stiffness to search.
 struct StiffnessRange {
-  /// N/m.
+  /// Ends of the range, N/m.
   double low = 1e3, high = 1e8;
 };
 
@@ -47,7 +47,7 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
 
 /// Surcharge that a given bag carries.
 struct Allowance {
-  /// Pa.
+  /// Admissible surcharge, Pa.
   double surcharge = 0;
   /// Criterion that decides.
   Governs governs = Governs::strength;

@@ -18,7 +18,7 @@ struct Sensitivity {
   double value = 0, low = 0, high = 0;
   /// Whether the range is a 95 % interval.
   bool interval = false;
-  /// Pa and 1, per unit of the number.
+  /// Derivatives, Pa and 1 per unit of the number.
   double capacity_derivative = 0, settlement_derivative = 0;
   double capacity_low = 0, capacity_high = 0, settlement_low = 0, settlement_high = 0;
   /// Whether a surcharge was requested.

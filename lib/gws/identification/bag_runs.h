@@ -19,7 +19,7 @@ bool is_reinforced(const io::Series& table);
 
 /// A tensile stiffness.
 struct Stiffness {
-  /// J, N/m.
+  /// Stiffness J, N/m.
   double value = 0;
   /// Its source, in words.
   std::string source;

@@ -11,11 +11,11 @@ namespace soilweave::gws {
 /// Fit of k parameters to n points.
 struct Fit {
   std::vector<double> estimates, standard_errors;
-  /// k x k, row by row.
+  /// Correlation of estimates, k x k, row by row.
   std::vector<double> correlation;
-  /// n each; residual = observed - fitted.
+  /// Values and residuals of the n points; residual = observed - fitted.
   std::vector<double> fitted, residuals;
-  /// n; residual over its standard error with leverage.
+  /// Residuals of the n points over their standard errors, with leverage.
   std::vector<double> studentized;
   /// Standard deviation of the residuals.
   double scatter = 0;

@@ -10,8 +10,8 @@
 namespace soilweave::gws {
 
 /// Return the fitted lines; throw DataError if points do not determine them. Other constants are those of `soil`. The
-/// compression line takes all strain while the soil contracts. `points`: of another test, for compression instead of
-/// the series'.
+/// compression line takes all strain while the soil contracts. points: results of another test; compression_line()
+/// takes them instead of the series.
 ///
 /// Fits need equal errors, so ratios are not fitted. The dilatancy line fits increments of plastic volumetric strain.
 /// Young's modulus fits accumulated plastic axial strain over accumulated p*.

@@ -78,7 +78,7 @@ struct ReadCase {
 
 /// Options of a bag.
 struct CaseOptions {
-  /// soil: empty if none was chosen.
+  /// Names; no soil if none was chosen.
   std::string geotextile, soil;
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;

@@ -23,9 +23,9 @@ struct Triaxial {
 
 /// Returns Toyoura sand's constants (thesis Table 5.2), apart from those that the test gives:
 /// - M_f, q/p at failure, is 6 sin phi/(3 - sin phi). M is smaller by 6 sin psi/(3 - sin psi) (thesis section 5.3.3).
-/// p_c follows from both; n is Toyoura's.
+///   p_c follows from both; n is Toyoura's.
 /// - kappa and lambda scale with the strain at half of the strength, at equal pressure. kappa also scales with the
-/// strength.
+///   strength.
 /// - C_t scales with (2.17 - e)^2/(1 + e) of Hardin and Richart (1963).
 /// alpha, beta and the slope of the dilatancy line stay Toyoura's.
 Soil estimated(const Triaxial& test);

@@ -25,9 +25,9 @@ struct TensionCurve {
 /// Tensile properties. The geotextile is elastic up to its end (thesis section 5.3, assumption 3b).
 struct Geotextile {
   std::string name;
-  /// J, N/m.
+  /// Stiffness J, N/m.
   double stiffness = 0;
-  /// T_f, N/m.
+  /// Strength T_f, N/m.
   double strength = 0;
   /// Strain at failure, 1.
   double failure_strain = 0;

@@ -22,8 +22,8 @@ double apparent_cohesion(const LongBag& bag);
 ///
 /// In plane strain the soil's lateral stress is lateral + 2 T/H, and the sides take 2 T/B off the vertical one. A
 /// square bag (gws/solution/model.h) has hoops along its length as well. They add 2 T/B of lateral stress, which
-/// carries K_p 2 T/B, and take 2 T/B more off the vertical stress. So at small strain its surcharge is greater by (K_p
-/// - 1) 2 T/B. This share, about H/B, vanishes for flat bags.
+/// carries K_p 2 T/B, and take 2 T/B more off the vertical stress. Its surcharge at small strain is thus greater
+/// by (K_p - 1) 2 T/B. This share, about H/B, vanishes for flat bags.
 double capacity(const LongBag& bag, double lateral);
 
 }  // namespace soilweave::gws

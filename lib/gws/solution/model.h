@@ -45,22 +45,22 @@ std::string_view reason(End end);
 
 /// State of the soil at mean stress p. Strains are total, in percent.
 struct SoilState {
-  /// If not none, the state does not exist; numbers after the cause mean nothing.
+  /// Reason why the state does not exist; none: it exists. Numbers after the cause mean nothing.
   End end = End::none;
   /// Mean stress, Pa.
   double p = 0;
-  /// M_f; eta = q/p.
+  /// q/p at failure, M_f; present q/p, eta.
   double failure_obliquity = 0, obliquity = 0;
   double strain_axial = 0, strain_radial = 0, strain_volumetric = 0, strain_deviatoric = 0;
-  /// X = d eps_v^p / d eps_d^p, contraction positive.
+  /// Dilatancy X = d eps_v^p / d eps_d^p, contraction positive.
   double dilatancy = 0;
-  /// K_psi = d eps_r^p / d eps_a^p.
+  /// Ratio K_psi = d eps_r^p / d eps_a^p.
   double plastic_ratio = 0;
-  /// s = dq/dp along the path.
+  /// Slope s = dq/dp along the path.
   double path_slope = 0;
-  /// d eps_a^p / d ln p, percent.
+  /// Rate d eps_a^p / d ln p, percent.
   double plastic_rate = 0;
-  /// d eps_a / d ln p, percent, elastic and plastic.
+  /// Rate d eps_a / d ln p, percent, elastic and plastic.
   double axial_rate = 0;
 
   /// Return sigma_a and sigma_r, Pa, from p and q/p.

@@ -36,7 +36,7 @@ class Path {
  private:
   /// State at the end of one step.
   struct Node {
-    /// ln p.
+    /// Mean stress as ln p.
     double x;
     /// Plastic strain there.
     Plastic plastic;

@@ -33,7 +33,7 @@ namespace soilweave::gws {
 
 /// Lateral stress sigma_rs outside the bag by surcharge: linear between points, constant beyond.
 struct LateralStress {
-  /// Pa; empty: no lateral stress.
+  /// Points, Pa; empty: no lateral stress.
   std::vector<double> surcharge, lateral;
 
   /// Returns a constant lateral stress, Pa.

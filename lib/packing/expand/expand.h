@@ -72,9 +72,9 @@ struct Fill {
   double growth = 1;
   /// Delaunay tetrahedra of the soil's centres, m3.
   double volume = 0;
-  /// By power cells.
+  /// Void ratio by power cells.
   double void_ratio = 0;
-  /// By those tetrahedra.
+  /// Void ratio by the tetrahedra.
   double delaunay_void_ratio = 0;
   /// Mean over the contacts, over the soil's mean radius.
   double overlap = 0;
@@ -93,7 +93,7 @@ struct Grown {
   Fill fill;
   /// One row per measurement.
   io::Series history;
-  /// Steps and time spent.
+  /// Cost of the growth.
   dem::Cost cost;
 };
 

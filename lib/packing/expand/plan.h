@@ -44,7 +44,7 @@ struct Plan {
   dem::Model model;
   dem::Numerics numerics;
   std::optional<Growth> growth;
-  /// If set, there is no container, geotextile or growth.
+  /// Cell around a reinforced part; then there is no container, geotextile or growth.
   std::optional<Surround> surround;
   /// Files that the plan names.
   std::vector<io::Source> sources;

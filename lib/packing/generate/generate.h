@@ -28,14 +28,14 @@ struct Remedies {
 
 /// Settings of a compaction.
 struct Recipe {
-  /// Pa.
+  /// Isotropic pressure, Pa.
   double pressure = 1e3;
   /// Target. None: whatever full friction gives.
   std::optional<double> void_ratio;
   /// Greatest difference from the target.
   double void_ratio_tolerance = 5e-4;
   dem::Tolerances tolerances;
-  /// During compression, 1/s.
+  /// Greatest strain rate during compression, 1/s.
   double max_rate = 1.0;
   /// Cundall's local damping, throughout.
   double damping = 0.2;

@@ -39,7 +39,7 @@ std::string default_material(double mean_radius);
 struct Contacts {
   dem::Model model;
   dem::Numerics numerics;
-  /// kg/m3; 0: not given.
+  /// Density of the grains, kg/m3; 0: not given.
   double density = 0;
   /// TOML, for provenance.
   std::string resolved;

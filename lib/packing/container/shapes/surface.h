@@ -42,7 +42,7 @@ class Surface final : public Container {
   std::unique_ptr<Mesh> mesh_;
   /// Corners of the box, m.
   Vec3 low_, high_;
-  /// m3.
+  /// Enclosed volume, m3.
   double enclosed_ = 0;
   // Depths of the grid's points inside, ascending, m; filled on first use.
   mutable std::vector<double> depths_;
