@@ -33,13 +33,13 @@ class Archive {
 
   /// Keeps the value or sets it to the kept one, bit for bit. Throws DataError if name or length differ.
   void item(const std::string& name, double& value);
-  /// Keeps an integer, exact below 2^53.
+  /// Keeps or sets an integer, exact below 2^53.
   void item(const std::string& name, std::int64_t& value);
   /// Keeps or sets a vector.
   void item(const std::string& name, Vec3& value);
   /// Keeps or sets a tensor.
   void item(const std::string& name, Mat3& value);
-  /// Keeps a vector of any length.
+  /// Keeps or sets an array of any length.
   void item(const std::string& name, std::vector<double>& values);
   /// Keeps or sets `values` at their present length. Throws DataError if another length was kept.
   void sized(const std::string& name, std::vector<double>& values);
