@@ -1,4 +1,4 @@
-// From forces to motion: sums per grain in fixed order, leap-frog with local damping, the stable time step.
+// From forces to motion: leap-frog with local damping, and the stable time step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace soilweave::dem {
 struct MotionSums {
   /// Energy taken by local damping in this step, J.
   double damping = 0;
-  /// Work in this step, J.
+  /// Work of gravity in this step, J.
   double gravity_work = 0;
   /// Largest fluctuation speed, m/s.
   double fastest = 0;
@@ -21,14 +21,14 @@ struct MotionSums {
   double skin_rate = 0;
 };
 
-/// Passes over the grains, chunk by chunk (contacts.h). It keeps the sums of the chunks from call to call, so that
-/// stepping allocates nothing. Different threads may work on different chunks.
+/// Passes over the grains, chunk by chunk (contacts.h).
+/// Different threads may work on different chunks. Sums are kept, so that stepping allocates nothing.
 class Motion {
  public:
-  /// Prepares passes over so many grains. `how`: loops of one width.
+  /// Prepares passes. `how`: loops of one width.
   Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
 
-  /// Sets what the next step moves the grains by.
+  /// Sets the data of the next step.
   void set_out(const Cell& cell, const Vec3& gravity, double damping, double dt, const Bodies& bodies);
   /// Moves the grains of a chunk. Leaves their loads zero.
   void advance(std::size_t chunk, Bodies& bodies);
@@ -36,8 +36,8 @@ class Motion {
   void advance_all(Bodies& bodies);
   /// Returns the sums over all chunks since set_out().
   MotionSums advanced() const;
-  /// Returns a bound on the speed that any grain can gain in the coming step, m/s, from the collected forces; infinite
-  /// before forces were collected. Call it before anything moves.
+  /// Returns a bound on the speed that any grain can gain in the coming step, m/s.
+  /// It is infinite before forces were collected. Call it before anything moves.
   double gain_bound(double smallest_mass) const;
 
   /// Adds the loads of single pairs to those of the chunk's grains, in a fixed order.
@@ -48,9 +48,9 @@ class Motion {
   /// Returns the sum over the grains of |resultant|, gravity included, N.
   double resultants(const Vec3& gravity, const Bodies& bodies);
 
-  /// Returns the stability limit, s, from the grains' stiffnesses (ContactSweep::stiffen), which are left zero: sqrt(2)
-  /// times the least sqrt(m/k) over grains and axes, for translation and rotation (Chareyre & Villard 2005, Eq. 2.9;
-  /// LAWS.md §8). Infinite without contacts.
+  /// Returns the stability limit, s, infinite without contacts: the least sqrt(2 m/k) over grains and axes.
+  /// It holds for translation and rotation (Chareyre & Villard 2005, Eq. 2.9; LAWS.md §8).
+  /// ContactSweep::stiffen must have set the stiffnesses, which are left zero.
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
@@ -68,6 +68,7 @@ class Motion {
 
   /// Loops of one width.
   GrainMotion how_;
+  /// Number of threads.
   int threads_;
   /// Data of the next step.
   Push push_{};
@@ -81,17 +82,17 @@ class Motion {
 
 /// Kinetic energies around a change of all velocities.
 struct Slowed {
-  /// Kinetic energy, J, as defined below.
+  /// Kinetic energy (kinetic_energy()), J.
   double energy_before = 0, energy_after = 0;
 
   void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }
 };
 /// Multiplies all fluctuation velocities and spins by `share`. Returns the kinetic energy before and after.
 Slowed slow(Bodies& bodies, double share, const Vec3& gravity, double dt, int threads);
-/// Returns the kinetic energy of the fluctuation at the time of the forces, J: velocities are advanced by half a step.
+/// Returns the kinetic energy of the fluctuation, J, with velocities advanced by half a step.
 double kinetic_energy(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
-/// Returns the kinetic energy of the grains under some force. A grain that floats free without gravity is never slowed
-/// and bears nothing; an assembly at rest may hold any number of such grains.
+/// Returns the kinetic energy of the grains under some force, J.
+/// A grain that floats free without gravity is never slowed, even in an assembly at rest.
 double kinetic_energy_of_acted_on(const Bodies& bodies, const Vec3& gravity, double dt, int threads);
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// Loads of the grains on the rigid planes that they touch.
+// Loads of the grains on rigid planes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ struct PlateLoad {
   std::size_t contacts = 0;
 };
 
-/// Returns one entry per plane, from the last sweep.
+/// Returns the load on each plane, from the last sweep.
 std::vector<PlateLoad> plate_loads(const Contacts& contacts, const Bodies& bodies, const Planes& planes);
 
 }  // namespace soilweave::dem

@@ -1,8 +1,8 @@
-// A granular assembly in motion: grains, their contacts, the cell and the clock. A plain object; no global state.
+// A granular assembly in motion: grains, their contacts, the cell and the clock.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The discrete element method follows every grain. Grains are rigid; where two of them overlap, a contact law answers
-// the overlap and the slip of their surfaces with a force. Newton's law moves each grain by the sum of its forces:
+// The discrete element method follows every grain. Grains are rigid. Where two overlap, a contact law turns overlap
+// and slip into a force. Newton's law moves each grain by the sum of its forces:
 //
 //   m dv/dt = sum of f + m g,   I dw/dt = sum of torques,   and the stress is (1/V) sum of f (x) l   (Love-Weber)
 //
@@ -16,8 +16,8 @@
 //   6  sums       stress, work and dissipation; guards look for broken physics                     energies.h, guard.h
 //   7  clock      the step stays below sqrt(2 m/k) of the stiffest grain, evaluated now and then   motion.h
 //
-// A periodic cell deforms with L: each grain moves at L x plus a fluctuation, and only fluctuations are stored. Whoever
-// drives a test sets L (control.h, the servo), plane velocities or clamp velocities (rig.h) between steps:
+// A periodic cell deforms with L: each grain moves at L x plus a fluctuation, and only fluctuations are stored.
+// A test sets L (control.h, the servo), plane velocities or clamp velocities (rig.h) between steps:
 //
 //   Simulation simulation(packing, model, numerics);
 //   for (Servo servo; !Servo::settled(goals, 3, tolerances, simulation); simulation.step())
@@ -43,9 +43,9 @@ namespace soilweave::dem {
 
 /// Measurements of every step. Stress is compression positive.
 struct Measures {
-  // Love-Weber stress over the cell, Pa (2D: N/m over the unit thickness): contacts and, in a periodic cell, yarns.
+  /// Love-Weber stress of contacts and, in a periodic cell, yarns, Pa (2D: N/m).
   Mat3 stress = Mat3::Zero();
-  // Affine stiffness of these contacts and yarns along each axis, when last evaluated, Pa.
+  /// Their affine stiffness along each axis, when last evaluated, Pa.
   Vec3 axial_stiffness = Vec3::Zero();
   /// Number of contacts.
   std::int64_t contacts = 0;
@@ -54,22 +54,22 @@ struct Measures {
 /// One assembly in motion.
 class Simulation {
  public:
-  /// Takes over the state with its contacts and their history. Contacts missing in the record begin at zero shear.
-  /// Throws DataError if grains overlap by more than half a radius, or have a material that the model lacks.
+  /// Takes a state with its contacts and their history. Contacts missing there begin at zero shear.
+  /// Throws DataError for overlaps above half a radius, and for materials that the model lacks.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
-  /// Goes on bit by bit from a snapshot between two steps and the numbers that archive() kept then.
+  /// Goes on bit by bit from a snapshot and the numbers that archive() kept with it.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Advances one time step with the cell's present velocity gradient. Throws PhysicsError when physics breaks.
+  /// Advances one time step. Throws PhysicsError when physics breaks.
   void step();
 
-  /// Measurements of the last step.
+  /// Returns the measurements of the last step.
   const Measures& measures() const;
-  /// Returns the mean resultant on grains over the mean force of contacts and taut yarns, at least over `least`, N; 0/0
-  /// is 0.
+  /// Returns the mean resultant on grains over the mean force of contacts and taut yarns.
+  /// That mean force counts as `least` (N) or more; 0/0 is 0.
   double unbalanced_force(double least = 0) const;
   /// Returns the kinetic energy, J.
   double kinetic_energy() const;
@@ -88,20 +88,26 @@ class Simulation {
   /// Returns the number of steps since the start.
   std::int64_t steps() const;
 
-  /// Return the cell, its vectors, m, and its deformation gradient.
+  /// Returns the cell.
   const Cell& cell() const;
+  /// Returns the cell vectors as columns, m.
   const Mat3& cell_matrix() const { return cell().matrix(); }
+  /// Returns the deformation gradient since the reference.
   const Mat3& deformation_gradient() const { return cell().deformation_gradient(); }
   /// Returns the volume of the cell, m3 (2D: m2).
   double volume() const { return cell().volume(); }
+  /// Returns the number of grains.
   std::size_t grains() const { return bodies().size(); }
+  /// Returns the grains.
   const Bodies& bodies() const;
-  double mass() const { return bodies().total_mass(); }            // kg (2D: kg/m), of all grains
-  double solid_volume() const { return bodies().solid_volume(); }  // m3 (2D: m2), overlaps counted twice
+  /// Returns the mass of all grains, kg (2D: kg/m).
+  double mass() const { return bodies().total_mass(); }
+  /// Returns the volume of the grains, m3 (2D: m2). Overlaps count twice.
+  double solid_volume() const { return bodies().solid_volume(); }
   /// Returns the void ratio, with overlaps counted twice as solid.
   double void_ratio() const { return volume() / solid_volume() - 1; }
-  /// Returns the natural strains since the reference, compression positive: -ln F_ii.
-  Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }  // 0 - 0: not -0
+  /// Returns the natural strains since the reference, -ln F_ii, compression positive, never -0.
+  Vec3 strain() const { return (0.0 - deformation_gradient().diagonal().array().log()).matrix(); }
   /// Makes the present cell the reference of the strains.
   void set_reference();
   /// Sets L, 1/s, extension positive.
@@ -109,31 +115,33 @@ class Simulation {
 
   /// Sets the velocity of a plane, m/s.
   void set_plane_velocity(std::size_t plane, const Vec3& velocity);
+  /// Returns the planes.
   const Planes& planes() const;
   /// Returns the loads of the grains on the planes.
   std::vector<PlateLoad> plate_loads() const;
   /// Sets the velocity of a clamp, m/s.
   void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);
+  /// Returns the clamps.
   const std::vector<Clamp>& clamps() const;
+  /// Returns the sums over the yarns.
   const YarnSums& yarns() const;
 
-  /// Between stages: friction or law parameters change, history stays.
+  /// Replaces friction or law parameters between stages. History stays.
   void set_model(const Model& model);
   /// Sets the local damping, 0 to 1.
   void set_damping(double damping);
-  /// Scales the radii of soil at constant density. stretch: multiplies the coordinates of soil, from the origin.
+  /// Scales the radii of soil at constant density, and its coordinates by `stretch`.
   void scale_radii(double factor, const Vec3& stretch = Vec3::Ones());
   /// Multiplies all fluctuation velocities and spins by `share`. The lost energy counts as damped.
   void slow_motion(double share);
-  /// Changes velocities. A gain of kinetic energy counts as work of the boundary, a loss as damped.
+  /// Changes velocities. Gained kinetic energy counts as boundary work, lost energy as damped.
   void change_velocities(const std::function<void(Bodies&)>& change);
 
-  /// Returns state and history. A Simulation made from it alone starts its energies anew, and evaluates the stiffness
-  /// at once.
+  /// Returns state and history. A Simulation made from it alone starts its energies anew.
   io::Snapshot snapshot() const;
   /// Keeps what a snapshot leaves out.
   void archive(Archive& archive) const;
-  /// Number of contacts, summed over the steps.
+  /// Returns the number of contacts, summed over the steps.
   std::int64_t contact_steps() const;
   /// Returns the sampled times of the steps.
   const StepTimes& step_times() const;

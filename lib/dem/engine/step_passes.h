@@ -1,4 +1,4 @@
-// Passes of a step over the grains of a chunk, around the sweep of their pairs.
+// Passes over the grains of a chunk, around the sweep of their pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@ namespace soilweave::dem {
 /// Moves the grains, if they have not moved before the sweep, and collects their loads.
 class StepPasses final : public AroundChunk {
  public:
-  /// time: accumulates the time of the passes, if given.
+  /// `time`: accumulates the time of the passes, if given.
   StepPasses(bool moving, const Contacts& contacts, Motion& motion, Bodies& bodies, PassTime* time = nullptr)
       : moving_(moving), contacts_(contacts), motion_(motion), bodies_(bodies), time_(time) {}
 

@@ -1,4 +1,4 @@
-// Time of a step by phases, sampled in one step of seven: reading a clock costs as much as a contact or two.
+// Time of a step by phases, sampled in one step of seven.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -48,7 +48,7 @@ class StepWatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  // It has no common divisor with the interval at which the engine evaluates the stiffness.
+  /// Steps per sample; no divisor is shared with the interval of stiffness evaluations.
   static constexpr std::int64_t interval = 7;
 
   StepTimes& times_;

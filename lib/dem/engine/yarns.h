@@ -1,4 +1,4 @@
-// The yarns of all geotextiles: their tensions, and the forces on their nodes.
+// Yarns of geotextiles: their tensions, and the forces on their nodes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ struct YarnSums {
   std::int64_t taut = 0;
   /// Number of broken yarns.
   std::int64_t broken = 0;
-  // Sum of -T l n (x) n over tension, length and direction of each yarn, N m; SweepSums has the contacts' f (x) l.
+  /// Sum of -T l n (x) n over tension, length and direction of each yarn, N m.
   Mat3 force_branch = Mat3::Zero();
 
   YarnSums& operator+=(const YarnSums& s) {
@@ -34,12 +34,12 @@ struct YarnSums {
   }
 };
 
-/// All yarns of a simulation, in blocks that a register can take.
+/// All yarns of a simulation, in blocks of one register.
 class Yarns {
  public:
   Yarns() = default;
-  /// curves: by geotextile_id. Throws DataError if the record names one that does not exist, or if a yarn of a fabric
-  /// shares a node with another fabric.
+  /// `curves`: by geotextile_id.
+  /// Throws DataError if the record names a missing curve, or if two fabrics share a node.
   Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<WireCurve> curves);
 
   /// Returns whether there are yarns.
@@ -49,31 +49,34 @@ class Yarns {
   /// Replaces the curves between stages; the history stays.
   void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
 
-  /// Stretches all yarns to the present positions and adds their tension to the forces on their nodes, for each node in
-  /// the order of its yarns. Bits do not depend on the number of threads.
+  /// Stretches all yarns to the present positions, and adds their tensions to the forces on their nodes.
+  /// Each node adds in the order of its yarns, so bits do not depend on threads. `time`: of breaks, s.
   void run(double time, int threads, Bodies& bodies);
   /// Returns the sums of the last run().
   const YarnSums& sums() const { return sums_; }
 
-  /// Returns the largest stiffness over mass of the nodes, 1/s2, from their yarns, and from contacts as
-  /// ContactSweep::stiffen leaves them. 0 without yarns.
+  /// Returns the largest stiffness over mass of the nodes, 1/s2; 0 without yarns.
+  /// It includes contacts as ContactSweep::stiffen leaves them.
   double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
-  /// Returns the affine stiffness of the taut yarns times their squared lengths along the axes, N m, as
-  /// ContactSweep::stiffen does for contacts. A yarn is stiff along itself, and sideways as a taut string.
+  /// Returns the affine stiffness of taut yarns times squared lengths along the axes, N m.
+  /// A yarn is stiff along itself, and sideways as a taut string.
   Vec3 affine_stiffness(int threads) const;
   /// Returns the yarns as files hold them.
   io::YarnsRecord record() const;
 
  private:
-  /// Yarns of one geotextile. Lanes from `count` on are empty: broken from the start.
+  /// Yarns of one geotextile. Lanes from `count` on are empty and count as broken.
   struct Block {
     static constexpr std::size_t size = width<Lane4>;
     /// Byte offsets of the nodes from the first grain.
     std::uint32_t first[size]{}, second[size]{};
     /// Length without tension, m.
     Lane4 rest_length = broadcast<Lane4>(1);
-    Lane4 tension{}, length{};  // N and m, at the last evaluation; 0: none yet
+    /// Tension, N, and length, m, at the last evaluation; 0 before the first.
+    Lane4 tension{}, length{};
+    /// History of each yarn.
     WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
+    /// Geotextile, and number of yarns.
     std::int32_t geotextile, count = 0;
 
     explicit Block(std::int32_t of) : geotextile(of) {}
@@ -85,7 +88,9 @@ class Yarns {
     /// Place of the break, m.
     Vec3 position = Vec3::Zero();
   };
+  /// Lays the yarns out in blocks.
   void lay_out(const io::YarnsRecord& record);
+  /// Lists the yarn ends at each node.
   void list_ends(const io::YarnsRecord& record);
   /// Returns the steepest slope by geotextile, N per unit of strain.
   std::vector<double> stiffest() const;
@@ -93,21 +98,23 @@ class Yarns {
   void note_breakage(double time, const Bodies& bodies, std::size_t slot);
 
   LargeVector<Block> blocks_;
-  // For each lane of each block, a slot: unit vector from first to second node, and tension, N.
+  /// Unit vector from first to second node, and tension, N, for each slot: a lane of a block.
   LargeVector<Lane4> pulls_;
   /// Slot of each yarn of the record.
   std::vector<std::size_t> slot_;
   /// Breaks by slot.
   std::vector<Breakage> breakage_;
+  /// Curves by geotextile_id.
   std::vector<WireCurve> curves_;
   /// Grains that are nodes, ascending.
   std::vector<std::int32_t> node_;
-  std::vector<std::uint32_t> start_,
-      ends_;  // ends at node k, from ends_[start_[k]] on: twice the slot, plus one at its second end
+  /// First of the ends at each node.
+  /// An end is twice its slot, plus one at the yarn's second node.
+  std::vector<std::uint32_t> start_, ends_;
   /// Sums by group of blocks.
   std::vector<YarnSums> partial_;
   YarnSums sums_;
-  /// Data that never change.
+  /// Data of the record that never change.
   io::YarnsRecord identity_;
   std::size_t grains_ = 0;
 };
