@@ -88,7 +88,6 @@ class Simulation {
   /// Returns the number of steps since the start.
   std::int64_t steps() const;
 
-  /// Returns the cell.
   const Cell& cell() const;
   /// Returns the cell vectors as columns, m.
   const Mat3& cell_matrix() const { return cell().matrix(); }
@@ -96,9 +95,7 @@ class Simulation {
   const Mat3& deformation_gradient() const { return cell().deformation_gradient(); }
   /// Returns the volume of the cell, m3 (2D: m2).
   double volume() const { return cell().volume(); }
-  /// Returns the number of grains.
   std::size_t grains() const { return bodies().size(); }
-  /// Returns the grains.
   const Bodies& bodies() const;
   /// Returns the mass of all grains, kg (2D: kg/m).
   double mass() const { return bodies().total_mass(); }
@@ -115,15 +112,12 @@ class Simulation {
 
   /// Sets the velocity of a plane, m/s.
   void set_plane_velocity(std::size_t plane, const Vec3& velocity);
-  /// Returns the planes.
   const Planes& planes() const;
   /// Returns the loads of the grains on the planes.
   std::vector<PlateLoad> plate_loads() const;
   /// Sets the velocity of a clamp, m/s.
   void set_clamp_velocity(std::size_t clamp, const Vec3& velocity);
-  /// Returns the clamps.
   const std::vector<Clamp>& clamps() const;
-  /// Returns the sums over the yarns.
   const YarnSums& yarns() const;
 
   /// Replaces friction or law parameters between stages. History stays.
