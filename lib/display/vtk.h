@@ -13,6 +13,7 @@ namespace soilweave::io {
 
 /// One named array of values per point or cell.
 struct VtkArray {
+  /// Name in ParaView.
   std::string name;
   /// Values per point or cell; 9: a tensor, row major.
   int components = 1;
@@ -33,6 +34,7 @@ struct VtkPicture {
   bool grid = false;
   /// Places, m.
   std::vector<Vec3> points;
+  /// One value per point, or per cell.
   std::vector<VtkArray> point_data, cell_data;
 };
 

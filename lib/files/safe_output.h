@@ -18,8 +18,8 @@ void demand_no_input(const std::filesystem::path& output, const History& history
 /// Output of one invocation.
 class SafeOutput {
  public:
-  /// Enters the output's folder as --resume and --force say; pipes and devices have none. Throws like Part;
-  /// CannotCreate if a finished output has another history.
+  /// Enters the output's folder as --resume and --force say; standard output, pipes and devices have none. Throws like
+  /// Part; CannotCreate if a finished output has another history.
   SafeOutput(const std::filesystem::path& output, const History& history, const tool::Invocation& invocation);
 
   /// Returns whether nothing is left to do, and reports where work begins.

@@ -11,6 +11,7 @@ namespace soilweave::analysis {
 
 /// A part of the assembly.
 struct Volume {
+  /// Name in tables.
   std::string name;
   /// Indices of its grains.
   std::vector<std::size_t> grains;
@@ -23,9 +24,9 @@ struct Volume {
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 /// Returns the reinforced soil (parts.h) of each copy, in the order of copy_id.
 std::vector<Volume> copies(const io::Snapshot& state);
-/// Returns the groups #1 to #5 of thesis Fig. 3.9: four neighbouring copies each of ten by ten, along x in the middle
-/// of y. An odd number of copies along x gives one group per copy. Groups without reinforced soil are left out; the
-/// others keep their names.
+/// Returns the groups #1 to #5 of thesis Fig. 3.9: one per pair of copies along x, each of four neighbours in the
+/// middle of y. An odd number of copies along x gives one group per copy. Groups without reinforced soil are left out;
+/// the others keep their names.
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);

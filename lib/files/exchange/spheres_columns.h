@@ -9,27 +9,30 @@
 
 namespace soilweave::io {
 
-/// Columns of a text of spheres. Positions count from 0.
+/// Columns of a text of spheres, counted from 0.
 struct SphereColumns {
-  std::size_t width = 0;  // columns per line
+  /// Columns per line.
+  std::size_t width = 0;
+  /// Positions of the coordinates and of radius or diameter.
   std::size_t x = 0, y = 0, size = 0;
-  std::optional<std::size_t> z;     // absent for disks
-  double size_factor = 1;           // factor from column `size` to a radius in the unit of length: 1/2 for diameters
-  double length_factor = 1;         // factor from the unit of length to m
+  std::optional<std::size_t> z;  // absent for disks
+  /// Factor from `size` to a radius: 1/2 for diameters.
+  double size_factor = 1;
+  /// Factor from the unit of length to m.
+  double length_factor = 1;
   std::vector<std::string> unused;  // names of the other columns
 
+  /// Returns whether the column has no meaning here.
   bool is_unused(std::size_t column) const { return column != x && column != y && column != size && z != column; }
 };
 
 /// Returns x y z r; for disks x y r.
 SphereColumns plain_columns(int dimension);
 
-/// Returns the columns that a header names. Throws DataError that names a missing or repeated column or a differing
-/// unit.
+/// Returns the columns that a header names. Throws DataError naming a missing or repeated column or differing units.
 SphereColumns named_columns(const std::vector<std::string>& names);
 
-/// Returns the columns of YADE's line "#format x_y_z_r"; nothing for any other line. Throws DataError for unknown
-/// columns.
+/// Returns the columns of YADE's line "#format x_y_z_r"; nothing for other lines. Throws DataError for unknown columns.
 std::optional<SphereColumns> yade_columns(std::string_view line);
 
 /// Returns the columns that a comment such as "# x y z r" names, or nothing.

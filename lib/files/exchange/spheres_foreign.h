@@ -7,8 +7,8 @@
 
 namespace soilweave::io {
 
-/// Returns the kind of a text of another program, with the commands that convert it; empty for a plain list of spheres.
-/// Lines must end with line feeds.
+/// Returns the other program's format, with commands that convert it; empty for a plain list. Lines must end with line
+/// feeds.
 std::string foreign_spheres(std::string_view text);
 
 }  // namespace soilweave::io

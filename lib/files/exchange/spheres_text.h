@@ -1,4 +1,4 @@
-// Packings of spheres and disks as text, one grain per line, as YADE, spreadsheets and to-vtk write them.
+// Packings as text, one grain per line, as YADE, spreadsheets and to-vtk write them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,20 +13,23 @@ namespace soilweave::io {
 
 /// Properties of spheres that their text lacks.
 struct SpheresOptions {
-  double density = 0;              // density of the grains, kg/m3
-  std::optional<CellRecord> cell;  // periodic cell if the text has no line ##PERIODIC::
-  std::optional<int> dimension;    // 3: spheres, 2: disks; unset: the line ##PERIODIC:: or the header tells it
+  /// Density of the grains, kg/m3.
+  double density = 0;
+  /// Periodic cell if the text has no line ##PERIODIC::.
+  std::optional<CellRecord> cell;
+  /// 3: spheres, 2: disks. If unset, ##PERIODIC:: or the header tells it.
+  std::optional<int> dimension;
 };
 
 /// Grains read from a text.
 struct ImportedSpheres {
   Snapshot state;
   Source source;
-  std::vector<std::string> notes;  // left-out content, one sentence each
+  /// Left-out content, one sentence each.
+  std::vector<std::string> notes;
 };
 
-/// Returns the periodic cell for "LX,LY,LZ" (spheres) or "LX,LY" (disks), in m or with units. Throws UsageError naming
-/// `what`.
+/// Returns the cell for "LX,LY,LZ" (disks: "LX,LY"), in m or with units. Throws UsageError naming `what`.
 CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 
 /// Reads grains, one per line.
@@ -39,8 +42,7 @@ CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 /// Throws DataError with line and column of anything else, and names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
-/// Returns a text from which import_spheres() reads the same grains, in full precision. An upright periodic cell gives
-/// the line ##PERIODIC::.
+/// Returns a text that import_spheres() reads back exactly. An upright periodic cell gives the line ##PERIODIC::.
 std::string export_spheres(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -1,4 +1,4 @@
-// Output of a tool that prints a text or a table and may write a file: its options, their mistakes, what it prints.
+// Output of a tool that prints a text or table and may write a file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +11,17 @@
 
 namespace soilweave::io {
 
-/// The options --tsv and -o of a tool, or of one of its verbs.
+/// Options --tsv and -o of a tool or verb.
 struct TableOutput {
   bool tsv = false;
-  std::filesystem::path file;  // empty: none; - for standard output
+  /// Empty: none; -: standard output.
+  std::filesystem::path file;
 
-  /// Declares the options. printed: sentence for --tsv. written: sentence for -o.
+  /// Declares the options; `printed` describes --tsv, `written` -o.
   void declare(tool::Table& table, const std::string& printed, const std::string& written);
   /// Adds a mistake if both options write to standard output.
   void check(std::vector<std::string>& mistakes) const;
-  /// Adds that mistake, and one if neither option is given, for a tool that would have nothing to do.
+  /// Adds that mistake, and one if neither option is given.
   void check_needed(std::vector<std::string>& mistakes) const;
   /// Prints the table (--tsv) or the text, unless the file itself goes to standard output.
   void print(const Series& table, const std::string& text) const;
