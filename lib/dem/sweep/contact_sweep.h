@@ -1,4 +1,4 @@
-// One sweep over all pairs: motion of the contact, carried history, law, forces, and their sums. The hot loop.
+// One sweep over all pairs, the hot loop: motion, history, law, forces, and their sums.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The sweep visits each pair of the neighbour list once per step, and most of them touch. For a pair it computes
@@ -12,9 +12,8 @@
 // Picture the pairs as lanes of a road: a register holds four or eight of them, and the same instruction serves all.
 // No lane may branch on its own. A pair that does not touch computes along and is masked to zero.
 //
-// The sums must not depend on how the work is divided. So grains are cut into chunks, a chunk sums its contacts one by
-// one, and chunks are summed in order: equal bits for any number of threads and any width of the register.
-// The sweep is compiled once per law and width, and chosen once per run:
+// A chunk of grains sums its contacts one by one, and chunks are summed in order. So bits are equal for any number of
+// threads and any width of the register. The sweep is compiled once per law and width, and chosen once per run:
 //
 //   const std::unique_ptr<ContactSweep> sweep = make_contact_sweep(model);
 //   const SweepSums sums = sweep->run({bodies, cell, planes}, dt, contacts, passes);
@@ -32,15 +31,15 @@
 
 namespace soilweave::dem {
 
-/// Sums over the contacts in a step. Work is that of the step that led to the present positions, J.
+/// Sums over the contacts in the step that led to the present positions.
 struct SweepSums {
   /// Sum of f (x) l, N m; over the volume: stress, compression positive.
   Mat3 force_branch = Mat3::Zero();
-  /// Work on the shear, rolling and twisting springs.
+  /// Work on the shear, rolling and twisting springs, J.
   double tangential_work = 0;
-  /// Energy lost in sliding, in rolling and twisting, and in dashpots.
+  /// Energy lost in sliding, in rolling and twisting, and in dashpots, J.
   double frictional = 0, rolling_plastic = 0, viscous = 0;
-  /// Work of moving planes on the grains.
+  /// Work of moving planes on the grains, J.
   double plane_work = 0;
   /// Largest overlap, m.
   double largest_overlap = 0;
@@ -48,17 +47,17 @@ struct SweepSums {
   std::int64_t contacts = 0;
 };
 
-/// Energies stored in the contacts, J, computed only when needed.
+/// Energies stored in the contacts, computed only when needed.
 struct StoredEnergies {
-  /// Energy by spring.
+  /// Energy of each kind of spring, J.
   double normal = 0, shear = 0, rolling = 0, twisting = 0;
   /// Returns the energy of the tangential springs.
   double tangential() const { return shear + rolling + twisting; }
 };
 
-/// Parts of a simulation that a sweep uses. It writes only the loads of the bodies.
+/// Parts of a simulation that a sweep uses.
 struct Scene {
-  /// Grains, whose loads the sweep writes.
+  /// Grains; the sweep writes only their loads.
   Bodies& bodies;
   /// Periodic cell.
   const Cell& cell;
@@ -76,40 +75,40 @@ class AroundChunk {
   virtual void after(std::size_t chunk) = 0;
 };
 
-/// Stiffness of one contact: normal, N/m; the larger one of rolling and (in space) twisting, N m/rad.
+/// Stiffness of one contact.
 struct PairStiffness {
+  /// Normal, N/m; the larger one of rolling and twisting, N m/rad.
   double normal = 0, rotational = 0;
 };
 
-/// A sweep for one law and one width of the register. An object keeps buffers, so one simulation needs one.
+/// A sweep for one law and one width of the register. Each simulation needs its own, since it keeps buffers.
 class ContactSweep {
  public:
   virtual ~ContactSweep() = default;
-  /// Updates every contact over a step dt that led to the present positions, and adds forces and torques to the loads,
-  /// which must be zero. dt = 0 leaves positions and history as they are (first sweep of a simulation). force_branch
-  /// lacks the sum of F (x) x over the grains, which Motion::collected returns. affine_stiffness: if given, receives
-  /// the result of stiffen(), whose work is then done too.
+  /// Updates every contact over a step dt, and adds forces and torques to the loads, which must be zero.
+  /// The first sweep of a simulation has dt = 0, which leaves the history as it is.
+  /// The result's force_branch lacks the sum of F (x) x over the grains (Motion::collected).
+  /// `affine_stiffness`: if given, stiffen() is done too and this receives its result.
   virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
                         Vec3* affine_stiffness = nullptr) = 0;
-  /// Adds each contact's stiffness to that of its grains, along the axes x, y, z: for translation in `force`, N/m, for
-  /// rotation in `torque`, N m/rad (in the plane the third component of `force`). Changes nothing else. Returns the
-  /// affine stiffness times squared branch along the axes, summed over contacts, N m.
+  /// Adds each contact's stiffness along the axes to Bodies::stiffness.
+  /// Translation is in `force`, N/m; rotation in `torque`, N m/rad (in the plane in force[2]).
+  /// Returns the sum of affine stiffness times squared branch along the axes, N m.
   virtual Vec3 stiffen(const Scene& scene, Contacts& contacts) = 0;
   /// Returns the energies stored in all contacts now.
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
-  /// Returns the largest stiffness between equal grains, one of a material below `materials`, the other of any
-  /// material, at the given radius and overlap, m. It bounds the step before contacts form (step_bound.h).
+  /// Returns the largest stiffness between equal grains at a radius and an overlap, m (step_bound.h).
+  /// One grain has a material below `materials`, the other any.
   virtual PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const = 0;
-  /// Returns the normal force between two equal grains of the first material, N, at the given radius and overlap, m.
+  /// Returns the normal force between equal grains of the first material at a radius and an overlap, m.
   virtual double normal_force(double radius, double overlap) const = 0;
-  /// Returns the largest gap across which two bodies act on each other, m; 0 for a law of contact alone.
+  /// Returns the largest gap across which two bodies act on each other, m.
   virtual double range() const = 0;
   /// Returns the fields of history that only this law keeps.
   virtual std::span<const HistoryField> own_history() const = 0;
 };
 
-/// Makes the sweep for the law and materials of a model: eight contacts at a time if the processor has AVX-512, else
-/// four. The bits are equal.
+/// Makes the sweep for a model: eight contacts at a time with AVX-512, else four, to equal bits.
 std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model);
 /// Makes a sweep of four contacts at a time.
 std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model);

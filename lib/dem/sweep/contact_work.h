@@ -1,4 +1,4 @@
-// Work on contacts in a step, and their dissipation, for the energy balance.
+// Work on contacts in a step, and their dissipation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,11 @@ namespace soilweave::dem {
 /// Work and dissipation of one contact in a step.
 template <class T>
 struct Work {
-  T on_springs, frictional, rolling_plastic, viscous;  // J; the first one times -2
+  /// Work on the springs times -2, and energies lost, J.
+  T on_springs, frictional, rolling_plastic, viscous;
 };
 
-/// Forces and moments before and after the step count half each (trapezoidal rule).
+/// Returns the work of a step by the trapezoidal rule.
 template <class T, class Space>
 Work<T> work_of(const PairGeometry<T, Space>& g, const ContactHistory<T, Space>& before,
                 const ContactHistory<T, Space>& after, bool moments, const ContactEnergies<T>& b) {
@@ -26,6 +27,7 @@ Work<T> work_of(const PairGeometry<T, Space>& g, const ContactHistory<T, Space>&
   return {twice, b.frictional, b.rolling_plastic, b.viscous};
 }
 
+/// Adds the work of every contact to a row.
 template <class T>
 void add_to(Lane4& row, const Work<T>& w) {
   add_to(row, w.on_springs, w.frictional, w.rolling_plastic, w.viscous);
