@@ -48,7 +48,7 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 
 /// Mean numbers of contacts and their distribution.
 struct Coordination {
-  /// 2 Nc/N; a contact with a plane counts once.
+  /// 2 Nc/N over contacts between grains; a contact with a plane counts once.
   double all = 0;
   /// (2 Nc - N1)/(N - N0 - N1), Thornton 2000.
   double mechanical = 0;
