@@ -42,7 +42,7 @@ struct MovedGrains {
   const double* per_leeway2;
 };
 
-/// Moves the grains from `begin` to `end`, a multiple of `at_once`, and leaves their loads zero.
+/// Moves the grains from `begin` to `end` and leaves their loads zero. Their number is a multiple of `at_once`.
 /// Cundall's local damping (LAWS.md §4) scales each force component: by 1 - damping if it speeds the grain up,
 /// by 1 + damping if it slows it down.
 using MoveGrains = void (*)(const Push& push, MovedGrains of, std::size_t begin, std::size_t end, MotionTally& tally);

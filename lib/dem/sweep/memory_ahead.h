@@ -1,4 +1,4 @@
-// Prefetches memory for the sweep, because the hardware cannot foresee which grains the pairs name.
+// Prefetches memory for the sweep, since hardware cannot foresee the grains of pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave::dem {
 
-/// Prefetches blocks to come into the second cache, and the grains of other chunks that one of them names.
+/// Prefetches coming blocks into the second cache, and second grains in other chunks.
 inline void call_for(const ContactBlock* next, const ContactBlock* end, const std::byte* grains) {
   constexpr int ahead = 16, soon = 3, line = 64, second_cache = 2;
   if (end - next <= ahead) return;

@@ -1,8 +1,8 @@
-// Reads and writes the fields of history that only one law keeps, in the lanes of a block of pairs.
+// Reads and writes the fields of history that only one law keeps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// They lie beside the blocks: for each block an array of eight for each number. A vector takes three arrays. In the
-// plane it is a number along the contact, which lies in the third (space.h).
+// A block has an array of eight for each number. A vector takes three arrays.
+// In the plane it is a number along the contact, in the third array (space.h).
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@
 
 namespace soilweave::dem {
 
-/// The fields of law L. All members do nothing for a law without fields of its own.
+/// The fields of law L. Without such fields all members do nothing.
 template <class L>
 class OwnFields {
  public:
   /// Number of arrays per block.
   static constexpr std::size_t arrays = numbers_of(history_fields<L>());
 
-  /// Fills the law's own part of `history` for pairs that touch, vectors carried to the present contact.
-  /// from: the first array of the block, from the lane on.
+  /// Fills the law's own part of `history` for pairs that touch.
+  /// `from`: first array of the block, from the lane on. `carried`: turns vectors to the present contact.
   template <class T, class Space, class Histories, class Carry>
   static void read(const double* from, const Mask<T>& touching, const Carry& carried, Histories& history) {
     each<T, Space>(history, [&]<class Field>(Field& field, std::size_t array, HistoryField::Kind kind) {
@@ -47,9 +47,10 @@ class OwnFields {
   }
 
  private:
-  // Returns the array of a field that is a number: the third one of a vector in the plane.
+  /// Returns the array of a number: the third one for a vector of the plane.
   static constexpr std::size_t number_in(HistoryField::Kind kind) { return kind == HistoryField::Kind::scalar ? 0 : 2; }
 
+  /// Calls use(field, first array, kind) for each field.
   template <class T, class Space, class Histories, class Use>
   static void each(Histories& history, const Use& use) {
     if constexpr (KeepsHistory<L>) {

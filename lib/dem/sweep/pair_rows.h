@@ -1,4 +1,4 @@
-// Collects the rows of the grains of pairs, one pair after the other, so that addresses stay in registers.
+// Collects the rows of the grains of pairs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,16 +20,18 @@ struct Side {
   const Grain& operator[](int k) const { return *reinterpret_cast<const Grain*>(grains + distance[k]); }
 };
 
-/// Difference of the second and the first grain in position and velocity.
+/// Data of pairs; differences are second grain minus first.
 template <class T, class Space>
 struct PairRows {
+  /// Difference of positions, m, and of velocities, m/s.
   Vector<T, Space> branch, velocity;
+  /// Spins, rad/s.
   Turn<T, Space> spin_1, spin_2;
   /// Radii, m.
   T radius_1, radius_2;
 };
 
-/// Reads pairs. For pairs across the cell's faces the offset shift(k), a row, is added to the branch.
+/// Reads pairs. If `folded`, adds the row shift(k) to the branch of pair k.
 template <class T, bool moving, class Shift>
 PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Spatial) {
   constexpr int quarter = 4;
@@ -48,7 +50,7 @@ PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, co
   return {{d.a, d.b, d.c}, {v.a, v.b, v.c}, {w1.a, w1.b, w1.c}, {w2.a, w2.b, w2.c}, w1.d, w2.d};
 }
 
-/// Reads pairs of disks, which have two rows each. Positions come first, so that roots begin while velocities are read.
+/// Reads pairs of disks. Positions come first: roots begin while velocities are read.
 template <class T, bool moving, class Shift>
 PairRows<T, Planar> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Planar) {
   constexpr int quarter = 4;

@@ -1,4 +1,4 @@
-// Searches pairs of near grains by a grid over the (possibly sheared) cell.
+// Searches pairs of near grains by a grid over the cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace soilweave::dem {
 
-/// Replaces `found` by all pairs with a gap below the skin (m), in the order of lists. Nodes of one fabric form no
-/// pairs. longest: upper bound on the branch of such a pair, m.
+/// Replaces `found` by all pairs with a gap below `skin`, m, sorted by PairOrder.
+/// Nodes of one fabric form no pairs. `longest`: upper bound on the branch of a pair, m.
 void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
                 std::vector<Pair>& found);
 

@@ -1,4 +1,4 @@
-// The pairs of grains and a plane that one register holds: their geometry, and the loads of their grains.
+// The pairs of grains and a plane that one register holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,12 +13,14 @@ namespace soilweave::dem {
 /// Sums of a step over pairs with planes, pair by pair.
 template <class T>
 struct PlaneSums {
+  /// Sums as for pairs of grains.
   StepSums<T> step;
-  /// Columns, N m.
+  /// Columns of the sum of f (x) l, N m.
   std::array<Lane4, 3> force_branch{};
-  /// Force of the grains on the planes, N; last component: twice its work in the step, J.
+  /// Force on the planes, N; last component: twice its work in the step, J.
   Lane4 force{};
 
+  /// Adds the forces of the pairs.
   void add(const V3<T>& force_on_plane, const T& twice_the_work, const V3<T>& branch) {
     double at[3][width<T>];
     store(at[0], branch.x), store(at[1], branch.y), store(at[2], branch.z);
@@ -28,6 +30,7 @@ struct PlaneSums {
       force += row;
     });
   }
+  /// Adds these sums to those of a sweep.
   void put_into(SweepSums& s) const {
     step.put_into(s);
     for (int a = 0; a < 3; ++a) s.force_branch.col(a) += vector_of(force_branch[static_cast<std::size_t>(a)]);
@@ -54,6 +57,7 @@ class PlaneLanes {
   /// The plane.
   const Plane& plane;
 
+  /// Returns the material of the grains, which the block shares.
   std::int32_t material_of_grains() const {
     return bodies_.material[static_cast<std::size_t>(ContactBlock::index(pairs.block->first[0]))];
   }
@@ -61,7 +65,8 @@ class PlaneLanes {
   /// Returns the geometry and motion of the pairs over a step dt.
   PairGeometry<T> geometry(double dt, double range) const {
     const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
-    const bool planar = bodies_.dimension == 2;  // in the plane the spin comes with the velocity
+    // In the plane the spin comes with the velocity.
+    const bool planar = bodies_.dimension == 2;
     const V3<T> velocity{v.a, v.b, planar ? T{} : v.c}, spin = planar ? V3<T>{T{}, T{}, v.c} : V3<T>{w.a, w.b, w.c};
     const V3<T> inward = in_lanes(plane.normal);
     const T height = dot(centres() - in_lanes(plane.point), inward);
@@ -70,9 +75,9 @@ class PlaneLanes {
     const Mask<T> listed = number < broadcast<T>(pairs.block->count);
     return plane_geometry(in_lanes(plane.velocity) - velocity, spin, places_.d, v.d, height, inward, listed, dt, range);
   }
-  /// Returns the foot of the perpendicular from a grain's centre, m.
+  /// Returns the foot of the perpendicular from each grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
-  /// Returns the history under law L, its vectors carried to the present contact; pairs that have parted have none.
+  /// Returns the history under law L, carried to the present contact; zero for parted pairs.
   template <class L, class Carry>
   HistoryOf<L, T> history(const Mask<T>& touching, const Carry& carried) const {
     HistoryOf<L, T> all{};
@@ -83,17 +88,20 @@ class PlaneLanes {
     return all;
   }
 
-  /// Writes loads, or data laid out like them, as the sweep lays them out, also in the plane.
+  /// Writes loads, or data laid out like them.
   void put(const V3<T>& force, const V3<T>& torque, LargeVector<Load>& loads) const {
     const bool planar = bodies_.dimension == 2;
     put_rows(force.x, force.y, planar ? torque.z : force.z, &Load::force, loads);
     if (!planar) put_rows(torque.x, torque.y, torque.z, &Load::torque, loads);
   }
 
+  /// Returns a vector repeated in every lane.
   static V3<T> in_lanes(const Vec3& v) { return {broadcast<T>(v.x()), broadcast<T>(v.y()), broadcast<T>(v.z())}; }
 
  private:
+  /// Returns the centres of the grains, m.
   V3<T> centres() const { return {places_.a, places_.b, places_.c}; }
+  /// Returns a row of the grains as columns.
   Columns<T> of_grains(Lane4 Grain::*row) const {
     const Side side = pairs.first_side(reinterpret_cast<const std::byte*>(bodies_.grains.data()));
     const auto of = [&](int k) -> const Lane4& { return side[k].*row; };

@@ -1,4 +1,4 @@
-// Sweep over pairs of grains and planes, a register of them at a time.
+// Sweep over pairs of grains and planes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ class PlaneSweep {
   explicit PlaneSweep(const MaterialPairs<Law>& material_pairs)
       : material_pairs_(material_pairs), moments_(material_pairs.use_moments()) {}
 
-  /// Updates the contacts over a step dt and sets their loads. Sets their stiffness too if affine_stiffness is given
-  /// (ContactSweep).
+  /// Updates the contacts over a step dt and sets their loads.
+  /// Sets their stiffness too if `affine_stiffness` is given (ContactSweep).
   SweepSums run(const Scene& scene, double dt, Contacts& contacts, Lane4* affine_stiffness) {
     over(scene, contacts, sums_, [&](const PlaneLanes<T>& lanes, PlaneSums<T>& sums) {
       act(lanes, dt, scene.bodies.loads, sums);
@@ -53,7 +53,7 @@ class PlaneSweep {
   }
 
  private:
-  // Number of blocks that one thread takes at a time.
+  /// Number of blocks that one thread takes at a time.
   static constexpr std::size_t blocks_per_chunk = 64;
 
   using Own = OwnFields<Law>;
@@ -89,7 +89,8 @@ class PlaneSweep {
     HistoryOf<Law, T> history = before;
     ContactEnergies<T> energies;
     const Response<T> response = Law::respond(mixed(lanes), k, broadcast<T>(dt), history, energies);
-    if (dt == 0) history = before;  // as in the sweep over grains
+    // The first sweep leaves the history as it is (ContactSweep).
+    if (dt == 0) history = before;
     lanes.pairs.remember_shear(history.shear);
     lanes.pairs.template remember_moments<Spatial>(history);
     Own::template write<T, Spatial>(history, lanes.own);
@@ -101,7 +102,7 @@ class PlaneSweep {
     add_to(sums.step.work, work_of<T, Spatial>(g, before, history, moments_, energies));
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
-    // Adds the part of f (x) l that is not F (x) x: f at the foot of the perpendicular.
+    // The part of f (x) l beside F (x) x is f at the foot of the perpendicular.
     const V3<T> moved = T(broadcast<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
     sums.add(act.force, masked(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
   }
@@ -125,7 +126,7 @@ class PlaneSweep {
     return {r, energies};
   }
 
-  // Returns a history without forces: only the law's own fields.
+  /// Returns a history of the law's own fields alone.
   static HistoryOf<Law, T> without_forces(const PlaneLanes<T>& lanes, const PairGeometry<T>& g) {
     HistoryOf<Law, T> history{};
     Own::template read<T, Spatial>(lanes.own, g.touching, std::identity(), history);

@@ -1,4 +1,4 @@
-// Sums over contacts whose bits do not depend on how many contacts a register holds.
+// Sums over contacts, to equal bits for any width of the register.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ void add_to(Lane4& row, const T& a, const T& b, const T& c, const T& d) {
     row = row + Lane4{a, b, c, d};
 }
 
-/// Adds the components of a vector of every contact.
+/// Adds a vector of every contact to a row.
 template <class T>
 void add_to(Lane4& row, const V3<T>& v) {
   add_to(row, v.x, v.y, v.z, T{});

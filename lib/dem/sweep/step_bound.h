@@ -7,26 +7,27 @@
 
 namespace soilweave::dem {
 
-/// Least radius (m), mass (kg) and moment of inertia (kg m2, without nodes) of any body, each on its own.
+/// Least values over all bodies, each on its own.
 struct Smallest {
+  /// Radius, m; mass, kg; moment of inertia without nodes, kg m2.
   double radius, mass, inertia;
   explicit Smallest(const Bodies& bodies)
       : radius(bodies.smallest_radius()), mass(bodies.smallest_mass()), inertia(bodies.smallest_inertia()) {}
 };
 
-/// Overlap over radius of the contact that bounds the step while no stiffer one exists.
+/// Relative overlap of the contact that bounds the step while no stiffer one exists.
 inline constexpr double reference_overlap = 1e-4;
 
-/// Time steps, s, that remain stable when new contacts form; infinite if a model has no such stiffness.
+/// Time steps, s, that stay stable when contacts form; infinite without stiffness.
 struct StepBound {
-  /// Translation: sqrt(2 m/(4 k_n)) at the reference overlap. The four allows for several contacts at once, and for a
-  /// stiffness that grows before it is evaluated again.
+  /// Translation: sqrt(2 m/(4 k_n)) at the reference overlap.
+  /// The four allows for several contacts at once, and for growing stiffness.
   double translation;
-  /// Rolling and twisting: sqrt(2 I/k_r), the limit of two equal grains that rotate against each other.
+  /// Rolling and twisting: sqrt(2 I/k_r), for equal grains that rotate against each other.
   double rotation;
 };
 
-/// Returns the bound from the least radius, mass and inertia, and from the stiffest contact of any materials.
+/// Returns the bound from the smallest values and the stiffest contact of any materials.
 StepBound bound_to_come(const ContactSweep& sweep, const Bodies& bodies, const Smallest& smallest);
 
 }  // namespace soilweave::dem

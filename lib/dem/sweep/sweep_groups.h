@@ -1,4 +1,4 @@
-// Data between the stages of a sweep, and the addition of forces to the grains.
+// Data between the stages of a sweep, and sums of forces on grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,8 @@ namespace soilweave::dem {
 /// Sums of a step over the contacts of a chunk.
 template <class Lanes>
 struct StepSums {
-  Lane4 work{};  // contact_work.h
+  /// Work and dissipation (contact_work.h), J.
+  Lane4 work{};
   /// Largest overlap, per lane.
   Lanes overlap{};
   /// Affine stiffness, if requested, N m.
@@ -40,12 +41,15 @@ struct Surroundings {
   const Bodies& bodies;
   /// Vectors of Contacts::images, m.
   const std::vector<Lane4>& shifts;
+  /// Motion of the deforming cell.
   AffineMotion affine;
   /// Time step, s.
   double dt;
   /// Whether all pairs and grains stay in the cache from step to step.
   bool in_cache;
+  /// Loads of the grains.
   double* loads;
+  /// Stiffness, laid out like the loads.
   double* stiffness;
   /// Forces of this chunk, summed by image.
   double* across;
@@ -75,7 +79,7 @@ struct Group {
   PairGeometry<Lanes, Space> geometry;
   Work<Lanes> work;
 };
-/// Number of pairs in a batch, which fits the first cache.
+/// Number of groups in a batch, which fits the first cache.
 inline constexpr std::size_t batch_size = 8;
 template <class Lanes, class Space>
 using Batch = std::span<Group<Lanes, Space>>;
@@ -114,7 +118,7 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   });
   add_across(f, lanes, s);
 }
-/// In the plane the torque is the third component of the force.
+/// Adds them for disks, whose torque is the third component of the force.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   double* const loads = s.loads;
