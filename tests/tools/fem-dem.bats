@@ -53,7 +53,8 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
     same_bytes run.h5 stopped.h5
     rm stopped.h5
   done
-  timeout -s KILL 0.3 fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --checkpoint-every 0.02 -o killed.h5 || true
+  # --foreground: without it timeout is killed too, and the lock may outlast it.
+  timeout --foreground -s KILL 0.3 fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --checkpoint-every 0.02 -o killed.h5 || true
   [[ -e killed.h5 ]] || fem-dem --quiet grains.toml disks.h5 "${SHORT[@]}" --resume -o killed.h5
   same_bytes run.h5 killed.h5
 }

@@ -42,7 +42,7 @@ setup() {
   local wait status
   for wait in 0.4 0.7; do
     status=0
-    timeout -s KILL $wait filter-expand --quiet --resume --checkpoint-every 0.1 bag.h5 around.toml "${around[@]}" \
+    timeout --foreground -s KILL $wait filter-expand --quiet --resume --checkpoint-every 0.1 bag.h5 around.toml "${around[@]}" \
       -o again.h5 2> again || status=$?
     [[ $status -eq 137 || $status -eq 1 ]]
   done
