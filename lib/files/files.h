@@ -93,8 +93,8 @@ void write_fields(const std::filesystem::path& path, const FieldsFile& fields, c
 /// Writes an ensemble, assimilated or not.
 void write_ensemble(const std::filesystem::path& path, const EnsembleFile& ensemble, const History& history);
 
-/// Reads tables. All readers throw DataError for a wrong kind, a newer major version or damaged data; MissingInput,
-/// IoError. `role` names the input in provenance.
+/// Reads tables. All readers throw DataError for a wrong kind, a newer major version, a truncated file, NaN or unequal
+/// lengths; MissingInput, IoError. `role` names the input in provenance.
 FieldsFile read_fields(const std::filesystem::path& path, std::string role = "fields");
 /// Reads a two-scale run.
 MultiscaleFile read_multiscale(const std::filesystem::path& path, std::string role = "run");

@@ -12,8 +12,9 @@ namespace soilweave::io {
 /// IoError.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Writes a temporary file in the same folder, syncs and renames it. After a failure the old file is as it was.
-/// Permissions stay. A link's target is replaced; devices and pipes are written in place. Throws CannotCreate, IoError.
+/// Writes a temporary file in the same folder, syncs and renames it, and syncs the folder. After a failure the old file
+/// is as it was. Permissions stay. A link's target is replaced; devices and pipes are written in place. Throws
+/// CannotCreate, IoError.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
 /// Writes a file into a folder that the program made. Replaces whatever has the name, even a link.

@@ -1,6 +1,6 @@
 // Hertz-Mindlin law for elastic spheres, with Coulomb's limit, rolling and twisting resistance (LAWS.md §2).
 // The shear force is not rescaled when the overlap falls, so cycles can create energy (Elata & Berryman 1996).
-// The energy balance has a term for it (energies/law.h).
+// The energy balance has a term for it (energies/law.h), which tests/property/laws_test.cpp measures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
