@@ -307,13 +307,16 @@ class Study:
         at_full_size, of_these, of_all = self._tally(coarse)
         sentences = [", ".join(parts)] if parts else []
         sentences.append(", ".join(at_full_size) + " at full size" if at_full_size else "No full-size run is kept")
-        of_run = f"{sum(len(rows) for _, rows in coarse)} values of this {self.profile} run are" if parts else f"This {self.profile} run is"
+        unjudged = sum(len(rows) for _, rows in coarse)
+        counted = f"One value of this {self.profile} run is" if unjudged == 1 else f"{unjudged} values of this {self.profile} run are"
+        of_run = counted if parts else f"This {self.profile} run is"
         sentences.append(f"{of_run} not judged")
         checks = compare(self.checks, self.measures)
         failed = [v.statement.description for v in checks if not v.met]
-        if checks:
-            sentences.append(f"The run fails checks of the tools: {', '.join(failed)}" if failed else
-                             f"The run passes all {len(checks)} checks of the tools")
+        if failed:
+            sentences.append(f"The run fails checks of the tools: {', '.join(failed)}")
+        elif checks:
+            sentences.append(f"The run passes {f'all {len(checks)} checks' if len(checks) > 1 else 'the check'} of the tools")
         return Score(". ".join(sentences) + ".", met + of_these, total + of_all)
 
     def _tally(self, groups):

@@ -257,7 +257,7 @@ def test_a_quick_run_is_shown_beside_the_kept_one_and_not_judged(tmp_path, capsy
     study.figure("stress", drawing(), "Stress rises.", measures=["peak"])
     study.write()
     assert capsys.readouterr().out == ("example: 1 of 1 published values within tolerance at full size. This quick run is not judged. "
-                                       f"The run passes all 1 checks of the tools. ({tmp_path}/page.html)\n")
+                                       f"The run passes the check of the tools. ({tmp_path}/page.html)\n")
     page = (tmp_path / "page.html").read_text()
     assert "At full size 2.3\u00a0kPa, in this run 9.00\u00a0kPa." in page
     assert "2.3 kPa</b> at full size" in page and "quick run: 9 kPa" in page and 'class="unmet"' not in page
@@ -274,7 +274,7 @@ def test_statements_that_need_full_size_are_judged_by_the_kept_run_beside_those_
     study.expect(tmp_path / "grains.tsv", "Of grains", table="grains", judged=False)
     study.measure("load", 9, "kPa")
     study.write()
-    assert "1 of 1 published values within tolerance. No full-size run is kept. 1 values of this quick run are not judged." in capsys.readouterr().out
+    assert "1 of 1 published values within tolerance. No full-size run is kept. One value of this quick run is not judged." in capsys.readouterr().out
     assert (tmp_path / "grains.tsv").read_text().splitlines()[1].split("\t")[6] == "not judged"
     assert (tmp_path / "comparison.tsv").read_text().splitlines()[1].split("\t")[6] == "met"
     page = (tmp_path / "page.html").read_text()
