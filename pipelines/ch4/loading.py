@@ -29,11 +29,18 @@ def steps(runs):
         f"{name}\t{run.table('step', '1')[-1]:.0f}\t{run.table('steps_waiting', '1')[-1]:.0f}" for name, run in runs.items())]
 
 
+def told(what, words):
+    """Returns the lines of a table of `words`, NAME=PATH each. Throws StudyError for another table and for missing runs."""
+    tables = {"stresses": stresses, "steps": steps}
+    paths = {name: path for name, equals, path in (word.partition("=") for word in words) if equals}
+    if what not in tables or len(paths) != len(words) or not {"study", "slow"} <= paths.keys():
+        raise StudyError("give stresses or steps, then NAME=series.tsv for each run, study and slow among them")
+    return tables[what]({name: Soil(Table.read(path)) for name, path in paths.items()})
+
+
 if __name__ == "__main__":
     try:
-        tell = {"stresses": stresses, "steps": steps}[sys.argv[1]]
-        given = (word.partition("=") for word in sys.argv[2:])
-        print("\n".join(tell({name: Soil(Table.read(path)) for name, _, path in given})))
+        print("\n".join(told(sys.argv[1] if len(sys.argv) > 1 else "", sys.argv[2:])))
     except StudyError as error_:
         print(f"ch4.loading: {error_}", file=sys.stderr)
         sys.exit(65)
