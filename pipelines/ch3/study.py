@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Chapter 3: the soilbag, made from copies of a representative volume, compressed and sheared (thesis Figs. 3.2 to 3.18)."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import tomllib
+
 from ch3 import compression, drawing, making, pictures, shear
 from ch3.bag import HERE, Runs
 from study import Cells, Study, main
@@ -8,7 +10,14 @@ from study import Cells, Study, main
 MEASURES = (making.measure, compression.measure, compression.measure_breaks, shear.measure)
 # OF_ALL: figures of this run and of the kept full-size runs. OF_RUNS: figures of this run alone.
 OF_ALL = (drawing.draw_compressed, drawing.draw_sheared, drawing.draw_shape, drawing.draw_growth)
+# J, kinetic energy at rest (thesis §3.3.1)
+THESIS_ENERGY = 1e-5
 OF_RUNS = (drawing.draw_strip_and_box, pictures.draw_breaks, pictures.draw_bag)
+
+
+def given(name):
+    """Returns the scenario or plan of this name."""
+    return tomllib.loads((HERE / name).read_text(encoding="utf-8"))
 
 
 def span(*descriptions, digits=0, bags=("bulging_seed_1", "bulging_seed_2", "bulging_seed_3")):
@@ -27,7 +36,8 @@ def build(arguments):
     for measure in MEASURES:
         measure(study, runs)
     if not arguments.kept:
-        study.tell(grains=f"{runs.table('bag_histogram')['grains'].sum():.0f}", span=span, spread=making.spread_table(runs))
+        study.tell(grains=f"{runs.table('bag_histogram')['grains'].sum():.0f}", span=span, spread=making.spread_table(runs),
+                   loading=given("uc.toml"), thesis_energy=THESIS_ENERGY)
         study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
     for draw in OF_ALL if arguments.kept else OF_ALL + OF_RUNS:
         draw(study, runs, None if full else Runs.kept())

@@ -1,7 +1,8 @@
 # The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
-# one packing differs from the next by. All are compressed at 2 %/s with a given drag, the bag itself too: slowly enough for inertia to be
-# no part of it, and so that a variant may load it otherwise. Kept in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows, variant by variant, as they end; of full size, which is not
-# soon repeated, with how each came to be. Beside it, in rates_*_PROFILE.tsv, how fast and slow plates compare.
+# one packing differs from the next by. All are compressed at 2 %/s with a given drag and the thesis's limit of the kinetic energy at rest,
+# the bag itself too: slowly enough for inertia to be no part of it, and so that a variant may load it otherwise. The results are kept, variant
+# by variant as they end, in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows. Full-size variants, which are not soon repeated,
+# are kept with their histories. The tables rates_*_PROFILE.tsv beside it compare fast and slow plates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
