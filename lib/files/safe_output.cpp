@@ -53,6 +53,7 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
     note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;
   }
+  const bool begun = fs::exists(part_of(output));
   part_.emplace(output, history, entry_of(invocation));
   if (!invocation.resume) return;
   note_ = invocation.tool + ": ";
@@ -60,7 +61,8 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
     note_ += "going on from " + part_->last().string();
   else
     note_ += part_of(output).string() + (part_->replaced() ? " held another run, which --force gives up; beginning anew"
-                                                           : " holds nothing to go on from; beginning anew");
+                                         : begun           ? " holds nothing to go on from; beginning anew"
+                                                           : " does not exist; beginning anew");
 }
 
 bool SafeOutput::finished(Progress& progress) const {

@@ -208,8 +208,12 @@ command with --resume goes on from there" said || show "$(< said)"
 
 @test "--resume without anything to go on from begins; of a finished run it does nothing" {
   exits 0 run-dem packing.h5 short.toml --resume -o out.h5
-  [[ $stderr == *"run-dem: out.h5.part holds nothing to go on from; beginning anew"* ]] || show "wanted a note"
+  [[ $stderr == *"run-dem: out.h5.part does not exist; beginning anew"* ]] || show "wanted a note"
   same_bytes run.h5 out.h5
+  mkdir empty.h5.part
+  exits 0 run-dem packing.h5 short.toml --resume -o empty.h5
+  [[ $stderr == *"run-dem: empty.h5.part holds nothing to go on from; beginning anew"* ]] || show "wanted a note"
+  same_bytes run.h5 empty.h5
   exits 0 run-dem packing.h5 short.toml --resume -o out.h5
   [[ $stderr == "run-dem: out.h5 is finished already" ]] || show "wanted a note"
   mkdir out.h5.part # left by a crash at the very end
