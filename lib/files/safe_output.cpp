@@ -53,7 +53,9 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
     note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;
   }
-  const bool begun = fs::exists(part_of(output));
+  // Part itself explains a folder that cannot be reached.
+  std::error_code ignored;
+  const bool begun = fs::exists(part_of(output), ignored);
   part_.emplace(output, history, entry_of(invocation));
   if (!invocation.resume) return;
   note_ = invocation.tool + ": ";
