@@ -22,8 +22,8 @@ namespace {
 
 using Key = std::tuple<std::int32_t, std::int32_t, CellOffset>;
 
-// Returns all pairs with a gap below the skin, by testing every image.
-std::set<Key> near_by(const Bodies& bodies, const Cell& cell, double skin) {
+// Returns all pairs that are nearer than the sum of their reaches, by testing every image.
+std::set<Key> near_by(const Bodies& bodies, const Cell& cell, const std::vector<double>& reaches) {
   const auto reach = [&](int axis) { return cell.periodic(axis) ? 3 : 0; };
   std::vector<std::pair<Vec3, CellOffset>> images;
   for (int x = -reach(0); x <= reach(0); ++x)
@@ -34,12 +34,19 @@ std::set<Key> near_by(const Bodies& bodies, const Cell& cell, double skin) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const Vec3 back = vector_of(bodies.grains[i].position) - vector_of(bodies.grains[j].position);
-      const double touching = bodies.radius(i) + bodies.radius(j) + skin;
+      const double touching = reaches[i] + reaches[j];
       for (const auto& [shift, offset] : images)
         if (testing::squared_distance(shift, back) < touching * touching)
           found.emplace(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), offset);
     }
   return found;
+}
+
+// Returns all pairs with a gap below the skin.
+std::set<Key> near_by(const Bodies& bodies, const Cell& cell, double skin) {
+  std::vector<double> reaches(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) reaches[i] = bodies.radius(i) + 0.5 * skin;
+  return near_by(bodies, cell, reaches);
 }
 
 std::set<Key> listed(const Contacts& contacts) {
@@ -117,14 +124,17 @@ TEST_P(NeighboursIn, AreAllThatTheSearchFinds) {
   Flight flight(GetParam());
   for (int k = 0; k < 3; ++k) {
     for (int step = 0; step < 300; ++step) flight.step(1e-3);  // cells away from their start
-    const double skin = 0.3 * flight.bodies.largest_radius();
+    const double largest = flight.bodies.largest_radius();
+    std::vector<double> reaches(flight.bodies.size());
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+      reaches[i] = flight.bodies.radius(i) + 0.1 * static_cast<double>(i % 4) * largest;
     std::vector<Pair> pairs;
-    find_pairs(flight.bodies, flight.cell, skin, 2 * flight.bodies.largest_radius() + skin, 1 + k, pairs);
+    find_pairs(flight.bodies, flight.cell, reaches, 2.6 * largest, 1 + k, pairs);
     EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(), before));
     std::set<Key> found;
     for (const Pair& p : pairs) found.emplace(p.first, p.second, p.image);
     EXPECT_EQ(found.size(), pairs.size());
-    const auto near = near_by(flight.bodies, flight.cell, skin);
+    const auto near = near_by(flight.bodies, flight.cell, reaches);
     EXPECT_GT(near.size(), 30u);
     EXPECT_TRUE(std::includes(found.begin(), found.end(), near.begin(), near.end()));
   }

@@ -19,6 +19,8 @@ constexpr double relative_rest = 0.001;
 // Steps that a list is to last. A longer horizon lists so many pairs that do not touch that they cost as much as
 // contacts; a shorter one makes lists as expensive as sweeps. In the plane a skin holds fewer pairs.
 constexpr double horizon_of_spheres = 24, horizon_of_disks = 56;
+// Steps that a search is to last. Only grains that are thrown go so far that they need a wider skin for it.
+constexpr double horizon_of_search = 400;
 // Used share of a skin above which measuring the grains' motion again is not worth it.
 constexpr double nearly_all = 0.8;
 
@@ -89,27 +91,46 @@ bool Neighbours::outlast(double gain, const Mat3& velocity_gradient, double dt) 
 }
 
 void Neighbours::set_leeways(const Bodies& bodies) {
-  const double at_rest = relative_rest * radius_, most = 0.25 * outer_skin_;
+  const double at_rest = relative_rest * radius_;
   const double time = (bodies.dimension == 2 ? horizon_of_disks : horizon_of_spheres) * pace_.dt;
   leeway_.resize(bodies.size());
   over_grains(bodies, threads_, [&](std::size_t i) { leeway_[i] = speed(bodies, i); });
   const double mean = std::accumulate(leeway_.begin(), leeway_.end(), 0.0) / static_cast<double>(bodies.size());
-  over_grains(bodies, threads_,
-              [&](std::size_t i) { leeway_[i] = std::min(at_rest + time * (leeway_[i] + mean), most); });
+  over_grains(bodies, threads_, [&](std::size_t i) {
+    leeway_[i] = std::min(at_rest + time * (leeway_[i] + mean), 0.5 * outer_leeway_[i]);
+  });
   const double rate = pace_.velocity_gradient.norm();
-  cell_leeway_ = std::min(at_rest + time * rate * longest(), most);
+  cell_leeway_ = std::min(at_rest + time * rate * longest(), 0.25 * outer_skin_);
   if (!planes_) return;
   extent_ = longest() + largest_over_grains(bodies, threads_,
                                             [&](std::size_t i) { return vector_of(bodies.grains[i].position).norm(); });
   plane_leeway_ = at_rest + time * (pace_.plane + rate * extent_);
 }
 
+void Neighbours::set_outer_leeways(const Bodies& bodies) {
+  const double time = horizon_of_search * pace_.dt, least = 0.5 * outer_skin_;
+  outer_leeway_.resize(bodies.size());
+  over_grains(bodies, threads_, [&](std::size_t i) {
+    // Small grains, which have room for it, get it without longer branches.
+    outer_leeway_[i] = std::clamp(time * speed(bodies, i), least, least + std::max(0.0, radius_ - bodies.radius(i)));
+  });
+}
+
+void Neighbours::search(const Bodies& bodies, const Cell& cell) {
+  set_outer_leeways(bodies);
+  std::vector<double> reach(bodies.size());
+  over_grains(bodies, threads_, [&](std::size_t i) { reach[i] = bodies.radius(i) + outer_leeway_[i] + 0.5 * range_; });
+  find_pairs(bodies, cell, reach, longest(), threads_, outer_);
+  give_back_spare(outer_);
+  searched_.begin(bodies, threads_);
+}
+
 bool Neighbours::fit_outer_list(const Bodies& bodies) {
-  if (searched_.position.empty()) return false;
-  // Pairs outside the outer list were farther apart than its skin when it was searched.
-  const double each = 0.5 * (outer_skin_ - searched_.strain() * longest() - cell_leeway_);
+  // Pairs outside the outer list were farther apart than both skins when it was searched.
+  const double by_cell = 0.5 * (searched_.strain() * longest() + cell_leeway_);
   const double lack = largest_over_grains(bodies, threads_, [&](std::size_t i) {
-    const double left = each - std::sqrt(searched_.moved2(bodies, i)), wanted = 0.5 * leeway_[i];
+    const double left = outer_leeway_[i] - by_cell - std::sqrt(searched_.moved2(bodies, i));
+    const double wanted = 0.5 * leeway_[i];
     leeway_[i] = std::min(leeway_[i], left);
     return wanted - left;
   });
@@ -169,11 +190,11 @@ std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Plane
 
 void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
   planes_ = !planes.all.empty(), threads_ = contacts.threads;
+  const bool first = searched_.position.empty();
+  if (first) search(bodies, cell);
   set_leeways(bodies);
-  if (!fit_outer_list(bodies)) {
-    find_pairs(bodies, cell, outer_skin_ + range_, longest(), threads_, outer_);
-    give_back_spare(outer_);
-    searched_.begin(bodies, threads_);
+  if (!first && !fit_outer_list(bodies)) {
+    search(bodies, cell);
     set_leeways(bodies);
   }
   filter(bodies, cell);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Testing all pairs of N grains would cost N^2. So pairs are listed, and the list is used until it may be incomplete.
-// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it.
+// An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it. A small grain
+// that is thrown, as where a bag has torn, gets a wider skin in the outer list too, so that it causes no search by
+// itself.
 //
 // Each grain has a skin distance, its leeway: how far it may move relative to the cell before pairs are listed anew.
 // A pair is listed if it may close within both skins and that of the cell. In a sheared packing few grains are fast,
@@ -59,6 +61,10 @@ class Neighbours {
 
   /// Sets the skin distance of each grain from its speed.
   void set_leeways(const Bodies& bodies);
+  /// Sets the skin distance of each grain in the outer list from its speed.
+  void set_outer_leeways(const Bodies& bodies);
+  /// Makes the outer list.
+  void search(const Bodies& bodies, const Cell& cell);
   /// Fits the skins into the outer list. Returns false if a new search is needed.
   bool fit_outer_list(const Bodies& bodies);
   /// Makes the swept list from the outer one.
@@ -76,8 +82,8 @@ class Neighbours {
   double radius_, outer_skin_, range_;
   /// The last counted step.
   Pace pace_;
-  /// Skin distance of each grain, m.
-  std::vector<double> leeway_;
+  /// Skin distance of each grain, m, and that in the outer list.
+  std::vector<double> leeway_, outer_leeway_;
   /// Least skin of all grains, and closing of a pair by the cell, m.
   double least_leeway_ = 0, cell_leeway_ = 0;
   /// Skin for the motion of planes, and of grains with the cell, m.

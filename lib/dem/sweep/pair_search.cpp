@@ -17,7 +17,8 @@ namespace {
 // Grid whose bins are at least one interaction length wide along every axis.
 class Grid {
  public:
-  Grid(const Bodies& bodies, const Cell& cell, double length, int threads) : bodies_(bodies), cell_(cell) {
+  Grid(const Bodies& bodies, const Cell& cell, const std::vector<double>& reach, double length, int threads)
+      : bodies_(bodies), cell_(cell), reach_(reach) {
     frame(length);
     const std::size_t grains = bodies.size();
     bin_of_.resize(grains), wrap_.resize(grains), members_.resize(grains);
@@ -25,18 +26,18 @@ class Grid {
     in_parallel(grains, threads, [&](std::size_t i) { place(i); });
     for (std::size_t i = 0; i < grains; ++i) ++start_[bin_of_[i] + 1];
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
-    for (auto* column : {&x_, &y_, &z_, &radius_}) column->resize(grains + width<Lane4>);
+    for (auto* column : {&x_, &y_, &z_, &reaches_}) column->resize(grains + width<Lane4>);
     std::vector<std::uint32_t> next = start_;
     for (std::size_t i = 0; i < grains; ++i) {
       const std::uint32_t m = next[bin_of_[i]]++;
       const Vec3 x = within(i);
       members_[m] = static_cast<std::int32_t>(i);
-      x_[m] = x[0], y_[m] = x[1], z_[m] = x[2], radius_[m] = bodies.radius(i);
+      x_[m] = x[0], y_[m] = x[1], z_[m] = x[2], reaches_[m] = reach[i];
     }
   }
 
-  // Adds the pairs of i with grains j > i whose gap is below the skin, sorted.
-  void near(std::size_t i, double skin, std::vector<Pair>& found) const {
+  // Adds the near pairs of i with grains j > i, sorted.
+  void near(std::size_t i, std::vector<Pair>& found) const {
     const auto begin = static_cast<std::ptrdiff_t>(found.size());
     const Vec3i home = coordinates(static_cast<int>(bin_of_[i]));
     const int reach_z = bodies_.dimension == 3 ? 1 : 0;
@@ -44,27 +45,27 @@ class Grid {
       for (int dy = -1; dy <= 1; ++dy) {
         // Bins are contiguous along x, except at the end of the cell.
         const int from = std::max(home[0] - 1, 0), to = std::min(home[0] + 1, bins_[0] - 1);
-        near(i, {from, home[1] + dy, home[2] + dz}, to - from, skin, found);
-        if (home[0] == 0) near(i, {-1, home[1] + dy, home[2] + dz}, 0, skin, found);
-        if (home[0] == bins_[0] - 1) near(i, {bins_[0], home[1] + dy, home[2] + dz}, 0, skin, found);
+        near(i, {from, home[1] + dy, home[2] + dz}, to - from, found);
+        if (home[0] == 0) near(i, {-1, home[1] + dy, home[2] + dz}, 0, found);
+        if (home[0] == bins_[0] - 1) near(i, {bins_[0], home[1] + dy, home[2] + dz}, 0, found);
       }
     std::sort(found.begin() + begin, found.end(), before);
   }
 
  private:
   // Adds the pairs in a bin and in `more` bins after it.
-  void near(std::size_t i, Vec3i bin, int more, double skin, std::vector<Pair>& found) const {
+  void near(std::size_t i, Vec3i bin, int more, std::vector<Pair>& found) const {
     Vec3i turn = Vec3i::Zero();
     if (!fold(bin, turn)) return;
     const CellOffset offset = cell_offset(turn);
     const Vec3 from = within(i) - shift_of(offset, cell_.matrix());
     const Lane4 x = broadcast<Lane4>(from[0]), y = broadcast<Lane4>(from[1]), z = broadcast<Lane4>(from[2]);
-    const Lane4 grown = broadcast<Lane4>(bodies_.radius(i) + skin);
+    const Lane4 own = broadcast<Lane4>(reach_[i]);
     const std::size_t first = index(bin);
     const std::uint32_t end = start_[first + static_cast<std::size_t>(more) + 1];
     for (std::uint32_t m = start_[first]; m < end; m += width<Lane4>) {
       const V3<Lane4> d{load<Lane4>(&x_[m]) - x, load<Lane4>(&y_[m]) - y, load<Lane4>(&z_[m]) - z};
-      const Lane4 reach = load<Lane4>(&radius_[m]) + grown;
+      const Lane4 reach = load<Lane4>(&reaches_[m]) + own;
       for (unsigned near = bits(Mask<Lane4>(norm2(d) < reach * reach)); near != 0; near &= near - 1) {
         const std::uint32_t at = m + static_cast<std::uint32_t>(std::countr_zero(near));
         if (at >= end) break;
@@ -130,20 +131,21 @@ class Grid {
 
   const Bodies& bodies_;
   const Cell& cell_;
+  const std::vector<double>& reach_;
   Mat3 inverse_;
   Vec3 low_, span_;
   Vec3i bins_;
   std::vector<std::uint32_t> bin_of_, start_;
-  std::vector<std::int32_t> members_;       // bin by bin
-  std::vector<double> x_, y_, z_, radius_;  // positions and radii of the members, m
-  std::vector<CellOffset> wrap_;            // between a grain's unwrapped position and its bin
+  std::vector<std::int32_t> members_;        // bin by bin
+  std::vector<double> x_, y_, z_, reaches_;  // positions and reaches of the members, m
+  std::vector<CellOffset> wrap_;             // between a grain's unwrapped position and its bin
 };
 
 }  // namespace
 
-void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
+void find_pairs(const Bodies& bodies, const Cell& cell, const std::vector<double>& reach, double longest, int threads,
                 std::vector<Pair>& found) {
-  const Grid grid(bodies, cell, longest, threads);
+  const Grid grid(bodies, cell, reach, longest, threads);
   // Each thread searches a contiguous range of grains. The first thread's list finally takes the others.
   std::vector<std::vector<Pair>> others(static_cast<std::size_t>(threads) - 1);
   const std::size_t shares = others.size() + 1;
@@ -151,7 +153,7 @@ void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double long
     std::vector<Pair>& mine = share == 0 ? found : others[share - 1];
     mine.clear();
     const std::size_t end = (share + 1) * bodies.size() / shares;
-    for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, skin, mine);
+    for (std::size_t i = share * bodies.size() / shares; i < end; ++i) grid.near(i, mine);
   });
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
   const PairOrder order(bodies);

@@ -10,9 +10,10 @@
 
 namespace soilweave::dem {
 
-/// Replaces `found` by all pairs with a gap below `skin`, m, sorted by PairOrder.
-/// Nodes of one fabric form no pairs. `longest`: upper bound on the branch of a pair, m.
-void find_pairs(const Bodies& bodies, const Cell& cell, double skin, double longest, int threads,
+/// Replaces `found` by all pairs that are nearer than the sum of their reaches, sorted by PairOrder.
+/// `reach`: radius and skin of each body, m. `longest`: upper bound on such a sum, m. Nodes of one fabric form no
+/// pairs.
+void find_pairs(const Bodies& bodies, const Cell& cell, const std::vector<double>& reach, double longest, int threads,
                 std::vector<Pair>& found);
 
 }  // namespace soilweave::dem
