@@ -12,6 +12,7 @@
 #include <CGAL/Regular_triangulation_cell_base_3.h>
 #include <CGAL/Regular_triangulation_vertex_base_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <fmt/format.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -121,7 +123,10 @@ void from_first_corner(std::vector<Vec3>& polygon) {
 std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std::vector<bool>* unbounded = nullptr) {
   using Base = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel, Base>;
-  using Structure = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
+  // Some six edges share a tetrahedron, so that it keeps its dual.
+  using Dual = std::optional<Vec3>;
+  using Cell = CGAL::Triangulation_cell_base_with_info_3<Dual, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
+  using Structure = CGAL::Triangulation_data_structure_3<Vertex, Cell>;
   using Triangulation = CGAL::Regular_triangulation_3<Kernel, Structure>;
   std::vector<std::pair<Triangulation::Weighted_point, std::size_t>> points;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -143,10 +148,11 @@ std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std:
     auto around = first;
     bool open = false;
     do {
+      Dual& kept = around->info();
       if (t.is_infinite(around))
         open = true;
       else
-        polygon.push_back(dual(t, around));
+        polygon.push_back(kept ? *kept : kept.emplace(dual(t, around)));
     } while (++around != first);
     if (open) {  // in a periodic cell only at the hull of the margin; the check of the sum would show it
       if (unbounded) (*unbounded)[one.grain] = (*unbounded)[other.grain] = true;
