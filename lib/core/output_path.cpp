@@ -76,9 +76,13 @@ void demand_place(const fs::path& path) {
   struct stat status = {};
   if (::lstat(file.c_str(), &status) != 0 && errno == ENAMETOOLONG)
     refuse(path, link + "cannot be created: the name is too long; shorten it");
-  std::error_code failure;
-  if (!fs::is_directory(folder, failure))
-    refuse(path, fmt::format("{}cannot be created: {} is not a directory; make it first", link, folder.string()));
+  const auto no_folder = [&](const std::string& why) {
+    refuse(path, fmt::format("{}cannot be created: {} {}", link, folder.string(), why));
+  };
+  if (::stat(folder.c_str(), &status) != 0)
+    no_folder(errno == ENOENT ? "is not a directory; make it first"
+                              : fmt::format("cannot be reached: {}; name another folder", std::strerror(errno)));
+  if (!S_ISDIR(status.st_mode)) no_folder("is a file, not a directory; name another folder");
   if (::access(folder.c_str(), W_OK) != 0)
     refuse(path, fmt::format("{}cannot be created: {}: {}", link, folder.string(), std::strerror(errno)));
   if (::geteuid() != 0 && of_another_user(file))

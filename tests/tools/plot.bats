@@ -59,6 +59,7 @@ setup() {
   complains 65 plot "series.tsv: is no posterior; give the file that pf-weight assimilate writes with -o" posterior series.tsv -o a.svg
   complains 65 plot "packing.h5: holds no densities; pf-weight assimilate writes them with -o" posterior packing.h5 -o a.svg
   complains 73 plot "none/a.svg: cannot be created: none is not a directory; make it first" stress-path run.h5 -o none/a.svg
+  complains 73 plot "run.h5/a.svg: cannot be created: run.h5 is a file, not a directory; name another folder" stress-path run.h5 -o run.h5/a.svg
   [[ ! -e a.svg ]] || show "something was written"
   echo mine > a.svg
   complains 73 plot "a.svg: exists; give --force to overwrite it" stress-path run.h5 -o a.svg

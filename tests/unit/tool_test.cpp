@@ -191,6 +191,14 @@ TEST_F(Tool, AnOutputThatCannotBeIsRefusedBeforeAnyWork) {
   o = run({"in.h5", "b.h5", "-o", "nowhere/x.h5"}, work);
   EXPECT_EQ(o.status, 73);
   EXPECT_EQ(o.err, "sample: nowhere/x.h5: cannot be created: nowhere is not a directory; make it first\n");
+  o = run({"in.h5", "b.h5", "-o", "in.h5/x.h5"}, work);
+  EXPECT_EQ(o.status, 73);
+  EXPECT_EQ(o.err, "sample: in.h5/x.h5: cannot be created: in.h5 is a file, not a directory; name another folder\n");
+  o = run({"in.h5", "b.h5", "-o", "in.h5/y/x.h5"}, work);
+  EXPECT_EQ(o.status, 73);
+  EXPECT_EQ(o.err,
+            "sample: in.h5/y/x.h5: cannot be created: in.h5/y cannot be reached: Not a directory; name another "
+            "folder\n");
   o = run({"in.h5", "b.h5", "-o", ".", "--force"}, work);
   EXPECT_EQ(o.status, 73);
   EXPECT_EQ(o.err, "sample: .: is a directory; name a file to be written\n");
