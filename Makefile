@@ -115,8 +115,10 @@ TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
 TEST_PROGRAMS := $(foreach t,$(filter-out soak,$(TESTED)),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
 
-.PHONY: all
+# The folder tools/ would make "make tools" up to date otherwise.
+.PHONY: all tools
 all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANITIZE=1: build/sanitize)
+tools: all
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
 # Compiles, and keeps beside the object what the compiler warned of, for lint. The argument is the rest of the command.
