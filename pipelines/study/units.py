@@ -17,6 +17,7 @@ _UNITS = {
     "m3": ("volume", 1.0),
     "s": ("time", 1.0),
     "ms": ("time", 1e-3),
+    "ns": ("time", 1e-9),
     "min": ("time", 60.0),
     "h": ("time", 3600.0),
     "Pa": ("stress", 1.0),

@@ -24,20 +24,7 @@ awk -F , -v OFS='\t' '
   ' "$out/size_of_system.csv" > "$out/size.tsv"
 column -t -s $'\t' "$out/size.tsv"
 
-if command -v gnuplot > /dev/null; then
-  gnuplot << GP
-set terminal svg size 720,400 font 'sans,13' background 'white'
-set output '$out/size.svg'
-set logscale x
-set format x '10^{%T}'
-set xlabel 'grains'
-set ylabel 'ns per contact and step, one thread'
-set yrange [0:*]
-set grid
-set key off
-plot '$out/size.tsv' using 1:4 skip 1 with linespoints pointtype 7 linewidth 2
-GP
-fi
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$here/../../pipelines ${PYTHON:-/usr/bin/python3} -P "$here/size_figure.py" "$out/size.tsv" "$out/size.svg"
 
 awk -F '\t' '
   function bar(words, value, met) { printf "%s: %.4g: %s\n", words, value, met ? "met" : "MISSED"; if (!met) missed = 1 }
