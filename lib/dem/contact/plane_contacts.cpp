@@ -23,13 +23,15 @@ void PlaneContacts::list(std::vector<PlanePair> pairs, const Bodies& bodies) {
             [&place](const PlanePair& a, const PlanePair& b) { return place(a) < place(b); });
   const std::vector<PlanePair> known = this->pairs();
   auto old = known.begin();
-  blocks_.clear(), own_.clear();
+  blocks_.clear(), own_.clear(), groups_.clear();
   const PlanePair* like = nullptr;
   for (PlanePair& p : pairs) {
     while (old != known.end() && place(*old) < place(p)) ++old;
     if (old != known.end() && place(*old) == place(p)) p.history = old->history;
-    if (!like || blocks_.back().pairs.count == ContactBlock::size || like->plane != p.plane ||
-        material(*like) != material(p)) {
+    const bool grouped =
+        like && like->plane == p.plane && material(*like) == material(p) && chunk_of(like->grain) == chunk_of(p.grain);
+    if (!grouped) groups_.push_back(blocks_.size());
+    if (!grouped || blocks_.back().pairs.count == ContactBlock::size) {
       PlaneBlock& block = blocks_.emplace_back();
       block.plane = p.plane;
       own_.resize(own_.size() + own_arrays_ * ContactBlock::size);
@@ -40,6 +42,7 @@ void PlaneContacts::list(std::vector<PlanePair> pairs, const Bodies& bodies) {
     block.first[block.count] = grain_distance(static_cast<std::size_t>(p.grain));
     set_history(block, block.count++, p.history, own(blocks_.size() - 1));
   }
+  groups_.push_back(blocks_.size());
 }
 
 void PlaneContacts::set_loads(std::size_t first) {

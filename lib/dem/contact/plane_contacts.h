@@ -17,7 +17,7 @@ struct PlanePair {
   PairHistory history = {};
 };
 
-/// Pairs of one plane with grains of one material. Each pair has a load of its own.
+/// Pairs of one plane with grains of one material and chunk. Each pair has a load of its own.
 struct PlaneBlock {
   /// Pairs of the block.
   ContactBlock pairs;
@@ -33,6 +33,9 @@ class PlaneContacts {
   /// Returns the blocks, plane by plane, sorted by material and grain.
   LargeVector<PlaneBlock>& blocks() { return blocks_; }
   const LargeVector<PlaneBlock>& blocks() const { return blocks_; }
+  /// Returns where each group of blocks of one plane, material and chunk of grains begins, and the number of blocks.
+  /// Sums over the pairs of a group do not depend on which distant pairs are listed.
+  const std::vector<std::size_t>& groups() const { return groups_; }
   /// Returns the law's own numbers of a block, array by array (Contacts::own).
   double* own(std::size_t block) { return own_.data() + block * own_arrays_ * ContactBlock::size; }
   const double* own(std::size_t block) const { return own_.data() + block * own_arrays_ * ContactBlock::size; }
@@ -47,8 +50,10 @@ class PlaneContacts {
   void set_loads(std::size_t first);
 
  private:
-  /// Blocks of one plane and one material each.
+  /// Blocks of one plane, material and chunk each.
   LargeVector<PlaneBlock> blocks_;
+  /// First block of each group, and the number of blocks.
+  std::vector<std::size_t> groups_ = {0};
   /// Numbers that only the law keeps, per contact.
   std::size_t own_arrays_ = 0;
   /// Numbers that only the law keeps, block by block.

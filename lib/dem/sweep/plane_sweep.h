@@ -53,21 +53,18 @@ class PlaneSweep {
   }
 
  private:
-  /// Number of blocks that one thread takes at a time.
-  static constexpr std::size_t blocks_per_chunk = 64;
-
   using Own = OwnFields<Law>;
 
   template <class Sum, class Use>
   static void over(const Scene& scene, Contacts& contacts, std::vector<Sum>& sums, const Use& use) {
     LargeVector<PlaneBlock>& blocks = contacts.planes.blocks();
-    sums.assign((blocks.size() + blocks_per_chunk - 1) / blocks_per_chunk, Sum{});
+    const std::vector<std::size_t>& groups = contacts.planes.groups();
+    sums.assign(groups.size() - 1, Sum{});
     if (blocks.empty()) return;
-    in_parallel(sums.size(), contacts.threads, [&](std::size_t chunk) {
-      const std::size_t end = std::min(blocks.size(), (chunk + 1) * blocks_per_chunk);
-      for (std::size_t b = chunk * blocks_per_chunk; b < end; ++b)
+    in_parallel(sums.size(), contacts.threads, [&](std::size_t group) {
+      for (std::size_t b = groups[group]; b < groups[group + 1]; ++b)
         for (std::size_t k = 0; k < blocks[b].pairs.count; k += width<T>)
-          use(PlaneLanes<T>(scene, blocks[b], k, contacts.planes.own(b) + k), sums[chunk]);
+          use(PlaneLanes<T>(scene, blocks[b], k, contacts.planes.own(b) + k), sums[group]);
     });
   }
   template <class Use>
