@@ -47,6 +47,8 @@ CONFIG
   for package in "$root.apt"/cache/archives/*.deb; do
     dpkg-deb --fsys-tarfile "$package" | tar -x --keep-directory-symlink -C "$root"
   done
+  # Packages link to /lib/..., which would be this machine's folder.
+  find "$root" -type l -lname '/*' -printf '%l\t%p\n' | while IFS=$'\t' read -r target link; do ln -sfn "$root$target" "$link"; done
   touch "$root/made"
 fi
 
