@@ -40,6 +40,13 @@ TEST(GwsFit, TooFewPointsAndUndeterminedConstantsAreRefused) {
   const auto constant = [](const double* p, double* fitted) { fitted[0] = fitted[1] = fitted[2] = p[0] + p[1]; };
   EXPECT_THROW(fit("f", {1}, {0, 1}, constant), DataError);
   EXPECT_THROW(fit("f", {1, 2, 3}, {0, 1}, constant), DataError);
+  // Dependent columns that are not equal bit by bit are found too.
+  for (const double other : {0.1, 0.7, 3.3, 1e4}) {
+    const auto dependent = [&](const double* p, double* fitted) {
+      for (std::size_t i = 0; i < 4; ++i) fitted[i] = (p[0] / 3 + other * p[1]) * (1 + 0.1 * static_cast<double>(i));
+    };
+    EXPECT_THROW(fit("f", {1, 2, 3, 5}, {0.4, 1.3}, dependent), DataError) << other;
+  }
 }
 
 constexpr const char* geotextiles[] = {"PE", "0.5PP", "PP", "2PP", "3PP", "4PP"};

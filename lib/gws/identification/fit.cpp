@@ -38,18 +38,28 @@ int deviations(const gsl_vector* parameters, void* problem, gsl_vector* result) 
 using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
 
+/// Returns whether every column of the Jacobian leaves the span of the others by an angle that is more than rounding.
+/// Its covariance times the square of the column is 1/sin^2 of that angle; GSL makes it 0 where it finds none.
+bool determines(const gsl_matrix* jacobian, const gsl_matrix* covariance) {
+  constexpr double least_sine = 1e-6;
+  for (std::size_t i = 0; i < jacobian->size2; ++i) {
+    const gsl_vector_const_view column = gsl_matrix_const_column(jacobian, i);
+    const double norm = gsl_blas_dnrm2(&column.vector), inflation = norm * norm * gsl_matrix_get(covariance, i, i);
+    if (!(inflation > 0 && inflation * least_sine * least_sine < 1)) return false;
+  }
+  return true;
+}
+
 /// Returns estimates, errors and residuals from the solver's final state.
-Fit evaluated(const Workspace& solver, const std::vector<double>& observed) {
+Fit evaluated(const Workspace& solver, const gsl_matrix* covariance, const std::vector<double>& observed) {
   const std::size_t n = solver->f->size, k = solver->x->size;
-  const Matrix covariance(gsl_matrix_alloc(k, k), gsl_matrix_free);
-  gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(solver.get()), 0, covariance.get());
   const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(solver.get());
   Fit found;
   found.freedom = static_cast<double>(n - k);
   double squares = 0;
   for (std::size_t i = 0; i < n; ++i) squares += solver->f->data[i] * solver->f->data[i];
   const double scatter = n > k ? std::sqrt(squares / found.freedom) : 0;
-  const auto unscaled = [&](std::size_t i, std::size_t j) { return gsl_matrix_get(covariance.get(), i, j); };
+  const auto unscaled = [&](std::size_t i, std::size_t j) { return gsl_matrix_get(covariance, i, j); };
   for (std::size_t i = 0; i < k; ++i) {
     found.estimates.push_back(gsl_vector_get(solver->x, i));
     found.standard_errors.push_back(scatter * std::sqrt(unscaled(i, i)));
@@ -122,11 +132,11 @@ Fit fit(const std::string& what, const std::vector<double>& observed, const std:
   if (status != GSL_SUCCESS) throw undetermined(status);
   status = gsl_multifit_nlinear_driver(1000, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, solver.get());
   if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw undetermined(status);
-  Fit found = evaluated(solver, observed);
-  // GSL leaves out dependent columns; their variance is then zero.
-  for (std::size_t i = 0; i < k; ++i)
-    if (!std::isfinite(found.correlation[i * k + i])) throw undetermined(GSL_ESING);
-  return found;
+  const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(solver.get());
+  const Matrix covariance(gsl_matrix_alloc(k, k), gsl_matrix_free);
+  gsl_multifit_nlinear_covar(jacobian, 0, covariance.get());
+  if (!determines(jacobian, covariance.get())) throw undetermined(GSL_ESING);
+  return evaluated(solver, covariance.get(), observed);
 }
 
 }  // namespace soilweave::gws
