@@ -84,7 +84,8 @@ void demand_place(const fs::path& path) {
                               : fmt::format("cannot be reached: {}; name another folder", std::strerror(errno)));
   if (!S_ISDIR(status.st_mode)) no_folder("is a file, not a directory; name another folder");
   if (::access(folder.c_str(), W_OK) != 0)
-    refuse(path, fmt::format("{}cannot be created: {}: {}", link, folder.string(), std::strerror(errno)));
+    refuse(path, fmt::format("{}cannot be created: {}: {}; name another folder", link, folder.string(),
+                             std::strerror(errno)));
   if (::geteuid() != 0 && of_another_user(file))
     refuse(path, link + "belongs to another user, whose files nobody else may replace in this folder; name another");
 }

@@ -190,10 +190,9 @@ std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Plane
 
 void Neighbours::rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts) {
   planes_ = !planes.all.empty(), threads_ = contacts.threads;
-  const bool first = searched_.position.empty();
-  if (first) search(bodies, cell);
+  if (searched_.position.empty()) search(bodies, cell);
   set_leeways(bodies);
-  if (!first && !fit_outer_list(bodies)) {
+  if (!fit_outer_list(bodies)) {
     search(bodies, cell);
     set_leeways(bodies);
   }

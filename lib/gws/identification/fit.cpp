@@ -41,7 +41,6 @@ using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
 /// Returns whether every column of the Jacobian leaves the span of the others by an angle that is more than rounding.
 /// Its covariance times the square of the column is 1/sin^2 of that angle; GSL makes it 0 where it finds none.
 bool determines(const gsl_matrix* jacobian, const gsl_matrix* covariance) {
-  constexpr double least_sine = 1e-6;
   for (std::size_t i = 0; i < jacobian->size2; ++i) {
     const gsl_vector_const_view column = gsl_matrix_const_column(jacobian, i);
     const double norm = gsl_blas_dnrm2(&column.vector), inflation = norm * norm * gsl_matrix_get(covariance, i, i);

@@ -36,6 +36,9 @@ void summarize(Fit& fit, const std::vector<double>& observed, std::size_t consta
 /// Best relative accuracy of data. Tables and solutions have about that.
 inline constexpr double data_accuracy = 1e-6;
 
+/// Least sine of the angle between a column of the Jacobian and the others at which points determine a constant.
+inline constexpr double least_sine = 1e-6;
+
 /// Studentized residual beyond which a point is an outlier.
 inline constexpr double outlier_distance = 3;
 

@@ -236,7 +236,7 @@ class Search {
     if (!(scale.minCoeff() > 0)) throw undetermined();
     const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * normal * scale.cwiseInverse().asDiagonal();
     const Eigen::LLT<MatrixXd> root(scaled);
-    if (root.info() != Eigen::Success || !(root.matrixL().toDenseMatrix().diagonal().minCoeff() > 1e-6))
+    if (root.info() != Eigen::Success || !(root.matrixL().toDenseMatrix().diagonal().minCoeff() > least_sine))
       throw undetermined();
     const MatrixXd plain =
         scale.cwiseInverse().asDiagonal() * root.solve(MatrixXd::Identity(k, k)) * scale.cwiseInverse().asDiagonal();
