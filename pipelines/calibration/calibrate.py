@@ -18,7 +18,7 @@ from study.command import Failure
 from study.files import put
 
 from . import ensemble, predicted, rate
-from .laboratory import KINDS, OF_A_RUN, PEAK, Test, observed, pressure
+from .laboratory import KINDS, OF_A_RUN, PEAK, Test, left_out, observed, pressure
 
 HERE = pathlib.Path(__file__).parent
 SCENARIOS = {"hm": HERE / "hertz-mindlin.toml", "cl": HERE / "linear.toml"}
@@ -110,7 +110,7 @@ class Calibration:
         if len({test.name for test in self.tests + given.predictions}) < len(self.tests + given.predictions):
             raise Failure(65, "calibrate: two tests have a table of the same name and one pressure; rename one of the tables")
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.observed, self.until = {}, {}
+        self.observed, self.until, self.left_out = {}, {}, []
         for test in self.tests + given.predictions:
             self._prepare(test)
         self.scenario = given.scenario
@@ -122,6 +122,7 @@ class Calibration:
         if test.kind == "greatest" or (test.kind == "natural" and self.given.stations == 0):
             return
         columns = observed(test, self.given.until, self.given.stations)
+        self.left_out += filter(None, [left_out(test)])
         self.observed[test.name] = self.folder / f"{test.name}.tsv"
         rows = zip(*columns.values(), strict=True)
         put(self.observed[test.name], "\n".join(["\t".join(columns), *("\t".join(f"{x:.9g}" for x in row) for row in rows)]) + "\n")
@@ -213,8 +214,9 @@ def main(words):
     met = size >= given.effective_size
     said = f"effective sample size {size:.3g} after {name.removeprefix('round')} of {given.rounds} rounds"
     said += "" if met else f", below the {given.effective_size:g} asked for: means and intervals are coarse; give more --rounds or --samples"
-    put(case.folder / "said.txt", f"{said}\n{case.rate_words}\n")
-    print(f"calibrate: {case.folder}: {said}; {case.rate_words}", file=sys.stdout if met else sys.stderr)
+    words = [said, case.rate_words, *case.left_out]
+    put(case.folder / "said.txt", "".join(f"{line}\n" for line in words))
+    print(f"calibrate: {case.folder}: {'; '.join(words)}", file=sys.stdout if met else sys.stderr)
     return 0 if met else 1
 
 

@@ -78,6 +78,22 @@ def _natural(strain, kind, what, path):
     return -100 * numpy.log(1 - strain)
 
 
+def _rising(axial):
+    """Returns for each row whether its axial strain is above 0 and above those of all rows before."""
+    return axial > numpy.maximum.accumulate(numpy.append(0, axial[:-1]))
+
+
+def left_out(test):
+    """Returns a sentence on the rows that observed() leaves out since the axial strain does not rise there, or "" if none are.
+
+    Rows up to the first strain above 0 are the start of the test, and are not counted.
+    """
+    axial = _column(Table.read(test.table), AXIAL, "1")
+    started = numpy.maximum.accumulate(axial) > 0
+    count = int((started & ~_rising(axial)).sum())
+    return f"{test.name}: {count} of {len(axial)} rows are left out, since the axial strain does not rise there (unloading)" if count else ""
+
+
 def observed(test, until, stations):
     """Returns the columns of a test at `stations` rows near evenly spaced natural axial strains, at most `until` percent.
 
@@ -91,7 +107,7 @@ def observed(test, until, stations):
         raise StudyError(f"{test.table}: ends at an axial strain of {axial[-1]:.4g} %, or at a negative {stress}: compression is positive, and the "
                          "axial stress the greater one; change the signs")
     ratio = _ratio(table, test)
-    rising = (axial > numpy.maximum.accumulate(numpy.append(0, axial[:-1]))) & (axial <= until + 1e-9)
+    rising = _rising(axial) & (axial <= until + 1e-9)
     if rising.sum() < LEAST_STATIONS:
         raise StudyError(f"{test.table}: {rising.sum()} rows have a rising axial strain above 0 and up to {until:g} %; "
                          f"{LEAST_STATIONS} are needed: give more rows, or a larger strain")

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from calibration import calibrate, predicted, rate
 from calibration.laboratory import Test as Triaxial
-from calibration.laboratory import observed, pressure
+from calibration.laboratory import left_out, observed, pressure
 from study import StudyError, Table
 from study.command import Failure
 
@@ -46,6 +46,13 @@ def test_a_table_that_is_no_compression_test_is_refused_by_name(tmp_path):
     for wrong in ("100", "0 kPa", "100 mm", "1e kPa"):
         with pytest.raises(StudyError):
             pressure(wrong)
+
+
+def test_rows_of_unloading_are_left_out_and_said(tmp_path):
+    unloaded = [*ROWS[:3], (1.5, -0.1, 50, 100 + 50 / 3), (1.8, -0.1, 150, 150), *ROWS[4:]]
+    assert observed(triaxial(tmp_path / "u.tsv", unloaded), 20, 0)["stress_ratio [1]"] == pytest.approx([2, 3, 4])
+    assert left_out(triaxial(tmp_path / "u.tsv", unloaded)).startswith("u_100kPa: 2 of 6 rows are left out")
+    assert not left_out(triaxial(tmp_path / "u.tsv", [(0, 0, 0, 100), (0, 0, 1, 100 + 1 / 3), *ROWS[1:3], ROWS[4]]))
 
 
 def test_a_posterior_predicts_with_its_weights(tmp_path):

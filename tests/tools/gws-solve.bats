@@ -245,6 +245,13 @@ fraction of the geotextile's strength" ]] || show
     show
   exits 0 to-vtk --history far.h5
   [[ $output == *"  doubt: extrapolation: the constants of toyoura-gws"* ]] || show
+  exits 0 gws-solve respond --geotextile PP --soil toyoura-gws --width "80 mm" --height "0.4 m" --lateral-stress "150 kPa"
+  [[ $stderr == *"doubt: the solution is untested here: height over width 5 (compared with grains for 0.1 to 0.4), lateral stress 150 kPa"* ]] || show
+  # Below about 30 kPa of surcharge no geotextile is stretched in a cell under 10 kPa; under 20 MPa none ever is.
+  exits 0 gws-solve respond --geotextile PP --soil toyoura-gws --lateral-stress "10 kPa" --surcharge "20 kPa"
+  [[ $stderr == *"doubt: at 20 kPa the lateral stress outside, 10 kPa, exceeds the soil's"* ]] || show
+  exits 65 gws-solve respond --geotextile PP --lateral-stress "20 MPa"
+  [[ $stderr == "gws-solve respond: lateral stress: 20000 kPa outside the bag exceed the soil's own, 1.556 kPa, "*"take a smaller lateral stress" ]] || show
   # The series that identification read give the range of its constants.
   exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --toml
   [[ $output == *$'[identified]\nstiffness = [53000, 232000]\n'* ]] || show

@@ -173,18 +173,36 @@ TEST(DoubtsOfBagsSolved, SoilNobodyChoseAndConstantsExtrapolated) {
   gws::Point inside, outside;
   inside.soil.p = 1e5, inside.soil.strain_axial = 10;
   outside.soil.p = 4e6, outside.soil.strain_axial = 21;
-  EXPECT_TRUE(gws::doubts(soil, true, {1e5}, {inside}).empty());
-  EXPECT_NE(sentence_of(gws::doubts(soil, false, {1e5}, {inside}), "default-soil").find("the soil is sand"),
+  gws::Case asked;
+  asked.bag = {0.4, 0.08};
+  EXPECT_TRUE(gws::doubts(soil, true, asked, {1e5}, {inside}).empty());
+  EXPECT_NE(sentence_of(gws::doubts(soil, false, asked, {1e5}, {inside}), "default-soil").find("the soil is sand"),
             std::string::npos);
-  const std::string said = sentence_of(gws::doubts(soil, true, {3e4}, {inside, outside}), "extrapolation");
+  const std::string said = sentence_of(gws::doubts(soil, true, asked, {3e4}, {inside, outside}), "extrapolation");
   EXPECT_NE(said.find("stiffness of the geotextile 30 kN/m (identified on 50 to 700 kN/m), mean stress 4000 kPa"),
             std::string::npos)
       << said;
   EXPECT_NE(said.find("axial strain 21 %"), std::string::npos) << said;
   outside.soil.end = gws::End::flow;
-  EXPECT_TRUE(gws::doubts(soil, true, {1e5}, {outside}).empty());
+  EXPECT_TRUE(gws::doubts(soil, true, asked, {1e5}, {outside}).empty());
   soil.identified = {};
-  EXPECT_TRUE(gws::doubts(soil, true, {1}, {inside}).empty());
+  EXPECT_TRUE(gws::doubts(soil, true, asked, {1}, {inside}).empty());
+}
+
+TEST(DoubtsOfBagsSolved, ShapesAndLateralStressesThatNoGrainsWereRunWith) {
+  gws::SoilFile soil;
+  gws::Case asked;
+  asked.bag = {0.08, 0.4}, asked.lateral = gws::LateralStress::constant(3e5);
+  const std::string said = sentence_of(gws::doubts(soil, true, asked, {}, {}), "untested");
+  EXPECT_NE(said.find("height over width 5 (compared with grains for 0.1 to 0.4), lateral stress 300 kPa"),
+            std::string::npos)
+      << said;
+  asked.bag = {0.4, 0.1}, asked.lateral = gws::LateralStress::constant(1e5);
+  EXPECT_TRUE(gws::doubts(soil, true, asked, {}, {}).empty());
+  gws::Point begin;
+  begin.lateral = 1e5, begin.hoop_tension = -1;
+  EXPECT_NE(sentence_of(gws::doubts(soil, true, asked, {}, {begin}), "compressed").find("the geotextile compressed"),
+            std::string::npos);
 }
 
 }  // namespace

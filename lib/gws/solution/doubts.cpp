@@ -14,9 +14,13 @@ namespace {
 // Relative tolerance at the ends of a range, because numbers of data are rounded.
 constexpr double slack = 0.01;
 
+// Grains were run in bags of one shape, of which a half and twice the height are trusted, and in cells under 10 to 100
+// kPa (thesis sections 5.1 and 5.2).
+constexpr Span tested_slenderness{0.1, 0.4}, tested_lateral{0, 1e5};
+
 // Returns the values that leave a range as one phrase; empty if none does, or if the range is not known.
 std::string beyond(const Span& range, const std::vector<double>& values, const char* name, double unit,
-                   const char* unit_name) {
+                   const char* unit_name, const char* basis = "identified on") {
   if (!range.known()) return "";
   double worst = 0, farthest = 0;
   for (const double v : values) {
@@ -24,13 +28,26 @@ std::string beyond(const Span& range, const std::vector<double>& values, const c
     if (std::isfinite(v) && over > farthest) farthest = over, worst = v;
   }
   if (farthest == 0) return "";
-  return fmt::format("{} {:.4g} {} (identified on {:.4g} to {:.4g} {})", name, worst / unit, unit_name,
-                     range.low / unit, range.high / unit, unit_name);
+  return fmt::format("{} {:.4g}{} ({} {:.4g} to {:.4g}{})", name, worst / unit, unit_name, basis, range.low / unit,
+                     range.high / unit, unit_name);
+}
+
+// Returns the phrases that are not empty, with commas between them.
+std::string listed(const std::vector<std::string>& phrases) {
+  std::string all;
+  for (const std::string& phrase : phrases)
+    if (!phrase.empty()) all += (all.empty() ? "" : ", ") + phrase;
+  return all;
+}
+
+// Returns the greatest lateral stress outside the bag at any surcharge, Pa.
+double greatest(const LateralStress& lateral) {
+  return lateral.lateral.empty() ? 0 : *std::max_element(lateral.lateral.begin(), lateral.lateral.end());
 }
 
 }  // namespace
 
-std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const std::vector<double>& stiffnesses,
+std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states) {
   std::vector<Doubt> found;
   if (!chosen)
@@ -48,17 +65,30 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const std::vector<d
     if (point.soil.end != End::none) continue;
     pressures.push_back(point.soil.p), strains.push_back(point.soil.strain_axial / 100);
   }
-  std::string all;
-  for (const std::string& part :
-       {beyond(soil.identified.stiffness, stiffnesses, "stiffness of the geotextile", 1e3, "kN/m"),
-        beyond(soil.identified.mean_stress, pressures, "mean stress", 1e3, "kPa"),
-        beyond(soil.identified.axial_strain, strains, "axial strain", 0.01, "%")})
-    if (!part.empty()) all += (all.empty() ? "" : ", ") + part;
-  if (!all.empty())
+  if (std::string all =
+          listed({beyond(soil.identified.stiffness, stiffnesses, "stiffness of the geotextile", 1e3, " kN/m"),
+                  beyond(soil.identified.mean_stress, pressures, "mean stress", 1e3, " kPa"),
+                  beyond(soil.identified.axial_strain, strains, "axial strain", 0.01, " %")});
+      !all.empty())
     found.push_back(
         {"extrapolation", fmt::format("the constants of {} are extrapolated: {}; identify them on such bags "
                                       "(gws-solve identify)",
                                       soil.name, all)});
+  if (std::string all = listed({beyond(tested_slenderness, {asked.bag.height / asked.bag.width}, "height over width", 1,
+                                       "", "compared with grains for"),
+                                beyond(tested_lateral, {greatest(asked.lateral)}, "lateral stress", 1e3, " kPa",
+                                       "compared with grains for")});
+      !all.empty())
+    found.push_back({"untested", fmt::format("the solution is untested here: {}; load such a bag of grains "
+                                             "(filter-expand, run-dem) before relying on it",
+                                             all)});
+  if (!states.empty() && states.back().soil.end == End::none && states.back().hoop_tension < 0)
+    found.push_back(
+        {"compressed",
+         fmt::format("at {:.4g} kPa the lateral stress outside, {:.4g} kPa, exceeds the soil's, {:.4g} kPa: the "
+                     "solution has the geotextile compressed there, which none bears",
+                     states.back().surcharge / 1e3, states.back().lateral / 1e3,
+                     states.back().soil.lateral_stress() / 1e3)});
   return found;
 }
 

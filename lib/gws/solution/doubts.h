@@ -11,8 +11,10 @@ namespace soilweave::gws {
 
 /// Returns the doubts by name. "default-soil": the soil was not `chosen`. "estimated-soil": no bags of it were
 /// computed. "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
-/// States that do not exist are skipped.
-std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const std::vector<double>& stiffnesses,
+/// "untested": the bag's shape or the lateral stress of `asked` leaves the range of the grains' runs that the solution
+/// was compared with. "compressed": in the last state the lateral stress outside exceeds the soil's, which only a
+/// geotextile under compression could balance. States that do not exist are skipped.
+std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states);
 
 }  // namespace soilweave::gws

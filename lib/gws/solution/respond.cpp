@@ -114,6 +114,11 @@ Response::Response(const Case& what)
         "surcharge: {} Pa is below the initial one, {:.6g} Pa (mean stress {} Pa); the model has no state there",
         *case_.until, start_.surcharge, what.soil.p_0));
   march();
+  if (failed() && last_.hoop_tension < 0)
+    throw DataError(fmt::format(
+        "lateral stress: {:.6g} kPa outside the bag exceed the soil's own, {:.4g} kPa, where the response ends "
+        "({}): the geotextile is never stretched; take a smaller lateral stress",
+        last_.lateral / 1e3, last_.soil.lateral_stress() / 1e3, reason(end_)));
   compact();
 }
 

@@ -104,8 +104,8 @@ struct Point {
 /// Throws DataError naming all values out of range.
 void check(const Case& what);
 
-/// The whole response. The constructor throws DataError for constants inadmissible at the first stress, or compaction
-/// beyond the bag's capacity.
+/// The whole response. The constructor throws DataError for constants inadmissible at the first stress, for a lateral
+/// stress under which the hoops are never stretched, or for compaction beyond the bag's capacity.
 class Response {
  public:
   /// Computes it from the first state to the end.
