@@ -141,6 +141,19 @@ PY
   grep -q "outlier, kept: row 1 of .*soilbag_uniaxial_PE.tsv" <<<"$output" || show "no outlier"
 }
 
+@test "identify takes each bag once, and of its rows those of loading" {
+  exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_PE.tsv "$DEM"/soilbag_uniaxial_PE.tsv
+  [[ $stderr == *"PE.tsv and "*"PE.tsv hold equal rows: one bag counted twice would narrow the intervals; give it once" ]] || show
+  # The third row again, after an unloading.
+  awk 'BEGIN { FS = OFS = "\t" } { print } /^1\.65/ { again = $0; $1 -= 0.5; $6 /= 3; $8 /= 3; $9 /= 3; print; print again }' \
+    "$DEM"/soilbag_uniaxial_PE.tsv > unloaded.tsv
+  exits 0 gws-solve identify unloaded.tsv "$DEM"/soilbag_uniaxial_PP.tsv
+  [[ $output == *"unloaded.tsv: 14 of 23 rows, up to the greatest axial stress, less 1 of unloading and reloading"* ]] || show
+  awk 'BEGIN { FS = OFS = "\t" } /^[0-9]/ { $1 = -$1 } { print }' "$DEM"/soilbag_uniaxial_PE.tsv > signs.tsv
+  exits 65 gws-solve identify signs.tsv
+  [[ $stderr == *"signs.tsv: rows up to the greatest axial stress whose axial strain does not fall: 1; at least 3 are needed: sort the rows by time, "* ]] || show
+}
+
 @test "a response identified again has its constants inside their intervals, whatever its rows" {
   local rows
   for rows in 12 20 2000; do

@@ -287,7 +287,7 @@ TEST(BagLoading, IsListedColumnByColumnOnThePage) {
 TEST(BagRuns, CountFromTheReferenceRowToTheLastWithoutABrokenYarn) {
   const gws::BagSeries bag = gws::bag_of_run(run(), "run.h5", std::nullopt);
   EXPECT_EQ(bag.size(), 4U) << "rows 2 to 5";
-  EXPECT_EQ(bag.first_row, 1U);
+  EXPECT_EQ(bag.row.front(), 1U);
   EXPECT_NEAR(bag.strain_axial.back(), 0.03, 1e-12);
   EXPECT_NEAR(bag.strain_volumetric[1], 0.005, 1e-12);
   // 40 N at 10 % and yarns of 25 and 20 mm: their mean on the faces is (16 * 25 + 15 * 20) / 31.

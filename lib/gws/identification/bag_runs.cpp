@@ -84,11 +84,12 @@ BagSeries whole_rows(const io::Series& table, std::size_t first, const std::stri
     column.values.erase(column.values.begin(), column.values.begin() + static_cast<std::ptrdiff_t>(first));
   }
   BagSeries series = bag_series(rows, where, stiffness.value, false, first);
+  const std::size_t last = series.row.back() + 1, unloading = last - first - series.size();
   series.note = fmt::format(
-      "{}: rows {} to {} of {}, up to {}; tensile stiffness {:.4g} kN/m, {}", where, first + 1, first + series.size(),
-      table.rows(),
-      series.size() < end - first ? "the greatest axial stress" : (breaks ? "the first broken yarn" : "the last"),
-      series.stiffness / 1e3, table.find("tensile_stiffness") ? "of its column" : stiffness.source);
+      "{}: rows {} to {} of {}, up to {}{}; tensile stiffness {:.4g} kN/m, {}", where, first + 1, last, table.rows(),
+      last < end ? "the greatest axial stress" : (breaks ? "the first broken yarn" : "the last"),
+      unloading > 0 ? fmt::format(", less {} of unloading and reloading", unloading) : "", series.stiffness / 1e3,
+      table.find("tensile_stiffness") ? "of its column" : stiffness.source);
   return series;
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "core/error.h"
 #include "files/exchange/table.h"
@@ -18,15 +20,37 @@ BagSeries BagSeries::from_row(std::size_t n) const {
   for (auto* values : {&rest.strain_axial, &rest.strain_volumetric, &rest.mean_stress, &rest.deviatoric_stress})
     values->erase(values->begin(), values->begin() + begun);
   if (!rest.contracting.empty()) rest.contracting.erase(rest.contracting.begin(), rest.contracting.begin() + begun);
-  rest.first_row += n;
+  rest.row.erase(rest.row.begin(), rest.row.begin() + begun);
   return rest;
 }
+
+namespace {
+
+// Keeps the rows up to `last` whose axial strain is not below that of an earlier one; returns how many it left out.
+std::size_t keep_loading(BagSeries& s, std::size_t last) {
+  std::size_t kept = 0;
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (s.strain_axial[i] < greatest) continue;
+    greatest = s.strain_axial[i];
+    for (auto* values : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
+      (*values)[kept] = (*values)[i];
+    if (!s.contracting.empty()) s.contracting[kept] = s.contracting[i];
+    s.row[kept++] = s.row[i];
+  }
+  for (auto* values : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
+    values->resize(kept);
+  if (!s.contracting.empty()) s.contracting.resize(kept);
+  s.row.resize(kept);
+  return last + 1 - kept;
+}
+
+}  // namespace
 
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
                      std::size_t first_row) {
   BagSeries s;
   s.name = where;
-  s.first_row = first_row;
   const auto column = [&](const char* name, const char* unit) { return io::in_unit(table, name, unit, where); };
   s.strain_axial = column(!table.find("strain_axial") && table.find("strain_zz") ? "strain_zz" : "strain_axial", "1");
   s.strain_volumetric = column("strain_volumetric", "1");
@@ -39,6 +63,8 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
         "{}: no stiffness of the geotextile: give --geotextile for it, or a column tensile_stiffness", where));
   if (const io::Column* flags = table.find("contracting"))
     for (const double v : flags->values) s.contracting.push_back(v != 0);
+  s.row.resize(s.size());
+  std::iota(s.row.begin(), s.row.end(), first_row);
   std::size_t peak = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (!(s.mean_stress[i] > 0))
@@ -54,11 +80,16 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
     const auto axial = [&](std::size_t k) { return s.mean_stress[k] + 2 * s.deviatoric_stress[k] / 3; };
     if (axial(i) > axial(peak)) peak = i;
   }
-  for (auto* values : {&s.strain_axial, &s.strain_volumetric, &s.mean_stress, &s.deviatoric_stress})
-    values->resize(peak + 1);
-  if (!s.contracting.empty()) s.contracting.resize(peak + 1);
+  const std::size_t unloading = keep_loading(s, peak);
   if (s.size() < 3)
-    throw DataError(fmt::format("{}: {} rows up to the greatest axial stress; at least 3 are needed", where, s.size()));
+    throw DataError(fmt::format(
+        "{}: rows up to the greatest axial stress whose axial strain does not fall: {}; at least 3 are needed: "
+        "sort the rows by time, with compression positive",
+        where, s.size()));
+  if (s.size() < table.rows())
+    s.note = fmt::format("{}: {} of {} rows, up to {}{}", where, s.size(), table.rows(),
+                         peak + 1 < table.rows() ? "the greatest axial stress" : "the last",
+                         unloading > 0 ? fmt::format(", less {} of unloading and reloading", unloading) : "");
   return s;
 }
 

@@ -18,13 +18,18 @@ struct BagSeries {
   std::vector<double> strain_axial, strain_volumetric, mean_stress, deviatoric_stress;
   /// Rows of the compression line; empty: contraction() chooses.
   std::vector<bool> contracting;
-  /// Rows of the table or run before these.
-  std::size_t first_row = 0;
+  /// Place of each row in its table or run, from 0.
+  std::vector<std::size_t> row;
   /// Whether strains begin where the solution does; false: from another stress.
   bool from_rest = true;
-  /// Origin of rows and stiffness in a run; empty for tables.
+  /// Rows taken and left out, origin of the stiffness of a run; empty for a table that is taken whole.
   std::string note;
 
+  /// Returns whether the rows of both are equal, as of a bag that is given twice.
+  bool equal_rows(const BagSeries& other) const {
+    return mean_stress == other.mean_stress && deviatoric_stress == other.deviatoric_stress &&
+           strain_axial == other.strain_axial && strain_volumetric == other.strain_volumetric;
+  }
   /// Returns the number of rows.
   std::size_t size() const { return mean_stress.size(); }
   /// Returns eps_d = eps_a - eps_v / 3 of row i.
@@ -36,7 +41,8 @@ struct BagSeries {
 /// Reads a series with columns strain_axial (or strain_zz), strain_volumetric, mean_stress and deviatoric_stress, in
 /// any unit of their kind. Optional columns: contracting (0 or 1) and a constant tensile_stiffness, else `stiffness`
 /// counts (NaN: none given). natural: strains are logarithmic, as homogenize writes them. Rows after the greatest axial
-/// stress (global failure) are left out. first_row: rows before these. Throws DataError naming `where`.
+/// stress (global failure) are left out, and rows of unloading and reloading, whose axial strain is below that of an
+/// earlier row; the note says how many. first_row: rows before these. Throws DataError naming `where`.
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
                      std::size_t first_row = 0);
 

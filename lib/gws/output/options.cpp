@@ -221,6 +221,12 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
                    : is_reinforced(table) ? bag_of_reinforced(table, where, of_it)
                                           : bag_series(table, where, stiffness, natural));
   }
+  for (std::size_t i = 0; i < bags.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (bags[i].equal_rows(bags[k]))
+        throw DataError(
+            fmt::format("{} and {} hold equal rows: one bag counted twice would narrow the intervals; give it once",
+                        bags[k].name, bags[i].name));
   return bags;
 }
 

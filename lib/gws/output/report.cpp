@@ -182,7 +182,7 @@ std::string describe(const Identification& found, const std::vector<BagSeries>& 
       if (std::abs(line.fit.studentized[i]) <= outlier_distance) continue;
       const BagSeries* bag = line.series[i] < series.size() ? &series[line.series[i]] : nullptr;
       text += fmt::format("  outlier, kept: row {} of {}: {:.4g} where the line has {:.4g}, {:+.1f} standard errors\n",
-                          line.row[i] + 1 + (bag ? bag->first_row : 0), bag ? bag->name : "the other test",
+                          (bag ? bag->row[line.row[i]] : line.row[i]) + 1, bag ? bag->name : "the other test",
                           line.fit.fitted[i] + line.fit.residuals[i], line.fit.fitted[i], line.fit.studentized[i]);
     }
   }
