@@ -261,6 +261,8 @@ Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>&
     const io::Series table = io::from_tsv(text.text, pattern);
     if (!choice.greatest) column_of(table, observed.station);
     members = by_member(table, pattern);
+    for (const auto& [id, rows] : members)
+      if (std::ranges::count(ids, id) == 0) all.unknown.push_back(id);
   }
   std::vector<std::pair<std::int64_t, io::Source>> read;
   for (const std::int64_t id : ids) {

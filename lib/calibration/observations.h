@@ -64,6 +64,8 @@ struct Simulated {
   std::vector<Fate> fate;
   /// Reason; empty if used.
   std::vector<std::string> why;
+  /// Ids in a table of all runs that no member has; their rows are left out.
+  std::vector<std::int64_t> unknown;
 
   /// Returns the number of members with a used run.
   std::size_t used() const;

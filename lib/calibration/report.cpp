@@ -93,6 +93,10 @@ std::vector<std::string> warnings(const Assimilation& a) {
   const auto n = a.ensemble.size();
   if (a.runs.used() < n)
     list.push_back(fmt::format("{} of {} runs are not used and have no weight", n - a.runs.used(), n));
+  if (!a.runs.unknown.empty())
+    list.push_back(
+        fmt::format("ids in --runs that no member of the ensemble has: {}, the first {}; their rows are left out",
+                    a.runs.unknown.size(), a.runs.unknown.front()));
   const auto last = static_cast<Eigen::Index>(a.observed.stations()) - 1;
   const double size = a.filtered.effective_size[last];
   if (size < degenerate_below(a)) {

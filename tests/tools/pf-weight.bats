@@ -198,6 +198,8 @@ PY
   [[ $output == *"  0 missing: runs/0.tsv: no such file"* ]] || show
   [[ $output == *"  1 diverged: two at t 5 is not finite"* ]] || show
   [[ $stderr == *"2 of 4 runs are not used and have no weight"* ]] || show
+  exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01
+  [[ $stderr == *"ids in --runs that no member of the ensemble has: 96, the first 4; their rows are left out"* ]] || show
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs 'runs/{id}.tsv' --variance 0.01 --tsv --table runs
   [[ ${lines[1]} == $'0\t1\tnan\t0\tnan'* && ${lines[2]} == $'1\t4\tnan\t0\tnan'* ]] || show
   [[ ${lines[0]} == *$'\tone_misfit\tone_misfit_relative [1]\ttwo_misfit\ttwo_misfit_relative [1]' ]] || show
