@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/tables/bag.h"
+#include "analysis/tables/doubts.h"
 #include "analysis/tables/tables.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
@@ -94,19 +95,20 @@ struct Homogenize {
     const io::RunFile file = io::read_states(input);
     if (list) return print_list(file);
     Tables tables;
+    Doubts doubts(invocation.tool);
     for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string()))
-      add(file.snapshots.front(), file.snapshots[n], tables);
+      add(file.snapshots.front(), file.snapshots[n], tables, doubts);
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
     put_of_run(file, tables);
     if (tsv) print(tables);
-    if (!output.empty()) write(tables, file.source, invocation);
+    if (!output.empty()) write(tables, io::with_doubts(io::extend({file.source}, invocation), doubts));
   }
 
   /// Returns whether a slow table is written or printed.
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
-  void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables) const {
+  void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, Doubts& doubts) const {
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
     if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
@@ -116,6 +118,7 @@ struct Homogenize {
     const analysis::Local local = analysis::local(first, s);
     for (std::size_t k = 0; k < volumes.size(); ++k)
       analysis::put_volume(tables.volumes.table, first, s, static_cast<double>(k), volumes[k], local);
+    doubts.add_all(analysis::volume_doubts(s, volumes));
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
   }
 
@@ -170,11 +173,11 @@ struct Homogenize {
       throw DataError(fmt::format("{}: has no yarns: there is no geotextile in it", input.string()));
   }
 
-  void write(Tables& tables, const io::Source& source, const tool::Invocation& invocation) const {
+  void write(Tables& tables, const io::History& history) const {
     io::FieldsFile fields;
     for (Group* group : tables.all())
       if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));
-    io::write_fields(output, fields, io::extend({source}, invocation));
+    io::write_fields(output, fields, history);
   }
 };
 

@@ -45,6 +45,15 @@ setup() {
   [[ $(($(value boxes.tsv grains 2) + $(value boxes.tsv grains 3))) -eq 120 ]] || show "$(cat boxes.tsv)"
 }
 
+@test "a volume of few grains is doubted, in the file too" {
+  exits 0 homogenize --state 0 --box 0,0.1,0,0.1,0,0.1 -o all.h5 "$IN/sheared.h5"
+  [[ -z $stderr ]] || show
+  exits 0 homogenize --state 0 --box 0,0.04,0,0.1,0,0.1 -o few.h5 "$IN/sheared.h5"
+  [[ $stderr == "homogenize: doubt: grains in box 0 0.04 0 0.1 0 0.1: "*", fewer than 64: its stress and void ratio are those of single grains"* ]] || show
+  exits 0 to-vtk --history few.h5
+  [[ $output == *"  doubt: few-grains: grains in box"* ]] || show
+}
+
 @test "grains: their stress, weighted by their cells, is the cell's; their strain is the motion's" {
   homogenize --quiet --tsv --state last "$IN/sheared.h5" > cell.tsv
   homogenize --quiet --tsv --state last --table grains "$IN/sheared.h5" > grains.tsv

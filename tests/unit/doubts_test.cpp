@@ -95,6 +95,16 @@ TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
   EXPECT_TRUE(analysis::cell_doubts(open).empty());
 }
 
+TEST(DoubtsOfPackings, VolumesOfFewGrains) {
+  const io::Snapshot state = simple_cubic(5, Vec3(1, 1, 1));
+  const analysis::Volume all = analysis::whole(state), four{"four", {0, 1, 2, 3}, false};
+  EXPECT_TRUE(analysis::volume_doubts(state, {all}).empty());
+  EXPECT_TRUE(analysis::volume_doubts(state, {}).empty());
+  EXPECT_NE(
+      sentence_of(analysis::volume_doubts(state, {all, four}), "few-grains").find("grains in four: 4, fewer than 64"),
+      std::string::npos);
+}
+
 TEST(DoubtsOfPackings, RattlersCoordinationAndIsotropy) {
   EXPECT_TRUE(analysis::compaction_doubts(simple_cubic(3, Vec3(1, 1, 1))).empty());
   // q/p of the stresses 1, 1 and 2 is 1 / (4/3).

@@ -15,9 +15,8 @@ struct Volume {
   std::string name;
   /// Indices of its grains.
   std::vector<std::size_t> grains;
-  bool wrapped =
-      /// Whether grains were chosen by their places in the cell, not by unwrapped positions.
-      false;
+  /// Whether grains were chosen by their places in the cell, not by unwrapped positions.
+  bool wrapped = false;
 };
 
 /// Returns the grains with wrapped centres in a box (m). Its upper faces are excluded.
@@ -37,7 +36,7 @@ Vec3 centre(const io::Snapshot& state, const Volume& volume);
 /// Averages over a volume.
 struct VolumeState {
   /// Volume, m3 (2D: m2).
-  double volume = 0;  // m3 (2D: m2)
+  double volume = 0;
   double void_ratio = 0;
   /// Pa (2D: N/m).
   Mat3 stress = Mat3::Zero();

@@ -211,6 +211,17 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
   return {};
 }
 
+std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes) {
+  const std::size_t least = state.grains.dimension == 3 ? 64 : 16;
+  const auto smallest =
+      std::ranges::min_element(volumes, {}, [](const Volume& volume) { return volume.grains.size(); });
+  if (smallest == volumes.end() || smallest->grains.size() >= least) return {};
+  return {{"few-grains",
+           fmt::format("grains in {}: {}, fewer than {}: its stress and void ratio are those of single grains; take "
+                       "a larger volume",
+                       smallest->name, smallest->grains.size(), least)}};
+}
+
 std::vector<Doubt> compaction_doubts(const io::Snapshot& state) {
   std::vector<Doubt> doubts;
   if (state.contacts.size() == 0) return doubts;

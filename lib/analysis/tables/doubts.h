@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "analysis/measure/volume_of_interest.h"
 #include "core/doubts.h"
 #include "dem/run/scenario.h"
 #include "files/files.h"
@@ -19,6 +20,9 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state);
 
 /// Returns "outside" if grains have left the bag, "preload" if hardly any yarn is taut. Empty without yarns or soil.
 std::vector<Doubt> bag_doubts(const io::Snapshot& state);
+
+/// Returns "few-grains" if a volume of interest holds fewer than 64 grains, four along each side (2D: 16).
+std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes);
 
 /// Returns rate * d * sqrt(rho / p) (da Cruz et al. 2005): rate 1/s, mean diameter d in m, scaled density rho in kg/m3,
 /// mean stress p in Pa.
