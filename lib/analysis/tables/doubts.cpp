@@ -13,6 +13,7 @@
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
 #include "analysis/tables/bag.h"
+#include "analysis/tables/loading_doubts.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/contact_sweep.h"
 
@@ -193,6 +194,14 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
   return doubts;
 }
 
+// Doubts that input and scenario give alone, before a run and after it.
+std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario) {
+  std::vector<Doubt> doubts = friction_doubts(scenario);
+  append(doubts, jump_doubts(start, scenario));
+  append(doubts, history_doubts(start, scenario));
+  return doubts;
+}
+
 }  // namespace
 
 std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
@@ -273,7 +282,7 @@ std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario&
   std::vector<Doubt> doubts = cell_doubts(start);
   append(doubts, bag_doubts(start));
   append(doubts, inertia_doubts(start, scenario, planned(start, scenario)));
-  append(doubts, history_doubts(start, scenario));
+  append(doubts, of_scenario(start, scenario));
   return doubts;
 }
 
@@ -286,8 +295,9 @@ std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& 
     if (d.key == "outside") doubts.push_back(d);
   if (const io::Snapshot* compacted = last_compacted(scenario, run, start.grains.dimension))
     append(doubts, compaction_doubts(*compacted));
+  append(doubts, overlap_doubts(run.snapshots.back()));
   append(doubts, inertia_doubts(start, scenario, carried_out(start, scenario, run.series)));
-  append(doubts, history_doubts(start, scenario));
+  append(doubts, of_scenario(start, scenario));
   return doubts;
 }
 

@@ -28,11 +28,12 @@ std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Vo
 /// mean stress p in Pa.
 double inertial_number(double rate, double diameter, double density, double pressure);
 
-/// Returns doubts about a run's input for --check: cell, bag, and "inertia", the largest inertial number of stages with
-/// a prescribed axial rate.
+/// Returns doubts about a run's input for --check: cell, bag, scenario (loading_doubts.h), and "inertia", the largest
+/// inertial number of stages with a prescribed axial rate.
 std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario);
 
-/// Returns doubts about an ended run: final cell and bag, end of the last isotropic stage, "inertia".
+/// Returns doubts about an ended run: final cell, bag and overlaps, end of the last isotropic stage, scenario,
+/// "inertia".
 std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run);
 
 }  // namespace soilweave::analysis

@@ -1,0 +1,23 @@
+// Doubts about the materials and stages of a scenario.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/doubts.h"
+#include "dem/run/scenario.h"
+#include "files/files.h"
+
+namespace soilweave::analysis {
+
+/// Returns "jump" if a stage strains one axis of a cell while the stress that it holds on another differs by more than
+/// a tenth from what acts there before. Stresses that the stage before leaves open are not judged.
+std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& scenario);
+
+/// Returns "friction" if a friction angle is above 0 and below pi/2 degrees, as an angle in radians would be.
+std::vector<Doubt> friction_doubts(const dem::Scenario& scenario);
+
+/// Returns "soft" if contacts overlap by more than a twentieth of the mean radius in the mean.
+std::vector<Doubt> overlap_doubts(const io::Snapshot& state);
+
+}  // namespace soilweave::analysis

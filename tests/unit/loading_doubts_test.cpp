@@ -1,0 +1,71 @@
+// Doubts about the materials and stages of a scenario: what is said, and that the remedy ends it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/tables/loading_doubts.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/assembly.h"
+
+namespace soilweave {
+namespace {
+
+using analysis::test::simple_cubic;
+
+dem::Scenario plan(const std::string& stages, const std::string& friction = "30") {
+  return dem::read_scenario(
+      "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nfriction_angle = " + friction +
+          "\n" + stages,
+      "test.toml", {});
+}
+
+std::string isotropic(const std::string& pressure) {
+  return "[[stage]]\npath = \"isotropic\"\npressure = " + pressure + "\n";
+}
+
+std::string strained(const std::string& path, const std::string& stress) {
+  return "[[stage]]\nname = \"shear\"\npath = \"" + path + "\"\n" + stress + "\naxial_strain = 0.1\nrate = 0.1\n";
+}
+
+std::string only(const std::vector<Doubt>& doubts) { return doubts.empty() ? "" : doubts.front().sentence; }
+
+TEST(DoubtsOfLoading, StressThatChangesWhileAStageStrains) {
+  const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));
+  const auto said = [&](const std::string& stages) { return only(analysis::jump_doubts(start, plan(stages))); };
+  const std::string triaxial = strained("triaxial", "confining_pressure = 1e5");
+  EXPECT_NE(said(isotropic("5e4") + triaxial).find("stage \"shear\" holds 100 kPa along x where 50 kPa act before it"),
+            std::string::npos);
+  EXPECT_EQ(said(isotropic("5e4") + isotropic("1e5") + triaxial), "") << "the remedy works";
+  EXPECT_EQ(said(isotropic("95e3") + triaxial), "");
+  EXPECT_NE(said(triaxial), "") << "the packing is at 1 Pa";
+  EXPECT_EQ(said(isotropic("1e5") + strained("constant-p", "mean_stress = 1e5")), "");
+  EXPECT_NE(said(isotropic("1e5") + strained("constant-p", "mean_stress = 2e5")), "");
+  EXPECT_EQ(said(strained("constant-volume", "")), "");
+  io::Snapshot open = start;
+  open.cell.periodic = {false, false, false};
+  EXPECT_TRUE(analysis::jump_doubts(open, plan(triaxial)).empty());
+}
+
+TEST(DoubtsOfLoading, FrictionAnglesInRadians) {
+  EXPECT_EQ(only(analysis::friction_doubts(plan(isotropic("1e5")))), "");
+  EXPECT_EQ(only(analysis::friction_doubts(plan(isotropic("1e5"), "0"))), "") << "none is meant";
+  EXPECT_NE(only(analysis::friction_doubts(plan(isotropic("1e5"), "0.5")))
+                .find("0.5 degrees is next to none; if radians are meant, write 28.65"),
+            std::string::npos);
+  EXPECT_NE(only(analysis::friction_doubts(plan(isotropic("1e5") + "friction_angle = 0.6\n"))), "");
+}
+
+TEST(DoubtsOfLoading, GrainsTooSoftForTheirStress) {
+  io::Snapshot state = simple_cubic(4, Vec3(1, 1, 1));
+  state.contacts.overlap.assign(state.contacts.size(), 0.02);  // radii are 0.5
+  EXPECT_TRUE(analysis::overlap_doubts(state).empty());
+  state.contacts.overlap.assign(state.contacts.size(), 0.03);
+  EXPECT_NE(only(analysis::overlap_doubts(state))
+                .find("contacts overlap by 0.06 of the mean radius in the mean, more than 0.05"),
+            std::string::npos);
+  EXPECT_TRUE(analysis::overlap_doubts({}).empty());
+}
+
+}  // namespace
+}  // namespace soilweave
