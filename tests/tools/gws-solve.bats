@@ -149,6 +149,11 @@ PY
     "$DEM"/soilbag_uniaxial_PE.tsv > unloaded.tsv
   exits 0 gws-solve identify unloaded.tsv "$DEM"/soilbag_uniaxial_PP.tsv
   [[ $output == *"unloaded.tsv: 14 of 23 rows, up to the greatest axial stress, less 1 of unloading and reloading"* ]] || show
+  exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_PE.tsv --geotextile PP
+  [[ $stderr == *"its column tensile_stiffness tells 53 kN/m, --geotextile 232 kN/m: leave one of them out" ]] || show
+  sed '12s/\t53$/\t54/' "$DEM"/soilbag_uniaxial_PE.tsv > changes.tsv
+  exits 65 gws-solve identify changes.tsv
+  [[ $stderr == *": tensile_stiffness is 54000 N/m after 53000 N/m; a bag has one geotextile: give each its own table" ]] || show
   awk 'BEGIN { FS = OFS = "\t" } /^[0-9]/ { $1 = -$1 } { print }' "$DEM"/soilbag_uniaxial_PE.tsv > signs.tsv
   exits 65 gws-solve identify signs.tsv
   [[ $stderr == *"signs.tsv: rows up to the greatest axial stress whose axial strain does not fall: 1; at least 3 are needed: sort the rows by time, "* ]] || show

@@ -45,6 +45,21 @@ std::size_t keep_loading(BagSeries& s, std::size_t last) {
   return last + 1 - kept;
 }
 
+// Returns the stiffness of a column. It may not change, nor differ by a per cent from the given one (0: none is given).
+double one_stiffness(const std::vector<double>& values, double given, const std::string& where, std::size_t first_row) {
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (std::abs(values[i] - values[0]) > 1e-9 * std::abs(values[0]))
+      throw DataError(
+          fmt::format("{}: row {}: tensile_stiffness is {} N/m after {} N/m; a bag has one geotextile: give "
+                      "each its own table",
+                      where, first_row + i + 1, values[i], values[0]));
+  if (given > 0 && std::abs(given - values[0]) > 0.01 * values[0])
+    throw DataError(fmt::format(
+        "{}: its column tensile_stiffness tells {:.4g} kN/m, --geotextile {:.4g} kN/m: leave one of them out", where,
+        values[0] / 1e3, given / 1e3));
+  return values[0];
+}
+
 }  // namespace
 
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
@@ -57,7 +72,9 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
   s.mean_stress = column("mean_stress", "Pa");
   s.deviatoric_stress = column("deviatoric_stress", "Pa");
   if (table.rows() == 0) throw DataError(where + ": has no rows below its header");
-  s.stiffness = table.find("tensile_stiffness") ? column("tensile_stiffness", "N/m")[0] : stiffness;
+  s.stiffness = table.find("tensile_stiffness")
+                    ? one_stiffness(column("tensile_stiffness", "N/m"), stiffness, where, first_row)
+                    : stiffness;
   if (!(s.stiffness > 0))
     throw DataError(fmt::format(
         "{}: no stiffness of the geotextile: give --geotextile for it, or a column tensile_stiffness", where));

@@ -40,9 +40,9 @@ struct BagSeries {
 
 /// Reads a series with columns strain_axial (or strain_zz), strain_volumetric, mean_stress and deviatoric_stress, in
 /// any unit of their kind. Optional columns: contracting (0 or 1) and a constant tensile_stiffness, else `stiffness`
-/// counts (NaN: none given). natural: strains are logarithmic, as homogenize writes them. Rows after the greatest axial
-/// stress (global failure) are left out, and rows of unloading and reloading, whose axial strain is below that of an
-/// earlier row; the note says how many. first_row: rows before these. Throws DataError naming `where`.
+/// counts (0: none given; both have to agree). natural: strains are logarithmic, as homogenize writes them. Rows after
+/// the greatest axial stress (global failure) are left out, and rows of unloading and reloading, whose axial strain is
+/// below that of an earlier row; the note says how many. first_row: rows before these. Throws DataError naming `where`.
 BagSeries bag_series(const io::Series& table, const std::string& where, double stiffness, bool natural,
                      std::size_t first_row = 0);
 
