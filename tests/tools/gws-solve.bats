@@ -141,6 +141,25 @@ PY
   grep -q "outlier, kept: row 1 of .*soilbag_uniaxial_PE.tsv" <<<"$output" || show "no outlier"
 }
 
+@test "tests at failure count at their mean stress, or as the thesis counts them" {
+  # M (p/p_c)^-n with M = 1.35, n = 0.1 and p_c = 3 MPa, at p = 3 sigma_r / (3 - q/p) for confining pressures of 100 to 400 kPa.
+  exits 0 "$PYTHON" - <<'PY'
+with open("peaks.tsv", "w") as file:
+    file.write("confining_pressure [kPa]\tobliquity_at_failure [1]\n")
+    for p in (100, 200, 400, 700):
+        eta = 1.35 * (p / 3000) ** -0.1
+        file.write(f"{p * (3 - eta) / 3!r}\t{eta!r}\n")
+PY
+  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --failure peaks.tsv --tsv
+  near "$(value <(printf '%s\n' "$output") n 1)" 0.1 1e-6
+  near "$(value <(printf '%s\n' "$output") p_c 1)" 3e6 1e-6
+  exits 0 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --failure peaks.tsv --fit thesis
+  [[ $output == *"tests at failure count at their confining pressure."* && $output != *"p_c "*" 3e+06 Pa"* ]] || show
+  printf 'confining_pressure [kPa]\tobliquity_at_failure [1]\n100\t1.4\n200\t4.2\n' > beyond.tsv
+  exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --failure beyond.tsv
+  [[ $stderr == *"beyond.tsv: row 2: q/p = 4.2 under 200 kPa; in compression q/p lies between 0 and 3, and the pressure above 0" ]] || show
+}
+
 @test "identify takes each bag once, and of its rows those of loading" {
   exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_PE.tsv "$DEM"/soilbag_uniaxial_PE.tsv
   [[ $stderr == *"PE.tsv and "*"PE.tsv hold equal rows: one bag counted twice would narrow the intervals; give it once" ]] || show

@@ -88,7 +88,7 @@ std::string_view explained(Method method) {
   return method == Method::path ? "All constants together along the bags' paths; the plastic strain is subtracted from "
                                   "the compression line."
                                 : "Line by line, as the thesis; the compression line is fitted to all of the strain, "
-                                  "plastic strain included.";
+                                  "plastic strain included, and tests at failure count at their confining pressure.";
 }
 
 Identification identify(const std::vector<BagSeries>& given, const SoilFile& soil, const Points& compression,

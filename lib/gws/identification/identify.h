@@ -27,7 +27,8 @@ struct Identification {
 enum class Method {
   /// All at once along the bags' paths, with the plastic strain subtracted from the compression line.
   path,
-  /// Line by line, with the other constants as in `soil`. The compression line takes all strain.
+  /// Line by line, with the other constants as in `soil`. The compression line takes all strain, and the failure line
+  /// has the confining pressure of tests in the place of their mean stress.
   thesis
 };
 
