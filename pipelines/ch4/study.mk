@@ -134,7 +134,8 @@ $(C4O)/page.html: $(C4)/study.py $(C4_PY) $(STUDY) $(C4_TABLES) $(C4_PICTURES) $
 
 KEEPING += ch4
 ENDED_ch4 := $(patsubst $(C4O)/%.h5,%,$(wildcard $(C4_RUNS:%=$(C4O)/%.h5) $(C4_PACKINGS) $(C4O)/soil.h5))
-c4_of = $(C4O)/$(1).tsv $(C4O)/$(1)_shape.tsv $(C4O)/$(1)_rose.tsv $(C4O)/bands_$(1)_%.tsv
+# Sections are those of a run, FORM_GEOTEXTILE; a packing, FORM, has none.
+c4_of = $(C4O)/$(1).tsv $(C4O)/$(1)_shape.tsv $(C4O)/$(1)_rose.tsv $(if $(findstring _,$(1)),$(C4O)/bands_$(1)_%.tsv)
 C4_OF_ENDED := $(foreach run,$(ENDED_ch4),$(filter $(call c4_of,$(run)),$(C4_TABLES)))
 ch4-keep: $(C4_OF_ENDED) ## keep what the thesis-size runs of ch4 that have ended leave (PROFILE=thesis)
 ch4-compare: $(C4_PY) ## compare and draw anew what is kept of ch4
