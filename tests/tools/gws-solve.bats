@@ -160,6 +160,17 @@ PY
   [[ $stderr == *"beyond.tsv: row 2: q/p = 4.2 under 200 kPa; in compression q/p lies between 0 and 3, and the pressure above 0" ]] || show
 }
 
+@test "a soil has all its constants, and says where its data end" {
+  sed '/^xi/d; /^p_1/d' "$LAB/../soils/toyoura-gws.toml" > partial.toml
+  exits 65 gws-solve respond --soil partial.toml --geotextile PP
+  [[ $stderr == *"near_failure_line.xi: is missing; give "*"dilatancy_line.p_1: is missing; give "* ]] || show
+  printf 'name = "mine"\n' > mine.toml
+  exits 65 gws-solve respond --soil mine.toml --geotextile PP
+  sed '/^\[identified/,/^$/d' "$LAB/../soils/toyoura-gws.toml" > ranges.toml
+  exits 0 gws-solve respond --soil ranges.toml --geotextile PP
+  [[ $stderr == *"doubt: soil toyoura-gws lacks [identified] with stiffness, mean_stress and axial_strain, the ranges of its data: extrapolation is not seen" ]] || show
+}
+
 @test "identify takes each bag once, and of its rows those of loading" {
   exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_PE.tsv "$DEM"/soilbag_uniaxial_PE.tsv
   [[ $stderr == *"PE.tsv and "*"PE.tsv hold equal rows: one bag counted twice would narrow the intervals; give it once" ]] || show

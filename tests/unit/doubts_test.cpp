@@ -196,11 +196,13 @@ TEST(DoubtsOfBagsSolved, SoilNobodyChoseAndConstantsExtrapolated) {
   outside.soil.end = gws::End::flow;
   EXPECT_TRUE(gws::doubts(soil, true, asked, {1e5}, {outside}).empty());
   soil.identified = {};
-  EXPECT_TRUE(gws::doubts(soil, true, asked, {1}, {inside}).empty());
+  EXPECT_EQ(gws::doubts(soil, true, asked, {1}, {inside}).size(), 1U);
+  EXPECT_NE(sentence_of(gws::doubts(soil, true, asked, {1}, {inside}), "unknown-range"), "");
 }
 
 TEST(DoubtsOfBagsSolved, ShapesAndLateralStressesThatNoGrainsWereRunWith) {
   gws::SoilFile soil;
+  soil.identified = {{5e4, 7e5}, {2e3, 2e6}, {0, 0.2}};
   gws::Case asked;
   asked.bag = {0.08, 0.4}, asked.lateral = gws::LateralStress::constant(3e5);
   const std::string said = sentence_of(gws::doubts(soil, true, asked, {}, {}), "untested");

@@ -60,6 +60,12 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
         {"estimated-soil", fmt::format("soil {}: {}; alpha, beta and the dilatancy line are Toyoura sand's; "
                                        "identify them on bags of its own (gws-solve identify)",
                                        soil.name, soil.estimated)});
+  const Identified& range = soil.identified;
+  if (soil.estimated.empty() && !(range.stiffness.known() && range.mean_stress.known() && range.axial_strain.known()))
+    found.push_back({"unknown-range",
+                     fmt::format("soil {} lacks [identified] with stiffness, mean_stress and axial_strain, the ranges "
+                                 "of its data: extrapolation is not seen",
+                                 soil.name)});
   std::vector<double> pressures, strains;
   for (const Point& point : states) {
     if (point.soil.end != End::none) continue;

@@ -10,7 +10,8 @@
 namespace soilweave::gws {
 
 /// Returns the doubts by name. "default-soil": the soil was not `chosen`. "estimated-soil": no bags of it were
-/// computed. "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
+/// computed. "unknown-range": the soil does not tell on which stresses, strains and geotextiles it was identified.
+/// "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
 /// "untested": the bag's shape or the lateral stress of `asked` leaves the range of the grains' runs that the solution
 /// was compared with. "compressed": in the last state the lateral stress outside exceeds the soil's, which only a
 /// geotextile under compression could balance. States that do not exist are skipped.

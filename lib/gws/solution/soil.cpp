@@ -137,7 +137,8 @@ SoilFile read_soil(Settings& document) {
   SoilFile file;
   file.name = document.text("name", "soil");
   std::vector<std::string> lines;
-  if (document.has("estimate")) {
+  const bool is_estimate = document.has("estimate");
+  if (is_estimate) {
     Settings at = document.table("estimate");
     const Triaxial test = read_estimate(at);
     file.soil = estimated(test);
@@ -145,7 +146,8 @@ SoilFile read_soil(Settings& document) {
   }
   for (const Constant& c : table) {
     Settings at = document.table(c.line);
-    file.soil.*c.field = at.number(c.parameter, file.soil.*c.field);
+    double& field = file.soil.*c.field;
+    field = is_estimate ? at.number(c.parameter, field) : at.number(c.parameter);
     if (lines.empty() || lines.back() != c.line) lines.emplace_back(c.line);
   }
   Settings scatters = document.table("scatter");

@@ -100,7 +100,8 @@ struct SoilFile {
   std::string estimated = {};
 };
 
-/// Reads a soil; absent keys take defaults. Mistakes go to the document, on which the caller calls finish().
+/// Reads a soil. With [estimate] constants may be absent, and are estimated; else each has to be there. Mistakes go to
+/// the document, on which the caller calls finish().
 SoilFile read_soil(Settings& document);
 /// Returns TOML text that read_soil() reads back, after the lines of `comment`.
 std::string soil_text(const SoilFile& file, std::string_view comment);
