@@ -183,16 +183,22 @@ const std::string small_bag =
 
 TEST(Plan, RefusesWhatCannotBeFilled) {
   const io::Snapshot one = testing::packed(testing::sand(), 1e5);
-  const std::string bag = "[container]\nshape = \"pillow\"\ncopies = [2, 2, 1]\n" + materials;
+  const std::string size = "width = \"374 mm\"\nhalf_height = \"40 mm\"\n";
+  const std::string pillow = "[container]\nshape = \"pillow\"\n" + size,
+                    cushion = "[container]\nshape = \"cushion\"\n" + size;
+  const std::string bag = pillow + "copies = [2, 2, 1]\n" + materials;
   EXPECT_THROW(assemble(one, read_plan(bag, "plan", {})), DataError) << "too few copies";
-  EXPECT_THROW(read_plan("[container]\nshape = \"pillow\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
-  EXPECT_THROW(read_plan("[container]\nshape = \"cushion\"\ncorner_radius = 1\n" + materials, "plan", {}), DataError);
+  EXPECT_THROW(read_plan(pillow + "corner_radius = 1\n" + materials, "plan", {}), DataError);
+  EXPECT_THROW(read_plan(cushion + "corner_radius = 1\n" + materials, "plan", {}), DataError);
   EXPECT_THROW(read_plan("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1, 1, 0]\n" + materials, "plan", {}),
                DataError);
   const auto refuses = [&](const std::string& plan, const std::string& words) {
     io::test::expect_error<DataError>([&] { assemble(one, read_plan(plan + materials, "plan", {})); }, words);
   };
   const std::string box = "[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [0.1, 0.1, 0.1]\n";
+  refuses("[container]\nshape = \"cushion\"\n", "container.width: is missing");
+  refuses("[container]\nshape = \"pillow\"\n", "container.half_height: is missing");
+  refuses(box + "[geotextile_mesh]\nnode_radius = 0.002\n", "geotextile_mesh.cells: is missing");
   refuses(box + "[geotextile_mesh]\nnode_radius = 2.5\n", "is 2.5 m where the container is 0.1 m across");
   refuses("[container]\nshape = \"surface\"\nfile = \"\"\n[geotextile_mesh]\n", "container.file: is empty");
   refuses("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1e-4, 1e-4, 1e-4]\n",

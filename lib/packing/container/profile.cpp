@@ -15,8 +15,8 @@ Profile Profile::read(Settings& table) {
   static constexpr Parameter height{"half_height", "m", 0, 1e3, true, "half of the bag's height"};
   static constexpr Parameter sides{"side_radius", "m", 0, 1e3, true, "radius of the sides; half_height if not given"};
   Profile p;
-  p.width = table.number(width, p.width);
-  p.half_height = table.number(height, p.half_height);
+  p.width = table.number(width);
+  p.half_height = table.number(height);
   p.side_radius = table.number(sides, p.half_height);
   if (p.side_radius < p.half_height)
     table.mistake("side_radius", "is less than half_height: give half_height or more");

@@ -11,7 +11,7 @@ namespace soilweave::packing {
 /// the faces without an edge. Points are given by their distance outside the arc's centre, never inside, and their
 /// height above it, m.
 struct Profile {
-  double width = 0.374336;    // width of the flat faces, m
+  double width = 0.374336;    // width of the flat faces, m; this bag is the thesis's
   double half_height = 0.04;  // m
   double side_radius = 0.04;  // radius of the sides, at least half_height, m
 

@@ -19,8 +19,8 @@
 namespace soilweave::packing {
 namespace {
 
-std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter, std::array<int, 3> fallback) {
-  const Vec3 v = table.vector(parameter, Vec3(fallback[0], fallback[1], fallback[2]));
+std::array<int, 3> whole_triple(Settings& table, const Parameter& parameter) {
+  const Vec3 v = table.vector(parameter);
   for (int a = 0; a < 3; ++a)
     if (v[a] != std::round(v[a])) table.mistake(parameter.name, "has a part that is no whole number");
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
@@ -33,7 +33,7 @@ void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
   known.emplace_back("none");
   PlanFiles named{files, plan.sources};
   plan.container = packing::read_container(table.kind({"shape", "shape of the container"}, known), table, &named);
-  if (table.has("copies")) plan.copies = whole_triple(table, copies, {1, 1, 1});
+  if (table.has("copies")) plan.copies = whole_triple(table, copies);
 }
 
 // Throws for nodes as large as their container: a mistake in the unit, with which soil would lie among the nodes
@@ -55,12 +55,12 @@ void read_fabrics(Settings& document, Plan& plan) {
     Settings table = document.table("geotextile_mesh");
     const Laid laid = read_laid(table);
     plan.nodes = laid.nodes, plan.outside = laid.outside;
-    const bool both = table.has("cells") && table.has("spacing");
-    const std::array<int, 3> given = whole_triple(table, cells, {91, 91, 20});
-    const double apart = table.has("spacing") ? table.number(spacing) : 0;
+    const bool by_cells = table.has("cells"), by_spacing = table.has("spacing");
+    const double apart = by_spacing ? table.number(spacing) : 0;
+    const std::array<int, 3> given = by_cells || !by_spacing ? whole_triple(table, cells) : std::array<int, 3>{1, 1, 1};
     plan.even =
         table.flag({"even", "whether yarns are equally long; false: each face is divided by itself"}, plan.even);
-    if (both) table.mistake("cells", "are given beside spacing: leave one of the two out");
+    if (by_cells && by_spacing) table.mistake("cells", "are given beside spacing: leave one of the two out");
     if (plan.container) {
       demand_small_nodes(table, plan.nodes, *plan.container);
       plan.wrapping = apart > 0 ? cells_of(*plan.container, apart, plan.outside) : given;
@@ -70,7 +70,7 @@ void read_fabrics(Settings& document, Plan& plan) {
   }
   for (Settings table : document.tables("sheet")) {
     Plan::Sheet sheet;
-    const std::array<int, 3> n = whole_triple(table, cells, {1, 1, 1});
+    const std::array<int, 3> n = whole_triple(table, cells);
     sheet.cells = {n[0], n[1]};
     sheet.spacing = table.number(spacing, 0.005), sheet.height = table.number(height, 0.0);
     sheet.nodes = NodeRecipe::read(table);
