@@ -74,8 +74,9 @@ struct Respond {
       text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
     }
     text += read.conditions(c);
-    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
-               gws::doubts(read.soil, read.chose_soil, c, {c.geotextile.stiffness}, {response.start(), response.last()}));
+    output.put(
+        groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
+        gws::doubts(read.soil, read.chose_soil, c, {c.geotextile.stiffness}, {response.start(), response.last()}));
     gws::demand_reached(response, asked);
   }
 };
