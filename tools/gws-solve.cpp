@@ -13,7 +13,6 @@
 #include "gws/output/report.h"
 #include "gws/output/series_options.h"
 #include "gws/output/tables.h"
-#include "gws/solution/doubts.h"
 #include "gws/solution/secant.h"
 
 namespace {
@@ -74,9 +73,8 @@ struct Respond {
       text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);
     }
     text += read.conditions(c);
-    output.put(
-        groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
-        gws::doubts(read.soil, read.chose_soil, c, {c.geotextile.stiffness}, {response.start(), response.last()}));
+    output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
+               read.doubts({c.geotextile.stiffness}, {response.start(), response.last()}));
     gws::demand_reached(response, asked);
   }
 };
@@ -167,18 +165,18 @@ struct Design {
       const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
       groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
       text = gws::aligned(gws::readable(rows));
-      doubts = gws::doubts(read.soil, read.chose_soil, c, {from, to}, {});
+      doubts = read.doubts({from, to}, {});
     } else if (surcharge) {
       const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
       groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
       text = gws::describe(found, demand, c);
       answered.geotextile = found.geotextile;
-      doubts = gws::doubts(read.soil, read.chose_soil, c, {found.geotextile.stiffness}, {found.start, found.factored});
+      doubts = read.doubts({found.geotextile.stiffness}, {found.start, found.factored});
     } else {
       const gws::Allowance found = gws::allowable_surcharge(c, demand.settlement, demand.safety, demand.weakened);
       groups.push_back({"design", "surcharge carried", gws::allowance_table(found)});
       text = gws::describe(found, demand.settlement, demand.safety, c);
-      doubts = gws::doubts(read.soil, read.chose_soil, c, {c.geotextile.stiffness}, {found.at});
+      doubts = read.doubts({c.geotextile.stiffness}, {found.at});
     }
     text = read.soil_line() + text + read.conditions(answered);
     output.put(groups, 0, text, read.sources, read.scenario, invocation, doubts);

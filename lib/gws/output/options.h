@@ -11,6 +11,7 @@
 #include "files/provenance.h"
 #include "gws/design/factors.h"
 #include "gws/identification/identify.h"
+#include "gws/solution/doubts.h"
 #include "gws/solution/respond.h"
 
 namespace soilweave::gws {
@@ -74,6 +75,10 @@ struct ReadCase {
   /// Returns the basis of the answer for `bag` (gws/design/factors.h). A geotextile that was found has its required
   /// strength.
   std::string conditions(const Case& bag) const;
+  /// Returns the doubts about an answer (gws/solution/doubts.h).
+  std::vector<Doubt> doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const {
+    return gws::doubts(soil, chose_soil, the_case, stiffnesses, states);
+  }
 };
 
 /// Options of a bag.
