@@ -158,7 +158,7 @@ TEST(GwsPathFit, ReinforcedSoilInACellServesTheNearFailureLineAlone) {
   EXPECT_FALSE(is_loading(table));
   const BagSeries bag = bag_of_reinforced(table, "cell.tsv", {232e3, "of PP"});
   EXPECT_FALSE(bag.from_rest);
-  EXPECT_EQ(bag.first_row, 1u);
+  EXPECT_EQ(bag.row.front(), 1u);
   EXPECT_EQ(bag.size(), 8u);  // the row with a broken yarn is left out
   const Identification found = identified({bag});
   ASSERT_EQ(found.lines.size(), 1u) << joined(found.left_out);
