@@ -196,11 +196,13 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
     io::test::expect_error<DataError>([&] { assemble(one, read_plan(plan + materials, "plan", {})); }, words);
   };
   const std::string box = "[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [0.1, 0.1, 0.1]\n";
-  refuses("[container]\nshape = \"cushion\"\n", "container.width: is missing");
-  refuses("[container]\nshape = \"pillow\"\n", "container.half_height: is missing");
+  refuses("[container]\nshape = \"cushion\"\nhalf_height = 0.04\n", "container.width: is missing");
+  refuses("[container]\nshape = \"pillow\"\nwidth = 0.4\n", "container.half_height: is missing");
   refuses(box + "[geotextile_mesh]\nnode_radius = 0.002\n", "geotextile_mesh.cells: is missing");
-  refuses(box + "[geotextile_mesh]\nnode_radius = 2.5\n", "is 2.5 m where the container is 0.1 m across");
-  refuses("[container]\nshape = \"surface\"\nfile = \"\"\n[geotextile_mesh]\n", "container.file: is empty");
+  refuses(box + "[geotextile_mesh]\ncells = [10, 10, 6]\nnode_radius = 2.5\n",
+          "is 2.5 m where the container is 0.1 m across");
+  refuses("[container]\nshape = \"surface\"\nfile = \"\"\n[geotextile_mesh]\ncells = [10, 10, 6]\n",
+          "container.file: is empty");
   refuses("[container]\nshape = \"box\"\nlow = [0, 0, 0]\nhigh = [1e-4, 1e-4, 1e-4]\n",
           "fits into the container of 0.0001 x 0.0001 x 0.0001 m: the smallest is");
   io::Snapshot open = one;
