@@ -206,7 +206,7 @@ TEST(DoubtsOfBagsSolved, ShapesAndLateralStressesThatNoGrainsWereRunWith) {
   gws::Case asked;
   asked.bag = {0.08, 0.4}, asked.lateral = gws::LateralStress::constant(3e5);
   const std::string said = sentence_of(gws::doubts(soil, true, asked, {}, {}), "untested");
-  EXPECT_NE(said.find("height over width 5 (compared with grains for 0.1 to 0.4), lateral stress 300 kPa"),
+  EXPECT_NE(said.find("height over width 5 (grains were run in bags of 0.2), lateral stress 300 kPa"),
             std::string::npos)
       << said;
   asked.bag = {0.4, 0.1}, asked.lateral = gws::LateralStress::constant(1e5);

@@ -158,6 +158,12 @@ std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const 
     one.geotextile.strength *= one.geotextile.stiffness / bag.geotextile.stiffness;
     rows.push_back(chart_row(one, demand));
   }
+  // Geotextiles that are too weak to begin have rows without values; if all have, the last one says why.
+  if (std::ranges::all_of(rows, [](const ChartRow& row) { return std::isnan(row.capacity); })) {
+    Case last = bag;
+    last.until.reset(), last.geotextile = rows.back().geotextile;
+    Response{last};
+  }
   return rows;
 }
 

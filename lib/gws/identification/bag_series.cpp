@@ -48,7 +48,7 @@ std::size_t keep_loading(BagSeries& s, std::size_t last) {
 // Returns the stiffness of a column. It may not change, nor differ by a per cent from the given one (0: none is given).
 double one_stiffness(const std::vector<double>& values, double given, const std::string& where, std::size_t first_row) {
   for (std::size_t i = 1; i < values.size(); ++i)
-    if (std::abs(values[i] - values[0]) > 1e-9 * std::abs(values[0]))
+    if (!(std::abs(values[i] - values[0]) <= 1e-9 * std::abs(values[0])))
       throw DataError(
           fmt::format("{}: row {}: tensile_stiffness is {} N/m after {} N/m; a bag has one geotextile: give "
                       "each its own table",

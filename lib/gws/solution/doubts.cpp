@@ -14,9 +14,11 @@ namespace {
 // Relative tolerance at the ends of a range, because numbers of data are rounded.
 constexpr double slack = 0.01;
 
-// Grains were run in bags of one shape, of which a half and twice the height are trusted, and in cells under 10 to 100
-// kPa (thesis sections 5.1 and 5.2).
-constexpr Span tested_slenderness{0.1, 0.4}, tested_lateral{0, 1e5};
+// Grains were run in bags of one height over width, and in cells under up to 100 kPa (thesis sections 5.1 and 5.2).
+constexpr double tested_slenderness = 0.2;
+constexpr Span tested_lateral{0, 1e5};
+// Bags half or twice as high are taken for the shape that was run.
+constexpr double like_shape = 2;
 
 // Returns the values that leave a range as one phrase; empty if none does, or if the range is not known.
 std::string beyond(const Span& range, const std::vector<double>& values, const char* name, double unit,
@@ -80,10 +82,13 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
         {"extrapolation", fmt::format("the constants of {} are extrapolated: {}; identify them on such bags "
                                       "(gws-solve identify)",
                                       soil.name, all)});
-  if (std::string all = listed({beyond(tested_slenderness, {asked.bag.height / asked.bag.width}, "height over width", 1,
-                                       "", "compared with grains for"),
-                                beyond(tested_lateral, {greatest(asked.lateral)}, "lateral stress", 1e3, " kPa",
-                                       "compared with grains for")});
+  const double slenderness = asked.bag.height / asked.bag.width;
+  const bool like = slenderness * like_shape >= tested_slenderness && slenderness <= tested_slenderness * like_shape;
+  const std::string shape = like ? ""
+                                 : fmt::format("height over width {:.4g} (grains were run in bags of {:.4g})",
+                                               slenderness, tested_slenderness);
+  if (std::string all = listed({shape, beyond(tested_lateral, {greatest(asked.lateral)}, "lateral stress", 1e3, " kPa",
+                                              "grains were run under")});
       !all.empty())
     found.push_back({"untested", fmt::format("the solution is untested here: {}; load such a bag of grains "
                                              "(filter-expand, run-dem) before relying on it",
