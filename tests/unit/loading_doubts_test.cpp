@@ -34,7 +34,7 @@ TEST(DoubtsOfLoading, StressThatChangesWhileAStageStrains) {
   const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));
   const auto said = [&](const std::string& stages) { return only(analysis::jump_doubts(start, plan(stages))); };
   const std::string triaxial = strained("triaxial", "confining_pressure = 1e5");
-  EXPECT_NE(said(isotropic("5e4") + triaxial).find("stage \"shear\" holds 100 kPa along x where 50 kPa act before it"),
+  EXPECT_NE(said(isotropic("5e4") + triaxial).find("stage \"shear\" holds 100 kPa along x where 50 act before it"),
             std::string::npos);
   EXPECT_EQ(said(isotropic("5e4") + isotropic("1e5") + triaxial), "") << "the remedy works";
   EXPECT_EQ(said(isotropic("95e3") + triaxial), "");
@@ -42,6 +42,16 @@ TEST(DoubtsOfLoading, StressThatChangesWhileAStageStrains) {
   EXPECT_EQ(said(isotropic("1e5") + strained("constant-p", "mean_stress = 1e5")), "");
   EXPECT_NE(said(isotropic("1e5") + strained("constant-p", "mean_stress = 2e5")), "");
   EXPECT_EQ(said(strained("constant-volume", "")), "");
+  EXPECT_EQ(said(isotropic("1e5") + triaxial + strained("constant-p", "mean_stress = 17e4")), "")
+      << "the lateral stress follows from the axial one, which nobody knows before the run";
+  EXPECT_NE(said(isotropic("1e5") + triaxial + strained("triaxial", "confining_pressure = 2e5")), "");
+  const auto free = [](const std::string& lateral, const std::string& axial, const std::string& parts = "") {
+    return "[[stage]]\npath = \"free\"\n" + parts + "[stage.x]\n" + lateral + "[stage.y]\n" + lateral + "[stage.z]\n" +
+           axial;
+  };
+  EXPECT_EQ(said(isotropic("5e4") + free("stress = 1e5\n", "stress = 2e5\n") + triaxial), "") << "the other remedy";
+  EXPECT_EQ(said(isotropic("5e4") + free("stress_from = 5e4\nstress = 1e5\n", "strain = 0.01\n", "parts = 5\n")), "")
+      << "a ramp";
   io::Snapshot open = start;
   open.cell.periodic = {false, false, false};
   EXPECT_TRUE(analysis::jump_doubts(open, plan(triaxial)).empty());

@@ -11,7 +11,7 @@
 namespace soilweave::analysis {
 
 /// Returns "jump" if a stage strains one axis of a cell while the stress that it holds on another differs by more than
-/// a tenth from what acts there before. Stresses that the stage before leaves open are not judged.
+/// a tenth from what acts there before. Not judged are ramps, and stresses that the stage before leaves open.
 std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& scenario);
 
 /// Returns "friction" if a friction angle is above 0 and below pi/2 degrees, as an angle in radians would be.
