@@ -186,7 +186,7 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
   const std::string size = "width = \"374 mm\"\nhalf_height = \"40 mm\"\n";
   const std::string pillow = "[container]\nshape = \"pillow\"\n" + size,
                     cushion = "[container]\nshape = \"cushion\"\n" + size;
-  const std::string bag = pillow + "copies = [2, 2, 1]\n" + materials;
+  const std::string bag = pillow + "corner_radius = \"36 mm\"\ncopies = [2, 2, 1]\n" + materials;
   EXPECT_THROW(assemble(one, read_plan(bag, "plan", {})), DataError) << "too few copies";
   EXPECT_THROW(read_plan(pillow + "corner_radius = 1\n" + materials, "plan", {}), DataError);
   EXPECT_THROW(read_plan(cushion + "corner_radius = 1\n" + materials, "plan", {}), DataError);

@@ -11,7 +11,7 @@ namespace soilweave::packing {
 void FilledBag::read_section(Settings& table) {
   static constexpr Parameter corner{"corner_radius", "m", 0, 1e3, false, "radius of the corners, seen from above"};
   static_cast<Profile&>(*this) = Profile::read(table);
-  corner_radius = table.number(corner, corner_radius);
+  corner_radius = table.number(corner, 0.0);
   if (2 * corner_radius > width) table.mistake("corner_radius", "is more than half the width: round the corners less");
 }
 
