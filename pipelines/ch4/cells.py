@@ -13,6 +13,7 @@ HERE = pathlib.Path(__file__).parent
 FORMS = ("wrapped", "layered")
 GEOTEXTILES = ("PE", "PP", "5PP")  # from soft to stiff
 MIDDLING = "PP"  # the geotextile that Fig. 4.6 shows
+TWIN = "PE"  # the geotextile whose wrapped cell is also sheared at a tenth of the rate, in the fewest steps of all
 GROUPS = ("1", "2", "3")  # of the reinforced soil, from its edge to its middle
 SHEAR = 1  # number of the stage in triaxial.toml
 EARLIEST = 2  # % of axial strain from which on the forms are compared
@@ -130,8 +131,8 @@ class Runs:
         return Soil(self.folder("soil"))
 
     def slow(self):
-        """Returns the wrapped cell of PP sheared at a tenth of the rate. Raises NotMade if it was not run."""
-        return Cell(self.absent(f"wrapped_{MIDDLING}_slow"))
+        """Returns the wrapped cell of TWIN sheared at a tenth of the rate. Raises NotMade if it was not run."""
+        return Cell(self.absent(f"wrapped_{TWIN}_slow"))
 
     def pair(self, geotextile):
         """Returns the wrapped and the layered cell of a geotextile."""

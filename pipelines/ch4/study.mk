@@ -9,8 +9,8 @@ C4O := $(OUT)/ch4
 C4_FORMS := wrapped layered
 C4_GEOTEXTILES := PE PP 5PP
 C4_CELLS := $(foreach form,$(C4_FORMS),$(C4_GEOTEXTILES:%=$(form)_%))
-# A twin sheared at a tenth of the rate.
-C4_SLOW_thesis := wrapped_PP_slow
+# A twin sheared at a tenth of the rate, with the geotextile that takes the fewest steps.
+C4_SLOW_thesis := wrapped_PE_slow
 C4_RV_quick := $(C4O)/rv.h5
 C4_RV_thesis := $(C3O)/rv.h5
 C4_RV := $(C4_RV_$(PROFILE))

@@ -6,7 +6,7 @@ import itertools
 
 import numpy
 from ch4 import drawing
-from ch4.cells import FORMS, GEOTEXTILES, GROUPS, HERE, MIDDLING, Runs, both_whole, compared, confining, least_rise, over
+from ch4.cells import FORMS, GEOTEXTILES, GROUPS, HERE, MIDDLING, TWIN, Runs, both_whole, compared, confining, least_rise, over
 from study import NotMade, Study, main
 
 
@@ -156,7 +156,7 @@ def measure_chain(study, runs):
 
 def slowed(runs):
     """Returns by how much the cell's axial stress differs at most at a tenth of the rate, % of the greatest. Raises NotMade."""
-    slow, usual = runs.slow()["ratio"], runs.cell("wrapped", MIDDLING)["ratio"]
+    slow, usual = runs.slow()["ratio"], runs.cell("wrapped", TWIN)["ratio"]
     if len(slow) != len(usual):
         raise NotMade("it has not come to the end")
     return 100 * abs(slow - usual).max() / usual.max()

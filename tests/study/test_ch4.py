@@ -120,9 +120,9 @@ def test_measures_of_cells_by_hand(study):
 
 
 def test_a_slow_twin_is_compared_station_by_station(folder):
-    cell(folder / "wrapped_PP_slow.tsv", axial=4 * numpy.array([1, 3, 5, 5.4, 5]))
+    cell(folder / "wrapped_PE_slow.tsv", axial=2 * numpy.array([1, 3, 5, 5.4, 5]))
     assert chapter.slowed(Runs(folder)) == pytest.approx(10)
-    cell(folder / "wrapped_PP_slow.tsv", stage=[0, 1, 1, 1, 1])
+    cell(folder / "wrapped_PE_slow.tsv", stage=[0, 1, 1, 1, 1])
     with pytest.raises(NotMade, match="has not come to the end"):
         chapter.slowed(Runs(folder))
 
