@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "display/display_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -192,6 +194,35 @@ std::optional<VtkPicture> show_axes(const Series& table, const TableState& state
   return picture;
 }
 
+namespace {
+
+template <class Number>
+const std::vector<Number>& values_of(const VtkPicture& picture, std::string_view name) {
+  const auto array = std::ranges::find_if(picture.point_data, [&](const VtkArray& one) { return one.name == name; });
+  return std::get<std::vector<Number>>(array->values);
+}
+
+// Throws DataError if a grain has another radius in the table, which is then that of another packing. `rows` are the
+// grains' rows, where they are known.
+void demand_same_radii(const VtkPicture& grains, const Series& table, const std::vector<std::size_t>& rows,
+                       const std::vector<bool>& known) {
+  const Column* there = table.find("radius");
+  if (!there) return;
+  const auto& bodies = values_of<std::int64_t>(grains, "body_id");
+  const auto& radii = values_of<double>(grains, "radius");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double radius = there->values[rows[i]];
+    if (!known[i] || std::abs(radius - radii[i]) <= 1e-6 * radii[i]) continue;
+    throw DataError(
+        fmt::format("the table of grains is of another packing: grain {} has a radius of {:.6g} m there, and of {:.6g} "
+                    "m here; make "
+                    "it from this file, with homogenize --grains",
+                    bodies[i], radius, radii[i]));
+  }
+}
+
+}  // namespace
+
 void join_grains(VtkPicture& grains, const Series& table) {
   const Column* ids = table.find("body_id");
   if (!ids) throw DataError("the table of grains has no column body_id to tell them by");
@@ -201,18 +232,16 @@ void join_grains(VtkPicture& grains, const Series& table) {
     if (!step || std::llround(step->values[row]) == grains.step) row_of[std::llround(ids->values[row])] = row;
   if (row_of.empty()) throw DataError("the table of grains has no row for step " + std::to_string(grains.step));
 
-  const auto named = std::find_if(grains.point_data.begin(), grains.point_data.end(),
-                                  [](const VtkArray& array) { return array.name == "body_id"; });
-  const auto bodies = std::get<std::vector<std::int64_t>>(named->values);
   std::vector<std::size_t> rows;
   std::vector<bool> known;
-  for (const std::int64_t body : bodies) {
+  for (const std::int64_t body : values_of<std::int64_t>(grains, "body_id")) {
     const auto found = row_of.find(body);
     known.push_back(found != row_of.end());
     rows.push_back(known.back() ? found->second : row_of.begin()->second);
   }
+  demand_same_radii(grains, table, rows, known);
   for (VtkArray& array : arrays_of(table, rows)) {
-    if (array.name == "body_id") continue;
+    if (array.name == "body_id" || array.name == "radius") continue;
     auto& values = std::get<std::vector<double>>(array.values);
     const auto components = static_cast<std::size_t>(array.components);
     for (std::size_t k = 0; k < values.size(); ++k)

@@ -40,7 +40,8 @@ VtkPicture show_rows(const Series& table, const TableState& state);
 std::optional<VtkPicture> show_axes(const Series& table, const TableState& state);
 
 /// Adds the table's columns to the grains with the same body_id, at the picture's step if the table has steps. A grain
-/// without a row gets NaN; arrays of the same name are replaced. Throws DataError without body_id or this state.
+/// without a row gets NaN; arrays of the same name are replaced. Throws DataError without body_id or this state, or if
+/// radii tell that the table is of another packing.
 void join_grains(VtkPicture& grains, const Series& table);
 
 /// Returns CSV with bare column names, for ParaView.

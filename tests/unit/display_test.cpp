@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "display/display_multiscale.h"
 #include "display/display_table.h"
+#include "support/same_state.h"
 
 namespace soilweave::io {
 namespace {
@@ -357,6 +358,10 @@ TEST(DisplayTable, RowsJoinTheGrainsOfTheirStepByBodyId) {
   EXPECT_EQ(joined[2], 0.7);
   grains.step = 30;
   EXPECT_THROW(join_grains(grains, table), DataError);
+  grains.step = 20;
+  table.columns.push_back(column("radius", {1, 0.1, 7}));
+  test::expect_error<DataError>([&] { join_grains(grains, table); },
+                                "of another packing: grain 100 has a radius of 7 m there");
 }
 
 TEST(DisplayTable, CsvHasAHeaderAndShortestExactNumbers) {
