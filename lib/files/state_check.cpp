@@ -32,6 +32,7 @@ class Check {
     lengths();
     cell();
     for (std::size_t i = 0; i < state_.grains.size(); ++i) grain(i);
+    names();
     size();
     for (std::size_t k = 0; k < state_.planes.point.size(); ++k) plane(k);
     for (std::size_t k = 0; k < state_.yarns.size(); ++k) yarn(k);
@@ -92,6 +93,14 @@ class Check {
     if (g.dimension == 2 && (g.position[i].z() != 0 || g.velocity[i].z() != 0)) bad("leaves the plane of a 2D state");
   }
 
+  /// Checks that no two grains have one name: tables and later states tell grains by it.
+  void names() const {
+    std::vector<std::int64_t> ids(state_.grains.body_id.begin(), state_.grains.body_id.end());
+    std::ranges::sort(ids);
+    if (const auto twice = std::ranges::adjacent_find(ids); twice != ids.end())
+      fail(fmt::format("body_id {} names two grains; give each its own", *twice));
+  }
+
   /// Checks sizes: the nearest image of a touching pair is unique only if grains are smaller than half the cell.
   void size() const {
     double largest = 0;
@@ -148,13 +157,24 @@ class Check {
       bad("names a grain or plane that is not there");
     if (second >= 0 && second <= first) bad("the first grain must come before the second");
     if (k > 0 && c.bodies[k] < c.bodies[k - 1]) bad("is out of order; sort contacts by (first, second)");
+    if (k > 0 && c.bodies[k] == c.bodies[k - 1] && c.image[k] == c.image[k - 1]) bad("is there twice");
     if (!(std::abs(c.normal[k].norm() - 1) <= unit_tolerance)) bad("normal is no unit vector");
     if (!c.branch_vector[k].allFinite() || !std::isfinite(c.overlap[k])) bad("geometry is not finite");
+    if (!(c.normal[k].dot(c.branch_vector[k]) > 0)) bad("normal points away from the second body");
+    if (second >= 0 && !joins_centres(k)) bad("branch_vector does not join the grains' centres");
     if (!std::isfinite(c.normal_force[k]) || !c.shear_force[k].allFinite()) bad("force is not finite");
     if (!c.rolling_moment[k].allFinite() || !std::isfinite(c.twisting_moment[k])) bad("moment is not finite");
     for (const OwnHistory& field : c.own)
       for (std::size_t j = 0; j < field.width; ++j)
         if (!std::isfinite(field.values[field.width * k + j])) bad((field.name + " is not finite").c_str());
+  }
+
+  bool joins_centres(std::size_t k) const {
+    const ContactsRecord& c = state_.contacts;
+    const std::vector<Vec3>& x = state_.grains.position;
+    const Vec3 branch = x[static_cast<std::size_t>(c.bodies[k][1])] + state_.cell.matrix * c.image[k].cast<double>() -
+                        x[static_cast<std::size_t>(c.bodies[k][0])];
+    return (branch - c.branch_vector[k]).norm() <= unit_tolerance * branch.norm();
   }
 
   const Snapshot& state_;

@@ -60,11 +60,13 @@ class StatesReader {
     return values;
   }
 
-  /// Throws DataError if another program's trajectory has another unit than expected.
+  /// Throws DataError if another program has written another unit than expected. H5MD calls it unit, Soilweave units.
   void demand_unit(const std::string& path, std::string_view wanted) const {
-    if (!path.starts_with("/particles") || !file_.has_attribute(path, "unit")) return;
-    if (const std::string unit = file_.text_attribute(path, "unit"); unit != wanted)
-      file_.fail(path, fmt::format("is in the unit \"{}\"; {} is read here", unit, wanted));
+    for (const char* name : {"unit", "units"}) {
+      if (!file_.has_attribute(path, name)) continue;
+      if (const std::string unit = file_.text_attribute(path, name); unit != wanted)
+        file_.fail(path, fmt::format("is in the unit \"{}\"; {} is read here", unit, wanted));
+    }
   }
 
   template <class Record, class Items>

@@ -58,6 +58,20 @@ class Numbers {
   std::uint64_t state_ = 42;
 };
 
+/// Lets branch vectors and normals of contacts join the grains' centres, and point at planes.
+inline void join_centres(Snapshot& state) {
+  const std::vector<Vec3>& x = state.grains.position;
+  ContactsRecord& c = state.contacts;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const auto [first, second] = c.bodies[k];
+    const Vec3& from = x[static_cast<std::size_t>(first)];
+    c.branch_vector[k] =
+        second < 0 ? Vec3(-0.05 * state.planes.normal[static_cast<std::size_t>(-second - 1)])
+                   : Vec3(x[static_cast<std::size_t>(second)] + state.cell.matrix * c.image[k].cast<double>() - from);
+    c.normal[k] = c.branch_vector[k].normalized();
+  }
+}
+
 /// Returns a chain of touching grains in a sheared cell, with contacts and their history, one of them through a
 /// periodic face, and optional planes. Some numbers are denormal, negative zero or extreme.
 inline Snapshot example_state(std::size_t grains = 12, int dimension = 3, bool planes = false) {
@@ -95,8 +109,8 @@ inline Snapshot example_state(std::size_t grains = 12, int dimension = 3, bool p
   for (std::int32_t i = 0; i + 1 < static_cast<std::int32_t>(grains); ++i) {
     c.bodies.push_back({i, planes && i == 3 ? -2 : i + 1});
     c.image.emplace_back(i == 0 ? -1 : 0, 0, 0);
-    c.normal.push_back(any.vector().normalized());
-    c.branch_vector.push_back(any.vector());
+    c.normal.emplace_back(Vec3::Zero());
+    c.branch_vector.emplace_back(Vec3::Zero());
     c.overlap.push_back(1e-5 * any());
     c.normal_force.push_back(any());
     c.shear_force.push_back(any.vector());
@@ -104,6 +118,7 @@ inline Snapshot example_state(std::size_t grains = 12, int dimension = 3, bool p
     c.twisting_moment.push_back(any());
     c.sliding.push_back(static_cast<std::uint8_t>(i % 2));
   }
+  join_centres(state);
   return state;
 }
 
@@ -128,6 +143,7 @@ inline RunFile example_run(std::size_t grains = 12, bool planes = false) {
     for (double& radius : state.grains.radius) radius *= 1 + 0.001 * f;
     state.cell.matrix *= 1 + 1e-3 * f;
     if (f == 1) state.contacts = {};
+    join_centres(state);
     run.snapshots.push_back(std::move(state));
   }
   run.series.columns = {{"step", "1", "number of time steps taken", {0, 100, 200, 250}},

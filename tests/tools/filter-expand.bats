@@ -218,8 +218,6 @@ PYTHON
   # A file that only the plan names is an input too.
   refuses 73 filter-expand "binary.STL: is the surface that this command reads, or a copy of it, and would be lost" packing.h5 plans/cut.toml \
     --set container.file=binary.STL --force -o binary.STL
-  refuses 73 filter-expand "name another file with --history" packing.h5 plans/cut.toml --set container.file=binary.STL --force \
-    -o other.h5 --history binary.STL
   head -c 400 binary.STL > short.stl
   refuses 65 filter-expand "counts 12 triangles, which take 684 bytes, but it has 400" packing.h5 plans/cut.toml --set container.file=short.stl -o out.h5
   refuses 65 filter-expand "are these millimetres? give container.scale = 0.001" packing.h5 plans/cut.toml --set container.file=mm.stl -o out.h5

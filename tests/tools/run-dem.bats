@@ -141,6 +141,8 @@ off() {
   refuses 65 run-dem "grains of material 1, the scenario describes 1: add [[material]] tables" edited.h5 short.toml \
     -o out.h5
   edit 'g["position/value"][0, 5] = g["position/value"][0, 9] + 1e-3'
+  refuses 65 run-dem "branch_vector does not join the grains' centres" edited.h5 short.toml -o out.h5
+  edit 'g["radius"][:] *= 1.3'
   refuses 65 run-dem "of the radius: too deep for a contact of stiff grains" edited.h5 short.toml -o out.h5
   edit 'g["radius"][:] *= 3'
   refuses 65 run-dem "is not smaller than half the cell along axis" edited.h5 short.toml -o out.h5

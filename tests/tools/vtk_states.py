@@ -121,9 +121,9 @@ def write_states(path, case):
             rows = [] if case == "bare" else contacts_of(position[frame], radius, cells[frame], periodic, planes)
             write_contacts(file, frame, rows, dimension == 2)
         if planes:
-            for name, values in (("point", [p for p, _ in planes]), ("normal", [n for _, n in planes]),
-                                 ("velocity", numpy.zeros((2, 3)))):
-                labelled(file, "planes/" + name, numpy.tile(values, (frames, 1, 1)), "m")
+            for name, values, unit in (("point", [p for p, _ in planes], "m"), ("normal", [n for _, n in planes], "1"),
+                                       ("velocity", numpy.zeros((2, 3)), "m s-1")):
+                labelled(file, "planes/" + name, numpy.tile(values, (frames, 1, 1)), unit)
             labelled(file, "planes/material_id", numpy.ones((frames, 2), "i4"))
         if frames > 1:
             labelled(file, "scenario", "law = \"linear\"\n")
