@@ -4,15 +4,16 @@
 
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "analysis/tables/bag.h"
 #include "analysis/tables/doubts.h"
 #include "analysis/tables/tables.h"
+#include "analysis/tables/volume_choice.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
-#include "core/text/number_word.h"
 #include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
 #include "files/exchange/table_output.h"
@@ -46,8 +47,8 @@ struct Tables {
 struct Homogenize {
   std::filesystem::path input, output;
   std::string state = "all", table = "cell", columns;
-  std::vector<std::string> boxes;
-  bool tsv = false, list = false, copies = false, groups = false, grains = false, yarns = false, tessellation = false;
+  analysis::VolumeChoice choice;
+  bool tsv = false, list = false, grains = false, yarns = false, tessellation = false;
 
   void options(tool::Table& t) {
     t.about("homogenize", "stress, strain and void ratio from the grains and contacts of a packing or a run",
@@ -63,9 +64,9 @@ struct Homogenize {
     t.unrecorded("columns");
     t.instead_of_output(list, "list", "print the names of the tables that the file can give, and stop");
     t.option(state, "state", "WHICH", "all, first, last or a number from 0");
-    t.option(boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
-    t.flag(copies, "copies", "take the copies of a tiled packing as volumes of interest");
-    t.flag(groups, "groups",
+    t.option(choice.boxes, "box", "X0,X1,Y0,Y1,Z0,Z1", "volume of interest, m");
+    t.flag(choice.copies, "copies", "take the copies of a tiled packing as volumes of interest");
+    t.flag(choice.groups, "groups",
            "volumes along x in the middle of a bag, #1 to #5 of thesis Fig. 3.9: four copies each of ten by ten, one "
            "of five by five");
     t.flag(grains, "grains", "one row per grain");
@@ -81,13 +82,9 @@ struct Homogenize {
     if (!tsv && !columns.empty()) wrong.emplace_back("--columns belongs to --tsv: give both");
     io::TableOutput{tsv, output}.check(wrong);
     io::check_states(state, wrong);
-    for (const std::string& text : boxes) {
-      const std::vector<double> b = numbers_of_list(text);
-      if (b.size() != 6 || b[0] >= b[1] || b[2] >= b[3] || b[4] >= b[5])
-        wrong.push_back(fmt::format("--box {}: give x, y and z from low to high, as in 0,0.1,0,0.1,0,0.2", text));
-    }
-    if (table == "volumes" && boxes.empty() && !copies && !groups)
-      wrong.emplace_back("--table volumes needs --box, --copies or --groups");
+    choice.check(wrong);
+    if (table == "volumes" && choice.empty()) wrong.emplace_back("--table volumes needs --box, --copies or --groups");
+    if (tsv && output.empty()) demand_flags_of_table(wrong);
     io::demand_none(wrong);
   }
 
@@ -105,14 +102,24 @@ struct Homogenize {
     if (!output.empty()) write(tables, io::with_doubts(io::extend({file.source}, invocation), doubts));
   }
 
+  /// Adds a mistake for each flag that says nothing about the one table that is printed.
+  void demand_flags_of_table(std::vector<std::string>& wrong) const {
+    using Flag = std::tuple<bool, std::string_view, std::string_view>;
+    for (const auto& [given, flag, of] :
+         {Flag{!choice.empty(), "--box, --copies or --groups", "volumes"}, Flag{grains, "--grains", "grains"},
+          Flag{yarns, "--yarns", "yarns"}, Flag{tessellation, "--tessellation", "cell"}})
+      if (given && table != of) wrong.push_back(fmt::format("{} belongs to --table {}: give it, or -o FILE", flag, of));
+  }
+
   /// Returns whether a slow table is written or printed.
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, Doubts& doubts) const {
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
+    if (tsv && table == "cell") doubts.add_all(analysis::open_cell_doubts(s));
     if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
-    const std::vector<analysis::Volume> volumes = volumes_of_interest(s);
+    const std::vector<analysis::Volume> volumes = choice.volumes(s, input.string());
     const bool each_grain = grains || table == "grains";
     if (volumes.empty() && !each_grain) return;
     const analysis::Local local = analysis::local(first, s);
@@ -127,18 +134,6 @@ struct Homogenize {
     for (const packing::RunTable& one : packing::run_tables())
       if ((tsv && table == one.name) || (!output.empty() && one.given_by(file)))
         tables.of_run.push_back({one.name, one.long_name, one.make(file, input.string())});
-  }
-
-  std::vector<analysis::Volume> volumes_of_interest(const io::Snapshot& s) const {
-    std::vector<analysis::Volume> volumes;
-    if (copies) volumes = analysis::copies(s);
-    if (groups)
-      for (analysis::Volume& group : analysis::groups(s)) volumes.push_back(std::move(group));
-    for (const std::string& text : boxes) {
-      const std::vector<double> b = numbers_of_list(text);
-      volumes.push_back(analysis::box(s, {b[0], b[2], b[4]}, {b[1], b[3], b[5]}));
-    }
-    return volumes;
   }
 
   /// Prints one line per table: its name for --table, and its content.
@@ -160,20 +155,21 @@ struct Homogenize {
   void print(Tables& tables) const {
     for (const Group* group : tables.all())
       if (group->name == table) {
-        if (group->table.rows() == 0) explain_absence();
+        if (group->table.rows() == 0) explain_absence(table);
         std::fputs(io::to_tsv(analysis::chosen_columns(group->table, columns)).c_str(), stdout);
       }
   }
 
   // Throws if a table is empty because the input is of another kind. A run without broken yarns is no fault.
-  void explain_absence() const {
-    if (table == "series")
+  void explain_absence(std::string_view absent) const {
+    if (absent == "series")
       throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));
-    if (table == "bag" || table == "yarns")
+    if (absent == "bag" || absent == "yarns")
       throw DataError(fmt::format("{}: has no yarns: there is no geotextile in it", input.string()));
   }
 
   void write(Tables& tables, const io::History& history) const {
+    if (yarns && tables.yarns.table.rows() == 0) explain_absence("yarns");
     io::FieldsFile fields;
     for (Group* group : tables.all())
       if (group->table.rows() > 0) fields.groups.push_back(std::move(*group));

@@ -64,7 +64,7 @@ struct ToVtk {
     table.flag(unwrapped, "unwrapped", "show grains where they have travelled to, not inside the periodic cell");
     table.flag(compress, "compress", "compress the arrays with zlib");
     table.flag(history, "history", "print how the file came to be, and stop");
-    table.flag(text, "text", "print the last state as text: x y z r, a grain a line, and stop");
+    table.flag(text, "text", "print a state, the last by default, as text: x y z r, a grain a line, and stop");
   }
 
   void validate() const {
@@ -77,11 +77,12 @@ struct ToVtk {
 
   void run(const tool::Invocation& invocation) const {
     if (history) return io::write_bytes(output, io::describe(io::read_history(input)));
-    if (text) return io::write_bytes(output, io::export_spheres(io::read_state(input).state));
+    if (text) return io::write_bytes(output, spheres());
     const std::string kind = input != "-" ? io::read_kind(input) : "";
-    if (kind == "fields") return show_fields(invocation);
-    if (kind == "multiscale") return show_multiscale(invocation);
-    show_states(invocation);
+    if (kind != "fields" && kind != "multiscale") return show_states(invocation);
+    if (!fields.empty() || force_scale || unwrapped)
+      throw UsageError("--fields, --force-scale and --unwrapped are for packings and runs, not for " + input.string());
+    kind == "fields" ? show_fields(invocation) : show_multiscale(invocation);
   }
 
  private:
@@ -89,6 +90,13 @@ struct ToVtk {
   std::vector<std::size_t> chosen(std::size_t count) const {
     if (count == 0) throw DataError(input.string() + " holds no state to show");
     return io::chosen_states(state, count, input.string());
+  }
+
+  /// Returns the spheres of one state as text: the chosen one, or the last.
+  std::string spheres() const {
+    if (state == "all" || state == "last") return io::export_spheres(io::read_state(input).state);
+    const io::RunFile file = io::read_states(input);
+    return io::export_spheres(file.snapshots[chosen(file.snapshots.size()).front()]);
   }
 
   std::optional<io::Series> grain_fields() const {

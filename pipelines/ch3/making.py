@@ -78,7 +78,7 @@ class Strip(Series):
 
     def strength(self):
         """Returns the force (N) of a yarn when its yarns are tautest."""
-        return self["tension"][self.table("yarn_tension_face", "N").argmax()]
+        return self["tension"][numpy.nanargmax(self.table("yarn_tension_face", "N"))]
 
 
 class Box(Series):

@@ -71,11 +71,14 @@ PY
   exits 0 fabric --quiet -o out.h5 "$IN/bare.h5"
   exits 0 "$PYTHON" - <<'PY'
 import h5py
+import numpy
 with h5py.File("out.h5") as file:
     assert file["fields/fabric/rattlers"][0] == 120
-    assert file["fields/fabric/a_c"][0] == 0
+    assert numpy.isnan(file["fields/fabric/a_c"][0]) and numpy.isnan(file["fields/rose/density"][0])
     assert "chains" not in file["fields"]
 PY
+  exits 0 fabric --quiet --tsv --table chains --columns chain,first "$IN/bare.h5"
+  [[ $output == $'chain [1]\tfirst [1]' ]] || show "$output"
 }
 
 @test "errors: usage" {

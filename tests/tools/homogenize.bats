@@ -138,13 +138,16 @@ PY
   mentions 64 homogenize "both write to standard output" --tsv -o - "$IN/sheared.h5"
   mentions 64 homogenize "all, first, last or a number" --tsv --state middle "$IN/sheared.h5"
   mentions 64 homogenize "3 states, 0 to 2" --tsv --state 3 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1,1,0 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,1 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --box nan,1,0,1,0,1 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --box=-inf,1,0,1,0,1 "$IN/sheared.h5"
-  mentions 64 homogenize "from low to high" --tsv --box 0,1,0,x,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,1,1,0 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box nan,1,0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box=-inf,1,0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,x,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "needs --box, --copies or --groups" --tsv --table volumes "$IN/sheared.h5"
   mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"
+  mentions 64 homogenize "belongs to --table volumes" --tsv --box 0,1,0,1,0,1 "$IN/sheared.h5"
+  mentions 64 homogenize "--grains belongs to --table grains" --tsv --grains "$IN/sheared.h5"
+  mentions 64 homogenize "belongs to --table cell" --tsv --table grains --tessellation "$IN/sheared.h5"
 }
 
 @test "errors: input missing, truncated, of another kind, without what was asked" {
@@ -157,12 +160,14 @@ PY
   mentions 65 homogenize "series" --tsv --table series "$IN/bare.h5"
   mentions 65 homogenize "no yarns" --tsv --table yarns "$IN/sheared.h5"
   mentions 65 homogenize "no yarns" --tsv --table bag "$IN/sheared.h5"
+  mentions 65 homogenize "no yarns" --yarns -o out.h5 "$IN/sheared.h5"
+  mentions 65 homogenize "no groups along x" --groups -o out.h5 "$IN/sheared.h5"
   mentions 65 homogenize "no grain lies in box" --box 5,6,5,6,5,6 -o out.h5 "$IN/sheared.h5"
   [[ ! -e out.h5 ]]
 }
 
 @test "errors: a grain inside another is told by its number" {
-  cp "$IN/sheared.h5" hidden.h5
+  cp "$IN/bare.h5" hidden.h5
   "$PYTHON" - <<'PY'
 import h5py
 with h5py.File("hidden.h5", "r+") as file:
@@ -170,7 +175,7 @@ with h5py.File("hidden.h5", "r+") as file:
     position[:, 5] = position[:, 9] + [1e-4, 0, 0]
     radius[5] = 1e-3
 PY
-  mentions 70 homogenize "grain 1114" --grains -o out.h5 hidden.h5
+  mentions 70 homogenize "grain 1114 has no power cell" --grains -o out.h5 hidden.h5
 }
 
 @test "errors: output that cannot be made or written" {

@@ -167,6 +167,11 @@ PY
   [ "$(grep -vc '#' <<< "$output")" -eq 120 ]
   to-vtk --text "$IN/bare.h5" -o packing.txt
   diff packing.txt <(printf '%s\n' "$output")
+  to-vtk --text --state last "$IN/sheared.h5" -o last.txt
+  to-vtk --text "$IN/sheared.h5" -o default.txt
+  to-vtk --text --state 0 "$IN/sheared.h5" -o first.txt
+  same_bytes last.txt default.txt
+  if cmp -s first.txt last.txt; then show "--state is not followed"; fi
 }
 
 @test "a packing comes through a pipe" {
@@ -209,6 +214,7 @@ f["particles/grains/position/time"][1] = 0'
   mentions 64 to-vtk "1 state, number 0" "$IN/bare.h5" -o out --state 1
   mentions 64 to-vtk "1 state, number 0" "$IN/fields.h5" -o out --state 1
   mentions 64 to-vtk "exclude" --history --text "$IN/bare.h5"
+  mentions 64 to-vtk "for packings and runs" --unwrapped "$IN/fields.h5" -o fields-vtk
   mentions 64 to-vtk "--force-scale" "$IN/bare.h5" -o out --force-scale -1
   [ ! -e out ]
 }

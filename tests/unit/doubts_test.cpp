@@ -97,7 +97,7 @@ TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
 
 TEST(DoubtsOfPackings, VolumesOfFewGrains) {
   const io::Snapshot state = simple_cubic(5, Vec3(1, 1, 1));
-  const analysis::Volume all = analysis::whole(state), four{"four", {0, 1, 2, 3}, false};
+  const analysis::Volume all = analysis::whole(state), four{"four", {0, 1, 2, 3}, {}};
   EXPECT_TRUE(analysis::volume_doubts(state, {all}).empty());
   EXPECT_TRUE(analysis::volume_doubts(state, {}).empty());
   EXPECT_NE(

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <tuple>
 
@@ -108,6 +109,47 @@ TEST(VolumeOfInterest, BoxesTakeWrappedGrainsOnce) {
   EXPECT_NEAR(v.void_ratio, 6 / std::numbers::pi - 1, 1e-10);
 }
 
+TEST(VolumeOfInterest, ABoxReachesThroughAPeriodicFace) {
+  // Layers at 3, 0 and 1 of a cell from 0 to 4: the first lies at -1 in this box.
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  const Volume around = box(s, {-1.5, -0.5, -0.5}, {1.5, 4, 4});
+  EXPECT_EQ(around.grains.size(), 48U);
+  EXPECT_LT((centre(s, around) - Vec3(0, 1.5, 1.5)).norm(), 1e-12);
+  const VolumeState v = volume_state(s, around, grain_dyads(s), power_cell_volumes(s));
+  EXPECT_NEAR(v.volume, 48, 1e-10);
+  EXPECT_EQ(box(s, {-9, -9, -9}, {9, 9, 9}).grains.size(), 64U) << "each grain counts once";
+  EXPECT_TRUE(box(s, {50, 50, 50}, {60, 60, 60}).grains.empty());
+  s.cell.periodic = {false, true, true};
+  EXPECT_EQ(box(s, {-1.5, -0.5, -0.5}, {1.5, 4, 4}).grains.size(), 32U) << "there are no images across an open face";
+}
+
+TEST(VolumeOfInterest, ABoxHoldsNoNodes) {
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  s.yarns.nodes = {{0, 1}};
+  EXPECT_EQ(box(s, {-0.5, -0.5, -0.5}, {4, 4, 4}).grains.size(), 62U);
+}
+
+TEST(VolumeOfInterest, NoAverageIsNotANumber) {
+  const io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  const VolumeState v = volume_state(s, whole(s), grain_dyads(s), std::vector<double>(64, 0.0));
+  EXPECT_EQ(v.grains, 0);
+  EXPECT_TRUE(std::isnan(v.void_ratio));
+  EXPECT_TRUE(std::isnan(v.stress(0, 0)));
+}
+
+TEST(Tables, ACellThatDoesNotFollowItsGrainsHasNoStress) {
+  io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
+  io::Series closed, open;
+  put_cell(closed, s, false);
+  s.cell.periodic = {true, true, false};
+  put_cell(open, s, false);
+  for (const char* name : {"strain_zz", "stress_zz", "mean_stress", "principal_1", "direction_1z", "void_ratio"}) {
+    EXPECT_TRUE(std::isfinite(closed.at(name).values[0])) << name;
+    EXPECT_TRUE(std::isnan(open.at(name).values[0])) << name;
+  }
+  EXPECT_EQ(open.at("coordination_number").values, closed.at("coordination_number").values);
+}
+
 TEST(VolumeOfInterest, ItsCentreIsWhereItsGrainsWereTold) {
   io::Snapshot s = simple_cubic(4, Vec3(3, 5, 7));
   const Vec3 still = centre(s, box(s, {-0.5, -0.5, -0.5}, {1.5, 4, 4})), all = centre(s, whole(s));
@@ -143,7 +185,8 @@ TEST(VolumeOfInterest, CopiesComeInOrder) {
 
 TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
   io::Snapshot s;
-  for (std::int32_t k = -1; k < 25; ++k) test::add_grain(s, Vec3(k, 0, 0), 0.5);
+  test::add_grain(s, Vec3(9, 9, 9), 0.5);
+  for (std::int32_t k = 0; k < 25; ++k) test::add_grain(s, Vec3(k % 5, k / 5, 0), 0.5);
   // One node of a geotextile, and one grain for each of five by five copies.
   for (std::int32_t k = -1; k < 25; ++k) s.grains.copy_id[static_cast<std::size_t>(k + 1)] = k;
   const std::vector<Volume> odd = groups(s);
@@ -152,10 +195,14 @@ TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
   EXPECT_EQ(odd[4].grains, (std::vector<std::size_t>{15}));
   // Without the last nine copies the bag has four by four: an even number has two copies in the middle.
   for (std::size_t k = 17; k < 26; ++k) s.grains.copy_id[k] = -1;
+  for (std::int32_t k = 0; k < 16; ++k) s.grains.position[static_cast<std::size_t>(k + 1)] = Vec3(k % 4, k / 4, 0);
   const std::vector<Volume> even = groups(s);
   ASSERT_EQ(even.size(), 2U);
   EXPECT_EQ(even[1].name, "#2");
   EXPECT_EQ(even[1].grains, (std::vector<std::size_t>{7, 8, 11, 12}));
+  // Eight by two copies are not four by four.
+  for (std::int32_t k = 0; k < 16; ++k) s.grains.position[static_cast<std::size_t>(k + 1)] = Vec3(k % 8, k / 8, 0);
+  EXPECT_TRUE(groups(s).empty());
   // A bag without copies has no groups.
   for (std::int32_t& id : s.grains.copy_id) id = 0;
   EXPECT_TRUE(groups(s).empty());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -14,6 +15,7 @@ namespace soilweave::analysis {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const double cos45 = std::sqrt(0.5);
 // With friction two contacts can hold a grain, but one cannot (Thornton 2000).
 constexpr int least_contacts = 2;
@@ -39,7 +41,13 @@ Fabric fabric(const io::Snapshot& state) {
   const int d = state.grains.dimension;
   const io::ContactsRecord& c = state.contacts;
   Fabric f;
-  if (c.size() == 0) return f;
+  if (c.size() == 0) {
+    for (Mat3* tensor :
+         {&f.normals, &f.normal_force, &f.tangential_force, &f.a_normals, &f.a_normal_force, &f.a_tangential_force})
+      tensor->setConstant(none);
+    f.a_c = f.a_n = f.a_t = f.mean_normal_force = none;
+    return f;
+  }
   const double n = static_cast<double>(c.size());
   for (const Vec3& normal : c.normal) f.normals += normal * normal.transpose() / n;
   f.a_normals = (d == 3 ? 7.5 : 4.0) * deviator(f.normals, d);
@@ -65,7 +73,7 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
   const int d = state.grains.dimension;
   const Mat3 stress = contact_stress(state);
   const double p = mean(stress, d);
-  return {p != 0 ? deviatoric_stress(stress, d) / p : 0,
+  return {p != 0 ? deviatoric_stress(stress, d) / p : none,
           d == 3 ? 0.4 * (f.a_c + f.a_n + 1.5 * f.a_t) : 0.5 * (f.a_c + f.a_n + f.a_t)};
 }
 
@@ -134,9 +142,9 @@ Rose polar_rose(const io::Snapshot& state, std::size_t classes) {
     const double low = static_cast<double>(k) * width;
     rose.angle.push_back(low + 0.5 * width);
     rose.contacts.push_back(rose.density[k]);
-    if (rose.density[k] > 0) rose.normal_force[k] /= rose.density[k];
+    rose.normal_force[k] /= rose.density[k];
     // The divisor is the share of the half sphere between the two cones.
-    rose.density[k] /= n > 0 ? n * (std::cos(low) - std::cos(low + width)) : 1;
+    rose.density[k] /= n * (std::cos(low) - std::cos(low + width));
   }
   return rose;
 }
@@ -162,8 +170,8 @@ Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes) {
   for (std::size_t k = 0; k < classes; ++k) {
     rose.angle.push_back((static_cast<double>(k) + 0.5) * width);
     rose.contacts.push_back(rose.density[k]);
-    if (rose.density[k] > 0) rose.normal_force[k] /= rose.density[k];
-    if (total > 0) rose.density[k] *= static_cast<double>(classes) / total;
+    rose.normal_force[k] /= rose.density[k];
+    rose.density[k] *= static_cast<double>(classes) / total;
   }
   return rose;
 }

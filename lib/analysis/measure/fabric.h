@@ -35,7 +35,7 @@ struct Fabric {
   /// Trace of chi^n, N.
   double mean_normal_force = 0;
 };
-/// Computes the fabric tensors and anisotropies of all contacts.
+/// Computes the fabric tensors and anisotropies of all contacts; all are NaN without contacts.
 Fabric fabric(const io::Snapshot& state);
 
 /// Both sides of the stress-force-fabric relation (Rothenburg & Bathurst 1989, Guo & Zhao 2013).
@@ -43,7 +43,7 @@ struct StressForceFabric {
   /// q/p from the stress, and 2/5 (a_c + a_n + 3/2 a_t) from the fabric; 2D: 1/2 (a_c + a_n + a_t).
   double stress = 0, fabric = 0;
 };
-/// Returns both sides of the relation.
+/// Returns both sides of the relation, NaN without contacts.
 StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& fabric);
 
 /// Mean numbers of contacts and their distribution.

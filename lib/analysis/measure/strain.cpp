@@ -85,19 +85,21 @@ std::vector<Mat3> grain_gradients(const io::Snapshot& reference, const io::Snaps
 }
 
 Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& present,
-                       const std::vector<std::size_t>& grains) {
+                       const std::vector<std::size_t>& grains, const std::vector<Vec3i>& images) {
   const int d = reference.grains.dimension;
   const std::vector<std::size_t> same = same_bodies(present, reference);
   const Mat3 inverse = reference.cell.matrix.inverse();
   std::vector<Vec3> before, after;
   Vec3 middle_before = Vec3::Zero(), middle_after = Vec3::Zero();
   const double n = static_cast<double>(grains.size());
-  for (const std::size_t i : grains) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const std::size_t i = grains[k];
     // Both positions move by the same image, so that grains that left through a face are neighbours again.
     Vec3 image = Vec3::Zero();
     const Vec3 reduced = inverse * reference.grains.position[same[i]];
     for (int a = 0; a < d; ++a)
       if (reference.cell.periodic[static_cast<std::size_t>(a)]) image[a] = -std::floor(reduced[a]);
+    if (!images.empty()) image = images[k].cast<double>();
     before.emplace_back(reference.grains.position[same[i]] + reference.cell.matrix * image);
     after.emplace_back(present.grains.position[i] + present.cell.matrix * image);
     middle_before += before.back() / n;

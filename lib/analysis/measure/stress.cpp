@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 #include "analysis/measure/volume_of_interest.h"
 
@@ -49,6 +50,11 @@ std::vector<Mat3> grain_dyads(const io::Snapshot& state) {
 Principal principal(const Mat3& stress, int dimension) {
   const Mat3 s = symmetric(stress);
   Principal p{Vec3::Zero(), Mat3::Identity()};
+  if (!s.allFinite()) {
+    p.values.setConstant(std::numeric_limits<double>::quiet_NaN());
+    p.directions.setConstant(p.values[0]);
+    return p;
+  }
   if (dimension == 3) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(s);
     p.values = solver.eigenvalues().reverse();

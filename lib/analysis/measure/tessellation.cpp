@@ -257,12 +257,6 @@ std::vector<Simplex> simplices(const std::vector<Site>& all, int dimension) {
   return found;
 }
 
-bool periodic(const io::Snapshot& s) {
-  bool all = true;
-  for (int a = 0; a < s.grains.dimension; ++a) all = all && s.cell.periodic[static_cast<std::size_t>(a)];
-  return all;
-}
-
 // Makes a tessellation of the sites with a margin that grows until its `sum` fills the cell.
 template <class Make, class Sum>
 auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
@@ -302,10 +296,15 @@ std::vector<double> open_volumes(const io::Snapshot& s) {
 
 }  // namespace
 
+bool is_periodic(const io::Snapshot& state) {
+  const auto first = state.cell.periodic.begin();
+  return std::all_of(first, first + state.grains.dimension, [](bool axis) { return axis; });
+}
+
 std::vector<double> power_cell_volumes(const io::Snapshot& state) {
   const auto& p = state.cell.periodic;
   if (state.grains.dimension == 3 && !p[0] && !p[1] && !p[2]) return open_volumes(state);
-  if (!periodic(state)) throw DataError("power cells need a cell that is periodic along every axis");
+  if (!is_periodic(state)) throw DataError("power cells need a cell that is periodic along every axis");
   const std::size_t n = state.grains.size();
   const auto make = [&](const std::vector<Site>& all) {
     return state.grains.dimension == 3 ? volumes_3d(all, n) : volumes_2d(all, n);
@@ -330,7 +329,7 @@ std::vector<Simplex> delaunay(const io::Snapshot& state) {
     for (const Simplex& s : all) total += s.volume;
     return total;
   };
-  if (periodic(state)) return filling(state, make, sum);
+  if (is_periodic(state)) return filling(state, make, sum);
   return make(sites(state, margin_of(state, 5)));
 }
 

@@ -27,6 +27,9 @@
 
 namespace soilweave::analysis {
 
+/// Returns whether the cell is periodic along every axis, so that it holds all space of its grains.
+bool is_periodic(const io::Snapshot& state);
+
 /// Returns the volume of each power cell, m3 (2D: area, m2). A fully periodic cell may be sheared. In an open assembly,
 /// cells of geotextile nodes bound the soil. Nodes, and soil whose cell reaches outside, have volume 0. Throws
 /// DataError if some axes only are periodic; PhysicsError if a grain lacks a cell or the cells do not fill the space to

@@ -15,33 +15,38 @@ struct Volume {
   std::string name;
   /// Indices of its grains.
   std::vector<std::size_t> grains;
-  /// Whether grains were chosen by their places in the cell, not by unwrapped positions.
-  bool wrapped = false;
+  /// Image of each grain that lies in the volume, counted from its unwrapped position. Empty if grains count where they
+  /// have travelled to.
+  std::vector<Vec3i> images;
 };
 
-/// Returns the grains with wrapped centres in a box (m). Its upper faces are excluded.
+/// Returns the grains with centres in a box (m), without nodes of a geotextile. Its upper faces are excluded. The box
+/// may reach beyond a periodic face by a cell at most; it holds each grain once, in the cell rather than beside it.
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 /// Returns the reinforced soil (parts.h) of each copy, in the order of copy_id.
 std::vector<Volume> copies(const io::Snapshot& state);
 /// Returns the groups #1 to #5 of thesis Fig. 3.9: one per pair of copies along x, each of four neighbours in the
 /// middle of y. An odd number of copies along x gives one group per copy. Groups without reinforced soil are left out;
-/// the others keep their names.
+/// the others keep their names. Empty unless the copies lie in one layer, as many along x as along y.
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);
 
-/// Returns the mean of the grain centres, m. Wrapped volumes use places in the cell.
+/// Returns the mean of the grain centres, m, each at its image.
 Vec3 centre(const io::Snapshot& state, const Volume& volume);
 
 /// Averages over a volume.
 struct VolumeState {
+  /// Number of grains averaged over.
+  double grains = 0;
   /// Volume, m3 (2D: m2).
   double volume = 0;
   double void_ratio = 0;
   /// Pa (2D: N/m).
   Mat3 stress = Mat3::Zero();
 };
-/// Averages dyads (N m) and power-cell volumes. Grains whose cell reaches outside (volume 0) are left out.
+/// Averages dyads (N m) and power-cell volumes. Grains whose cell reaches outside (volume 0) are left out; if none is
+/// left, stress and void ratio are NaN.
 VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
                          const std::vector<double>& cell_volumes);
 

@@ -34,7 +34,7 @@ void put_stresses(io::Series& table, const VolumeState& soil, const Mat3& quarte
   const double p = mean(soil.stress), q = deviatoric_stress(soil.stress);
   put(table, "soil_mean_stress", "Pa", "mean stress p of the soil", p);
   put(table, "soil_deviatoric_stress", "Pa", "deviatoric stress q of the soil", q);
-  put(table, "soil_obliquity", "1", "q/p of the soil", p != 0 ? q / p : 0);
+  put(table, "soil_obliquity", "1", "q/p of the soil", p != 0 ? q / p : no_value);
   for (int a = 0; a < 3; ++a)
     put(table, fmt::format("face_friction_{}", "xyz"[a]), "deg",
         "friction mobilised at the face across the axis, thesis Eq. 3.5, from a quarter of the soil",
@@ -184,7 +184,10 @@ std::array<YarnMean, 3> yarn_means(const io::Snapshot& state) {
     ++m.whole;
   }
   for (YarnMean& m : means)
-    if (m.whole) m.tension /= static_cast<double>(m.whole), m.strain /= static_cast<double>(m.whole);
+    if (m.whole)
+      m.tension /= static_cast<double>(m.whole), m.strain /= static_cast<double>(m.whole);
+    else
+      m.tension = m.strain = no_value;
   return means;
 }
 
@@ -245,14 +248,15 @@ void put_broken(io::Series& table, const io::Snapshot& state) {
   for (std::size_t k = 0; k < y.size(); ++k)
     if (y.broken[k]) broken.push_back(k);
   std::ranges::stable_sort(broken, {}, [&y](std::size_t k) { return y.break_time[k]; });
-  for (const std::size_t k : broken) {
-    put_step(table, state);
-    put(table, "yarn", "1", "number of the yarn", static_cast<double>(k));
-    put(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", y.family[k]);
-    put(table, "break_time", "s", "time at which the yarn broke", y.break_time[k]);
-    for (int a = 0; a < 3; ++a)
-      put(table, fmt::format("position_{}", "xyz"[a]), "m", "position at which the yarn broke", y.break_position[k][a]);
-  }
+  put_step(table, state, broken.size());
+  put_rows(table, "yarn", "1", "number of the yarn", broken, [](std::size_t k) { return static_cast<double>(k); });
+  put_rows(table, "family", "1", "0: faces, 1: sides, in plane, 2: sides, from face to face", broken,
+           [&y](std::size_t k) { return static_cast<double>(y.family[k]); });
+  put_rows(table, "break_time", "s", "time at which the yarn broke", broken,
+           [&y](std::size_t k) { return y.break_time[k]; });
+  for (int a = 0; a < 3; ++a)
+    put_rows(table, fmt::format("position_{}", "xyz"[a]), "m", "position at which the yarn broke", broken,
+             [&y, a](std::size_t k) { return y.break_position[k][a]; });
 }
 
 }  // namespace soilweave::analysis

@@ -17,7 +17,7 @@ io::Snapshot soil_contacts(const io::Snapshot& state, bool alone = false);
 
 /// Means over one family of yarns.
 struct YarnMean {
-  /// Mean over unbroken yarns: N, and a pure number.
+  /// Mean over unbroken yarns: N, and a pure number. NaN if there is none.
   double tension = 0, strain = 0;
   /// Numbers of yarns.
   std::size_t whole = 0, broken = 0;

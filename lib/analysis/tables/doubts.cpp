@@ -12,6 +12,7 @@
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/stress.h"
+#include "analysis/measure/tessellation.h"
 #include "analysis/tables/bag.h"
 #include "analysis/tables/loading_doubts.h"
 #include "dem/state/bodies.h"
@@ -218,6 +219,13 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
                      narrowest, std::ceil(std::pow(narrowest / widths[a], dimension)))}};
   }
   return {};
+}
+
+std::vector<Doubt> open_cell_doubts(const io::Snapshot& state) {
+  if (is_periodic(state)) return {};
+  return {{"open-cell",
+           "the cell is not periodic along all axes, so that it does not follow its grains: the table cell has no "
+           "stress, strain or void ratio (nan); take --table series or bag, or a --box among the grains"}};
 }
 
 std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes) {

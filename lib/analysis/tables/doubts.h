@@ -21,6 +21,9 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state);
 /// Returns "outside" if grains have left the bag, "preload" if hardly any yarn is taut. Empty without yarns or soil.
 std::vector<Doubt> bag_doubts(const io::Snapshot& state);
 
+/// Returns "open-cell" unless the cell is periodic along every axis (tessellation.h).
+std::vector<Doubt> open_cell_doubts(const io::Snapshot& state);
+
 /// Returns "few-grains" if a volume of interest holds fewer than 64 grains, four along each side (2D: 16).
 std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes);
 

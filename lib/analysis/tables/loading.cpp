@@ -18,8 +18,6 @@
 namespace soilweave::analysis {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// The series of a run of a bag, and the table made from it.
 class LoadingTable {
  public:
@@ -110,7 +108,7 @@ class LoadingTable {
     put("plate_shear", "Pa", "shear force on the upper plate over the nominal area, along its travel",
         [&](std::size_t i) { return force(i) / bag_.area; });
     put("plate_ratio", "1", "shear force over normal force of the upper plate",
-        [&](std::size_t i) { return above[i] != 0 ? force(i) / std::abs(above[i]) : none; });
+        [&](std::size_t i) { return above[i] != 0 ? force(i) / std::abs(above[i]) : no_value; });
   }
 
   void put_soil() {
@@ -218,7 +216,7 @@ std::size_t first_broken_row(const io::Series& run) {
 
 double first_break_strain(const io::Series& run, const LoadedBag& bag) {
   const std::vector<double>&time = run.at("time").values, &stage = run.at("stage").values;
-  if (!bag.first_break || time.size() < 2 || *bag.first_break < time.front()) return none;
+  if (!bag.first_break || time.size() < 2 || *bag.first_break < time.front()) return no_value;
   const auto &up = run.at("displacement_" + bag.upper + "_z").values,
              &down = run.at("displacement_" + bag.lower + "_z").values;
   const std::size_t reference = reference_row(run, bag);
@@ -243,10 +241,10 @@ StressPath stress_path(const std::vector<double>& mean, const std::vector<double
     products += mean[i] * deviatoric[i], squares += mean[i] * mean[i];
     greatest = std::max(greatest, deviatoric[i]);
   }
-  path.slope = squares > 0 ? products / squares : none;
+  path.slope = squares > 0 ? products / squares : no_value;
   for (std::size_t i = 0; i < mean.size(); ++i)
     farthest = std::max(farthest, std::abs(deviatoric[i] - path.slope * mean[i]));
-  path.deviation = greatest > 0 ? farthest / greatest : none;
+  path.deviation = greatest > 0 ? farthest / greatest : no_value;
   return path;
 }
 

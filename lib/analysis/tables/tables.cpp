@@ -23,12 +23,19 @@ namespace {
 
 constexpr const char* axes = "xyz";
 
+// Returns a tensor or a number of the cell if it is periodic. Another cell does not follow its grains, so that it has
+// no value.
+template <class Value>
+Value of_cell(const io::Snapshot& state, const Value& value) {
+  return is_periodic(state) ? value : Value(value * no_value);
+}
+
 void put_stress(io::Series& table, const Mat3& stress, int d) {
   put(table, "stress", "Pa", "stress, compression positive", symmetric(stress), d);
   const double p = mean(stress, d), q = deviatoric_stress(stress, d);
   put(table, "mean_stress", "Pa", "mean stress p", p);
   put(table, "deviatoric_stress", "Pa", "deviatoric stress q", q);
-  put(table, "stress_obliquity", "1", "q/p", p != 0 ? q / p : 0);
+  put(table, "stress_obliquity", "1", "q/p", p != 0 ? q / p : no_value);
 }
 
 void put_principal(io::Series& table, const Mat3& stress, int d) {
@@ -50,14 +57,17 @@ void put_strain(io::Series& table, const Mat3& strain, int d) {
 
 }  // namespace
 
+std::vector<double>& column(io::Series& table, const std::string& name, const std::string& unit,
+                            const std::string& long_name) {
+  for (io::Column& one : table.columns)
+    if (one.name == name) return one.values;
+  table.columns.push_back({name, unit, long_name, {}});
+  return table.columns.back().values;
+}
+
 void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
          double value) {
-  for (io::Column& column : table.columns)
-    if (column.name == name) {
-      column.values.push_back(value);
-      return;
-    }
-  table.columns.push_back({name, unit, long_name, {value}});
+  column(table, name, unit, long_name).push_back(value);
 }
 
 void put(io::Series& table, const std::string& prefix, const std::string& unit, const std::string& long_name,
@@ -67,19 +77,22 @@ void put(io::Series& table, const std::string& prefix, const std::string& unit, 
       put(table, fmt::format("{}_{}{}", prefix, axes[i], axes[j]), unit, long_name, tensor(i, j));
 }
 
-void put_step(io::Series& table, const io::Snapshot& state) {
-  put(table, "step", "1", "time steps since the start", static_cast<double>(state.step));
-  put(table, "time", "s", "time since the start", state.time);
+void put_step(io::Series& table, const io::Snapshot& state, std::size_t rows) {
+  const auto step = static_cast<double>(state.step);
+  std::vector<double>& steps = column(table, "step", "1", "time steps since the start");
+  steps.insert(steps.end(), rows, step);
+  std::vector<double>& times = column(table, "time", "s", "time since the start");
+  times.insert(times.end(), rows, state.time);
 }
 
 void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate) {
   const int d = state.grains.dimension;
   put_step(table, state);
-  put_strain(table, cell_strain(state.cell), d);
-  const Mat3 stress = cell_stress(state);
+  put_strain(table, of_cell(state, cell_strain(state.cell)), d);
+  const Mat3 stress = of_cell(state, cell_stress(state));
   put_stress(table, stress, d);
   put_principal(table, stress, d);
-  put(table, "void_ratio", "1", "void ratio of the cell, overlaps counted twice", void_ratio(state));
+  put(table, "void_ratio", "1", "void ratio of the cell, overlaps counted twice", of_cell(state, void_ratio(state)));
   if (tessellate) {
     const std::vector<double> volumes = power_cell_volumes(state);
     const VolumeState filled = volume_state(state, whole(state), grain_dyads(state), volumes);
@@ -111,7 +124,7 @@ void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snap
   const VolumeState v = volume_state(state, volume, local.dyads, local.cell_volumes);
   put_step(table, state);
   put(table, "volume_of_interest", "1", "number of the volume, from 0", number);
-  put(table, "grains", "1", "grains in it", static_cast<double>(volume.grains.size()));
+  put(table, "grains", "1", "grains in it whose power cells lie in the assembly", v.grains);
   const Vec3 middle = centre(state, volume);
   for (int a = 0; a < d; ++a)
     put(table, fmt::format("centre_{}", axes[a]), "m", "mean of the centres of its grains", middle[a]);
@@ -121,8 +134,8 @@ void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snap
   put_principal(table, v.stress, d);
   // A gradient needs one grain more than the space has axes.
   const bool enough = volume.grains.size() > static_cast<std::size_t>(d);
-  const Mat3 strain = enough ? natural_strain(best_fit_gradient(reference, state, volume.grains))
-                             : Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Mat3 strain = enough ? natural_strain(best_fit_gradient(reference, state, volume.grains, volume.images))
+                             : Mat3::Constant(no_value);
   put_strain(table, strain, d);
 }
 
@@ -142,9 +155,7 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
     // The cell of a grain at the rim reaches outside, so there is no volume to spread the forces over.
     put_stress(table,
-               local.cell_volumes[i] > 0 ? Mat3(local.dyads[i] / local.cell_volumes[i])
-                                         : Mat3::Constant(std::numeric_limits<double>::quiet_NaN()),
-               d);
+               local.cell_volumes[i] > 0 ? Mat3(local.dyads[i] / local.cell_volumes[i]) : Mat3::Constant(no_value), d);
     put_strain(table, natural_strain(local.deformation[i]), d);
   }
 }
@@ -154,7 +165,7 @@ void put_fabric(io::Series& table, const io::Snapshot& state) {
   const Fabric f = fabric(state);
   put_step(table, state);
   put(table, "strain_axial", "1", "natural strain of the cell along the loading axis",
-      cell_strain(state.cell)(d - 1, d - 1));
+      of_cell(state, cell_strain(state.cell)(d - 1, d - 1)));
   put(table, "contact_normal", "1", "fabric tensor of the contact normals, thesis Eq. 3.6", f.normals, d);
   put(table, "normal_force", "N", "fabric tensor of the normal forces, thesis Eq. 3.7", f.normal_force, d);
   put(table, "tangential_force", "N", "fabric tensor of the tangential forces, symmetric part, thesis Eq. 3.8",
@@ -205,18 +216,19 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
 void put_chains(io::Series& table, const io::Snapshot& state) {
   const ForceChains chains = force_chains(state);
   const io::ContactsRecord& c = state.contacts;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    if (chains.chain[k] < 0) continue;
-    const auto id = [&](int side) {
-      const auto grain = static_cast<std::size_t>(c.bodies[k][static_cast<std::size_t>(side)]);
-      return static_cast<double>(state.grains.body_id[grain]);
-    };
-    put_step(table, state);
-    put(table, "chain", "1", "number of the chain, from 0", chains.chain[k]);
-    put(table, "first", "1", "body_id of the first grain", id(0));
-    put(table, "second", "1", "body_id of the second grain", id(1));
-    put(table, "normal_force", "N", "normal force, compression positive", c.normal_force[k]);
-  }
+  std::vector<std::size_t> links;
+  for (std::size_t k = 0; k < c.size(); ++k)
+    if (chains.chain[k] >= 0) links.push_back(k);
+  const auto id = [&](std::size_t k, std::size_t side) {
+    return static_cast<double>(state.grains.body_id[static_cast<std::size_t>(c.bodies[k][side])]);
+  };
+  put_step(table, state, links.size());
+  put_rows(table, "chain", "1", "number of the chain, from 0", links,
+           [&](std::size_t k) { return static_cast<double>(chains.chain[k]); });
+  put_rows(table, "first", "1", "body_id of the first grain", links, [&](std::size_t k) { return id(k, 0); });
+  put_rows(table, "second", "1", "body_id of the second grain", links, [&](std::size_t k) { return id(k, 1); });
+  put_rows(table, "normal_force", "N", "normal force, compression positive", links,
+           [&](std::size_t k) { return c.normal_force[k]; });
 }
 
 io::Series chosen_columns(const io::Series& table, const std::string& names) {

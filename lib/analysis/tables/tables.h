@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,19 @@
 
 namespace soilweave::analysis {
 
+/// Value of a cell of a table for which there is none.
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns the values of a column, made if missing.
+std::vector<double>& column(io::Series& table, const std::string& name, const std::string& unit,
+                            const std::string& long_name);
+/// Appends of(k) for each k of `rows` to a column, made if missing even without rows.
+template <class Of>
+void put_rows(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
+              const std::vector<std::size_t>& rows, const Of& of) {
+  std::vector<double>& values = column(table, name, unit, long_name);
+  for (const std::size_t k : rows) values.push_back(of(k));
+}
 /// Appends a value to a column, made if missing.
 void put(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
          double value);
@@ -31,8 +45,8 @@ struct Local {
 };
 /// Computes them. `reference` may be `state` itself.
 Local local(const io::Snapshot& reference, const io::Snapshot& state);
-/// Appends step and time, the first columns of each table.
-void put_step(io::Series& table, const io::Snapshot& state);
+/// Appends step and time, the first columns of each table, `rows` times.
+void put_step(io::Series& table, const io::Snapshot& state, std::size_t rows = 1);
 /// Appends grains, centre, size, void ratio, stress, p, q, principal stresses and directions, and best-fit strain of a
 /// volume.
 void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snapshot& state, double number,
