@@ -43,8 +43,26 @@ def stage_of(table, stage, kind):
     wanted = stage or ("all" if kind.whole else "last")
     if wanted == "all" or not (table.has("stage") or stage):
         return table
+    if not table.has("stage"):
+        raise StudyError(f"{table.where}: has no column stage by which to choose one; leave --stage out")
     stages = table("stage", "1")
     return table.rows(stages == (stages[-1] if wanted == "last" else float(wanted)))
+
+
+def bag_series(kind, series, loading):
+    """Returns the table of a bag between plates that has the columns of a kind: its loading, or else its series.
+
+    The cell of a bag is open and has no strain, so that the series takes that of the loading, row by row.
+    """
+    if all(any(loading.has(line.column) for line in _choices(entry)) for panel in kind.panels for entry in panel.each):
+        return loading
+    return series.replace("strain_axial", loading("strain_axial", "1"))
+
+
+def during(states, series):
+    """Returns the rows of a table of states whose steps lie within those of a series."""
+    step = series("step", "1")
+    return states.rows((states("step", "1") >= step[0]) & (states("step", "1") <= step[-1]))
 
 
 def strained(fabric, series):
@@ -52,15 +70,19 @@ def strained(fabric, series):
 
     A state at the end of a stage has the strain of that stage; the series counts it anew in the next one.
     """
-    step, strain = series("step", "1"), series("strain_axial", "1")
-    inside = (fabric("step", "1") >= step[0]) & (fabric("step", "1") <= step[-1])
-    fabric = fabric.rows(inside)
-    return fabric.replace("strain_axial", numpy.interp(fabric("step", "1"), step, strain))
+    fabric = during(fabric, series)
+    return fabric.replace("strain_axial", numpy.interp(fabric("step", "1"), series("step", "1"), series("strain_axial", "1")))
 
 
-def _available(tables, choices):
-    """Returns the first of the choices that all tables have a column of; the first of all where none is."""
-    return next((line for line in choices if all(table.has(line.column) for _, table in tables)), choices[0])
+def _choices(entry):
+    """Returns the curves of which a panel draws one: an entry of Panel.each as a tuple."""
+    return entry if isinstance(entry, tuple) else (entry,)
+
+
+def _chosen(tables, beside, entry):
+    """Returns the curve that all tables have a column of, the first of those that most of the tables beside them have."""
+    common = [line for line in _choices(entry) if all(table.has(line.column) for _, table in tables)]
+    return max(common or _choices(entry)[:1], key=lambda line: sum(table.has(line.column) for _, table in beside))
 
 
 def _column(table, line):
@@ -68,6 +90,39 @@ def _column(table, line):
     if numpy.isnan(values).all():
         raise StudyError(f"{table.where}: column {line.column} has no value")
     return values
+
+
+def _abscissae(table, panel):
+    """Returns the abscissae of a table, NaN where a logarithmic axis has no place for them."""
+    values = _column(table, panel.abscissa)
+    if not panel.log:
+        return values
+    if not (values > 0).any():
+        raise StudyError(f"{table.where}: column {panel.abscissa.column} has no value above 0, and its axis is logarithmic: "
+                         "give rows under pressure")
+    return numpy.where(values > 0, values, numpy.nan)
+
+
+def _left_out(label, table, panel):
+    """Returns a note, in a list, about the rows that a logarithmic axis leaves out."""
+    count = int((_column(table, panel.abscissa) <= 0).sum()) if panel.log else 0
+    why = f"{panel.abscissa.column} is not above 0 there, and its axis is logarithmic"
+    return [f"{label}: {count} of {len(table)} rows left out, since {why}"] if count else []
+
+
+def _pairs(table, panel, line):
+    """Returns abscissae and ordinates of a curve, NaN where a row has no value. Raises StudyError where no row has both."""
+    x, y = _abscissae(table, panel), _column(table, line)
+    if numpy.isnan(x + y).all():
+        raise StudyError(f"{table.where}: no row has a value of both {panel.abscissa.column} and {line.column}")
+    return x, y
+
+
+def _dots(x, y):
+    """Returns how a curve marks its points without a neighbour, which a line alone would not show."""
+    known = numpy.pad(~numpy.isnan(x + y), 1)
+    alone = numpy.flatnonzero(known[1:-1] & ~known[:-2] & ~known[2:])
+    return {"marker": "o", "markersize": 3.5, "markevery": list(alone)} if len(alone) else {}
 
 
 def _colours(names):
@@ -89,13 +144,16 @@ def draw(name, tables, beside=()):
     columns they have. Raises StudyError where a column is missing.
     """
     if name == "rose":
-        return _rose(tables), []
+        return _rose(tables)
     if name == "posterior":
         return _posterior(tables), []
-    kind, notes = KINDS[name], []
+    kind, notes, drawn = KINDS[name], [], []
     figure, axes = figures.panels(len(kind.panels), width=4.8 * len(kind.panels) + (1 if len(kind.panels) == 1 else 0))
     for a, panel in zip(axes, kind.panels, strict=True):
-        lines = [_available([*tables, *beside], c) if isinstance(c, tuple) else c for c in panel.each]
+        lines = [_chosen(tables, beside, entry) for entry in panel.each]
+        drawn += [line.column for line in lines]
+        notes += [note for label, table in (*tables, *beside)
+                  if table.has(panel.abscissa.column) for note in _left_out(label, table, panel)]
         _curves(a, panel, lines, tables)
         notes += _beside(a, panel, lines, beside)
         label = panel.label or lines[0].axis
@@ -104,9 +162,11 @@ def draw(name, tables, beside=()):
             a.set_xscale("log")
         if len(tables) + len(beside) + len(lines) > 2:
             a.legend()
-    unused = [label for label, _ in beside if sum(label in note for note in notes) == sum(len(p.each) for p in kind.panels)]
-    if unused:
-        raise StudyError(f"{unused[0]}: has none of the columns that {name} draws")
+    for label, table in beside:
+        if not any(map(table.has, drawn)):
+            own = [line.column for panel in kind.panels for entry in panel.each for line in _choices(entry) if table.has(line.column)]
+            raise StudyError(f"{label}: has {own[0]}, but {drawn[0]} is drawn of the other tables; draw it without them" if own else
+                             f"{label}: has none of the columns that {name} draws")
     return figure, notes
 
 
@@ -117,8 +177,9 @@ def _curves(axes, panel, lines, tables):
     for t, (label, table) in enumerate(tables):
         for k, line in enumerate(lines):
             words = (label if k == 0 else None) if several or len(lines) == 1 else line.words
-            axes.plot(_column(table, panel.abscissa), _column(table, line), color=colours[t if several or len(lines) == 1 else k],
-                      linestyle=DASHES[k] if several else "-", label=words)
+            x, y = _pairs(table, panel, line)
+            axes.plot(x, y, color=colours[t if several or len(lines) == 1 else k], linestyle=DASHES[k] if several else "-", label=words,
+                      **_dots(x, y))
     if several and len(lines) > 1:
         for k, line in enumerate(lines):
             axes.plot([], [], color=figures.GREY, linestyle=DASHES[k], label=line.words)
@@ -134,13 +195,17 @@ def _beside(axes, panel, lines, beside):
                 notes.append(f"{label}: has no column {line.column}; {line.words} is without it")
                 continue
             words = label if len(lines) == 1 else f"{label}: {line.words}"
-            figures.points(axes, _column(table, panel.abscissa), _column(table, line), inks[t % len(inks)], words)
+            figures.points(axes, *_pairs(table, panel, line), inks[t % len(inks)], words)
     return notes
 
 
 def _rose(tables):
-    """Draws the last state's contact normals, a panel for each plane, as a closed line around the circle of isotropy."""
-    planes = [p for p in PLANES if all((t("plane", "1") == p).any() for _, t in tables)]
+    """Draws the last state's contact normals, a panel for each plane, as a closed line around the circle of isotropy.
+
+    Returns the figure, and a note for each plane that a table has not.
+    """
+    planes = [p for p in PLANES if any((t("plane", "1") == p).any() for _, t in tables)]
+    notes = []
     if not planes:
         raise StudyError(f"{tables[0][1].where}: has none of the planes {', '.join(map(str, PLANES))}")
     figure, axes = figures.panels(len(planes), width=4.8 * len(planes))
@@ -149,7 +214,13 @@ def _rose(tables):
     for a, plane in zip(axes, planes, strict=True):
         a.plot(numpy.cos(circle), numpy.sin(circle), color=figures.GREY, linewidth=1, linestyle="--", label="isotropic")
         for (label, table), colour in zip(tables, colours, strict=True):
-            own = table.rows((table("plane", "1") == plane) & (table("step", "1") == table("step", "1")[-1]))
+            there = (table("plane", "1") == plane) & (table("step", "1") == table("step", "1")[-1])
+            if not there.any():
+                notes.append(f"{label}: has no contacts in the plane {''.join(PLANES[plane])}; that panel is without it")
+                continue
+            own = table.rows(there)
+            if len(own) < 2:
+                raise StudyError(f"{table.where}: has one direction alone in plane {plane}; a rose needs several")
             angle, density = numpy.radians(own("angle", "deg")), own("density", "1")
             half = (angle[1] - angle[0]) / 2
             around = numpy.repeat(angle, 2) + numpy.tile([-half, half], len(angle))
@@ -160,7 +231,7 @@ def _rose(tables):
         labels = [f"density along {axis}" for axis in PLANES[plane]]
         figures.label(a, *labels, pure=labels)
     axes[0].legend(loc="upper right", fontsize=8)
-    return figure
+    return figure, notes
 
 
 @dataclasses.dataclass(frozen=True)
@@ -205,7 +276,7 @@ def _posterior(tables):
             table = posterior.table
             last = table("step", "1") == table("step", "1").max()
             own = table.rows(last & (table("parameter", "1") == k))
-            axes[k].plot(own("value", "1"), own("density", "1"), color=colour, label=label)
+            axes[k].plot(own("value", "1"), own("density", "1"), color=colour, label=label, **_dots(own("value", "1"), own("density", "1")))
             axes[k].fill_between(own("value", "1"), own("density", "1"), color=colour, alpha=0.15, linewidth=0)
         x = words if unit == "1" else f"{words} ({unit})"
         y = "density (1/decade)" if log else "density" if unit == "1" else f"density (1/{unit})"

@@ -82,6 +82,42 @@ def test_test_data_are_points_and_what_they_lack_is_said():
         plots.draw("e-log-p", [("run", table_for(kinds.KINDS["e-log-p"]))], [("test", test)])
 
 
+def test_test_data_of_other_columns_are_refused_by_the_column_that_they_have():
+    run = table_for(kinds.KINDS["stress-strain"])
+    stress = Table.parse("strain_axial [%]\tdeviatoric_stress [kPa]\n0\t0\n1\t100\n", "b.tsv")
+    ratio = Table.parse("strain_axial [%]\tstress_ratio\n0\t1\n1\t3\n", "b2.tsv")
+    with pytest.raises(StudyError, match="b: has deviatoric_stress, but stress_ratio is drawn of the other tables; draw it without them"):
+        plots.draw("stress-strain", [("run", run)], [("b", stress), ("b2", ratio)])
+    # One that has a column of the other panel is drawn there; what most have is drawn here.
+    both = Table.parse("strain_axial [%]\tstress_ratio\tstrain_volumetric [%]\n0\t1\t0\n1\t3\t1\n", "b3.tsv")
+    volume = Table.parse("strain_axial [%]\tstrain_volumetric [%]\n0\t0\n1\t1\n", "b.tsv")
+    figure, notes = plots.draw("stress-strain", [("run", run)], [("b", volume), ("b3", both)])
+    assert figure.axes[0].get_ylabel() == "stress ratio σₐ/σᵣ" and [len(a.lines) for a in figure.axes] == [2, 3]
+    assert notes == ["b: has no column stress_ratio; stress ratio σₐ/σᵣ is without it"]
+
+
+def test_points_without_a_neighbour_are_marked():
+    head = "strain_axial [1]\tdeviatoric_stress [Pa]\tstrain_volumetric [1]\n"
+    figure, _ = plots.draw("stress-strain", [("run", Table.parse(head + "0\t0\t0\n", "run.tsv"))])
+    assert [(line.get_marker(), line.get_markevery()) for a in figure.axes for line in a.lines] == [("o", [0])] * 2
+    figure, _ = plots.draw("stress-strain", [("run", Table.parse(head + "0\t0\t0\n1\tnan\t0\n2\t5\t0\n", "run.tsv"))])
+    assert [(a.lines[0].get_marker(), a.lines[0].get_markevery()) for a in figure.axes] == [("o", [0, 2]), ("None", None)]
+    with pytest.raises(StudyError, match="run.tsv: no row has a value of both strain_axial and deviatoric_stress"):
+        plots.draw("stress-strain", [("run", Table.parse(head + "nan\t0\t0\n1\tnan\t0\n", "run.tsv"))])
+
+
+def test_rows_that_a_logarithmic_axis_leaves_out_are_counted():
+    head, kind = "mean_stress [Pa]\tvoid_ratio [1]\n", "e-log-p"
+    figure, notes = plots.draw(kind, [("run", Table.parse(head + "0\t1\n1e3\t0.9\n-5\t0.8\n2e3\t0.7\n", "run.tsv"))])
+    assert notes == ["run: 2 of 4 rows left out, since mean_stress is not above 0 there, and its axis is logarithmic"]
+    assert numpy.isnan(figure.axes[0].lines[0].get_xdata()).tolist() == [True, False, True, False]
+    test = Table.parse("mean_stress [kPa]\tvoid_ratio [1]\n0\t1\n1\t0.9\n", "test.tsv")
+    assert plots.draw(kind, [("run", table_for(kinds.KINDS[kind]))], [("test", test)])[1] == [
+        "test: 1 of 2 rows left out, since mean_stress is not above 0 there, and its axis is logarithmic"]
+    with pytest.raises(StudyError, match="run.tsv: column mean_stress has no value above 0, and its axis is logarithmic"):
+        plots.draw(kind, [("run", Table.parse(head + "0\t1\n-1\t0.9\n", "run.tsv"))])
+
+
 def test_missing_values_leave_gaps_and_columns_of_nothing_else_are_refused():
     text = "strain_axial [1]\tstress_ratio [1]\tstrain_volumetric [1]\n0\t1\t0\n0.1\tnan\t0\n0.2\t3\t0\n"
     figure, _ = plots.draw("stress-strain", [("run", Table.parse(text, "run.tsv"))])
@@ -111,6 +147,18 @@ def test_a_bag_is_drawn_from_where_its_settlement_counts():
     assert len(plots.stage_of(table, "2", kinds.KINDS["bag"])) == 2
 
 
+def test_a_bag_has_the_columns_of_its_loading_or_those_of_its_series_over_the_strain_between_its_plates():
+    series = Table.parse("step [1]\tstrain_axial [1]\tmean_stress [Pa]\tcoordination_number [1]\tmechanical_coordination_number [1]\n"
+                         "1\t0\t1\t5\t6\n2\t0\t2\t5\t6\n", "bag.h5")
+    loading = Table.parse("step [1]\tstrain_axial [1]\tmean_stress [Pa]\tdeviatoric_stress [Pa]\tcoordination_number [1]\n"
+                          "1\t0\t7\t8\t4\n2\t0.1\t7\t8\t4\n", "bag.h5")
+    assert list(plots.bag_series(kinds.KINDS["stress-path"], series, loading)("mean_stress", "Pa")) == [7, 7]
+    whole = plots.bag_series(kinds.KINDS["coordination"], series, loading)
+    assert list(whole("strain_axial", "1")) == [0, 0.1] and list(whole("coordination_number", "1")) == [5, 5]
+    fabric = Table.parse("step [1]\tstrain_axial [1]\n1\t0\n2\t0\n", "bag.h5")
+    assert list(plots.strained(fabric, plots.bag_series(kinds.KINDS["fabric"], series, loading))("strain_axial", "1")) == [0, 0.1]
+
+
 def test_states_get_the_strain_that_the_series_has_at_their_steps():
     series = Table.parse("step [1]\tstrain_axial [1]\n10\t0\n30\t0.02\n", "run.h5")
     fabric = Table.parse("step [1]\tstrain_axial [1]\ta_c [1]\n0\t0\t0.1\n10\t0.005\t0.2\n20\t0.01\t0.3\n", "run.h5")
@@ -126,6 +174,15 @@ def test_roses_draw_the_last_state_in_each_plane():
     for axes, density in zip(figure.axes, (2.1, 2.2), strict=True):
         x, y = axes.lines[1].get_data()
         assert numpy.allclose(numpy.hypot(x, y), density) and len(x) == 9
+    # A plane is drawn of the runs that have it.
+    flat = Table.parse("\n".join(line for line in text.splitlines() if line.split("\t")[1] != "2"), "flat.tsv")
+    figure, notes = plots.draw("rose", [("run", Table.parse(text, "run.tsv")), ("flat", flat)])
+    assert [len(a.lines) for a in figure.axes] == [3, 2]
+    assert notes == ["flat: has no contacts in the plane xz; that panel is without it"]
+    with pytest.raises(StudyError, match="has one direction alone in plane 1"):
+        plots.draw("rose", [("run", Table.parse("\n".join(text.splitlines()[:1] + ["0\t1\t45\t1"]), "run.tsv"))])
+    with pytest.raises(StudyError, match="run.tsv: has no column stage by which to choose one; leave --stage out"):
+        plots.stage_of(Table.parse(text, "run.tsv"), "0", kinds.KINDS["rose"])
     with pytest.raises(StudyError, match="has none of the planes 1, 2"):
         plots.draw("rose", [("run", Table.parse("step [1]\tplane [1]\n0\t0\n", "run.tsv"))])
 

@@ -46,6 +46,7 @@ setup() {
 @test "fabric and roses come from the tool that makes them, pictures in every format" {
   exits 0 plot fabric run.h5 -o fabric.pdf
   exits 0 plot rose run.h5 -o rose.png
+  exits 0 plot rose run.h5 --stage 0 -o stage.png
   [[ $(head -c 4 fabric.pdf) == %PDF && $(head -c 4 rose.png | tail -c 3) == PNG ]] || show
 }
 
@@ -56,6 +57,9 @@ setup() {
   complains 64 plot "a.gif: is no picture that plot can write; end it in .svg, .png, .pdf" stress-path run.h5 -o a.gif
   complains 64 plot "--stage first: give a number from 0, last or all" stress-path run.h5 --stage first -o a.svg
   complains 65 plot "run.h5: has none of the rows asked for" stress-path run.h5 --stage 7 -o a.svg
+  complains 65 plot "run.h5: has none of the rows asked for" rose run.h5 --stage 7 -o a.svg
+  complains 64 plot "--beside: rose draws no test data; leave it out" rose run.h5 --beside test.tsv -o a.svg
+  complains 64 plot "--stage 0: posterior has no stages; leave it out" posterior run.h5 --stage 0 -o a.svg
   complains 65 plot "series.tsv: is no posterior; give the file that pf-weight assimilate writes with -o" posterior series.tsv -o a.svg
   complains 65 plot "packing.h5: holds no densities; pf-weight assimilate writes them with -o" posterior packing.h5 -o a.svg
   complains 73 plot "none/a.svg: cannot be created: none is not a directory; make it first" stress-path run.h5 -o none/a.svg
