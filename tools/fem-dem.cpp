@@ -109,7 +109,7 @@ struct FemDem {
     if (plan.model.law) states.clear();
     const fem::Ranks ranks;
     Doubts doubts = ranks.first() ? Doubts("fem-dem") : Doubts();
-    doubts.add_all(plan.model.soil.mesh.doubts);
+    doubts.add_all(plan.doubts);
     if (check) return io::write_bytes("-", fem::forecast(plan, states));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };

@@ -104,6 +104,9 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   refuses 65 fem-dem "no packing is given" grains.toml -o out.h5
   refuses 65 fem-dem "2 packings are given for 4 points" grains.toml disks.h5 disks.h5 -o out.h5
   refuses 65 fem-dem "did you mean 'stiffness'" elastic.toml --set geosynthetic.stifness=1 -o out.h5
+  refuses 65 fem-dem 'traction.0.on: boundary "bottom-corners" has points alone' elastic.toml --set 'traction.0.on="bottom-corners"' -o out.h5
+  refuses 65 fem-dem 'geosynthetic.along: boundary "bottom-corners" has points alone' elastic.toml --set 'geosynthetic.along="bottom-corners"' -o out.h5
+  refuses 65 fem-dem 'move their common node at (0.6, 0) m differently along x' elastic.toml --set 'support.0.on="bottom"' --set 'support.1.x=0.1' -o out.h5
   printf 'solid\n' > wrong.msh
   refuses 65 fem-dem "wrong.msh:1: the mesh" elastic.toml --mesh wrong.msh -o out.h5
   refuses 64 fem-dem "name the file to write with -o" elastic.toml
@@ -115,12 +118,12 @@ mesh() {
   printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$PhysicalNames' 2 '1 1 "bottom"' '1 2 "top"' '$EndPhysicalNames' '$Nodes' 4 \
     '1 0 0 0' '2 1 0 0' '3 1 1 0' '4 0 1 0' '$EndNodes' '$Elements' $(($# + 2)) '1 1 2 1 1 1 2' '2 1 2 2 2 3 4'
   local number=3 nodes
-  for nodes; do printf '%d 2 2 %d 1 %s\n' $number $number "$nodes" && number=$((number + 1)); done
+  for nodes; do printf '%d 2 2 %d 1 %s\n' $number $(((number - 1) / 2)) "$nodes" && number=$((number + 1)); done
   printf '%s\n' '$EndElements'
 }
 
 @test "meshes of Gmsh are read as they are, and what was done to them is said" {
-  sed '/^\[mesh\]/,/^rows/d; /^\[geosynthetic\]/,/^holds_soil/d; s/"\(left\|right\)"/"bottom"/' elastic.toml > square.toml
+  sed '/^\[mesh\]/,/^rows/d; /^\[geosynthetic\]/,/^holds_soil/d; s/"\(left\|right\)"/"bottom"/; s/^x = 0/&\ny = 0/' elastic.toml > square.toml
   mesh "1 2 3" "1 3 4" > plain.msh
   mesh "1 2 3" "1 3 4" "1 2 3" "1 3 4" > groups.msh
   mesh "3 2 1" "1 3 4" > clockwise.msh

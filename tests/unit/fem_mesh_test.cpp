@@ -180,6 +180,13 @@ TEST(Gmsh, RefusesWithTheLineAndTheRemedy) {
 TEST(Mesh, NamesTheNearestBoundary) {
   const Mesh mesh = rectangle(1, 1, 1, 1, Shape::triangle3);
   io::test::expect_error<DataError>([&] { mesh.boundary("botom"); }, "did you mean 'bottom'");
+  EXPECT_EQ(&mesh.boundary_with_edges("top"), &mesh.boundary("top"));
+  io::test::expect_error<DataError>([&] { mesh.boundary_with_edges("bottom-corners"); },
+                                    "boundary \"bottom-corners\" has points alone and no length: name one with edges: "
+                                    "bottom, left, right, top");
+  io::test::expect_error<DataError>([&] { mesh.boundary_with_edges("loadpoint"); },
+                                    "; known: bottom, left, right, top");
+  io::test::expect_error<DataError>([&] { mesh.line({"bottom-corners"}); }, "has points alone");
   io::test::expect_error<DataError>([&] { mesh.line({"left", "right"}); }, "not connected to one line");
   io::test::expect_error<DataError>([&] { mesh.line({"bottom", "right", "top", "left"}); }, "no line with two ends");
 }

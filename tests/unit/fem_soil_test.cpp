@@ -245,6 +245,29 @@ TEST(Soil, TractionsAndViscosityMoveAFreeBlockAsOne) {
   }
 }
 
+TEST(Soil, SupportsThatMoveACommonNodeDifferentlyAreRefused) {
+  const Mesh mesh = rectangle(1, 1, 2, 2, Shape::triangle3);
+  const auto refused = [&](const Support& first, const Support& second, const std::string& words) {
+    io::test::expect_error<DataError>([&] { held_nodes(mesh, {first, second}); }, words);
+    EXPECT_THROW(held_nodes(mesh, {second, first}), DataError) << "in either order";
+  };
+  const Mat2 shrinking = (Mat2() << -0.1, 0, 0, 0).finished();
+  refused({"bottom", 0.0, 0.0, {}}, {"right", 0.1, {}, {}},
+          "the supports on \"bottom\" and \"right\" move their common node at (1, 0) m differently along x: by 0 m/s "
+          "and by "
+          "0.1 m/s; give both one velocity");
+  refused({"right", -0.1, {}, {}}, {"all", {}, {}, shrinking},
+          "along x: by -0.1 m/s and by 0 m/s plus the gradient (-0.1, 0) 1/s");  // equal at the start alone
+  const auto held = [&](const std::vector<Support>& supports) { return held_nodes(mesh, supports); };
+  EXPECT_NO_THROW(held({{"bottom", {}, 0.0, {}}, {"right", 0.1, {}, {}}})) << "other axes";
+  EXPECT_NO_THROW(held({{"bottom", 0.0, {}, {}}, {"top", 0.1, {}, {}}})) << "no common node";
+  EXPECT_NO_THROW(held({{"right", 0.1, {}, {}}, {"all", 0.1, {}, {}}})) << "one velocity";
+  EXPECT_NO_THROW(held({{"left", 0.0, {}, {}}, {"all", {}, {}, shrinking}})) << "the left side is at x = 0";
+  const HeldNode corner = held({{"right", {}, 0.2, {}}, {"top", 0.3, {}, {}}}).back();
+  EXPECT_EQ(corner[0]->constant, 0.3);
+  EXPECT_EQ(corner[1]->constant, 0.2);
+}
+
 TEST(Soil, ACrushedElementIsNamed) {
   const Mat2 gradient = (Mat2() << 0, 0, 0, -1).finished();
   Soil soil({rectangle(1, 1, 1, 1, Shape::triangle3), Integration::reduced, 1000, 0, {{"all", {}, {}, gradient}}, {}});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/error.h"
 #include "core/text/text.h"
@@ -71,10 +72,25 @@ const Boundary& Mesh::boundary(const std::string& name) const {
   throw DataError(fmt::format("the mesh has no boundary \"{}\"{}", name, suggestion(name, names)));
 }
 
+const Boundary& Mesh::boundary_with_edges(const std::string& name) const {
+  const auto found = boundaries.find(name);
+  if (found != boundaries.end() && !found->second.ends.empty()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, b] : boundaries)
+    if (!b.ends.empty()) names.push_back(known);
+  if (names.empty())
+    throw DataError(
+        fmt::format("the mesh has no boundary with edges: name one in Gmsh, as Physical Curve(\"{}\") = {{1}};", name));
+  if (found == boundaries.end())
+    throw DataError(fmt::format("the mesh has no boundary \"{}\"{}", name, suggestion(name, names)));
+  throw DataError(fmt::format("boundary \"{}\" has points alone and no length: name one with edges: {}", name,
+                              fmt::join(names, ", ")));
+}
+
 std::vector<Index> Mesh::line(const std::vector<std::string>& names) const {
   std::vector<std::array<Index, 2>> edges;
   for (const std::string& name : names) {
-    const Boundary& b = boundary(name);
+    const Boundary& b = boundary_with_edges(name);
     edges.insert(edges.end(), b.ends.begin(), b.ends.end());
   }
   std::map<Index, Index> next;
@@ -126,13 +142,15 @@ std::vector<Mesh::Piece> Mesh::pieces() const {
       to[std::max(a, b)] = std::min(a, b);
     }
   std::map<Index, Piece> of;
-  std::map<Index, double> counts;
   for (const auto& e : elements) ++of[first(e[0])].elements;
   for (Index n = 0; n < nodes.size(); ++n)
     if (const auto piece = of.find(first(n)); piece != of.end())
-      piece->second.middle += nodes[n], ++counts[piece->first];
+      piece->second.middle += nodes[n], piece->second.nodes.push_back(n);
   std::vector<Piece> all;
-  for (auto& [n, piece] : of) piece.middle /= counts[n], all.push_back(piece);
+  for (auto& [n, piece] : of) {
+    piece.middle /= static_cast<double>(piece.nodes.size());
+    all.push_back(std::move(piece));
+  }
   return all;
 }
 

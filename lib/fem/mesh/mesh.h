@@ -49,6 +49,9 @@ struct Mesh {
   void check(const std::string& where) const;
   /// Returns the boundary of this name. Throws DataError naming the nearest one.
   const Boundary& boundary(const std::string& name) const;
+  /// Returns the boundary of this name. Throws DataError naming one with edges if there is none or if it has only
+  /// points.
+  const Boundary& boundary_with_edges(const std::string& name) const;
   /// Joins boundaries to one line of nodes. Throws DataError if they do not connect in this order.
   std::vector<Index> line(const std::vector<std::string>& names) const;
   /// Returns pairs of nodes closer than 1e-8 of the mesh size.
@@ -57,6 +60,8 @@ struct Mesh {
   struct Piece {
     /// Number of its elements.
     Index elements = 0;
+    /// Its nodes, ascending.
+    std::vector<Index> nodes;
     /// Mean of its nodes, m.
     Vec2 middle = Vec2::Zero();
   };

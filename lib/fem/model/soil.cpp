@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/error.h"
@@ -22,7 +23,75 @@ void archive_pairs(Archive& a, const std::string& name, std::vector<Vec2>& value
   for (Index i = 0; i < values.size(); ++i) values[i] = Vec2(flat.at(2 * i), flat.at(2 * i + 1));
 }
 
+double velocity_of(const HeldMotion& motion, const Vec2& position) {
+  return motion.constant + motion.gradient.dot(position);
+}
+
+// Returns whether two motions are one, or both leave the node where it is. reach: distance of the farthest node from
+// the origin, m.
+bool equal_motions(const HeldMotion& a, const HeldMotion& b, const Vec2& position, double reach) {
+  const auto stands = [&](const HeldMotion& m) {
+    return std::abs(velocity_of(m, position)) <= 1e-12 * (std::abs(m.constant) + m.gradient.norm() * reach);
+  };
+  return (a.constant == b.constant && a.gradient == b.gradient) || (stands(a) && stands(b));
+}
+
+std::string text_of(const HeldMotion& motion) {
+  const Vec2& g = motion.gradient;
+  return g.isZero(0) ? fmt::format("{:.6g} m/s", motion.constant)
+                     : fmt::format("{:.6g} m/s plus the gradient ({:.6g}, {:.6g}) 1/s", motion.constant, g[0], g[1]);
+}
+
+// Returns the motion that a support holds along an axis, if any.
+std::optional<HeldMotion> motion_along(const Support& support, Eigen::Index axis, Index number) {
+  const std::optional<double>& constant = axis == 0 ? support.x : support.y;
+  if (!constant && !support.gradient) return std::nullopt;
+  HeldMotion motion{constant.value_or(0), Vec2::Zero(), number};
+  if (support.gradient) motion.gradient = support.gradient->row(axis);
+  return motion;
+}
+
 }  // namespace
+
+std::vector<HeldNode> held_nodes(const Mesh& mesh, const std::vector<Support>& supports) {
+  std::vector<HeldNode> held(mesh.nodes.size());
+  std::vector<Index> all(mesh.nodes.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  double reach = 0;
+  for (const Vec2& x : mesh.nodes) reach = std::max(reach, x.norm());
+  for (Index k = 0; k < supports.size(); ++k)
+    for (const Index n : supports[k].boundary == "all" ? all : mesh.boundary(supports[k].boundary).nodes)
+      for (const std::size_t axis : {0, 1}) {
+        const auto motion = motion_along(supports[k], row(axis), k);
+        std::optional<HeldMotion>& known = held[n][axis];
+        const Vec2& x = mesh.nodes[n];
+        if (motion && known && !equal_motions(*known, *motion, x, reach))
+          throw DataError(
+              fmt::format("the supports on \"{}\" and \"{}\" move their common node at ({:.4g}, {:.4g}) m differently "
+                          "along {}: by {} and by {}; give both one velocity, or leave the axis out of one of them",
+                          supports[known->support].boundary, supports[k].boundary, x[0], x[1], "xy"[axis],
+                          text_of(*known), text_of(*motion)));
+        if (!known) known = motion;
+      }
+  return held;
+}
+
+std::vector<Vec2> traction_forces(const Mesh& mesh, const std::vector<Vec2>& positions,
+                                  const std::vector<Traction>& tractions) {
+  std::vector<Vec2> forces(positions.size(), Vec2::Zero());
+  for (const Traction& t : tractions) {
+    const Boundary& b = mesh.boundary_with_edges(t.boundary);
+    for (Index k = 0; k < b.ends.size(); ++k) {
+      const auto [first, second] = b.ends[k];
+      const Vec2 force = t.value * (positions[second] - positions[first]).norm();
+      const double at_end = b.middle.empty() ? 0.5 : 1.0 / 6;
+      forces[first] += at_end * force;
+      forces[second] += at_end * force;
+      if (!b.middle.empty()) forces[b.middle[k]] += 2.0 / 3 * force;
+    }
+  }
+  return forces;
+}
 
 Mat2 rounded_gradient(const Mat2& gradient) {
   constexpr double fine = 0x1p60;
@@ -39,8 +108,8 @@ Soil::Soil(SoilSetup setup)
   gradients_.assign(points(), Mat2::Zero());
   strains_ = gradients_;
   lump();
-  collect_supports();
-  for (const Traction& t : setup_.tractions) mesh().boundary(t.boundary);
+  held_ = held_nodes(mesh(), setup_.supports);
+  for (const Traction& t : setup_.tractions) mesh().boundary_with_edges(t.boundary);
 }
 
 void Soil::lump() {
@@ -58,19 +127,6 @@ void Soil::lump() {
     diagonal *= setup_.density * area / diagonal.sum();
     for (Index k = 0; k < mesh().nodes_of_element(); ++k) masses_[mesh().elements[e][k]] += diagonal[row(k)];
   }
-}
-
-void Soil::collect_supports() {
-  held_.assign(positions_.size(), {});
-  std::vector<Index> all(positions_.size());
-  for (Index n = 0; n < all.size(); ++n) all[n] = n;
-  for (const Support& s : setup_.supports)
-    for (const Index n : s.boundary == "all" ? all : mesh().boundary(s.boundary).nodes) {
-      Held& held = held_[n];
-      if (s.gradient) held.axis = {true, true}, held.gradient = s.gradient;
-      if (s.x) held.axis[0] = true, held.velocity[0] = *s.x;
-      if (s.y) held.axis[1] = true, held.velocity[1] = *s.y;
-    }
 }
 
 double Soil::largest_eigenvalue(const std::function<Mat3(Index point)>& tangent) const {
@@ -123,36 +179,17 @@ std::vector<Vec2> Soil::internal_forces(const std::vector<Mat2>& stresses) const
   return forces;
 }
 
-std::vector<Vec2> Soil::traction_forces() const {
-  std::vector<Vec2> forces(positions_.size(), Vec2::Zero());
-  for (const Traction& t : setup_.tractions) {
-    const Boundary& b = mesh().boundary(t.boundary);
-    for (Index k = 0; k < b.ends.size(); ++k) {
-      const auto [first, second] = b.ends[k];
-      const Vec2 force = t.value * (positions_[second] - positions_[first]).norm();
-      const double at_end = b.middle.empty() ? 0.5 : 1.0 / 6;
-      forces[first] += at_end * force;
-      forces[second] += at_end * force;
-      if (!b.middle.empty()) forces[b.middle[k]] += 2.0 / 3 * force;
-    }
-  }
-  return forces;
-}
-
 void Soil::support(Index node, Vec2& velocity, bool* fixed) const {
-  const Held& held = held_[node];
-  Vec2 wanted = held.velocity;
-  if (held.gradient) wanted += *held.gradient * positions_[node];
-  if (standing_) wanted.setZero();
   for (int a = 0; a < 2; ++a) {
-    fixed[a] = held.axis[static_cast<std::size_t>(a)];
-    if (fixed[a]) velocity[a] = wanted[a];
+    const std::optional<HeldMotion>& held = held_[node][static_cast<std::size_t>(a)];
+    fixed[a] = held.has_value();
+    if (fixed[a]) velocity[a] = standing_ ? 0 : velocity_of(*held, positions_[node]);
   }
 }
 
 void Soil::step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt) {
   internal_ = internal_forces(stresses);
-  const std::vector<Vec2> traction = traction_forces();
+  const std::vector<Vec2> traction = traction_forces(mesh(), positions_, setup_.tractions);
   // Every term is multiplied by the mean velocity of the step, so energies balance to rounding (Belytschko et al. 2014,
   // 6.2.3).
   const double c = damping_.value_or(setup_.damping), half = 0.5 * c * dt;

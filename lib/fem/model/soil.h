@@ -23,7 +23,7 @@ struct Support {
   std::optional<Mat2> gradient;
 };
 
-/// Force per present area of the boundary, Pa.
+/// Force per present area of a boundary with edges, Pa. Tractions on one boundary add up.
 struct Traction {
   std::string boundary;
   Vec2 value = Vec2::Zero();
@@ -38,6 +38,23 @@ struct SoilSetup {
   std::vector<Support> supports;
   std::vector<Traction> tractions;
 };
+
+/// Velocity of a held node along one axis: constant + gradient * position.
+struct HeldMotion {
+  double constant = 0;           // m/s
+  Vec2 gradient = Vec2::Zero();  // 1/s
+  /// Number of the first support that holds the node so.
+  Index support = 0;
+};
+/// Held motions of a node along x and y; an axis without one is free.
+using HeldNode = std::array<std::optional<HeldMotion>, 2>;
+/// Returns what the supports hold at each node. Throws DataError for an unknown boundary, and for two supports that
+/// move a common node differently.
+std::vector<HeldNode> held_nodes(const Mesh& mesh, const std::vector<Support>& supports);
+
+/// Returns the tractions as forces on the nodes, which are at these positions, N/m.
+std::vector<Vec2> traction_forces(const Mesh& mesh, const std::vector<Vec2>& positions,
+                                  const std::vector<Traction>& tractions);
 
 /// A material point of the soil.
 struct SoilPoint {
@@ -62,7 +79,8 @@ using Points = std::vector<std::unique_ptr<MaterialPoint>>;
 class Soil {
  public:
   /// Checks the mesh and lumps masses: scales the consistent diagonal to the element's mass (HRZ: Hinton, Rock &
-  /// Zienkiewicz 1976). Throws DataError for an unknown boundary.
+  /// Zienkiewicz 1976). Throws DataError for an unknown boundary, supports that contradict each other, and a
+  /// traction on points.
   explicit Soil(SoilSetup setup);
   /// Returns the number of points.
   Index points() const { return setup_.mesh.elements.size() * rule_.size(); }
@@ -104,10 +122,8 @@ class Soil {
   void archive(Archive& archive);
 
  private:
-  std::vector<Vec2> traction_forces() const;
   void lump();
   void support(Index node, Vec2& velocity, bool* fixed) const;
-  void collect_supports();
 
   SoilSetup setup_;
   std::vector<IntegrationPoint> rule_;
@@ -115,13 +131,7 @@ class Soil {
   std::vector<Vec2> positions_, displacements_, velocities_, increments_;
   std::vector<Mat2> gradients_, strains_;
   std::vector<Vec2> internal_;  // N/m, at the start of the step
-  /// Nodes of one support.
-  struct Held {
-    std::array<bool, 2> axis{};
-    Vec2 velocity = Vec2::Zero();
-    std::optional<Mat2> gradient;
-  };
-  std::vector<Held> held_;
+  std::vector<HeldNode> held_;
   bool standing_ = false;
   std::optional<double> damping_;
   SoilEnergies energies_;

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/text/units.h"
 #include "dem/run/scenario.h"
+#include "fem/run/boundary_conditions.h"
 
 namespace soilweave::fem {
 namespace {
@@ -151,39 +152,6 @@ void read_soil(Settings& document, ModelSetup& m) {
   if (document.has("numerics") || document.has("guards")) read_grain_numerics(document);
 }
 
-void read_edges(Settings& document, SoilSetup& soil) {
-  static constexpr Parameter speed_x{"x", "m/s", -1e3, 1e3, false, "velocity held along x; 0 holds it"},
-      speed_y{"y", "m/s", -1e3, 1e3, false, "velocity held along y; 0 holds it"};
-  static constexpr Parameter gradient{"gradient", "1/s", -1e6, 1e6, false, "velocity gradient xx, xy, yx, yy"};
-  static constexpr Parameter pressure_x{"x", "Pa", -1e9, 1e9, false, "traction along x"},
-      pressure_y{"y", "Pa", -1e9, 1e9, false, "traction along y"};
-  const auto named = [&soil](Settings& table) {
-    const std::string on = table.text({"on", "name of the boundary, or all"});
-    if (on != "all" && !soil.mesh.boundaries.count(on)) {
-      try {
-        soil.mesh.boundary(on);
-      } catch (const DataError& error) {
-        table.mistake("on", fmt::format("is no boundary: {}", error.what()));
-      }
-    }
-    return on;
-  };
-  for (Settings table : document.tables("support")) {
-    Support s{named(table), {}, {}, {}};
-    if (table.has("x")) s.x = table.number(speed_x);
-    if (table.has("y")) s.y = table.number(speed_y);
-    if (table.has("gradient")) {
-      const std::vector<double> g = table.numbers(gradient);
-      if (g.size() != 4) table.mistake("gradient", "has not four numbers: xx, xy, yx, yy");
-      if (g.size() == 4) s.gradient = (Mat2() << g[0], g[1], g[2], g[3]).finished();
-    }
-    if (!s.x && !s.y && !s.gradient) table.mistake("", "holds nothing: give x, y or gradient");
-    soil.supports.push_back(std::move(s));
-  }
-  for (Settings table : document.tables("traction"))
-    soil.tractions.push_back({named(table), Vec2(table.number(pressure_x, 0), table.number(pressure_y, 0))});
-}
-
 ChainEnd read_end(Settings table) {
   static constexpr Parameter x{"x", "m/s", -1e3, 1e3, false, "velocity that drives this end along x"},
       y{"y", "m/s", -1e3, 1e3, false, "velocity that drives this end along y"};
@@ -259,13 +227,10 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
   b.start = read_end(table.table("start"));
   b.end = read_end(table.table("end"));
   read_guides(table, b.guides);
-  for (const std::string& name : m.along)
-    if (!m.soil.mesh.boundaries.count(name)) {
-      try {
-        m.soil.mesh.boundary(name);
-      } catch (const DataError& error) {
-        table.mistake("along", error.what());
-      }
+  for (const std::string& name : m.along) try {
+      m.soil.mesh.boundary_with_edges(name);
+    } catch (const DataError& error) {
+      table.mistake("along", error.what());
     }
   m.bars = std::move(b);
 }
@@ -332,7 +297,7 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
   s.model.soil.mesh = mesh ? take_mesh(table, std::move(*mesh)) : read_mesh(table);
   s.model.soil.integration = read_integration(table, s.model.soil.mesh.shape);
   read_soil(document, s.model);
-  read_edges(document, s.model.soil);
+  read_boundary_conditions(document, s.model.soil);
   read_geosynthetic(document, s.model);
   read_time(document, s);
   s.quasi_static = read_quasi_static(document);
@@ -342,6 +307,8 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
     s.recorded.push_back(static_cast<Index>(p));
   }
   document.finish();
+  s.doubts = s.model.soil.mesh.doubts;
+  for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
   s.resolved = document.resolved();
   return s;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/doubts.h"
 #include "core/text/settings.h"
 #include "fem/model/model.h"
 
@@ -30,6 +31,8 @@ struct Scenario {
   /// Points whose grains are recorded.
   std::vector<Index> recorded;
   std::optional<QuasiStatic> quasi_static;
+  /// Doubts about the mesh, and about how the soil is held and loaded.
+  std::vector<Doubt> doubts;
   /// TOML with all defaults.
   std::string resolved;
 };

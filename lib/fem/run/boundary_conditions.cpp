@@ -1,0 +1,150 @@
+// Supports and tractions of a two-scale scenario.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fem/run/boundary_conditions.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+
+namespace soilweave::fem {
+namespace {
+
+// Returns whether a check throws no DataError. Notes the error as a mistake about the key otherwise.
+template <class Check>
+bool accepted(Settings& table, std::string_view key, const Check& check) {
+  try {
+    check();
+    return true;
+  } catch (const DataError& error) {
+    table.mistake(key, error.what());
+    return false;
+  }
+}
+
+void read_support(Settings& table, SoilSetup& soil) {
+  static constexpr Parameter speed_x{"x", "m/s", -1e3, 1e3, false, "velocity held along x; 0 holds it"},
+      speed_y{"y", "m/s", -1e3, 1e3, false, "velocity held along y; 0 holds it"};
+  static constexpr Parameter gradient{"gradient", "1/s", -1e6, 1e6, false, "velocity gradient xx, xy, yx, yy"};
+  Support s{table.text({"on", "name of a boundary, or all for every node"}), {}, {}, {}};
+  if (table.has("x")) s.x = table.number(speed_x);
+  if (table.has("y")) s.y = table.number(speed_y);
+  if (table.has("gradient")) {
+    const std::vector<double> g = table.numbers(gradient);
+    if (g.size() != 4) table.mistake("gradient", "has not four numbers: xx, xy, yx, yy");
+    if (g.size() == 4) s.gradient = (Mat2() << g[0], g[1], g[2], g[3]).finished();
+  }
+  if (!s.x && !s.y && !s.gradient) table.mistake("", "holds nothing: give x, y or gradient");
+  if (s.boundary != "all" && !accepted(table, "on", [&] { soil.mesh.boundary(s.boundary); })) return;
+  soil.supports.push_back(std::move(s));
+  if (!accepted(table, "", [&] { held_nodes(soil.mesh, soil.supports); })) soil.supports.pop_back();
+}
+
+void read_traction(Settings& table, SoilSetup& soil) {
+  static constexpr Parameter pressure_x{"x", "Pa", -1e9, 1e9, false, "traction along x"},
+      pressure_y{"y", "Pa", -1e9, 1e9, false, "traction along y"};
+  Traction t{table.text({"on", "name of a boundary with edges"})};
+  t.value[0] = table.number(pressure_x, 0);
+  t.value[1] = table.number(pressure_y, 0);
+  if (!table.has("x") && !table.has("y")) table.mistake("", "loads nothing: give x or y");
+  if (accepted(table, "on", [&] { soil.mesh.boundary_with_edges(t.boundary); })) soil.tractions.push_back(std::move(t));
+}
+
+// Returns the velocities of a place, in columns, while a piece moves as a whole: along x, along y and around its
+// middle.
+Eigen::Matrix<double, 2, 3> rigid_motions(const Vec2& from_middle) {
+  return (Eigen::Matrix<double, 2, 3>() << 1, 0, -from_middle[1], 0, 1, from_middle[0]).finished();
+}
+
+// Returns the sum of the nodal forces of a piece where they move or turn it as a whole, because no support holds it
+// against them.
+std::optional<Vec2> unbalanced(const Mesh& mesh, const Mesh::Piece& piece, const std::vector<HeldNode>& held,
+                               const std::vector<Vec2>& forces) {
+  double size = 0;
+  for (const Index n : piece.nodes) size = std::max(size, (mesh.nodes[n] - piece.middle).norm());
+  Mat3 holding = Mat3::Zero();
+  Vec3 load = Vec3::Zero();
+  double turned_over = 0;
+  for (const Index n : piece.nodes) {
+    const Eigen::Matrix<double, 2, 3> motions = rigid_motions((mesh.nodes[n] - piece.middle) / size);
+    for (const Eigen::Index axis : {0, 1})
+      if (held[n][static_cast<std::size_t>(axis)]) holding += motions.row(axis).transpose() * motions.row(axis);
+    load += motions.transpose() * forces[n];
+    turned_over += forces[n].norm();
+  }
+  // Eigenvectors without an eigenvalue are the motions that every support leaves free.
+  const Eigen::SelfAdjointEigenSolver<Mat3> motions(holding);
+  Vec3 free = Vec3::Zero();
+  for (const Eigen::Index k : {0, 1, 2})
+    if (motions.eigenvalues()[k] < 1e-9)
+      free += motions.eigenvectors().col(k) * motions.eigenvectors().col(k).dot(load);
+  if (!(free.norm() > 1e-6 * turned_over)) return std::nullopt;
+  return load.head<2>();
+}
+
+void doubt_carried(const SoilSetup& soil, const std::vector<HeldNode>& held, std::vector<Doubt>& doubts) {
+  std::vector<std::string> carried;
+  for (const Traction& t : soil.tractions)
+    for (const std::size_t axis : {0, 1}) {
+      const std::vector<Index>& nodes = soil.mesh.boundary(t.boundary).nodes;
+      if (t.value[static_cast<Eigen::Index>(axis)] != 0 &&
+          std::all_of(nodes.begin(), nodes.end(), [&](Index n) { return held[n][axis].has_value(); }))
+        carried.push_back(fmt::format("on \"{}\" along {}", t.boundary, "xy"[axis]));
+    }
+  if (!carried.empty())
+    doubts.push_back(
+        {"traction_carried", fmt::format("the traction {} loads no soil, since supports hold all nodes there; "
+                                         "leave it out, or take it to a boundary that is free",
+                                         fmt::join(carried, " and "))});
+}
+
+void doubt_free(const SoilSetup& soil, const std::vector<HeldNode>& held, std::vector<Doubt>& doubts) {
+  const std::vector<Vec2> forces = traction_forces(soil.mesh, soil.mesh.nodes, soil.tractions);
+  const std::vector<Mesh::Piece> pieces = soil.mesh.pieces();
+  for (const Mesh::Piece& piece : pieces)
+    if (const std::optional<Vec2> sum = unbalanced(soil.mesh, piece, held, forces)) {
+      const std::string place =
+          pieces.size() == 1 ? "" : fmt::format(" around ({:.4g}, {:.4g}) m", piece.middle[0], piece.middle[1]);
+      doubts.push_back(
+          {"soil_free", fmt::format("no support holds the soil{} against its tractions, {:.4g} N/m along x and "
+                                    "{:.4g} N/m along y in all: they move or turn it as a whole; hold it by a "
+                                    "[[support]]",
+                                    place, (*sum)[0], (*sum)[1])});
+      return;
+    }
+}
+
+bool stands_still(const Support& s) {
+  return s.x.value_or(0) == 0 && s.y.value_or(0) == 0 && (!s.gradient || s.gradient->isZero(0));
+}
+
+}  // namespace
+
+void read_boundary_conditions(Settings& document, SoilSetup& soil) {
+  for (Settings table : document.tables("support")) read_support(table, soil);
+  for (Settings table : document.tables("traction")) read_traction(table, soil);
+}
+
+std::vector<Doubt> loading_doubts(const ModelSetup& setup) {
+  const SoilSetup& soil = setup.soil;
+  const std::vector<HeldNode> held = held_nodes(soil.mesh, soil.supports);
+  std::vector<Doubt> doubts;
+  doubt_carried(soil, held, doubts);
+  if (setup.bars) return doubts;  // the chain or its guides may hold and load the soil
+  doubt_free(soil, held, doubts);
+  const auto zero = [](const Traction& t) { return t.value.isZero(0); };
+  if (setup.law && setup.law->initial_stress.isZero(0) &&
+      std::all_of(soil.supports.begin(), soil.supports.end(), stands_still) &&
+      std::all_of(soil.tractions.begin(), soil.tractions.end(), zero))
+    doubts.push_back({"soil_unloaded",
+                      "nothing loads the soil: every stress stays 0; give it a [[traction]], a [[support]] "
+                      "that moves, or soil.initial_stress"});
+  return doubts;
+}
+
+}  // namespace soilweave::fem

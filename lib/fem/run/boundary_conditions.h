@@ -1,0 +1,20 @@
+// Supports and tractions of a two-scale scenario, and doubts about what they load.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/doubts.h"
+#include "core/text/settings.h"
+#include "fem/model/model.h"
+
+namespace soilweave::fem {
+
+/// Reads [[support]] and [[traction]]. The soil must have its mesh. Tables with a mistake are left out.
+void read_boundary_conditions(Settings& document, SoilSetup& soil);
+
+/// Returns doubts about tractions that supports carry whole, pieces of soil that no support holds against their
+/// tractions, and a soil that nothing loads.
+std::vector<Doubt> loading_doubts(const ModelSetup& setup);
+
+}  // namespace soilweave::fem

@@ -1,0 +1,92 @@
+// Scenarios of two scales: loads that act and supports that agree.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "fem/run/scenario.h"
+#include "support/same_state.h"
+
+namespace soilweave::fem {
+namespace {
+
+using io::test::expect_error;
+
+const std::string block =
+    "[mesh]\nwidth = 1\nheight = 1\ncolumns = 2\nrows = 2\n"
+    "[soil]\nmaterial = \"elastic\"\ndensity = 2000\nyoung_modulus = 1e7\npoisson_ratio = 0.25\ndamping = 100\n"
+    "[time]\nduration = 0.2\noutput_interval = 0.1\n";
+const std::string footing = "[[support]]\non = \"bottom\"\nx = 0\ny = 0\n";
+const std::string load = "[[traction]]\non = \"top\"\ny = -1000\n";
+
+Scenario scenario(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return read_scenario(block + text, "test.toml", overrides, std::nullopt);
+}
+
+void refused(const std::string& text, const std::string& words) {
+  expect_error<DataError>([&] { scenario(text); }, words);
+}
+
+std::vector<std::string> doubts(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> keys;
+  for (const Doubt& doubt : scenario(text, overrides).doubts) keys.push_back(doubt.key);
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(Scenario, RefusesTractionsThatCanLoadNothing) {
+  EXPECT_TRUE(scenario(footing + load).doubts.empty());
+  refused(
+      footing + "[[traction]]\non = \"bottom-corners\"\ny = -1000\n",
+      "traction.0.on: boundary \"bottom-corners\" has points alone and no length: name one with edges: bottom, left");
+  refused(footing + "[[traction]]\non = \"nothing\"\ny = -1000\n",
+          "traction.0.on: the mesh has no boundary \"nothing\"; known: bottom, left, right, top");
+  refused(footing + "[[traction]]\non = \"all\"\ny = -1000\n", "test.toml:19: traction.0.on: the mesh has no boundary");
+  refused(footing + "[[traction]]\non = \"top\"\n", "loads nothing: give x or y");
+}
+
+TEST(Scenario, DoubtsLoadsThatSupportsCarryAndSoilThatNothingLoads) {
+  EXPECT_EQ(doubts(footing + "[[traction]]\non = \"bottom\"\ny = -1000\n"), Keys{"traction_carried"});
+  EXPECT_EQ(doubts("[[support]]\non = \"bottom\"\nx = 0\n" + load + "[[traction]]\non = \"bottom\"\ny = 1000\n"),
+            Keys{})
+      << "the bottom is free along y";
+  EXPECT_EQ(doubts(footing), Keys{"soil_unloaded"});
+  EXPECT_EQ(doubts(footing + load, {"traction.0.y=0"}), Keys{"soil_unloaded"});
+  EXPECT_EQ(doubts(footing, {"soil.initial_stress=[1,1,1]"}), Keys{});
+  EXPECT_EQ(doubts(footing + "[[support]]\non = \"top\"\ny = -0.1\n"), Keys{});
+}
+
+TEST(Scenario, DoubtsSoilThatItsTractionsMoveAsAWhole) {
+  EXPECT_EQ(doubts(load), Keys{"soil_free"});
+  EXPECT_EQ(scenario(load).doubts[0].sentence,
+            "no support holds the soil against its tractions, 0 N/m along x and -1000 N/m along y in all: they move or "
+            "turn it "
+            "as a whole; hold it by a [[support]]");
+  EXPECT_EQ(doubts("[[support]]\non = \"left\"\nx = 0\n" + load), Keys{"soil_free"}) << "free along y";
+  EXPECT_EQ(doubts("[[support]]\non = \"bottom\"\ny = 0\n" + load), Keys{}) << "free along x, where nothing pushes";
+  EXPECT_EQ(doubts(load + "[[traction]]\non = \"bottom\"\ny = 1000\n"), Keys{}) << "balanced";
+  EXPECT_EQ(doubts("[[traction]]\non = \"left\"\ny = -1000\n[[traction]]\non = \"right\"\ny = 1000\n"),
+            Keys{"soil_free"})
+      << "balanced, but for the moment";
+  // A piece of the mesh may be free beside one that is held.
+  Mesh two = rectangle(1, 1, 1, 1, Shape::triangle3), other = two;
+  two.boundaries["roof"] = two.boundaries["top"];
+  for (auto& [first, second] : two.boundaries["roof"].ends) first += 4, second += 4;
+  two.boundaries["roof"].nodes = {6, 7};
+  for (const Vec2& x : other.nodes) two.nodes.push_back(x + Vec2(2, 0));
+  for (auto e : other.elements) two.elements.push_back({e[0] + 4, e[1] + 4, e[2] + 4});
+  const std::string pieces = block.substr(block.find("[soil]")) + footing + load + "[mesh]\npieces = 2\n";
+  EXPECT_TRUE(read_scenario(pieces, "test.toml", {}, two).doubts.empty());
+  const std::vector<Doubt> free = read_scenario(pieces, "test.toml", {"traction.0.on=\"roof\""}, two).doubts;
+  ASSERT_EQ(free.size(), 1U);
+  EXPECT_NE(free[0].sentence.find("the soil around (2.5, 0.5) m"), std::string::npos) << free[0].sentence;
+}
+
+TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
+  refused(footing + load + "[[support]]\non = \"right\"\nx = 0.1\n",
+          "test.toml:22: support.1: the supports on \"bottom\"");
+  EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
+}
+
+}  // namespace
+}  // namespace soilweave::fem
