@@ -71,6 +71,14 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
     END { exit !(w > 0 && e < 0.01 * w && e > -0.01 * w) }' <<< "$output"
 }
 
+@test "a run ends at its duration, whatever its interval" {
+  fem-dem --quiet elastic.toml --set time.output_interval=5 -o once.h5
+  exits 0 fem-dem --table series --columns time once.h5
+  [[ ${lines[*]} == "time [s] 0 0.3" ]] || show "wanted the start and the end"
+  exits 0 fem-dem --check elastic.toml --set time.output_interval=0.2
+  [[ $output == *" 2 outputs"* ]] || show "wanted one at 0.2 s and one at the end"
+}
+
 @test "the grains of a point are a run, the whole is shown by to-vtk" {
   fem-dem --take 1 run.h5 -o point.h5
   exits 0 homogenize point.h5 --tsv

@@ -1,8 +1,9 @@
-// Scenarios of two scales: loads that act and supports that agree.
+// Scenarios of two scales: loads that act, supports that agree, and runs that end at their duration.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "fem/run/run.h"
 #include "fem/run/scenario.h"
 #include "support/same_state.h"
 
@@ -86,6 +87,30 @@ TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
   refused(footing + load + "[[support]]\non = \"right\"\nx = 0.1\n",
           "test.toml:22: support.1: the supports on \"bottom\"");
   EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
+}
+
+std::vector<double> times(const std::vector<std::string>& overrides) {
+  const Ranks ranks;
+  return run(scenario(footing + load, overrides), {}, nullptr, {}, {}, ranks).file.series.at("time").values;
+}
+
+TEST(Scenario, RunsForItsDurationWithAShorterLastInterval) {
+  EXPECT_EQ(times({}).size(), 3U);
+  EXPECT_DOUBLE_EQ(times({}).back(), 0.2);
+  const std::vector<double> once = times({"time.output_interval=5"});
+  ASSERT_EQ(once.size(), 2U);
+  EXPECT_DOUBLE_EQ(once[1], 0.2);
+  const std::vector<double> shorter = times({"time.output_interval=0.15"});
+  ASSERT_EQ(shorter.size(), 3U);
+  EXPECT_DOUBLE_EQ(shorter[1], 0.15);
+  EXPECT_NEAR(shorter[2], 0.2, 1e-3) << "to the nearest step";
+  EXPECT_EQ(times({"time.output_interval=0.066666"}).size(), 4U) << "the rest of rounded decimals is no interval";
+  // A fixed step that does not divide the interval: outputs are due at the nearest steps.
+  const std::vector<double> fixed = times({"time.step=0.0003", "time.output_interval=0.05"});
+  ASSERT_EQ(fixed.size(), 5U);
+  for (std::size_t k = 0; k < fixed.size(); ++k) EXPECT_NEAR(fixed[k], 0.05 * static_cast<double>(k), 0.00015 + 1e-12);
+  // An interval shorter than a step: an output after each.
+  EXPECT_EQ(times({"time.step=0.001", "time.duration=0.005", "time.output_interval=0.0001"}).size(), 6U);
 }
 
 }  // namespace

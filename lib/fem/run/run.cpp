@@ -40,12 +40,30 @@ GrainWork grain_work(const Model& model) {
   return w;
 }
 
-std::int64_t steps_of_output(const Scenario& scenario, double dt) {
-  return std::max<std::int64_t>(1, std::llround(scenario.model.interval / dt));
-}
-std::int64_t outputs_of(const Scenario& scenario) {
-  return std::max<std::int64_t>(1, std::llround(std::ceil(scenario.duration / scenario.model.interval * (1 - 1e-9))));
-}
+// The steps of a run and those after which an output is due: at every interval, and at the end of the duration.
+class Timetable {
+ public:
+  Timetable(const Scenario& scenario, double dt) : interval_(std::max(1.0, scenario.model.interval / dt)) {
+    double intervals = scenario.duration / scenario.model.interval;
+    // Decimals of the interval are often rounded. A few steps left over by them would be an output of their own.
+    if (std::abs(intervals - std::round(intervals)) < 1e-3) intervals = std::round(intervals);
+    steps_ = std::max<std::int64_t>(1, std::llround(intervals * scenario.model.interval / dt));
+    outputs_ = static_cast<std::int64_t>(static_cast<double>(steps_) / interval_);
+    while (due(outputs_) < steps_) ++outputs_;
+  }
+  /// Returns the number of all steps.
+  std::int64_t steps() const { return steps_; }
+  /// Returns the number of outputs.
+  std::int64_t outputs() const { return outputs_; }
+  /// Returns the step after which an output is due. The number of an output counts from 1.
+  std::int64_t due(std::int64_t output) const {
+    return std::min(steps_, static_cast<std::int64_t>(std::llround(static_cast<double>(output) * interval_)));
+  }
+
+ private:
+  std::int64_t steps_ = 0, outputs_ = 0;
+  double interval_;  // in steps
+};
 
 class Runner {
  public:
@@ -57,8 +75,7 @@ class Runner {
         history_(history),
         keeper_(safekeeping, 1 << 20),
         model_(with_packings(scenario, packings), &ranks),
-        every_(steps_of_output(scenario, model_.time_step())),
-        outputs_(outputs_of(scenario)) {
+        timetable_(scenario, model_.time_step()) {
     file_.scenario = scenario.resolved;
     std::optional<io::Checkpoint> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
     go_on(std::move(last));
@@ -67,12 +84,12 @@ class Runner {
 
   Outcome run() {
     if (!going_on_) note();
-    while (done_ < outputs_) {
+    while (done_ < timetable_.outputs()) {
       if (resting_) {
         rest();
       } else {
         model_.step();
-        if (++since_output_ == every_) reached();
+        if (++since_output_ >= timetable_.due(done_ + 1) - timetable_.due(done_)) reached();
       }
       if (model_.steps() % 16 == 0) tell();
       keep();
@@ -200,7 +217,7 @@ class Runner {
     Archive a(std::move(numbers), where);
     archive(a);
     const auto among = [](std::int64_t n, std::int64_t most) { return n >= 0 && n <= most; };
-    dem::demand_kept(among(done_, outputs_), where, "number of outputs");
+    dem::demand_kept(among(done_, timetable_.outputs()), where, "number of outputs");
     dem::demand_kept(model_.steps() >= 0 && among(since_output_, model_.steps()), where, "number of steps");
     if (resting_) model_.relax(scenario_.quasi_static->damping);
   }
@@ -209,7 +226,7 @@ class Runner {
     if (!report_) return;
     const double seconds = since(began_);
     const GrainWork work = grain_work(model_);
-    report_(model_.time() / (static_cast<double>(outputs_ * every_) * model_.time_step()),
+    report_(model_.time() / (static_cast<double>(timetable_.steps()) * model_.time_step()),
             fmt::format("{:.4g} s, step {}, kinetic {:.2e} J/m{}", model_.time(), model_.steps(),
                         model_.soil().kinetic_energy(),
                         work.steps > 0 ? fmt::format(", {:.3g} grain steps/s",
@@ -238,7 +255,8 @@ class Runner {
   const io::History& history_;
   dem::Keeper keeper_;
   Model model_;
-  std::int64_t every_, outputs_, done_ = 0, since_output_ = 0, rested_ = 0, start_steps_ = 0;
+  Timetable timetable_;
+  std::int64_t done_ = 0, since_output_ = 0, rested_ = 0, start_steps_ = 0;
   bool resting_ = false, going_on_ = false;
   io::MultiscaleFile file_;
   Clock::time_point began_ = Clock::now();
@@ -257,13 +275,14 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
   constexpr double tried_seconds = 3;  // a step of the soil is many of the grains
   Model model(with_packings(scenario, packings));
   const double dt = model.time_step();
-  const std::int64_t outputs = outputs_of(scenario), steps = outputs * steps_of_output(scenario, dt);
+  const Timetable timetable(scenario, dt);
+  const std::int64_t steps = timetable.steps();
   const Mesh& mesh = model.soil().mesh();
   std::string text = fmt::format(
       "{} nodes, {} elements of the shape {}, {} points\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, {} "
       "outputs\n",
       mesh.nodes.size(), mesh.elements.size(), name_of(mesh.shape), model.points().size(), dt, model.stable_time_step(),
-      steps, outputs);
+      steps, timetable.outputs());
   const std::size_t grains = model.points().front()->grains();
   if (grains > 0)
     text +=
@@ -278,7 +297,7 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
   record(model, scenario.recorded, file);
   double numbers = static_cast<double>(file.frames.size()) * 30.0 * static_cast<double>(grains);
   for (const auto& group : file.groups) numbers += static_cast<double>(group.table.rows() * group.table.columns.size());
-  const double bytes = 8 * numbers * static_cast<double>(outputs + 1);
+  const double bytes = 8 * numbers * static_cast<double>(timetable.outputs() + 1);
   text +=
       fmt::format("file about {}, memory about {}\n", bytes_text(bytes), bytes_text(1.1 * peak_memory() + 2 * bytes));
   return text + fmt::format("about {} on {} thread{}; contacts grow, and with them the time\n", time_text(seconds),

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -254,6 +255,8 @@ void read_time(Settings& document, Scenario& s) {
     table.mistake("output_interval",
                   fmt::format("makes {:.3g} outputs, and at most {:.0f} are recorded: give at least {:.3g} s",
                               s.duration / s.model.interval, most, s.duration / most));
+  // A shorter run than its interval has one output, at its end.
+  s.model.interval = std::min(s.model.interval, s.duration);
   s.model.safety = table.number(safety, s.model.safety);
   if (table.has("step")) s.model.time_step = table.number(step);
 }
