@@ -147,6 +147,9 @@ mesh() {
     near "$(value $file.tsv external_work last)" "$(value plain.tsv external_work last)" 1e-9
   done
   to-vtk --history clockwise.h5 | grep -q mesh_turned || show "not in the file"
+  sed 's/^4 2 2 1/4 2 2 9/' plain.msh > parted.msh
+  exits 0 fem-dem --check square.toml --mesh parted.msh
+  [[ $stderr == "fem-dem: doubt: parted.msh: all elements become one soil"*'"1" (1 of 2), "9" (1 of 2)'* ]] || show "not said"
   mesh "1 2 3" "1 2 4" > overlap.msh
   refuses 65 fem-dem "overlap.msh:21: element 4 and element 3 lie on the same side" square.toml --mesh overlap.msh -o out.h5
   printf '\0' >> plain.msh

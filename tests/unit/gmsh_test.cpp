@@ -59,6 +59,19 @@ TEST(Gmsh, AnElementOfSeveralGroupsCountsOnce) {
   EXPECT_EQ(twice.doubts[1].sentence, "x.msh: a node of no element left out: 4");
 }
 
+TEST(Gmsh, SurfacesThatPartTheElementsAreDoubtedByName) {
+  const Mesh parted = read_gmsh(file_2(square, {"1 2 1 1 1 2", "2 2 3 1 1 2 3", "2 2 7 1 1 3 4"}), "x.msh");
+  ASSERT_EQ(parted.doubts.size(), 1U);
+  EXPECT_EQ(
+      parted.doubts[0].sentence,
+      "x.msh: all elements become one soil, which [soil] describes, although physical surfaces part them: \"soil\" (1 "
+      "of 2), \"7\" (1 of 2); mesh only what is that soil");
+  // Elements of no group are kept beside those of one.
+  EXPECT_EQ(read_gmsh(file_2(square, {"2 2 3 1 1 2 3", "2 2 0 1 1 3 4"}), "x.msh").doubts.size(), 1U);
+  EXPECT_TRUE(read_gmsh(file_2(square, {"2 2 3 1 1 2 3", "2 2 3 1 1 3 4"}), "x.msh").doubts.empty());
+  EXPECT_TRUE(read_gmsh(file_2(square, {"2 2 0 1 1 2 3", "2 2 0 1 1 3 4"}), "x.msh").doubts.empty());
+}
+
 TEST(Gmsh, ClockwiseElementsAreTurnedWithTheirSides) {
   const Mesh triangles = read_gmsh(file_2(square, {"1 2 1 1 2 1", "2 2 3 1 1 3 2", "2 2 3 1 1 3 4"}), "x.msh");
   EXPECT_EQ(area_of(triangles), 1);

@@ -74,9 +74,10 @@ class Builder {
       fail(item.line, fmt::format("element {} is a {}, element {} before it a {}; mesh all with one of them", item.tag,
                                   gmsh_type(item.type).name, from_[0]->tag, gmsh_type(from_[0]->type).name));
     // Format 2.2 writes an element of several groups once per group.
-    const auto [known, fresh] = known_.try_emplace(round_of(item), item.groups);
+    const auto [known, fresh] = known_.try_emplace(round_of(item), Known{item.groups, mesh_.elements.size()});
+    for (const int group : item.groups) surfaces_[group].insert(known->second.element);
     if (!fresh) {
-      again_ += known->second == item.groups;
+      again_ += known->second.groups == item.groups;
       return;
     }
     std::array<Index, most_nodes> nodes{};
@@ -164,7 +165,10 @@ class Builder {
   }
 
   std::string name_of_group(const GmshFile::Item& item, int group) const {
-    const auto named = file_.names.find({item.type == gmsh::vertex ? 0 : 1, group});
+    return name_of_group(item.type == gmsh::vertex ? 0 : 1, group);
+  }
+  std::string name_of_group(int dimension, int group) const {
+    const auto named = file_.names.find({dimension, group});
     return named != file_.names.end() ? named->second : std::to_string(group);
   }
 
@@ -230,6 +234,7 @@ class Builder {
     if (again_ > 0)
       mesh_.doubts.push_back({"mesh_repeated", fmt::format("{}: {} element{} more than once in the file: counted once",
                                                            where_, again_, again_ == 1 ? " is" : "s are")});
+    note_surfaces();
     std::vector<std::int64_t> lone;
     for (const auto& [tag, node] : file_.nodes)
       if (!number_.count(tag)) lone.push_back(tag);
@@ -242,6 +247,25 @@ class Builder {
                      fmt::join(lone.begin(), lone.begin() + shown, ", "), lone.size() > 5 ? ", ..." : "")});
   }
 
+  // Says that groups which hold a part of the elements do not part the soil.
+  void note_surfaces() {
+    const Index all = mesh_.elements.size();
+    std::vector<std::string> parts;
+    for (const auto& [group, elements] : surfaces_)
+      if (elements.size() < all)
+        parts.push_back(fmt::format("\"{}\" ({} of {})", name_of_group(2, group), elements.size(), all));
+    if (!parts.empty())
+      mesh_.doubts.push_back(
+          {"mesh_surfaces", fmt::format("{}: all elements become one soil, which [soil] describes, although physical "
+                                        "surfaces part them: {}; mesh only what is that soil",
+                                        where_, fmt::join(parts, ", "))});
+  }
+
+  // An element by its nodes: its number, and its groups where it was named first.
+  struct Known {
+    std::vector<int> groups;
+    Index element;
+  };
   struct Side {
     Index element, middle;
   };
@@ -250,7 +274,8 @@ class Builder {
   const std::string& where_;
   Mesh mesh_;
   std::vector<const GmshFile::Item*> from_;  // Gmsh's item of each element
-  std::map<std::vector<std::int64_t>, std::vector<int>> known_;
+  std::map<std::vector<std::int64_t>, Known> known_;
+  std::map<int, std::set<Index>> surfaces_;     // elements of each physical surface
   std::map<std::int64_t, Index> number_;        // numbers of nodes by Gmsh's numbers
   std::map<std::array<Index, 2>, Side> sides_;  // sides by their end nodes, counter-clockwise
   std::map<std::string, std::set<std::array<Index, 2>>> edges_;
