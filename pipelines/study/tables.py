@@ -53,6 +53,15 @@ class Table:
         """Returns whether there is a column of that name."""
         return name in self._units
 
+    @property
+    def names(self):
+        """The names of the columns, in their order."""
+        return list(self._units)
+
+    def unit(self, name):
+        """Returns the unit that a column has in its header, "" for none."""
+        return self._units[name]
+
     def replace(self, name, values):
         """Returns the table with other numbers in one of its columns, in the column's own unit."""
         place = self._place[name]
@@ -68,13 +77,19 @@ class Table:
             raise StudyError(f"{self.where}: has no column {name}{suggestion(name, self._units)}")
         try:
             scale = factor(self._units[name] or "1", unit)
-            values = numpy.array([number(row[self._place[name]]) for row in self._rows], dtype=float)
         except StudyError as error:
             raise StudyError(f"{self.where}: column {name}: {error}") from error
+        values = numpy.array([self._number(name, row) for row in range(len(self))], dtype=float)
         if not missing and numpy.isnan(values).any():
             row = int(numpy.flatnonzero(numpy.isnan(values))[0]) + 1
             raise StudyError(f"{self.where}: column {name} has no value in row {row}")
         return values if scale == 1 else scale * values
+
+    def _number(self, name, row):
+        try:
+            return number(self._rows[row][self._place[name]])
+        except StudyError as error:
+            raise StudyError(f"{self.where}: row {row + 1}: column {name}: {error}") from error
 
     def __getitem__(self, name):
         """Returns the column in the unit that quantities.py gives it; those that may have no value in a row hold NaN there."""

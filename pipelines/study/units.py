@@ -7,6 +7,7 @@ from .errors import StudyError, suggestion
 # Each unit with the quantity that it measures and its size in the SI unit of that quantity.
 _UNITS = {
     "1": ("number", 1.0),
+    "-": ("number", 1.0),
     "%": ("number", 1e-2),
     "‰": ("number", 1e-3),
     "m": ("length", 1.0),
@@ -58,3 +59,8 @@ def factor(given, wanted):
     if _UNITS[given][0] != _UNITS[wanted][0]:
         raise StudyError(f"'{given}' is a unit of {_UNITS[given][0]}, '{wanted}' of {_UNITS[wanted][0]}")
     return _UNITS[given][1] / _UNITS[wanted][1]
+
+
+def measured(unit):
+    """Returns the quantity that a unit measures, as "stress"; "" for a unit that is not known."""
+    return _UNITS.get(unit.translate(_WRITTEN), ("",))[0]

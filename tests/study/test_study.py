@@ -62,7 +62,7 @@ def test_tables_that_are_none_are_refused(tmp_path, text, message):
 
 def test_a_word_where_a_number_belongs_names_its_column(tmp_path):
     (tmp_path / "words.tsv").write_text("a [1]\nnone\n")
-    with pytest.raises(StudyError, match="words.tsv: column a: .*none"):
+    with pytest.raises(StudyError, match="words.tsv: row 1: column a: .*none"):
         Table.read(tmp_path / "words.tsv")("a", "1")
 
 
@@ -73,10 +73,11 @@ def test_separators_units_and_line_ends_are_taken_as_they_are_written(tmp_path, 
     (tmp_path / "a.csv").write_bytes(content.encode())
     table = Table.read(tmp_path / "a.csv")
     assert table("a", "m")[0] + table("b", "Pa")[0] == pytest.approx(sum_of_cells, rel=1e-12)
+    assert Table.parse("share [-]\n0.5\n", "a table")("share", "%")[0] == 50
 
 
 @pytest.mark.parametrize(("content", "message"), [
-    (b"a [m]\n0,5\n", "column a: '0,5' is no number: write 0.5, with a decimal point"), (b"a [m]\n1_0\n", "'1_0' is no number"),
+    (b"a [m]\n0,5\n", "column a: '0,5' is no number: write 0.5, with a decimal point"), (b"a [m]\n1\na [m]\n", "row 2: column a: 'a \\[m\\]' is no number"), (b"a [m]\n1_0\n", "'1_0' is no number"),
     (b"a [m]\n\xb5\n", "line 2: is not UTF-8; .*iconv -f WINDOWS-1252"), (b"\xff\xfea\0", "UTF-16 text"), (b"a [m]\n\0\n", "zero bytes"),
     (b"\x89HDF\r\n\x1a\n", "an HDF5 file where a text belongs")])
 def test_texts_that_are_not_understood_are_refused_by_file(tmp_path, content, message):
