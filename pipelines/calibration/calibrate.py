@@ -6,6 +6,7 @@ on: runs that are there are not made again.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
+import math
 import os
 import pathlib
 import re
@@ -15,10 +16,11 @@ import sys
 
 from study import StudyError, Table
 from study.command import Failure
+from study.errors import suggestion
 from study.files import put
 
-from . import ensemble, predicted, rate
-from .laboratory import KINDS, OF_A_RUN, PEAK, Test, left_out, observed, pressure
+from . import ensemble, plausible, predicted, prior, rate
+from .laboratory import KINDS, OF_A_RUN, PEAK, Test, curve, distinct_names, greatest, left_out, observed, pressure
 
 HERE = pathlib.Path(__file__).parent
 SCENARIOS = {"hm": HERE / "hertz-mindlin.toml", "cl": HERE / "linear.toml"}
@@ -38,9 +40,22 @@ def _errors(text):
         sizes = float(text) if "=" not in text else {name: float(value) for name, value in pairs}
     except ValueError as error:
         raise argparse.ArgumentTypeError(f'"{text}": write a share, as 0.05, or NAME=NUMBER,NAME=NUMBER') from error
-    if min(sizes.values() if isinstance(sizes, dict) else [sizes]) <= 0:
-        raise argparse.ArgumentTypeError(f'"{text}": errors are above 0')
+    if not all(0 < size < math.inf for size in (sizes.values() if isinstance(sizes, dict) else [sizes])):
+        raise argparse.ArgumentTypeError(f'"{text}": errors are numbers above 0')
     return sizes
+
+
+def _number(least, unit="", above=False):
+    """Returns what reads a number of at least `least`, or above it, with its unit if it is written."""
+    def read(text):
+        try:
+            value = float(text.removesuffix(unit))
+        except ValueError:
+            value = math.nan
+        if not least <= value < math.inf or (above and value == least):
+            raise argparse.ArgumentTypeError(f'"{text}": give a number {"above" if above else "of at least"} {least}{f" in {unit}" if unit else ""}')
+        return value
+    return read
 
 
 def _whole(least):
@@ -65,14 +80,14 @@ def parse(words):
     p.add_argument("--packing", default="", help="packing of tests that name none")
     p.add_argument("--law", choices=tuple(SCENARIOS), default="hm", help="Hertz-Mindlin or linear contacts")
     p.add_argument("--scenario", type=pathlib.Path, help="isotropic and triaxial stage; else that of the law beside this file")
-    p.add_argument("--until", type=float, default=6, metavar="%", help="axial strain up to which runs go and are compared [6]")
+    p.add_argument("--until", type=_number(0, "%", above=True), default=6, metavar="%", help="axial strain up to which runs go and are compared [6]")
     p.add_argument("--stations", type=_whole(0), default=12, metavar="N", help="compared rows of each test; 0: all, as they are [12]")
     p.add_argument("--error", type=_errors, help="standard deviations of the tests, NAME=S,..., or a share of the greatest value [0.05]")
     p.add_argument("--variance", type=_errors, help="variances instead, NAME=V,...")
     p.add_argument("--samples", type=lambda text: [_whole(1)(n) for n in text.split(",")], default=[40], metavar="N[,N...]",
                    help="sets of each round, the last number for all later ones [40]")
     p.add_argument("--rounds", type=_whole(1), default=5, metavar="N", help="most rounds [5]")
-    p.add_argument("--effective-size", type=float, default=12, metavar="X", help="sample size that ends the rounds; 0: all are made [12]")
+    p.add_argument("--effective-size", type=_number(0), default=12, metavar="X", help="sample size that ends the rounds; 0: all are made [12]")
     p.add_argument("--rate", default="scenario", help="1/s of the loading; try: the fastest that the response no longer depends on")
     p.add_argument("--bases", default="", help="of the first round's Halton sequence")
     p.add_argument("--at", default="", metavar="%,%...", help="strains at which densities are also given")
@@ -107,27 +122,60 @@ class Calibration:
 
     def __init__(self, given):
         self.given, self.folder, self.tests = given, given.folder, given.tests
-        if len({test.name for test in self.tests + given.predictions}) < len(self.tests + given.predictions):
-            raise Failure(65, "calibrate: two tests have a table of the same name and one pressure; rename one of the tables")
+        distinct_names(self.tests + given.predictions)
+        prior.read(given.prior)
+        self.observed, self.until, self.said = {}, {}, []
+        curves = {test.name: curve(test) for test in self.tests + given.predictions if test.kind != "greatest"}
+        plausible.distinct(list(curves.values()))
+        self.said += [f"doubt: {line}" for one in curves.values() for line in plausible.doubts(one)]
+        self.said += [f"doubt: {line}" for line in plausible.compared(list(curves.values()))]
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.observed, self.until, self.left_out = {}, {}, []
         for test in self.tests + given.predictions:
-            self._prepare(test)
+            self._prepare(test, curves.get(test.name))
+        self._check_errors()
+        for line in self.said:
+            print(f"calibrate: {line}", file=sys.stderr, flush=True)
         self.scenario = given.scenario
         self.rate_words = rate.chosen(self)
 
-    def _prepare(self, test):
+    def _prepare(self, test, found):
         """Writes what a test is compared at into TEST.tsv; tables without stations go to the filter as they are."""
         self.observed[test.name], self.until[test.name] = test.table, f"{self.given.until:g}"
-        if test.kind == "greatest" or (test.kind == "natural" and self.given.stations == 0):
+        if test.kind == "greatest":
+            greatest(test)
             return
-        columns = observed(test, self.given.until, self.given.stations)
-        self.left_out += filter(None, [left_out(test)])
+        if test.kind == "natural" and self.given.stations == 0 and all(map(found.table.has, ("strain_axial", *self.observables(test)))):
+            return
+        columns = observed(found, self.given.until, self.given.stations)
+        self.said += filter(None, [left_out(found)])
         self.observed[test.name] = self.folder / f"{test.name}.tsv"
         rows = zip(*columns.values(), strict=True)
         put(self.observed[test.name], "\n".join(["\t".join(columns), *("\t".join(f"{x:.9g}" for x in row) for row in rows)]) + "\n")
         # The run goes on to the next station of its own, so that nothing is extrapolated.
         self.until[test.name] = f"{(int(10 * columns['strain_axial [%]'][-1]) + 1) / 10:g}"
+
+    def observables(self, test):
+        """Returns the names of what a test is compared by: those with an error, or without errors by name the usual ones."""
+        sizes, single = self.given.variance or self.given.error, test.kind == "greatest"
+        if isinstance(sizes, dict):
+            return [name for name in sizes if (name == PEAK) == single]
+        return [PEAK] if single else ["stress_ratio", "strain_volumetric"]
+
+    def _check_errors(self):
+        """Raises Failure for an error of what a test does not observe, and for a test that none is given for."""
+        sizes, tests = self.given.variance or self.given.error, self.tests + self.given.predictions
+        for test in tests:
+            names = self.observables(test)
+            if not names:
+                wanted = PEAK if test.kind == "greatest" else "stress_ratio"
+                raise Failure(64, f"calibrate: {test.table}: no error is given for what it observes; name {wanted}")
+            table = Table.read(self.observed[test.name])
+            for name in names:
+                if not table.has(name):
+                    raise Failure(64, f"calibrate: an error is given for {name}, which {test.table} does not tell{suggestion(name, table.names)}")
+        for name in sizes if isinstance(sizes, dict) else []:
+            if not any(name in self.observables(test) for test in tests):
+                raise Failure(64, f"calibrate: an error is given for {name}, which no test tells; leave it out")
 
     def filter(self, *words, output=None, fails=()):
         """Runs pf-weight; what it prints goes to the file `output`. Raises Failure unless its status is 0 or one of `fails`."""
@@ -146,20 +194,15 @@ class Calibration:
 
     def comparison(self, test, folder=None):
         """Returns the options of pf-weight that compare runs with a test."""
-        sizes = self.given.variance or self.given.error
+        sizes, names = self.given.variance or self.given.error, self.observables(test)
         words = [self.observed[test.name], "--runs", f"{folder or self.folder / test.name}/runs/{{id:06}}/series.h5", "--where", "stage=1"]
-        greatest = test.kind == "greatest"
-        names = [n for n in sizes if (n == PEAK) == greatest] if isinstance(sizes, dict) else [PEAK] if greatest else ["stress_ratio",
-                                                                                                                       "strain_volumetric"]
-        if not names:
-            raise Failure(64, f"calibrate: {test.table}: no error is given for what it observes; name {PEAK if greatest else 'stress_ratio'}")
-        words += ["--greatest"] if greatest else ["--station", "strain_axial", "--until", f"{self.given.until:g}"]
+        words += ["--greatest"] if test.kind == "greatest" else ["--station", "strain_axial", "--until", f"{self.given.until:g}"]
         words += [word for name in names for word in ("--observe", f"{name}={OF_A_RUN[name]}" if name in OF_A_RUN else name)]
         if isinstance(sizes, dict):
             words += ["--covariance", "component", "--variance" if self.given.variance else "--error", ",".join(f"{sizes[n]!r}" for n in names)]
         else:
             words += ["--covariance", "largest", "--error", repr(sizes)]
-        return words + [word for at in self.given.at.split(",") if at and not greatest for word in ("--at", at)]
+        return words + [word for at in self.given.at.split(",") if at and test.kind != "greatest" for word in ("--at", at)]
 
     def assimilate(self, name):
         """Weighs the sets of a round by all tests, one after the other, into NAME_posterior.h5; returns the effective sample size.
@@ -214,8 +257,8 @@ def main(words):
     met = size >= given.effective_size
     said = f"effective sample size {size:.3g} after {name.removeprefix('round')} of {given.rounds} rounds"
     said += "" if met else f", below the {given.effective_size:g} asked for: means and intervals are coarse; give more --rounds or --samples"
-    words = [said, case.rate_words, *case.left_out]
-    put(case.folder / "said.txt", "".join(f"{line}\n" for line in words))
+    words = [said, case.rate_words]
+    put(case.folder / "said.txt", "".join(f"{line}\n" for line in [*words, *case.said]))
     print(f"calibrate: {case.folder}: {'; '.join(words)}", file=sys.stdout if met else sys.stderr)
     return 0 if met else 1
 

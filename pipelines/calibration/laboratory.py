@@ -6,7 +6,9 @@ import re
 
 import numpy
 from study import StudyError, Table
-from study.units import factor
+from study.units import factor, measured
+
+from . import plausible
 
 # Columns by what they may be called, each with its unit here.
 AXIAL, VOLUMETRIC = ("strain_axial", "axial_strain"), ("strain_volumetric", "volumetric_strain")
@@ -15,6 +17,14 @@ PEAK = "stress_ratio_peak"
 OF_A_RUN = {PEAK: "stress_ratio", "strain_radial": "strain_xx,strain_yy"}
 KINDS = ("engineering", "natural", "greatest")
 LEAST_STATIONS = 3
+# Confining pressures (Pa) between which tests are made, and by how much the lateral stress of their rows and its median may differ.
+PRESSURES = (500, 1e8)
+LATERAL, LATERAL_MEDIAN = 0.25, 0.1
+
+
+def plain(name):
+    """Returns a name of a file in characters that a shell and make leave alone."""
+    return re.sub(r"[^A-Za-z0-9._+-]+", "_", name)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,12 +39,62 @@ class Test:
     @property
     def name(self):
         """The name of its files: that of its table and its pressure."""
-        return f"{self.table.stem}_{self.pressure / 1e3:g}kPa"
+        return f"{plain(self.table.stem)}_{self.pressure / 1e3:g}kPa"
 
     @property
     def megapascals(self):
         """The confining pressure in MPa, with digits and a decimal point alone."""
         return f"{self.pressure / 1e6:.9f}".rstrip("0").rstrip(".")
+
+
+@dataclasses.dataclass(frozen=True)
+class Curve:
+    """All rows of a test: natural strains in percent and axial over radial stress; compression and contraction are positive."""
+
+    test: Test
+    table: Table
+    axial: numpy.ndarray
+    volumetric: numpy.ndarray
+    ratio: numpy.ndarray
+
+    @property
+    def stress(self):
+        """The column that tells the stresses."""
+        return _stress(self.table)
+
+    @property
+    def rising(self):
+        """Whether the axial strain of a row is above 0 and above those of all rows before."""
+        return self.axial > numpy.maximum.accumulate(numpy.append(0, self.axial[:-1]))
+
+    @property
+    def strength(self):
+        """The greatest stress ratio."""
+        return self.ratio[self.rising].max()
+
+    @property
+    def still_rises(self):
+        """Whether the last row of rising strain has the greatest stress ratio, so that the peak may lie beyond."""
+        return bool(self.ratio[self.rising][-1] == self.strength)
+
+    @property
+    def without_unit(self):
+        """The columns of strains that have no unit."""
+        return [name for name in (*AXIAL, *VOLUMETRIC) if self.table.has(name) and not self.table.unit(name)]
+
+    @property
+    def pore_pressures(self):
+        """The columns of pore pressures."""
+        return [name for name in self.table.names if ("pore" in name.casefold() or name in ("u", "du")) and self._is_stress(name)]
+
+    @property
+    def unread(self):
+        """The columns of stresses that the stress ratio is not made of."""
+        read = ("deviatoric_stress", "mean_stress") if self.stress == "deviatoric_stress" else ("stress_ratio",)
+        return [name for name in self.table.names if self._is_stress(name) and name not in read]
+
+    def _is_stress(self, name):
+        return measured(self.table.unit(name)) == "stress"
 
 
 def pressure(text):
@@ -46,12 +106,20 @@ def pressure(text):
         value = 0
     if not value > 0:
         raise StudyError(f'"{text}" is no pressure; write a number above 0 and its unit, as "100 kPa"')
+    if not PRESSURES[0] <= value <= PRESSURES[1]:
+        raise StudyError(f'"{text}" is no confining pressure of a test, which lies between {PRESSURES[0]:g} Pa and {PRESSURES[1] / 1e6:g} MPa; check '
+                         "its unit")
     return value
 
 
-def _column(table, names, unit):
-    """Returns the column that has one of the names. Raises StudyError where none is there."""
-    return table(next((name for name in names if table.has(name)), names[0]), unit)
+def _strain(table, names, test):
+    """Returns the natural strains (%) of the column that has one of the names. Raises StudyError where none is there."""
+    name = next((name for name in names if table.has(name)), names[0])
+    return _natural(table(name, "1"), test.kind, name, test.table)
+
+
+def _stress(table):
+    return "deviatoric_stress" if table.has("deviatoric_stress") else "stress_ratio"
 
 
 def _ratio(table, test):
@@ -59,13 +127,17 @@ def _ratio(table, test):
     if not table.has("deviatoric_stress"):
         return table("stress_ratio", "1")
     q = table("deviatoric_stress", "Pa")
-    lateral = table("mean_stress", "Pa") - q / 3 if table.has("mean_stress") else numpy.full(len(q), test.pressure)
-    if not (lateral > 0).all():
-        raise StudyError(f"{test.table}: row {int(numpy.argmax(~(lateral > 0))) + 1}: mean_stress - deviatoric_stress/3, the lateral stress, "
-                         "is not above 0; check both columns and their units")
-    if abs(numpy.median(lateral) / test.pressure - 1) > 0.1:
+    if not table.has("mean_stress"):
+        return 1 + q / test.pressure
+    lateral = table("mean_stress", "Pa") - q / 3
+    if not abs(numpy.median(lateral) / test.pressure - 1) <= LATERAL_MEDIAN:
         raise StudyError(f"{test.table}: its lateral stress is {numpy.median(lateral) / 1e3:.4g} kPa, the confining pressure given "
                          f"{test.pressure / 1e3:.4g} kPa; correct the one that is wrong")
+    wrong = ~(abs(lateral / test.pressure - 1) <= LATERAL)
+    if wrong.any():
+        row = int(numpy.argmax(wrong))
+        raise StudyError(f"{test.table}: row {row + 1}: mean_stress - deviatoric_stress/3, the lateral stress, is {lateral[row] / 1e3:.4g} kPa, where "
+                         f"the confining pressure is {test.pressure / 1e3:.4g} kPa; correct one of the columns")
     return 1 + q / lateral
 
 
@@ -74,45 +146,68 @@ def _natural(strain, kind, what, path):
     if kind == "natural":
         return 100 * strain
     if (strain >= 1).any():
-        raise StudyError(f"{path}: {what} reaches {100 * strain.max():.4g} %, of the initial size: write [%] or [1] as it is meant")
-    return -100 * numpy.log(1 - strain)
+        row = int(numpy.argmax(strain >= 1))
+        raise StudyError(f"{path}: row {row + 1}: {what} reaches {100 * strain[row]:.4g} %, of the initial size: write [%] or [1] as it is meant")
+    return 0 - 100 * numpy.log(1 - strain)
 
 
-def _rising(axial):
-    """Returns for each row whether its axial strain is above 0 and above those of all rows before."""
-    return axial > numpy.maximum.accumulate(numpy.append(0, axial[:-1]))
+def distinct_names(tests):
+    """Raises StudyError where the files of two tests would have one name."""
+    names = [test.name for test in tests]
+    for k, test in enumerate(tests):
+        if test.name in names[:k]:
+            raise StudyError(f"{test.table}: two tests have a table of this name and {test.pressure / 1e3:g} kPa; name each test once, or rename one of the "
+                             "tables")
 
 
-def left_out(test):
-    """Returns a sentence on the rows that observed() leaves out since the axial strain does not rise there, or "" if none are.
-
-    Rows up to the first strain above 0 are the start of the test, and are not counted.
-    """
-    axial = _column(Table.read(test.table), AXIAL, "1")
-    started = numpy.maximum.accumulate(axial) > 0
-    count = int((started & ~_rising(axial)).sum())
-    return f"{test.name}: {count} of {len(axial)} rows are left out, since the axial strain does not rise there (unloading)" if count else ""
-
-
-def observed(test, until, stations):
-    """Returns the columns of a test at `stations` rows near evenly spaced natural axial strains, at most `until` percent.
-
-    stations: 0 keeps all rows whose axial strain increases. Raises StudyError for columns that are missing and for strains or
-    stresses that no compression test has.
-    """
+def curve(test):
+    """Returns the Curve of a test. Raises StudyError for columns that are missing, and for rows that no drained compression test has."""
     table = Table.read(test.table)
-    axial, volumetric = (_natural(_column(table, names, "1"), test.kind, names[0], test.table) for names in (AXIAL, VOLUMETRIC))
-    stress = "deviatoric_stress" if table.has("deviatoric_stress") else "stress_ratio"
+    axial, volumetric = (_strain(table, names, test) for names in (AXIAL, VOLUMETRIC))
+    if not len(table):
+        raise StudyError(f"{test.table}: holds no rows below its header")
+    stress = _stress(table)
     if axial[-1] < 0 or table(stress, "kPa" if stress == "deviatoric_stress" else "1")[-1] < 0:
         raise StudyError(f"{test.table}: ends at an axial strain of {axial[-1]:.4g} %, or at a negative {stress}: compression is positive, and the "
                          "axial stress the greater one; change the signs")
-    ratio = _ratio(table, test)
-    rising = _rising(axial) & (axial <= until + 1e-9)
+    found = Curve(test, table, axial, volumetric, _ratio(table, test))
+    if not found.rising.any():
+        raise StudyError(f"{test.table}: no row has an axial strain above 0")
+    plausible.judge(found)
+    return found
+
+
+def left_out(found):
+    """Returns a sentence on the rows of a curve that observed() leaves out since the axial strain does not rise there, or "" if none are.
+
+    Rows up to the first strain above 0 are the start of the test, and are not counted.
+    """
+    started = numpy.maximum.accumulate(found.axial) > 0
+    count = int((started & ~found.rising).sum())
+    return f"{found.test.name}: {count} of {len(found.axial)} rows are left out, since the axial strain does not rise there (unloading)" if count else ""
+
+
+def observed(found, until, stations):
+    """Returns the columns of a curve at `stations` rows near evenly spaced natural axial strains, at most `until` percent.
+
+    stations: 0 keeps all rows whose axial strain increases. Raises StudyError where less than LEAST_STATIONS are left.
+    """
+    rising = found.rising & (found.axial <= until + 1e-9)
     if rising.sum() < LEAST_STATIONS:
-        raise StudyError(f"{test.table}: {rising.sum()} rows have a rising axial strain above 0 and up to {until:g} %; "
-                         f"{LEAST_STATIONS} are needed: give more rows, or a larger strain")
+        raise StudyError(f"{found.test.table}: {rising.sum()} rows have a rising axial strain above 0 and up to {until:g} %, of {len(rising)} between "
+                         f"{found.axial.min():.4g} and {found.axial.max():.4g} %; {LEAST_STATIONS} are needed: give more rows, or a larger strain")
     rows = numpy.flatnonzero(rising)
     if stations:
-        wanted = axial[rows[-1]] * numpy.arange(1, stations + 1) / stations
-        rows = numpy.unique([rows[abs(axial[rows] - at).argmin()] for at in wanted])
-    return {"strain_axial [%]": axial[rows], "stress_ratio [1]": ratio[rows], "strain_volumetric [%]": volumetric[rows]}
+        wanted = found.axial[rows[-1]] * numpy.arange(1, stations + 1) / stations
+        rows = numpy.unique([rows[abs(found.axial[rows] - at).argmin()] for at in wanted])
+    return {"strain_axial [%]": found.axial[rows], "stress_ratio [1]": found.ratio[rows], "strain_volumetric [%]": found.volumetric[rows]}
+
+
+def greatest(test):
+    """Returns the greatest stress ratio of a test without a curve. Raises StudyError for one that no soil has."""
+    values = Table.read(test.table)(PEAK, "1")
+    for row, value in enumerate(values, start=1):
+        if not plausible.NO_STRENGTH <= value <= plausible.GREATEST_RATIO:
+            raise StudyError(f"{test.table}: row {row}: {PEAK} is {value:.4g}; axial over radial stress at failure lies between "
+                             f"{plausible.NO_STRENGTH} and {plausible.GREATEST_RATIO}: correct it")
+    return values

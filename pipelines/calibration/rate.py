@@ -8,6 +8,8 @@ from study import Table
 from study.command import Failure
 from study.files import put
 
+from .prior import read as read_prior
+
 HALVINGS = 2
 # Share of the tests' error by which curves of one rate and of half of it may differ, as a root mean square.
 NEGLIGIBLE = 1 / 3
@@ -16,8 +18,10 @@ _RATE = re.compile(r"^rate\s*=.*$", re.MULTILINE)
 
 def middle(prior):
     """Returns the middle of a prior as a row of an ensemble: head and value of each parameter, geometric on a log scale."""
-    with open(prior, "rb") as file:
-        ranges = tomllib.load(file).get("parameter", [])
+    ranges = read_prior(prior)
+    for p in ranges:
+        if not all(isinstance(p.get(key), int | float) for key in ("low", "high")):
+            raise Failure(65, f"calibrate: {prior}: {p['name']}: write low and high as numbers, in {p.get('unit', '1')}")
     return {f"{p['name']} [{p.get('unit', '1')}]": (p["low"] * p["high"])**0.5 if p.get("scale") == "log" else (p["low"] + p["high"]) / 2
             for p in ranges}
 

@@ -13,7 +13,7 @@ import sys
 import tomllib
 
 import numpy
-from calibration.laboratory import Test, observed, pressure
+from calibration.laboratory import Test, curve, observed, pressure
 from own import fabric
 from own.keys import table_of, value_of
 from study import StudyError, Table
@@ -83,7 +83,7 @@ def read(path, catalogue="data/geotextiles"):
         if one["strains"] not in ("engineering", "natural"):
             raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
         test = Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], "")
-        observed(test, 1e3, 0)
+        observed(curve(test), 1e3, 0)
         (predictions if one.get("predict") else tests).append(test)
     if not tests:
         raise StudyError(f"{path}: every test has predict = true: leave one to calibrate to without it")
@@ -94,7 +94,7 @@ def failures(tests):
     """Returns confining pressure (kPa) and greatest q/p of each test, and the names of those whose last row is their greatest."""
     rows, rising = [], []
     for test in tests:
-        ratio = observed(test, 1e3, 0)["stress_ratio [1]"]
+        ratio = observed(curve(test), 1e3, 0)["stress_ratio [1]"]
         most = ratio.max()
         rows.append((test.pressure / 1e3, 3 * (most - 1) / (most + 2)))
         if ratio.argmax() == len(ratio) - 1:

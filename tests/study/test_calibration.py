@@ -5,19 +5,21 @@ import types
 
 import numpy
 import pytest
-from calibration import calibrate, predicted, rate
+from calibration import calibrate, plausible, predicted, prior, rate
 from calibration.laboratory import Test as Triaxial
-from calibration.laboratory import left_out, observed, pressure
+from calibration.laboratory import curve, greatest, left_out, observed, pressure
 from study import StudyError, Table
 from study.command import Failure
 
 HEAD = "axial_strain [%]\tvolumetric_strain [%]\tdeviatoric_stress [kPa]\tmean_stress [kPa]\n"
-PRIOR = '[[parameter]]\nname = "young_modulus"\nunit = "Pa"\nscale = "log"\nlow = 1e9\nhigh = 1e11\n[[parameter]]\nname = "poisson_ratio"\nlow = 0.1\nhigh = 0.3\n'
+PRIOR = "".join(f'[[parameter]]\nname = "{name}"\n{words}\n' for name, words in (
+    ("young_modulus", 'unit = "Pa"\nscale = "log"\nlow = 1e9\nhigh = 1e11'), ("poisson_ratio", "low = 0.1\nhigh = 0.3"),
+    ("rolling_stiffness", "low = 0\nhigh = 0.5"), ("rolling_limit", "low = 0\nhigh = 1"), ("friction_angle", 'unit = "deg"\nlow = 20\nhigh = 40')))
 
 
-def triaxial(path, rows, head=HEAD, kind="engineering"):
+def triaxial(path, rows, head=HEAD, kind="engineering", at=1e5):
     path.write_text(head + "".join("\t".join(map(str, row)) + "\n" for row in rows))
-    return Triaxial(path, 1e5, kind, "packing.h5")
+    return curve(Triaxial(path, at, kind, "packing.h5"))
 
 
 ROWS = [(0, 0, 0, 100), (1, 0.1, 100, 100 + 100 / 3), (2, -0.2, 200, 100 + 200 / 3), (2, -0.2, 200, 100 + 200 / 3), (10, -1, 300, 200)]
@@ -30,22 +32,117 @@ def test_engineering_strains_become_natural_ones_and_stresses_a_ratio(tmp_path):
     assert columns["stress_ratio [1]"] == pytest.approx([2, 3, 4])
     natural = observed(triaxial(tmp_path / "t.tsv", ROWS, kind="natural"), 20, 0)
     assert natural["strain_axial [%]"] == pytest.approx([1, 2, 10])
-    assert len(observed(triaxial(tmp_path / "t.tsv", [(k, 0, 10 * k, 100 + 10 * k / 3) for k in range(100)]), 9, 4)["stress_ratio [1]"]) == 4
+    assert len(observed(triaxial(tmp_path / "t.tsv", [(k, 0, 10 * k, 100 + 10 * k / 3) for k in range(50)]), 9, 4)["stress_ratio [1]"]) == 4
 
 
 def test_a_table_that_is_no_compression_test_is_refused_by_name(tmp_path):
     for rows, head, words in (
             ([(-a, v, -q, p) for a, v, q, p in ROWS], HEAD, "change the signs"),
             (ROWS[:2], HEAD, "3 are needed"),
+            (ROWS[:1], HEAD, "no row has an axial strain above 0"), ([], HEAD, "holds no rows"),
+            ([*ROWS[:2], (2, -0.2, 200, 300), *ROWS[3:]], HEAD, "row 3: mean_stress - deviatoric_stress/3, the lateral stress, is 233.3 kPa"),
             ([(a, v, q, p * 3) for a, v, q, p in ROWS], HEAD, "correct the one that is wrong"),
             (ROWS, HEAD.replace("volumetric", "volumetrik"), "has no column strain_volumetric"),
             ([*ROWS, (120, -1, 300, 200)], HEAD, "reaches 120 %")):
         with pytest.raises(StudyError, match=words):
             observed(triaxial(tmp_path / "t.tsv", rows, head), 20, 0)
     assert pressure("0.1 MPa") == 1e5
-    for wrong in ("100", "0 kPa", "100 mm", "1e kPa"):
+    for wrong in ("100", "0 kPa", "100 mm", "1e kPa", "100 Pa", "1 GPa"):
         with pytest.raises(StudyError):
             pressure(wrong)
+
+
+Q_HEAD = HEAD.replace("\tmean_stress [kPa]", "")
+RATIO_HEAD = Q_HEAD.replace("deviatoric_stress [kPa]", "stress_ratio [1]")
+# A dense sand: strains in %, deviatoric stress in kPa.
+DENSE = [(0, 0, 2), (0.1, 0.06, 50), (0.2, 0.1, 90), (0.5, 0.12, 170), (1, 0, 240), (2, -0.6, 320), (3, -1.4, 360), (5, -3, 380), (8, -5, 340),
+         (12, -6, 300), (15, -6.2, 280)]
+
+
+def changed(row, *, a=None, v=None, q=None, rows=DENSE):
+    """Returns the rows with other cells in one of them, which counts from 1."""
+    return [(new_a, new_v, new_q) if k != row else tuple(old if new is None else new for old, new in zip((new_a, new_v, new_q), (a, v, q), strict=True))
+            for k, (new_a, new_v, new_q) in enumerate(rows, start=1)]
+
+
+@pytest.mark.parametrize(("rows", "head", "kind", "said"), [
+    ([(a, v, q / (100 + q / 3)) for a, v, q in DENSE], RATIO_HEAD, "engineering", "row 1: axial over radial stress is 0.01"),
+    ([(a, v, q / 100) for a, v, q in DENSE], RATIO_HEAD, "engineering", "which is neither q/p nor q over the radial stress"),
+    ([(a, v, q + 100) for a, v, q in DENSE], Q_HEAD, "engineering", "row 1: axial over radial stress is 2.02 at an axial strain of 0 %"),
+    (DENSE, Q_HEAD.replace("kPa", "MPa"), "engineering", "row 1: axial over radial stress is 21, where no soil bears more than 15"),
+    (DENSE, Q_HEAD.replace("kPa", "Pa"), "engineering", "axial over radial stress never exceeds 1.004"),
+    (DENSE, Q_HEAD.replace("volumetric_strain [%]", "volumetric_strain"), "engineering", "row 2: the volumetric strain is 6.188 % at an axial strain of 0.1"),
+    (DENSE, Q_HEAD.replace("axial_strain [%]", "axial_strain"), "natural", "row 5: the axial strain is 100 %"),
+    (changed(5, q=-999), Q_HEAD, "engineering", "row 5: axial over radial stress is -8.99"),
+    (changed(5, q="inf"), Q_HEAD, "engineering", "row 5: axial over radial stress is inf"),
+    (changed(5, v=-999), Q_HEAD, "engineering", "row 5: the volumetric strain is -239.7 %"),
+    (changed(5, a=-999), Q_HEAD, "engineering", "row 5: the axial strain is -239.7 %"),
+    (changed(8, v=0, q=0), Q_HEAD, "engineering", "row 8: deviatoric_stress falls to nothing"),
+    (changed(9, q=0, rows=changed(8, q=0)), Q_HEAD, "engineering", "row 8: deviatoric_stress falls to nothing"),
+    (changed(11, v=0), Q_HEAD, "engineering", "row 11: volumetric strain falls to nothing"),
+    ([(*row, 50 + 3 * k) for k, row in enumerate(DENSE)], Q_HEAD[:-1] + "\tpore_pressure [kPa]\n", "engineering", "undrained test by its pore_pressure, at rising"),
+    ([(a, 0, q, 50) for a, _, q in DENSE], Q_HEAD[:-1] + "\tu [kPa]\n", "engineering", "undrained test by its u, at a constant volume"),
+    (changed(3, q=""), Q_HEAD, "engineering", "row 3: column deviatoric_stress: '' is no number")])
+def test_rows_that_no_drained_test_gives_are_refused_by_file_and_row(tmp_path, rows, head, kind, said):
+    with pytest.raises(StudyError) as error:
+        triaxial(tmp_path / "t.tsv", rows, head, kind)
+    assert str(error.value).startswith(str(tmp_path / "t.tsv")) and said in str(error.value) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(("rows", "head", "said"), [
+    (DENSE, Q_HEAD, ""), ([(0, 0, -5), *DENSE[1:]], Q_HEAD, ""),
+    ([*DENSE[:5], (0.9, 0, 20), (0.95, 0, 150), *DENSE[5:]], Q_HEAD, ""),  # unloaded and loaded again
+    ([(0, 0, 0), (2, -0.5, 320), (4, -2, 420), (6, -3.5, 330), (10, -5, 300)], Q_HEAD, ""),  # few rows around a peak
+    (changed(5, q=1000), Q_HEAD, "deviatoric_stress of row 5, at an axial strain of 1.005 %, lies far"),
+    (changed(6, q=1000, rows=changed(5, q=990)), Q_HEAD, "deviatoric_stress of row 5"), (changed(11, q=900), Q_HEAD, "deviatoric_stress of row 11"),
+    (changed(8, v=-16, rows=changed(9, v=-3.5)), Q_HEAD, "more than a drained test has"), (changed(9, v=9), Q_HEAD, "the volumetric strain of row 9"),
+    ([(a, 0, q) for a, _, q in DENSE], Q_HEAD, "the volumetric strain is 0 in all rows"),
+    ([(a, -v, q) for a, v, q in DENSE], Q_HEAD, "the volume expands first"),
+    ([(a / 100, v, q) for a, v, q in DENSE], Q_HEAD.replace("axial_strain [%]", "axial_strain"), "axial_strain has no unit"),
+    ([(*row, 200) for row in DENSE], Q_HEAD[:-1] + "\tpore_pressure [kPa]\n", "pore_pressure is not read, and the confining pressure has to be the effective"),
+    ([(*row, 200) for row in DENSE], Q_HEAD[:-1] + "\taxial_stress [kPa]\n", "the column axial_stress is not read"),
+    ([(a, v, 3 * q) for a, v, q in DENSE], Q_HEAD, "its friction angle is 58.3 deg"), ([(a, v, q / 4) for a, v, q in DENSE], Q_HEAD, "its friction angle is 18.8")])
+def test_what_is_unusual_is_doubted_and_what_is_usual_is_not(tmp_path, rows, head, said):
+    try:
+        doubts = plausible.doubts(triaxial(tmp_path / "t.tsv", rows, head))
+    except StudyError as error:
+        doubts = [str(error)]
+    assert bool(doubts) == bool(said) and said in "".join(doubts)
+
+
+def test_tests_of_one_soil_have_like_strengths_and_other_rows(tmp_path):
+    low, high = (triaxial(tmp_path / f"{at}.tsv", [(a, v, q * at / 100 * (101 - at / 100) / 100) for a, v, q in DENSE], Q_HEAD, at=at * 1e3) for at in (100, 400))
+    assert plausible.compared([low, high]) == []
+    plausible.distinct([low, high])
+    weaker, wrong = (triaxial(tmp_path / "w.tsv", [(a, v, share * q) for a, v, q in DENSE], Q_HEAD, at=2e5) for share in (1.2, 0.5))
+    assert "far apart for one soil" in plausible.compared([low, weaker])[0]
+    with pytest.raises(StudyError, match="which one soil does not have"):
+        plausible.compared([wrong, high])
+    # A test that still rises has no strength yet.
+    assert plausible.compared([low, triaxial(tmp_path / "r.tsv", [(a, v, 0.5 * q) for a, v, q in DENSE[:7]], Q_HEAD, at=2e5)]) == []
+    copy = triaxial(tmp_path / "copy.tsv", [(a / 100, v / 100, q / 1e3) for a, v, q in DENSE[2:]], Q_HEAD.replace("[%]", "[-]").replace("kPa", "MPa"))
+    with pytest.raises(StudyError, match=r"copy.tsv: has 9 of 9 rows of .*100.tsv: a test counts once"):
+        plausible.distinct([low, high, copy])
+    path = tmp_path / "peak.tsv"
+    path.write_text("stress_ratio_peak [1]\n0.7\n")
+    with pytest.raises(StudyError, match="row 1: stress_ratio_peak is 0.7"):
+        greatest(Triaxial(path, 1e5, "greatest", ""))
+
+
+@pytest.mark.parametrize(("old", "new", "said"), [
+    ('"friction_angle"', '"sliding_damping"', "no run depends on a parameter named 'sliding_damping'; known: young_modulus,"),
+    ('"friction_angle"', '"rolling_limit"', "rolling_limit is there twice"), ("[[parameter]]\nname = \"poisson_ratio\"\nlow = 0.1\nhigh = 0.3", "",
+                                                                             "poisson_ratio is missing"),
+    ('"Pa"', '"GPa"', "young_modulus is in 'GPa'; give it in 'Pa'"), ("[[parameter]]", "[parameter", "prior.toml: ")])
+def test_a_prior_holds_what_the_runs_take(tmp_path, old, new, said):
+    path = tmp_path / "prior.toml"
+    path.write_text(PRIOR)
+    assert len(prior.read(path)) == 5
+    assert old in PRIOR
+    path.write_text(PRIOR.replace(old, new, 1))
+    with pytest.raises(StudyError) as error:
+        prior.read(path)
+    assert said in str(error.value) and "\n" not in str(error.value)
 
 
 def test_rows_of_unloading_are_left_out_and_said(tmp_path):
@@ -71,7 +168,8 @@ def test_a_posterior_predicts_with_its_weights(tmp_path):
 def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
     prior, scenario = tmp_path / "prior.toml", tmp_path / "s.toml"
     prior.write_text(PRIOR)
-    assert rate.middle(prior) == pytest.approx({"young_modulus [Pa]": 1e10, "poisson_ratio [1]": 0.2})
+    assert rate.middle(prior) == pytest.approx({
+        "young_modulus [Pa]": 1e10, "poisson_ratio [1]": 0.2, "rolling_stiffness [1]": 0.25, "rolling_limit [1]": 0.5, "friction_angle [deg]": 30})
     scenario.write_text("[[stage]]\nmax_rate = 1\nrate = 0.1 # 1/s\n")
     case = types.SimpleNamespace(given=types.SimpleNamespace(rate="0.02", scenario=scenario), folder=tmp_path)
     assert rate.chosen(case) == "loading rate: 0.02 1/s as given"
@@ -84,7 +182,8 @@ def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
 @pytest.mark.parametrize(("words", "status", "said"), [
     ("--test t.tsv", 64, "write TABLE PRESSURE KIND"), ("--test t.tsv 1kPa true", 64, "KIND one of engineering"),
     ("--test t.tsv 1kPa natural", 64, "has no packing"), ("--test t.tsv 1kPa natural gone.h5", 66, "t.tsv: is not there"),
-    ("--test t.tsv 1kPa natural p --error 0", 64, "errors are above 0"), ("--test t.tsv 1kPa natural p --rounds 0", 64, "whole number of at least 1"),
+    ("--test t.tsv 1kPa natural p --error 0", 64, "errors are numbers above 0"), ("--test t.tsv 1kPa natural p --error nan", 64, "numbers above 0"),
+    ("--test t.tsv 1kPa natural p --variance stress_ratio=inf", 64, "numbers above 0"), ("--test t.tsv 1kPa natural p --until nan", 64, "above 0 in %"), ("--test t.tsv 1kPa natural p --rounds 0", 64, "whole number of at least 1"),
     ("--test t.tsv 1kPa natural p --variance 0.1", 64, "a share is an --error"), ("--test t.tsv 1kPa natural p --rate x", 64, "write a number in 1/s")])
 def test_wrong_options_are_one_line(words, status, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

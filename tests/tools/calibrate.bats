@@ -39,6 +39,17 @@ calibrate() {
   sed -i 's/^0.4.*/0.4\t0.1\t-140/' high.tsv
   exits 65 calibrate
   [[ $stderr == "calibrate: high.tsv: "*"change the signs" && ! -e case/low_100kPa/runs ]] || show
+  awk -F '\t' -v OFS='\t' 'NR > 1 { $3 *= 2 } { print }' low.tsv > high.tsv
+  exits 64 calibrate --error stres_ratio=0.2
+  [[ $stderr == "calibrate: an error is given for stres_ratio, which low.tsv does not tell; did you mean 'stress_ratio'?" ]] || show
+  exits 64 calibrate --error stress_ratio=0.2,stress_ratio_peak=0.1
+  [[ $stderr == *"stress_ratio_peak, which no test tells; leave it out" ]] || show
+  cp low.tsv copy.csv
+  exits 65 calibrate --predict copy.csv "100 kPa" engineering --rounds 1
+  [[ $stderr == "calibrate: copy.csv: has 4 of 4 rows of low.tsv: a test counts once, and cannot predict itself; leave one of them out" ]] || show
+  sed 's/"friction_angle"/"sliding_damping"/' "$ROOT/pipelines/own/prior.toml" > prior.toml
+  exits 65 calibrate --prior prior.toml
+  [[ $stderr == "calibrate: prior.toml: no run depends on a parameter named 'sliding_damping'; known: young_modulus, "* ]] || show
   exits 64 calibrate --error 0.1 --variance stress_ratio=0.1
   [[ $stderr == "calibrate: --error and --variance both say how exact the tests are: give one of them; --help tells the options" ]] || show
 }

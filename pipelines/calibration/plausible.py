@@ -1,0 +1,171 @@
+"""Judges tables of drained triaxial compression: rows that no such test gives are refused, what is unusual is doubted."""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import math
+
+import numpy
+from study import StudyError
+
+# Stress ratios between which every row lies. A piston's friction may pull a little; 15 is a friction angle of 61 deg.
+LEAST_RATIO, GREATEST_RATIO = 0.9, 15
+# Stress ratio that seating may leave at rest, and the axial strain (%) up to which a row counts as at rest: sand of 100 MPa at 20 kPa
+# reaches 1.25 there.
+SEATED, AT_REST = 1.3, 0.005
+# Greatest stress ratio below which nothing was compressed.
+NO_STRENGTH = 1.05
+# Axial strains (%) between which every row lies, and the most that the volume changes: in all, and beyond the axial strain.
+AXIAL, VOLUMETRIC, VOLUMETRIC_BEYOND_AXIAL = (-5, 100), 30, 2
+# Friction angles (deg) of granular soils; by how much tests of one soil differ, and by how much more at ten times the pressure. By
+# Bolton (1986) the angle of dense sand falls by 7 deg over a decade.
+FRICTION, APART, APART_PER_DECADE, IMPOSSIBLY_APART = (22, 55), 5, 7, 20
+# Differences of the stress ratio and the volumetric strain (%) that are no scatter of a measurement.
+CLEAR_RATIO, CLEAR_VOLUME = 0.3, 0.25
+# Expansion before the greatest contraction, over that contraction and in %, which is no scatter either.
+EXPANSION, LEAST_EXPANSION = 0.01, 0.1
+# Pore pressure, over the confining pressure, that may vary in a drained test.
+DRAINED = 0.1
+# A row towers where it lies beyond the rows beside it by this share of the range of all others, and by so many of their steps.
+TOWERING, STEPS, LONGEST = 0.2, 3, 3
+# Shares of the greatest value below which a cell is empty, and above which its neighbours are not.
+EMPTY, FILLED = 1e-3, 0.05
+
+
+def friction_angle(ratio):
+    """Returns the friction angle (deg) that a stress ratio mobilises without cohesion."""
+    return math.degrees(math.asin((ratio - 1) / (ratio + 1)))
+
+
+def _empty(values, rising, clear):
+    """Returns where a rising row holds 0 between rows, or after a row, of one sign that differ from it clearly."""
+    rows = numpy.flatnonzero(rising)
+    size = abs(values[rows])
+    full = numpy.flatnonzero(size > EMPTY * size.max(initial=0))
+    wrong = numpy.zeros(len(values), bool)
+    for k in set(range(len(rows))) - set(full):
+        before, after = full[full < k][-1:], full[full > k][:1]
+        beside = values[rows[[*before, *after]]]
+        wrong[rows[k]] = len(before) and (abs(beside) > max(clear, FILLED * size.max())).all() and abs(numpy.sign(beside).sum()) == len(beside)
+    return wrong
+
+
+def _refusals(curve):
+    """Yields what rows of a curve may not be: where they are, and what is said of such a row."""
+    ratio, axial, volumetric = curve.ratio, curve.axial, curve.volumetric
+    source = "deviatoric_stress, its unit" if curve.stress == "deviatoric_stress" else "stress_ratio"
+    yield ~((axial > AXIAL[0]) & (axial < AXIAL[1])), lambda k: (
+        f"the axial strain is {axial[k]:.4g} %: compression is positive; correct the row, or the unit of the column, as [%] or [1]")
+    yield ~(ratio >= LEAST_RATIO), lambda k: (
+        f"axial over radial stress is {ratio[k]:.4g}, where compression has 1 at rest and more after it: correct {curve.stress}"
+        + (", which is neither q/p nor q over the radial stress" if curve.stress == "stress_ratio" else ""))
+    yield ~(ratio <= GREATEST_RATIO), lambda k: (
+        f"axial over radial stress is {ratio[k]:.4g}, where no soil bears more than {GREATEST_RATIO}: check {source} and the confining pressure")
+    yield (axial <= AT_REST) & (ratio > SEATED), lambda k: (
+        f"axial over radial stress is {ratio[k]:.4g} at an axial strain of {axial[k]:.3g} %, where tests from isotropic stress have 1: check "
+        f"{curve.stress}" + (", which is the axial less the radial stress" if curve.stress == "deviatoric_stress" else ""))
+    most = numpy.minimum(VOLUMETRIC, numpy.maximum.accumulate(abs(axial)) + VOLUMETRIC_BEYOND_AXIAL)
+    yield ~(abs(volumetric) < most), lambda k: (
+        f"the volumetric strain is {volumetric[k]:.4g} % at an axial strain of {axial[k]:.4g} %, more than a drained test has: correct the row, or "
+        "the unit of one of the columns, as [%] or [1]")
+    for name, values, clear in ((curve.stress, ratio - 1, CLEAR_RATIO), ("volumetric strain", volumetric, CLEAR_VOLUME)):
+        yield _empty(values, curve.rising, clear), lambda k, name=name: (
+            f"{name} falls to nothing at an axial strain of {axial[k]:.4g} %, where rows beside it do not: leave out rows without a value")
+
+
+def judge(curve):
+    """Raises StudyError, by file and row, for what no drained test from isotropic stress gives."""
+    for wrong, said in _refusals(curve):
+        if wrong.any():
+            row = int(numpy.argmax(wrong))
+            raise StudyError(f"{curve.test.table}: row {row + 1}: {said(row)}")
+    if curve.strength < NO_STRENGTH:
+        raise StudyError(f"{curve.test.table}: axial over radial stress never exceeds {curve.strength:.4g}: check the unit of {curve.stress} and "
+                         "the confining pressure")
+    for name in curve.pore_pressures:
+        pore = curve.table(name, "Pa", missing=True)
+        if numpy.nanmax(pore) - numpy.nanmin(pore) > DRAINED * curve.test.pressure or not curve.volumetric.any():
+            raise StudyError(f"{curve.test.table}: is an undrained test by its {name}, at "
+                             f"{'a constant volume' if not curve.volumetric.any() else 'rising or falling pore pressure'}: give drained ones")
+
+
+def _towering(strain, values, clear):
+    """Returns the first row of a short run that lies far beyond the rows on both sides of it, or None.
+
+    Rows are those of rising strain, the first one at rest. The last row is compared with the slope before it.
+    """
+    steps, count = numpy.diff(values), len(values)
+
+    def far(rows, height, others):
+        return height > max(clear, STEPS * max(others, default=0)) and height > TOWERING * numpy.ptp(numpy.delete(values, rows))
+    for length in range(1, LONGEST + 1):
+        for k in range(1, count - length):
+            up, down = steps[k - 1], steps[k + length - 1]
+            others = [abs(values[k + length] - values[k - 1]), *abs(steps[max(k - 2, 0):k - 1]), *abs(steps[k + length:k + length + 1])]
+            if up * down < 0 and far(range(k, k + length), min(abs(up), abs(down)), others):
+                return k
+    if count > LONGEST:
+        stretch = max(1, (strain[-1] - strain[-2]) / (strain[-2] - strain[-3]))
+        if far([count - 1], abs(steps[-1]), stretch * abs(steps[-3:-1])):
+            return count - 1
+    return None
+
+
+def doubts(curve):
+    """Returns sentences on what is unusual in the table of a test."""
+    said, rows = [], numpy.flatnonzero(curve.rising)
+    for name in curve.without_unit:
+        said.append(f"{name} has no unit and is taken for a fraction; write [%] or [1]")
+    if not curve.volumetric.any():
+        said.append("the volumetric strain is 0 in all rows, as in an undrained test: give a drained one, or the strain")
+    most = int(curve.volumetric.argmax())
+    contraction, expansion = curve.volumetric[most], -curve.volumetric[:most + 1].min()
+    if contraction == abs(curve.volumetric).max() and expansion > max(LEAST_EXPANSION, EXPANSION * contraction):
+        said.append("the volume expands first and contracts then, where tests do the opposite: contraction is positive; change the signs of the "
+                    "volumetric strain if they are others")
+    for name in curve.unread:
+        said.append(f"the column {name} is not read" + (
+            ", and the confining pressure has to be the effective one" if name in curve.pore_pressures else ""))
+    for name, at_rest, values, clear in ((curve.stress, 1, curve.ratio, CLEAR_RATIO), ("the volumetric strain", 0, curve.volumetric, CLEAR_VOLUME)):
+        found = _towering(numpy.append(0, curve.axial[rows]), numpy.append(at_rest, values[rows]), clear)
+        if found:
+            row = rows[found - 1]
+            said.append(f"{name} of row {row + 1}, at an axial strain of {curve.axial[row]:.4g} %, lies far from the rows beside it: leave it out if it "
+                        "is an error")
+    angle = friction_angle(curve.strength)
+    if angle > FRICTION[1] or (angle < FRICTION[0] and not curve.still_rises):
+        said.append(f"its friction angle is {angle:.3g} deg, where granular soils have {FRICTION[0]} to {FRICTION[1]}: check its stress and its "
+                    "confining pressure")
+    return [f"{curve.test.table}: {one}" for one in said]
+
+
+def compared(curves):
+    """Returns sentences on strengths of tests that hardly belong to one soil. Raises StudyError for those that cannot.
+
+    Tests that still rise in their last row have no strength to compare, and tests of unlike packings may be loose and dense.
+    """
+    said, peaked = [], sorted((c for c in curves if not c.still_rises), key=lambda c: c.test.pressure)
+    for k, low in enumerate(peaked):
+        for high in (c for c in peaked[k + 1:] if c.test.packing == low.test.packing):
+            angles = [friction_angle(c.strength) for c in (low, high)]
+            apart, decades = abs(angles[0] - angles[1]), math.log10(high.test.pressure / low.test.pressure)
+            words = (f"friction angles are {angles[0]:.3g} deg at {low.test.pressure / 1e3:g} kPa ({low.test.table}) and {angles[1]:.3g} deg at "
+                     f"{high.test.pressure / 1e3:g} kPa ({high.test.table})")
+            if apart > IMPOSSIBLY_APART:
+                raise StudyError(f"{words}, which one soil does not have: correct the confining pressures, or the stresses")
+            if apart > APART + APART_PER_DECADE * decades:
+                said.append(f"{words}, far apart for one soil: check the confining pressures")
+    return said
+
+
+def _rows(curve):
+    """Returns the rows of rising strain as a set of rounded numbers."""
+    columns = numpy.stack([curve.axial, curve.ratio, curve.volumetric], axis=1)[curve.rising]
+    return {tuple(f"{value:.4g}" for value in row) for row in columns}
+
+
+def distinct(curves):
+    """Raises StudyError where most rows of one test are rows of another: one test would be counted twice, or predict itself."""
+    rows = [_rows(curve) for curve in curves]
+    for k, one in enumerate(rows):
+        for other, curve in zip(rows[:k], curves[:k], strict=True):
+            if 2 * len(one & other) > min(len(one), len(other)):
+                raise StudyError(f"{curves[k].test.table}: has {len(one & other)} of {len(one)} rows of {curve.test.table}: a test counts once, and "
+                                 "cannot predict itself; leave one of them out")
