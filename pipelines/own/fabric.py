@@ -18,14 +18,17 @@ KEYS = {"stiffness": "N/m", **POINTS, "machine": dict, "cross": dict}
 # Keys of files of geotextiles that the solution does not need.
 ASIDE = ("name", "yarn_strain", "yarn_tension", "unloading_slope")
 DIRECTIONS = ("machine", "cross")
+# Between which values (N/m) geotextiles lie: nets and light nonwovens have more than the least (lib/gws/solution/geotextile.cpp).
+RANGES = {"stiffness": (2e3, 1e9), "strength": (500, 1e7), "tension_at_2": (10, 1e7), "tension_at_5": (25, 1e7)}
 
 
 @dataclasses.dataclass
 class Fabric:
-    """A geotextile: stiffness, the secant to failure where none is given (N/m), and the points of its sheet by key."""
+    """A geotextile: stiffness, the secant to failure where none is given (N/m), the points of its sheet by key, and doubts about it."""
 
     stiffness: float
     points: dict
+    doubts: list = dataclasses.field(default_factory=list)
 
     def file(self):
         """Returns the text of its file for gws-solve, which refuses a stiffness beside tensions at strains."""
@@ -65,6 +68,10 @@ def _judge(path, values):
     for key in ("strength", "failure_strain"):
         if key not in values:
             raise StudyError(f"{path}: geotextile.{key} is missing; pipelines/own/README.md tells all keys")
+    for key, (least, greatest) in RANGES.items():
+        if not least <= values.get(key, least) <= greatest:
+            raise StudyError(f"{path}: geotextile.{key} = {values[key] / 1e3:g} kN/m: geotextiles have {least / 1e3:g} to {greatest / 1e3:g} kN/m; check its "
+                             "unit")
     if values["failure_strain"] >= 1:
         raise StudyError(f"{path}: geotextile.failure_strain = {values['failure_strain']:g}: write a fraction, as 0.15 for 15 %")
     at = [(STRAINS[key], values[key], key) for key in STRAINS if key in values] + [(values["failure_strain"], values["strength"], "strength")]
@@ -133,4 +140,8 @@ def read(path, given, catalogue):
     values = _points(path, given, direction)
     _judge(path, values)
     values = {key: value if key == "failure_strain" else layers * value for key, value in values.items()}
-    return Fabric(values.pop("stiffness", values["strength"] / values["failure_strain"]), values)
+    sides = [side for side in DIRECTIONS if side in given]
+    doubts = [] if direction or len(sides) != 1 else [
+        f"{path}: the geotextile has values of its {sides[0]} direction alone, which are taken for the other one too; give both, or write "
+        f'"FILE.toml@{sides[0]}" where one direction counts']
+    return Fabric(values.pop("stiffness", values["strength"] / values["failure_strain"]), values, doubts)

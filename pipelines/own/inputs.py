@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Reads own.toml and its tables, refuses what is wrong in one line, and writes what the rules of own/study.mk need.
 
-That is inputs.mk, variables of make; failure.tsv, q/p at failure of each test; and a geotextile of each stiffness that bags are
-made with.
+That is inputs.mk, variables of make; inputs.said, what is doubtful; failure.tsv, q/p at failure of each test; a geotextile of each
+stiffness that bags are made with; and copies of all that own.toml names. A file is written only if its content is another than before,
+so that make makes anew what hangs on it, wherever the tables lie and however they are named.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
@@ -13,7 +14,8 @@ import sys
 import tomllib
 
 import numpy
-from calibration.laboratory import Test, curve, observed, pressure
+from calibration import plausible, prior
+from calibration.laboratory import Test, curve, distinct_names, observed, plain, pressure
 from own import fabric
 from own.keys import table_of, value_of
 from study import StudyError, Table
@@ -24,6 +26,10 @@ KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": 
         "factors": dict, "test": list}
 OPTIONAL = ("factors", "packing_void_ratio")
 BAG = {"width": "m", "height": "m"}
+# Sizes of a bag (m) and surcharges (Pa) of the solution (bag_extent, surcharge_range), less what is smaller or greater than any bag has.
+EXTENT, SURCHARGE = (0.01, 100), (1e3, 1e7)
+# Heights over width like that of the bags of grains that were run (lib/gws/solution/doubts.cpp).
+SHAPE = (0.1, 0.4)
 FACTORS = ("creep", "installation", "durability", "load", "soil")
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
@@ -40,9 +46,20 @@ class Inputs:
 
     path: pathlib.Path
     values: dict
-    tests: list
-    predictions: list
+    curves: list
+    predicted: list
     fabric: fabric.Fabric
+    prior: pathlib.Path
+
+    @property
+    def tests(self):
+        """The tests that are calibrated to."""
+        return [one.test for one in self.curves]
+
+    @property
+    def predictions(self):
+        """The tests that are predicted."""
+        return [one.test for one in self.predicted]
 
     @property
     def reduction(self):
@@ -50,8 +67,44 @@ class Inputs:
         return math.prod(self.values["factors"].get(name, 1) for name in FACTORS[:3])
 
 
-def read(path, catalogue="data/geotextiles"):
-    """Returns the Inputs of an own.toml. Raises StudyError for the first thing that is wrong, before anything is computed."""
+def _judge(path, values):
+    """Raises StudyError for values of own.toml that are out of range."""
+    for key, value in values["factors"].items():
+        if value < 1:
+            raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
+    if not 0 < values["settlement"] < 0.3:
+        raise StudyError(f"{path}: settlement = {values['settlement']:g}: write a fraction of the height below 0.3, as 0.05 for 5 %")
+    for key in ("void_ratio", "packing_void_ratio"):
+        if not 0.2 < values[key] < 2:
+            raise StudyError(f"{path}: {key} = {values[key]:g}: void ratios of granular soils lie between 0.2 and 2; 0.68, not 68 %")
+    for key, value in values["bag"].items():
+        if not EXTENT[0] <= value <= EXTENT[1]:
+            raise StudyError(f'{path}: bag.{key} = {value:g} m: bags measure {EXTENT[0]:g} to {EXTENT[1]:g} m; check the unit, as "400 mm"')
+    if not SURCHARGE[0] <= values["surcharge"] <= SURCHARGE[1]:
+        raise StudyError(f"{path}: surcharge = {values['surcharge'] / 1e3:g} kPa: bags carry {SURCHARGE[0] / 1e3:g} to {SURCHARGE[1] / 1e3:g} kPa; check "
+                         'the unit, as "200 kPa"')
+
+
+def _curves(path, entries, until):
+    """Returns the curves of all [[test]] tables, and which of them are predicted."""
+    found, predicted = [], []
+    for k, entry in enumerate(entries, start=1):
+        one = table_of(path, f"test {k}: ", value_of(path, "", f"test {k}", entry, dict), TEST, ("predict",))
+        if one["strains"] not in ("engineering", "natural"):
+            raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
+        found.append(curve(Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], "")))
+        observed(found[-1], until, 0)
+        predicted.append(one.get("predict", False))
+    distinct_names([one.test for one in found])
+    plausible.distinct(found)
+    return found, predicted
+
+
+def read(path, catalogue="data/geotextiles", until=1e3):
+    """Returns the Inputs of an own.toml. Raises StudyError for the first thing that is wrong, before anything is computed.
+
+    until: axial strain (%) up to which tests are compared.
+    """
     path = pathlib.Path(path)
     try:
         given = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -62,44 +115,38 @@ def read(path, catalogue="data/geotextiles"):
     values = table_of(path, "", given, KEYS, OPTIONAL)
     values["bag"] = table_of(path, "bag.", values["bag"], BAG)
     values["factors"] = table_of(path, "factors.", values.get("factors", {}), dict.fromkeys(FACTORS, float), FACTORS)
-    for key, value in values["factors"].items():
-        if value < 1:
-            raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
-    if not 0 < values["settlement"] < 0.3:
-        raise StudyError(f"{path}: settlement = {values['settlement']:g}: write a fraction of the height below 0.3, as 0.05 for 5 %")
-    for key in ("void_ratio", "packing_void_ratio"):
-        if 0.2 < values.setdefault(key, values["void_ratio"]) < 2:
-            continue
-        raise StudyError(f"{path}: {key} = {values[key]:g}: void ratios of granular soils lie between 0.2 and 2; 0.68, not 68 %")
+    values.setdefault("packing_void_ratio", values["void_ratio"])
+    _judge(path, values)
     grading = Table.read(path.parent / values["grading"])
     sizes, finer = grading("diameter", "mm"), grading("finer_by_mass", "1")
     if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
         raise StudyError(f"{grading.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
     if not values["test"]:
         raise StudyError(f"{path}: [[test]] is missing: one drained triaxial test at least; pipelines/own/README.md tells its keys")
-    tests, predictions = [], []
-    for k, entry in enumerate(values["test"], start=1):
-        one = table_of(path, f"test {k}: ", value_of(path, "", f"test {k}", entry, dict), TEST, ("predict",))
-        if one["strains"] not in ("engineering", "natural"):
-            raise StudyError(f'{path}: test {k}: strains = "{one["strains"]}"{suggestion(one["strains"], ("engineering", "natural"))}')
-        test = Test(path.parent / one["table"], pressure(entry["confining_pressure"]), one["strains"], "")
-        observed(curve(test), 1e3, 0)
-        (predictions if one.get("predict") else tests).append(test)
-    if not tests:
+    curves, predicted = _curves(path, values["test"], until)
+    if all(predicted):
         raise StudyError(f"{path}: every test has predict = true: leave one to calibrate to without it")
-    return Inputs(path, values, tests, predictions, fabric.read(path, values["geotextile"], catalogue))
+    chosen = path.parent / "prior.toml" if (path.parent / "prior.toml").exists() else pathlib.Path(__file__).parent / "prior.toml"
+    prior.read(chosen)
+    return Inputs(path, values, [c for c, aside in zip(curves, predicted, strict=True) if not aside],
+                  [c for c, aside in zip(curves, predicted, strict=True) if aside], fabric.read(path, values["geotextile"], catalogue), chosen)
 
 
-def failures(tests):
+def failures(curves):
     """Returns confining pressure (kPa) and greatest q/p of each test, and the names of those whose last row is their greatest."""
-    rows, rising = [], []
-    for test in tests:
-        ratio = observed(curve(test), 1e3, 0)["stress_ratio [1]"]
-        most = ratio.max()
-        rows.append((test.pressure / 1e3, 3 * (most - 1) / (most + 2)))
-        if ratio.argmax() == len(ratio) - 1:
-            rising.append(test.name)
-    return rows, rising
+    most = [(one.test.pressure / 1e3, one.strength) for one in curves]
+    return [(sigma, 3 * (r - 1) / (r + 2)) for sigma, r in most], [one.test.name for one in curves if one.still_rises]
+
+
+def doubts(own):
+    """Returns sentences on what may be right in own.toml and its tables, but is unusual, or lacks a basis."""
+    said = [line for one in own.curves + own.predicted for line in plausible.doubts(one)]
+    said += plausible.compared(own.curves + own.predicted)
+    bag = own.values["bag"]
+    if not SHAPE[0] <= bag["height"] / bag["width"] <= SHAPE[1]:
+        said.append(f"{own.path}: the bag is {1e3 * bag['width']:g} mm wide and {1e3 * bag['height']:g} mm high, where grains were run in bags with "
+                    f"{SHAPE[0]:g} to {SHAPE[1]:g} of their width as height: the solution is untested there; check that the two are not exchanged")
+    return said + own.fabric.doubts
 
 
 def failure_options(rows, path):
@@ -113,16 +160,40 @@ def failure_options(rows, path):
     return f"--set failure_line.p_c={1e3 * 3 * sigma / (3 - eta) * (eta / M)**(1 / EXPONENT):.6g}"
 
 
-def _put_new(path, text):
-    """Writes a file unless it holds this text already: what hangs on it is then not made anew."""
-    if not (path.exists() and path.read_text(encoding="utf-8") == text):
-        put(path, text)
+def _put_new(path, content):
+    """Writes a file unless it has this content already: what hangs on it is then not made anew."""
+    content = content.encode() if isinstance(content, str) else content
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not (path.exists() and path.read_bytes() == content):
+        put(path, content)
+
+
+def _copied(test, out):
+    """Copies the table of a test into the folder of results; returns the Test of the copy, which has the same name."""
+    copy = out / "tests" / f"{test.pressure / 1e3:g}kPa" / f"{plain(test.table.stem)}.tsv"
+    _put_new(copy, test.table.read_bytes())
+    return dataclasses.replace(test, table=copy)
+
+
+def claim(own, out):
+    """Remembers the folder of own.toml in the folder of results. Raises StudyError where that holds the results of another soil."""
+    holder, folder = out / "folder", own.path.parent.resolve()
+    held = pathlib.Path(holder.read_text(encoding="utf-8").strip()) if holder.exists() else folder
+    if held != folder and (held / "own.toml").exists():
+        raise StudyError(f"{out} holds the results of {held}, a folder of the same name as {folder}: rename one of the two folders, or remove {out}")
+    _put_new(holder, f"{folder}\n")
 
 
 def write(own, out):
     """Writes the files of the module's docstring into a folder."""
     out.mkdir(parents=True, exist_ok=True)
-    rows, rising = failures(own.tests)
+    claim(own, out)
+    rows, rising = failures(own.curves)
+    said = doubts(own)
+    _put_new(out / "inputs.said", "".join(f"own: doubt: {line}\n" for line in said))
+    for source, copy in ((own.path, "own.toml"), (own.path.parent / own.values["grading"], "grading.tsv"), (own.prior, "prior.toml")):
+        _put_new(out / copy, source.read_bytes())
+    tests, predictions = ([_copied(test, out) for test in some] for some in (own.tests, own.predictions))
     _put_new(out / "failure.tsv", "confining_pressure [kPa]\tobliquity_at_failure [1]\n" + "".join(f"{s:.6g}\t{e:.6g}\n" for s, e in rows))
     for k, share in enumerate(STIFFNESSES, start=1):
         j = share * own.fabric.stiffness
@@ -132,12 +203,12 @@ def write(own, out):
     v, factors = own.values, own.values["factors"]
     _put_new(out / "geotextile.toml", own.fabric.file())
     lines = {
-        "GRADING": own.path.parent / v["grading"], "VOID_RATIO": v["packing_void_ratio"],
+        "VOID_RATIO": v["packing_void_ratio"],
         "TESTS": " ".join(f"--{verb} '{t.table}' '{t.pressure / 1e3:g} kPa' {t.kind}" for verb, some in (
-            ("test", own.tests), ("predict", own.predictions)) for t in some),
-        "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,
+            ("test", tests), ("predict", predictions)) for t in some),
+        "TABLES": " ".join(str(t.table) for t in tests + predictions), "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,
         "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"], "SETTLEMENT": v["settlement"],
-        "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}", 
+        "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}",
         "REDUCED": " ".join([*(["--strength-fraction 1"] if own.reduction > 1 else []), *(
             f"--rf-{name} {factors[name]:g}" for name in FACTORS[:3] if name in factors)]),
         "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
@@ -149,9 +220,10 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("soil", type=pathlib.Path, help="folder of own.toml")
     parser.add_argument("out", type=pathlib.Path, help="folder of the study's results")
+    parser.add_argument("--until", type=float, default=1e3, metavar="%%", help="axial strain up to which tests are compared")
     arguments = parser.parse_args()
     try:
-        write(read(arguments.soil / "own.toml"), arguments.out)
+        write(read(arguments.soil / "own.toml", until=arguments.until), arguments.out)
     except (StudyError, OSError) as error_:
         print(f"own: {error_}", file=sys.stderr)
         sys.exit(65)

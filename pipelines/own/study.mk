@@ -3,6 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 OWN := pipelines/own
 SOIL ?= data/own/example
+# The folder's name is part of the names of targets and of the words of recipes.
+own_plain = $(shell printf %s '$(subst ','\'',$(SOIL))' | LC_ALL=C tr -d 'A-Za-z0-9_./+,@\200-\377-')
+ifneq ($(words $(SOIL)) $(own_plain),1 )
+$(error SOIL=$(SOIL): make cannot use a folder with blanks, quotes or signs such as $$ in its path: write it relative, or rename the folder to letters, digits, _ and -)
+endif
 OWNO := $(OUT)/own/$(notdir $(patsubst %/,%,$(SOIL)))
 # Grains of the representative volume, its mean radius (the thesis's sand's, m), and sets, rounds and effective size of the calibration.
 OWN_GRAINS_quick := 500
@@ -20,7 +25,7 @@ OWN_UNTIL := 8
 OWN_STATIONS := 5
 OWN_ERROR := stress_ratio=0.2,strain_volumetric=0.3
 OWN_RATE := try
-OWN_PRIOR := $(or $(wildcard $(SOIL)/prior.toml),$(OWN)/prior.toml)
+OWN_PRIOR := $(OWNO)/prior.toml
 # Options of the bag and its load, the size of its grains over those of the calibration, and how far it is compressed.
 # More copies of the representative volume than cover the bag: how many do depends on the soil, and those outside are cut away.
 # Delaunay's tetrahedra leave out a part along the walls, by which ch3's bag of coarse and of fine grains is denser than their volume.
@@ -46,11 +51,11 @@ own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make ow
 
 # Only where it is asked for: own.toml is read before anything is made, and what is wrong in it ends make with its line.
 ifneq ($(filter own own-check $(OWNO)/%,$(MAKECMDGOALS)),)
-OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) 2>&1)
+OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) --until $(OWN_UNTIL) 2>&1)
 $(if $(OWN_WRONG),$(error $(OWN_WRONG)))
+$(shell cat $(OWNO)/inputs.said >&2)
 include $(OWNO)/inputs.mk
 endif
-OWN_TABLES := $(wildcard $(SOIL)/*.tsv)
 
 # Settings on which packings, calibration and bags depend; another surcharge makes none of them anew.
 $(OWNO)/settings: always $(OWNO)/inputs.mk
@@ -61,9 +66,9 @@ $(OWNO)/loading: always $(OWNO)/inputs.mk
 	@$(call remember,$(subst $$,,$(subst ',,$(OWN_BAG) $(OWN_LOAD))) $(OWN_SCALE) $(OWN_STRAIN))
 
 # (b) % is the seed of a representative volume; the bags are cut from both.
-$(OWNO)/packing_%.h5: $(OWNO)/settings $(OWN_GRADING) $(BIN)/pack-generate
+$(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 	@echo '  pack  $@'
-	@$(BIN)/pack-generate --grading '$(OWN_GRADING)' --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
+	@$(BIN)/pack-generate --grading $(OWNO)/grading.tsv --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
 	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@ 2> $(@:.h5=.said); status=$$?; cat $(@:.h5=.said) >&2; exit $$status
 
 # (a) A status of 1 says that the effective size is not reached; the page tells it.
@@ -107,20 +112,20 @@ own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotexti
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
 # All constants at once; line by line, where the paths do not determine all.
 own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path && ! grep -q '^\# Not identified.*near_failure_line' $@.path || fit=thesis; rm -f $@.path
-$(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
+$(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt; \
 	  $(call own_identify,$(OWN_BAGS)) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
-$(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(BIN)/gws-solve
+$(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@$(call own_fit,$(filter-out $*,$(OWN_BAGS))); \
 	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || : > $@
 
 # (e) The bag of own.toml, with the long-term strength of its geotextile; where it is reduced, all of it counts.
 own_case = --soil $(OWNO)/$(1).toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
-$(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
+$(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
-$(OWNO)/design_%.tsv: $(OWNO)/%.toml $(BIN)/gws-solve
+$(OWNO)/design_%.tsv: $(OWNO)/%.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve design $(call own_case,$*) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
-$(OWNO)/chart.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
+$(OWNO)/chart.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve design $(call own_case,soil) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
 	  --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') --tsv $(call whole,$@)
 
@@ -129,5 +134,5 @@ OWN_SOILS = soil $(OWN_BAGS:%=soil_%)
 OWN_LEFT = $(foreach soil,$(OWN_SOILS),$(OWNO)/bands_$(soil).tsv $(OWNO)/design_$(soil).tsv) $(OWN_BAGS:%=$(OWNO)/uc_%.tsv) $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
 $(OWNO)/provenance.txt: $(OWNO)/uc_1.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
-$(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWN)/study.py $(OWN)/words.toml $(STUDY)
+$(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWNO)/own.toml $(OWNO)/inputs.mk $(OWN)/study.py $(OWN)/words.toml $(STUDY)
 	@$(STUDY_PY) $(OWN)/study.py $(OWNO) --profile $(PROFILE) --soil $(SOIL)

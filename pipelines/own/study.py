@@ -133,12 +133,12 @@ def build(arguments):
     bags = whole_parts(study.out)
     bands = Bands(folder, bags)
     measure(study, own, folder, bands, bags)
-    said = (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines()
+    said = [line for line in (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("doubt: ")]
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
     study.tell(void_ratio=own.values["void_ratio"], packing_void_ratio=own.values["packing_void_ratio"], lost=len(STIFFNESSES) - len(bags), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
                short=bands.end < own.values["settlement"], reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
-               fabric=f"{own.fabric.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1"]), soil_factor=own.values["factors"].get("soil", 1),
+               fabric=f"{own.fabric.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["inputs", "bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1"]), soil_factor=own.values["factors"].get("soil", 1),
                load_factor=own.values["factors"].get("load", 1))
     draw(study, own, folder, bands)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")

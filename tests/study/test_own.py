@@ -1,8 +1,10 @@
 """A soil of one's own: own.toml refused by key, sets of a posterior, intervals of the answer, the forecast."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import os
 import pathlib
 import re
 import shutil
+import subprocess
 import types
 
 import numpy
@@ -59,6 +61,14 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     ('width = "400 mm"', 'width = "400"', "bag.width = '400': write a number above 0 with its unit, as \"400 mm\""),
     ('width = "400 mm"', 'width = "400 kPa"', "bag.width: 'kPa' is a unit of"),
     ('width = "400 mm"', 'widht = "400 mm"', "bag.widht is unknown; did you mean 'width'?"),
+    ('width = "400 mm"', 'width = "400 m"', "bag.width = 400 m: bags measure 0.01 to 100 m"),
+    ('height = "80 mm"', 'height = "0.08 mm"', "bag.height = 8e-05 m: bags measure"),
+    ('surcharge = "200 kPa"', 'surcharge = "200 MPa"', "surcharge = 200000 kPa: bags carry 1 to 10000 kPa"),
+    ('surcharge = "200 kPa"', 'surcharge = "200 Pa"', "surcharge = 0.2 kPa: bags carry"),
+    ('geotextile = "PP"', 'geotextile = {strength = "60 N/m", failure_strain = 0.1}', "geotextile.strength = 0.06 kN/m: geotextiles have 0.5 to"),
+    ('geotextile = "PP"', 'geotextile = {strength = "60 MN/m", failure_strain = 0.1}', "geotextile.strength"),
+    ('table = "drained_400kPa.tsv"\nconfining_pressure = "400 kPa"', 'table = "drained_100kPa.tsv"\nconfining_pressure = "100 kPa"',
+     "two tests have a table of this name and 100 kPa"),
     ("creep = 2.0", "creep = inf", "factors.creep = inf: write a number above 0"),
     ('surcharge = "200 kPa"', 'surcharge = "1e400 kPa"', "write a number above 0 with its unit"),
     ("creep = 2.0", "creep = 0.5", "factors.creep = 0.5: a factor is 1 or more"),
@@ -75,6 +85,92 @@ def test_what_is_wrong_is_one_line_with_file_and_key(soil, old, new, said):
     with pytest.raises(StudyError) as error:
         inputs.read(soil, CATALOGUE)
     assert said in str(error.value) and str(soil.parent) in str(error.value) and "\n" not in str(error.value)
+
+
+def test_a_copy_of_a_test_is_refused_before_anything_is_packed(soil):
+    shutil.copy(soil.parent / "drained_100kPa.tsv", soil.parent / "copy.csv")
+    soil.write_text(soil.read_text().replace('"drained_200kPa.tsv"\nconfining_pressure = "200 kPa"', '"copy.csv"\nconfining_pressure = "100 kPa"'))
+    with pytest.raises(StudyError, match=r"copy.csv: has 85 of 85 rows of .*drained_100kPa.tsv: a test counts once, and cannot predict itself"):
+        inputs.read(soil, CATALOGUE)
+
+
+def test_a_prior_beside_own_toml_is_judged_and_a_test_needs_rows_up_to_the_strain_that_is_compared(soil):
+    with pytest.raises(StudyError, match="drained_100kPa.tsv: 0 rows have a rising axial strain above 0 and up to 0.01 %"):
+        inputs.read(soil, CATALOGUE, until=0.01)
+    (soil.parent / "prior.toml").write_text('[[parameter]]\nname = "sliding_damping"\nlow = 0.1\nhigh = 0.9\n')
+    with pytest.raises(StudyError, match=r"soil/prior.toml: no run depends on a parameter named 'sliding_damping'"):
+        inputs.read(soil, CATALOGUE)
+
+
+@pytest.mark.parametrize(("old", "new", "said"), [
+    ('{width = "400 mm", height = "80 mm"}', '{width = "80 mm", height = "400 mm"}', "the bag is 80 mm wide and 400 mm high"),
+    ('geotextile = "PP"', 'geotextile = {machine = {strength = "30 kN/m", failure_strain = 0.1}}', "values of its machine direction alone")])
+def test_what_is_unusual_is_doubted(soil, tmp_path, old, new, said):
+    inputs.write(inputs.read(soil, CATALOGUE), tmp_path / "out")
+    assert (tmp_path / "out/inputs.said").read_text() == ""
+    soil.write_text(soil.read_text().replace(old, new, 1))
+    inputs.write(inputs.read(soil, CATALOGUE), tmp_path / "out")
+    lines = (tmp_path / "out/inputs.said").read_text().splitlines()
+    assert len(lines) == 1 and lines[0].startswith("own: doubt: ") and said in lines[0]
+
+
+def make(soil, out, tools, *goals):
+    """Runs make with tools that only write their output; returns what they were called with, and what make says."""
+    (tools / "log").write_text("")
+    root = EXAMPLE.parents[2]
+    done = subprocess.run(["make", "-s", f"BIN={tools}", f"OUT={out}", f"SOIL={soil}", *goals], cwd=root, capture_output=True, text=True, check=False)
+    return (tools / "log").read_text().splitlines(), done.stderr
+
+
+@pytest.fixture(name="tools")
+def writers(tmp_path):
+    folder = tmp_path / "tools"
+    folder.mkdir()
+    for name in ("pack-generate", "pf-weight"):
+        (folder / name).write_text(f'#!/bin/sh\necho {name} "$@" >> {folder}/log\nwhile [ $# -gt 1 ]; do [ "$1" = -o ] && echo > "$2"; shift; done\n')
+        (folder / name).chmod(0o755)
+    return folder
+
+
+def test_make_goes_by_the_content_of_what_own_toml_names(soil, tmp_path, tools):
+    out, packing = tmp_path / "out", tmp_path / "out/own/soil/packing_1.h5"
+    assert len(make(soil.parent, out, tools, packing)[0]) == 1 and not make(soil.parent, out, tools, packing)[0]
+    # Another grading that is older than the packing, in another folder; and the first one touched.
+    (tmp_path / "elsewhere").mkdir()
+    grading = pathlib.Path(shutil.copy(soil.parent / "grading.tsv", tmp_path / "elsewhere/my grading's.csv"))
+    (soil.parent / "grading.tsv").touch()
+    assert not make(soil.parent, out, tools, packing)[0]
+    text = grading.read_text()
+    grading.write_text(text.replace("0.02\n", "0.03\n", 1))
+    os.utime(grading, (1, 1))
+    soil.write_text(soil.read_text().replace('"grading.tsv"', '"../elsewhere/my grading\'s.csv"'))
+    assert len(make(soil.parent, out, tools, packing)[0]) == 1 and "0.03" in (out / "own/soil/grading.tsv").read_text()
+    # A test that is a CSV with blanks in its name.
+    (soil.parent / "drained_100kPa.tsv").rename(soil.parent / "drained 100 kPa.csv")
+    soil.write_text(soil.read_text().replace("drained_100kPa.tsv", "drained 100 kPa.csv"))
+    make(soil.parent, out, tools, packing)
+    table = out / "own/soil/tests/100kPa/drained_100_kPa.tsv"
+    assert str(table) in (out / "own/soil/inputs.mk").read_text()
+    before = table.stat().st_mtime_ns
+    make(soil.parent, out, tools, packing)
+    assert table.stat().st_mtime_ns == before
+    (soil.parent / "drained 100 kPa.csv").write_text("# corrected\n" + table.read_text())
+    make(soil.parent, out, tools, packing)
+    assert table.read_text().startswith("# corrected")
+
+
+def test_make_refuses_a_second_folder_of_one_name_and_names_that_it_cannot_take(soil, tmp_path, tools):
+    out, packing = tmp_path / "out", tmp_path / "out/own/soil/packing_1.h5"
+    make(soil.parent, out, tools, packing)
+    other = shutil.copytree(soil.parent, tmp_path / "b/soil")
+    called, said = make(other, out, tools, packing)
+    assert not called and f"holds the results of {soil.parent}, a folder of the same name as {other}: rename one" in said
+    # A folder that was moved goes on.
+    soil.parent.rename(tmp_path / "moved")
+    assert not make(other, out, tools, packing)[1]
+    for name in ("my soil", "my'soil", "my$$soil"):
+        called, said = make(tmp_path / name, out, tools, "own")
+        assert not called and "make cannot use a folder with blanks, quotes or signs" in said and said.count("\n") == 1
 
 
 def test_a_data_sheet_without_stiffness_gives_a_secant_and_one_test_a_failure_line(soil):
