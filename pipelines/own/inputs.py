@@ -36,8 +36,8 @@ TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": boo
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
 # Strain up to which the yarns of these bags are whole: identification ends at the first broken one.
 WHOLE = 0.5
-# Exponent, constant and reference pressure of Toyoura's failure line (thesis Table 5.2), whose exponent a single test cannot give.
-M, EXPONENT = 1.35, 0.0723
+# Constant and exponent of Toyoura's failure line (thesis Table 5.2), and the greatest p_c (Pa) that the solution takes.
+M, EXPONENT, GREATEST_P_C = 1.35, 0.0723, 1e12
 
 
 @dataclasses.dataclass
@@ -142,6 +142,11 @@ def doubts(own):
     """Returns sentences on what may be right in own.toml and its tables, but is unusual, or lacks a basis."""
     said = [line for one in own.curves + own.predicted for line in plausible.doubts(one)]
     said += plausible.compared(own.curves + own.predicted)
+    rows, _ = failures(own.curves)
+    if len({sigma for sigma, _ in rows}) > 1 and not falls(rows):
+        points = " and ".join(f"{eta:.3g} at {sigma:g} kPa" for sigma, eta in sorted(rows))
+        said.append(f"{own.path}: q/p at failure, {points}, does not fall with the pressure, so that the tests give no failure line: one with Toyoura "
+                    "sand's exponent through their mean stands for it; check their stresses, or give tests at other pressures")
     bag = own.values["bag"]
     if not SHAPE[0] <= bag["height"] / bag["width"] <= SHAPE[1]:
         said.append(f"{own.path}: the bag is {1e3 * bag['width']:g} mm wide and {1e3 * bag['height']:g} mm high, where grains were run in bags with "
@@ -149,15 +154,27 @@ def doubts(own):
     return said + own.fabric.doubts
 
 
-def failure_options(rows, path):
-    """Returns what tells gws-solve the failure line: points at two pressures or more, else p_c by Toyoura's exponent.
+def _at_failure(rows):
+    """Returns the logarithms of the mean stress (Pa), 3 sigma_r / (3 - q/p), and of q/p at failure."""
+    sigma, eta = numpy.array(rows).T
+    return numpy.log(1e3 * 3 * sigma / (3 - eta)), numpy.log(eta)
 
-    M_f = M (p/p_c)^-n (thesis Eq. 5.3), at p = 3 sigma_r / (3 - q/p).
-    """
-    if len({round(sigma, 3) for sigma, _ in rows}) > 1:
+
+def falls(rows):
+    """Returns whether q/p at failure falls with the pressure so that a failure line M_f = M (p/p_c)^-n (thesis Eq. 5.3) goes through it."""
+    if len({round(sigma, 3) for sigma, _ in rows}) < 2:
+        return False
+    p, eta = _at_failure(rows)
+    slope, intercept = numpy.polyfit(p, eta, 1)
+    return bool(slope < 0 and (intercept - math.log(M)) / -slope < math.log(GREATEST_P_C))
+
+
+def failure_options(rows, path):
+    """Returns what tells gws-solve the failure line: the points, or p_c by Toyoura's exponent through their mean where they give none."""
+    if falls(rows):
         return f"--failure {path}"
-    sigma, eta = rows[0][0], sum(eta for _, eta in rows) / len(rows)
-    return f"--set failure_line.p_c={1e3 * 3 * sigma / (3 - eta) * (eta / M)**(1 / EXPONENT):.6g}"
+    p, eta = _at_failure(rows)
+    return f"--set failure_line.p_c={math.exp(p.mean() + (eta.mean() - math.log(M)) / EXPONENT):.6g}"
 
 
 def _put_new(path, content):

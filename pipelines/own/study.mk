@@ -110,8 +110,9 @@ own_part = || { cat $(@:.tsv=.said) >&2; [ $* != soil ] && : > $@; }
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
 own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
-# All constants at once; line by line, where the paths do not determine all.
-own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path && ! grep -q '^\# Not identified.*near_failure_line' $@.path || fit=thesis; rm -f $@.path
+# All constants at once; line by line, where the paths do not determine all that come from them.
+own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path && \
+  ! grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path || fit=thesis; rm -f $@.path
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt; \
 	  $(call own_identify,$(OWN_BAGS)) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)

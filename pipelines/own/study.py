@@ -6,12 +6,15 @@ import re
 
 import numpy
 from calibration import predicted
-from own.inputs import STIFFNESSES, read
+from own.inputs import STIFFNESSES, failures, falls, read
 from study import Drawn, Folder, Mean, NotMade, Series, Study, StudyError, figures, main, panel
 
 HERE = pathlib.Path(__file__).parent
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives.
 DEVIATE, OF_SOLVE = 1.2816, 1.9600
+# Lines of the wrapped soil as gws-solve identify names them, and in words.
+LINES = {"compression_line": "compression line", "failure_line": "failure line", "near_failure_line": "near-failure line",
+         "dilatancy_line": "dilatancy line", "stiffness": "stiffness"}
 COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
@@ -71,6 +74,13 @@ def doubts(out, names):
         text = (out / f"{name}.said").read_text(encoding="utf-8")
         said += [line.partition("doubt: ")[2] for line in text.splitlines() if "doubt: " in line]
     return list(dict.fromkeys(said))
+
+
+def borrowed(identified, own):
+    """Returns in words the lines of Toyoura sand that stand for those of this soil: those that the report of gws-solve identify lacks."""
+    missing = [name for name in LINES if not re.search(rf"^{name}: \d+ points", identified, re.MULTILINE)]
+    exponent = not falls(failures(own.curves)[0])
+    return ["exponent of the failure line" if name == "failure_line" and exponent else LINES[name] for name in missing]
 
 
 def measure(study, own, folder, bands, bags):
@@ -134,9 +144,10 @@ def build(arguments):
     bands = Bands(folder, bags)
     measure(study, own, folder, bands, bags)
     said = [line for line in (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("doubt: ")]
+    identified = (study.out / "identified.txt").read_text(encoding="utf-8")
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
     study.tell(void_ratio=own.values["void_ratio"], packing_void_ratio=own.values["packing_void_ratio"], lost=len(STIFFNESSES) - len(bags), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
-               short=bands.end < own.values["settlement"], reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
+               short=bands.end < own.values["settlement"], borrowed=borrowed(identified, own), reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
                fabric=f"{own.fabric.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["inputs", "bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1"]), soil_factor=own.values["factors"].get("soil", 1),
                load_factor=own.values["factors"].get("load", 1))

@@ -104,14 +104,30 @@ def test_a_prior_beside_own_toml_is_judged_and_a_test_needs_rows_up_to_the_strai
 
 @pytest.mark.parametrize(("old", "new", "said"), [
     ('{width = "400 mm", height = "80 mm"}', '{width = "80 mm", height = "400 mm"}', "the bag is 80 mm wide and 400 mm high"),
-    ('geotextile = "PP"', 'geotextile = {machine = {strength = "30 kN/m", failure_strain = 0.1}}', "values of its machine direction alone")])
+    ('geotextile = "PP"', 'geotextile = {machine = {strength = "30 kN/m", failure_strain = 0.1}}', "values of its machine direction alone"),
+    ('"drained_100kPa.tsv"', '"weak.tsv"', "q/p at failure, 1.5 at 100 kPa and 1.6 at 400 kPa, does not fall with the pressure")])
 def test_what_is_unusual_is_doubted(soil, tmp_path, old, new, said):
     inputs.write(inputs.read(soil, CATALOGUE), tmp_path / "out")
     assert (tmp_path / "out/inputs.said").read_text() == ""
+    head, *rows = [line for line in (soil.parent / "drained_100kPa.tsv").read_text().splitlines() if not line.startswith("#")]
+    cells = [row.split("\t") for row in rows]
+    (soil.parent / "weak.tsv").write_text("\n".join(["\t".join(head.split("\t")[:3]), *("\t".join([a, v, repr(0.8 * float(q))]) for a, v, q, _ in cells)]) + "\n")
     soil.write_text(soil.read_text().replace(old, new, 1))
     inputs.write(inputs.read(soil, CATALOGUE), tmp_path / "out")
     lines = (tmp_path / "out/inputs.said").read_text().splitlines()
     assert len(lines) == 1 and lines[0].startswith("own: doubt: ") and said in lines[0]
+
+
+def test_strengths_that_do_not_fall_take_the_exponent_of_toyoura_sand():
+    assert inputs.failure_options([(100, 1.65), (400, 1.6)], "failure.tsv") == "--failure failure.tsv"
+    for rows in ([(100, 1.6), (400, 1.6)], [(100, 1.6), (400, 1.599)]):
+        assert inputs.failure_options(rows, "failure.tsv").startswith("--set failure_line.p_c=")
+    identified = "compression_line: 12 points, R2 1\nnear_failure_line: 12 points\nstiffness: 4 points\n"
+    own = types.SimpleNamespace(curves=[])
+    for points, failure_line in (([(100, 1.65), (400, 1.6)], "failure line"), ([(100, 1.6)], "exponent of the failure line")):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(page, "failures", lambda _, points=points: (points, []))
+            assert page.borrowed(identified, own) == [failure_line, "dilatancy line"]
 
 
 def make(soil, out, tools, *goals):
@@ -281,6 +297,8 @@ def test_the_page_says_what_the_bag_carries_and_where_its_geotextile_ends(out):
     low, high = (study.measures[f"carried_{end}"].value for end in ("low", "high"))
     assert study.measures["carried"].value == pytest.approx(500, rel=1e-4) and low < 450 < 550 < high
     assert study.measures["needed_sheet"].value == pytest.approx(2.64 * 5) and study.measures["packings_apart"].value == 0
+    # The report of the identification names no line at all.
+    assert "stiffness of Toyoura sand had to stand for this soil's." in study.headline
     assert "at 5.00 % settlement." in study.headline.replace("\xa0", " ") and all(any(doubt in text for text in study.remarks) for doubt in ("it is extrapolated", "many rattlers"))
     study.write()
     assert (study.out / "page.html").exists()
