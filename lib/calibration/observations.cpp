@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/text/number_word.h"
+#include "core/text/text.h"
 #include "core/text/units.h"
 #include "files/exchange/table.h"
 #include "files/provenance.h"
@@ -179,6 +180,16 @@ io::Source together(const std::vector<std::pair<std::int64_t, io::Source>>& runs
   return {"runs", io::sha256(lines), runs.empty() ? io::History{} : runs.front().second.history};
 }
 
+/// Returns the last station, in the unit of the stations; infinity if all are used.
+double last_station(const std::string& until, const Observable& station, const std::string& where) {
+  if (until.empty()) return INFINITY;
+  try {
+    return quantity(until, station.unit.empty() ? "1" : station.unit);
+  } catch (const DataError& error) {
+    throw DataError(fmt::format("{}: --until: {}", where, error.what()));
+  }
+}
+
 }  // namespace
 
 std::string_view word(Fate fate) {
@@ -221,9 +232,13 @@ Observations observations(const io::Series& table, const Choice& choice, const s
   if (found.observables.empty()) throw DataError(where + ": nothing observed beside " + found.station.name);
   const std::vector<double>& at = table.at(found.station.name).values;
   std::size_t rows = 0;
-  const double limit = choice.until.value_or(INFINITY);
+  const double limit = last_station(choice.until, found.station, where);
   while (rows < at.size() && !(at[rows] > limit + 1e-9 * std::abs(limit))) ++rows;
-  if (rows == 0) throw DataError(fmt::format("{}: no observations{}", where, at.empty() ? "" : " up to --until"));
+  if (rows == 0)
+    throw DataError(at.empty() ? where + ": no observations"
+                               : fmt::format("{}: no observations up to --until {}: the first is at {}{}{}", where,
+                                             choice.until, number_text(at.front()),
+                                             found.station.unit.empty() ? "" : " ", found.station.unit));
   if (choice.greatest && rows != 1)
     throw DataError(fmt::format(
         "{}: {} rows where --greatest compares one value of a run: keep the row of its test, or end at it with --until",

@@ -40,8 +40,8 @@ struct Choice {
   std::string station;
   /// NAME or NAME=COLUMN,...; empty: all columns but the station.
   std::vector<std::string> observables;
-  /// Last station.
-  std::optional<double> until;
+  /// Last station, in the unit of the station's column or with its own, as "7 %"; empty: all.
+  std::string until;
   /// Rows of a run in which COLUMN equals number.
   std::vector<std::pair<std::string, double>> where;
   /// Compare the greatest value of a run, without stations.

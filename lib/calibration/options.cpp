@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/text/number_word.h"
@@ -30,7 +31,7 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.option(station, "station", "NAME[=COLUMN]", "column by which runs are compared; else the first one");
   t.option(observables, "observe", "NAME[=COLUMN,...]", "compare with (the mean of) columns of runs; else all");
   t.option(where, "where", "COLUMN=NUMBER", "use only these rows of the runs, as stage=1");
-  t.option(until, until_range);
+  t.option(until, "until", "STATION", "last station to use, in its unit or with one, as \"7 %\"");
   t.flag(greatest, "greatest", "compare the greatest values of each run, with a single row of observations");
   t.choice(covariance, "covariance", {"uniform", "component", "relative", "largest"},
            "error's variance: one for all, one each; or a share of each value, or of the greatest");
@@ -57,6 +58,8 @@ void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
     if (!text.empty() && (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) <= 0))
       mistakes.push_back(fmt::format("{} {}: give numbers above 0, as 0.1 or 0.1,0.02", name, text));
   }
+  if (!until.empty() && !std::isfinite(number_of(until.substr(0, until.find_first_of(" %"))).value_or(NAN)))
+    mistakes.push_back(fmt::format("--until: {}", no_number(until, "finite number")));
   for (const std::string& text : where)
     if (condition(text).first.empty())
       mistakes.push_back(fmt::format("--where {}: write COLUMN=NUMBER, as stage=1", text));

@@ -19,7 +19,6 @@ inline constexpr Parameter first_range{
     "first", "1", 0, 1e15, false, "row of the sequence to begin with (0: the origin)", "rows count from 0"};
 inline constexpr Parameter first_id_range{
     "first-id", "1", 0, 1e15, false, "number of the first parameter set", "numbers count from 0"};
-inline constexpr Parameter until_range{.name = "until", .unit = "", .sentence = "last station to use, in its unit"};
 inline constexpr Parameter least_size_range{
     "least-size", "1", 0, 1, true, "seek the error that keeps this share effective", "it is a share of the members"};
 inline constexpr Parameter kept_size_range{"least-size",
@@ -36,10 +35,10 @@ inline constexpr Parameter prior_share_range{
 
 /// Options for observations, columns of runs, and accuracy.
 struct ComparisonOptions {
-  std::string station, error, variance;
+  std::string station, until, error, variance;
   std::string covariance = "uniform";
   std::vector<std::string> observables, where, stations;
-  std::optional<double> until, least_size;
+  std::optional<double> least_size;
   bool greatest = false;
 
   /// Declares the options in a tool's table.

@@ -221,6 +221,12 @@ PY
   { cat observed.tsv; printf '9\t1\t1\n'; } > bad.tsv
   refuses 65 assimilate "none of 10 runs can be used; the first: ends at t 5, the observations at 9" "${try[@]}"
   exits 0 pf-weight assimilate "${try[@]}" --until 5
+  sed -E '/^#/!s/(^|\t)t\t/\1t [%]\t/' bad.tsv > per_cent.tsv
+  sed -E '/^#/!s/(^|\t)t\t/\1t [%]\t/' runs.tsv > runs_per_cent.tsv
+  try=(ensemble.h5 per_cent.tsv --runs runs_per_cent.tsv --variance 0.01)
+  exits 0 pf-weight assimilate "${try[@]}" --until "5 %"
+  refuses 65 assimilate "per_cent.tsv: no observations up to --until 0.5 %: the first is at 1 %" "${try[@]}" --until "0.5 %"
+  refuses 64 assimilate '--until: "x" is no finite number' "${try[@]}" --until x
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01 --observe three
   [[ $stderr == *"no column three among "* ]] || show
   exits 65 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.01 --observe one=three

@@ -36,8 +36,9 @@ TEST(Observations, AllColumnsOrThoseAskedForUpToAStation) {
   EXPECT_EQ(all.station.name, "strain_axial");
   ASSERT_EQ(all.observables.size(), 2u);
   EXPECT_EQ(all.values(2, 1), -0.9);
-  const Observations some = observed({"strain_axial", {"strain_radial=strain_xx,strain_yy"}, 1.0, {}});
+  const Observations some = observed({"strain_axial", {"strain_radial=strain_xx,strain_yy"}, "1", {}});
   EXPECT_EQ(some.stations(), 2u);
+  EXPECT_EQ(observed({"strain_axial", {"strain_radial=strain_xx,strain_yy"}, "1 %", {}}).stations(), 2u);
   EXPECT_EQ(some.observables[0].columns, (std::vector<std::string>{"strain_xx", "strain_yy"}));
 }
 
@@ -48,7 +49,12 @@ TEST(Observations, WhatCannotBeUsedIsSaid) {
   EXPECT_EQ(mistake("x\ty\nnan\t1\n"), "lab.tsv: row 1: x is not finite");
   EXPECT_EQ(mistake("x\n1\n"), "lab.tsv: nothing observed beside x");
   EXPECT_EQ(mistake("x\ty\n"), "lab.tsv: no observations");
-  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {}, 0.5, {}}), "lab.tsv: no observations up to --until");
+  EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {}, "0.5", {}}),
+            "lab.tsv: no observations up to --until 0.5: the first is at 1");
+  EXPECT_EQ(mistake("x [%]\ty\n5\t1\n", {"", {}, "4 %", {}}),
+            "lab.tsv: no observations up to --until 4 %: the first is at 5 %");
+  EXPECT_EQ(mistake("x [%]\ty\n5\t1\n7\t1\n", {"", {}, "6 %", {}}), "");
+  EXPECT_NE(mistake("x [%]\ty\n5\t1\n", {"", {}, "4 mm", {}}).find("lab.tsv: --until: "), std::string::npos);
   EXPECT_EQ(mistake("x\ty\n1\t1\n", {"", {"z"}, {}, {}}), "lab.tsv: no column z among x, y");
 }
 
