@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/error.h"
 #include "dem/run/run.h"
@@ -289,6 +290,17 @@ TEST(Model, RefusesWhatCannotWork) {
   setup = pulled(1);
   setup.packings = {testing::packed(testing::linear_sand(), 1e4, 60, 3)};
   io::test::expect_error<DataError>([&] { Model model(setup); }, "needs disks");
+  setup = pulled(1);
+  for (double& radius : setup.packings[0].grains.radius) radius *= 0.5;
+  setup.packings[0].contacts = {};
+  io::test::expect_error<DataError>([&] { Model model(setup); }, "packing 1 of 1 has no contacts");
+}
+
+TEST(Rve, AdvisesToLowerAStepThatMayHaveBeenGiven) {
+  io::Snapshot broken = prepare(disks(), grains());
+  broken.grains.velocity[0].x() = std::numeric_limits<double>::quiet_NaN();
+  io::test::expect_error<PhysicsError>([&] { Rve(broken, grains(false), step, 16).advance(Mat2::Zero()); },
+                                       "lower numerics.time_step where it is given, else numerics.time_step_safety");
 }
 
 TEST(Model, NamesTheElementWhoseGrainsAreCrushed) {

@@ -59,7 +59,9 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
 }
 
 std::string Guard::lower_step() const {
-  return fixed_step_ ? "lower the time step, or leave numerics.time_step out" : "lower numerics.time_step_safety";
+  // The step of a material point's grains is fixed, too, where the safety decides it.
+  return fixed_step_ ? "lower numerics.time_step where it is given, else numerics.time_step_safety"
+                     : "lower numerics.time_step_safety";
 }
 
 void Guard::finite(std::int64_t step, const Bodies& bodies, double force, double spent) const {

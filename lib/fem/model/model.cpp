@@ -28,6 +28,11 @@ Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), r
     for (io::Snapshot& packing : setup_.packings) {
       packing = prepare(packing, setup_.grains);
       probes.push_back(probe(packing, setup_.grains));
+      if (!(probes.back().tangent(0, 0) > 0))
+        throw DataError(
+            fmt::format("packing {} of {} has no contacts, and a soil of it no stiffness: give one under pressure, as "
+                        "pack-generate --dimension 2 --pressure makes it",
+                        probes.size(), setup_.packings.size()));
     }
     if (setup_.soil.density == 0) {
       double mass = 0;
