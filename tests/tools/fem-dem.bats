@@ -115,6 +115,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   refuses 65 fem-dem 'traction.0.on: boundary "bottom-corners" has points alone' elastic.toml --set 'traction.0.on="bottom-corners"' -o out.h5
   refuses 65 fem-dem 'geosynthetic.along: boundary "bottom-corners" has points alone' elastic.toml --set 'geosynthetic.along="bottom-corners"' -o out.h5
   refuses 65 fem-dem 'move their common node at (0.6, 0) m differently along x' elastic.toml --set 'support.0.on="bottom"' --set 'support.1.x=0.1' -o out.h5
+  refuses 65 fem-dem "this soil is a continuum" elastic.toml --set 'record.points=[1]' -o out.h5
   printf 'solid\n' > wrong.msh
   refuses 65 fem-dem "wrong.msh:1: the mesh" elastic.toml --mesh wrong.msh -o out.h5
   refuses 64 fem-dem "name the file to write with -o" elastic.toml

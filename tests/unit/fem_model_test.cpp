@@ -271,6 +271,7 @@ TEST(Model, RecordsTablesAndGivesAPointAsARun) {
   EXPECT_EQ(run.series.rows(), 2U);
   io::test::expect_same(run.snapshots[1], *model.points()[3]->packing());
   io::test::expect_error<DataError>([&] { run_of_point(file, 2); }, "name it in record.points");
+  io::test::expect_error<DataError>([&] { run_of_point(file, 4); }, "the soil has no point 4");
   const io::test::Folder folder;
   io::write_multiscale(folder / "run.h5", file, {});
   const io::MultiscaleFile read = io::read_multiscale(folder / "run.h5");

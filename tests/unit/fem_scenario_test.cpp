@@ -42,7 +42,7 @@ TEST(Scenario, RefusesTractionsThatCanLoadNothing) {
       "traction.0.on: boundary \"bottom-corners\" has points alone and no length: name one with edges: bottom, left");
   refused(footing + "[[traction]]\non = \"nothing\"\ny = -1000\n",
           "traction.0.on: the mesh has no boundary \"nothing\"; known: bottom, left, right, top");
-  refused(footing + "[[traction]]\non = \"all\"\ny = -1000\n", "test.toml:19: traction.0.on: the mesh has no boundary");
+  refused(footing + "[[traction]]\non = \"all\"\ny = -1000\n", "test.toml:20: traction.0.on: the mesh has no boundary");
   refused(footing + "[[traction]]\non = \"top\"\n", "loads nothing: give x or y");
 }
 
@@ -87,6 +87,11 @@ TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
   refused(footing + load + "[[support]]\non = \"right\"\nx = 0.1\n",
           "test.toml:22: support.1: the supports on \"bottom\"");
   EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
+}
+
+TEST(Scenario, RefusesToRecordTheGrainsOfAContinuum) {
+  refused(footing + load + "[record]\npoints = [1]\n", "record.points: names points whose grains are recorded");
+  EXPECT_NO_THROW(scenario(footing + load + "[record]\npoints = []\n"));
 }
 
 std::vector<double> times(const std::vector<std::string>& overrides) {

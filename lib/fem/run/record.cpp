@@ -234,8 +234,11 @@ io::RunFile run_of_point(const io::MultiscaleFile& file, Index point) {
       for (const std::size_t r : rows) taken.values.push_back(column.values[r]);
     }
   }
+  if (run.series.rows() == 0)
+    throw DataError(fmt::format("the soil has no point {}: fem-dem --table points lists all of them", point));
   if (run.snapshots.empty())
-    throw DataError(fmt::format("the grains of point {} were not recorded: name it in record.points", point));
+    throw DataError(fmt::format(
+        "the grains of point {} were not recorded: name it in record.points, with soil.material = \"grains\"", point));
   return run;
 }
 

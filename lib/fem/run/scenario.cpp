@@ -228,11 +228,13 @@ void read_geosynthetic(Settings& document, ModelSetup& m) {
   b.start = read_end(table.table("start"));
   b.end = read_end(table.table("end"));
   read_guides(table, b.guides);
-  for (const std::string& name : m.along) try {
+  for (const std::string& name : m.along) {
+    try {
       m.soil.mesh.boundary_with_edges(name);
     } catch (const DataError& error) {
       table.mistake("along", error.what());
     }
+  }
   m.bars = std::move(b);
 }
 
@@ -309,6 +311,10 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
     if (p != std::floor(p)) record.mistake("points", fmt::format("{} is no number of a point", p));
     s.recorded.push_back(static_cast<Index>(p));
   }
+  if (s.model.law && !s.recorded.empty())
+    record.mistake("points",
+                   "names points whose grains are recorded, but this soil is a continuum: leave it out, or give "
+                   "soil.material = \"grains\"");
   document.finish();
   s.doubts = s.model.soil.mesh.doubts;
   for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
