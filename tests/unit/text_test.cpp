@@ -115,9 +115,19 @@ TEST(Quantity, RefusesWhatIsNoNumberNoUnitOrAnotherDimension) {
   EXPECT_EQ(message("3 N m", "N m/rad"), "'N m' does not measure what 'N m/rad' measures");
   EXPECT_EQ(message("1,5", "m"), "'1,5' is not a number: write 1.5, with a decimal point");
   EXPECT_EQ(message("0,1 MPa", "Pa"), "'0,1 MPa' is not a number: write 0.1, with a decimal point");
+  EXPECT_EQ(message("100,000 Pa", "Pa"),
+            "'100,000 Pa' is not a number: write 100000 if the comma separates thousands, 100.000 if it is a decimal "
+            "comma");
+  EXPECT_EQ(message("0,125 m", "m"), "'0,125 m' is not a number: write 0.125, with a decimal point");
+  EXPECT_EQ(message("1000,125 m", "m"), "'1000,125 m' is not a number: write 1000.125, with a decimal point");
   EXPECT_EQ(message(",5 MPa", "Pa"), "',5 MPa' is not a number: write .5, with a decimal point");
   EXPECT_EQ(message("1.000,5 m", "m"),
             "'1.000,5 m' is not a number: write its digits without commas, with one decimal point");
+  EXPECT_EQ(message("12 000 000.5 Pa", "Pa"), "'12 000 000.5 Pa' is not a number: write 12000000.5, without blanks");
+  EXPECT_EQ(message("- 5 Pa", "Pa"), "'- 5 Pa' is not a number: write -5, without blanks");
+  // A unit follows the number, and a second number is none of its digits.
+  EXPECT_EQ(quantity("0.1 1 /s", "1/s"), 0.1);
+  EXPECT_EQ(message("0.1 2 /s", "1/s").find("write"), std::string::npos);
   EXPECT_EQ(message("1 000 Pa", "Pa"), "'1 000 Pa' is not a number: write 1000, without blanks");
   EXPECT_EQ(message("1\u202f000\u00a0Pa", "Pa"), "'1\u202f000\u00a0Pa' is not a number: write 1000, without blanks");
   EXPECT_EQ(message("1.0D+03 Pa", "Pa"), "'1.0D+03 Pa' is not a number: write 1.0e+03");

@@ -34,6 +34,29 @@ std::string with_point(std::string_view word) {
   return std::count(mantissa.begin(), mantissa.end(), ',') == 1 && digit_behind ? with(word, ",", ".") : "";
 }
 
+bool is_digit(char c) { return digits.find(c) != digits.npos; }
+
+/// Returns whether digits stand in groups of three behind the mark, as in 1 000 000 or 100,000, and no zero leads.
+bool is_grouped(std::string_view word, char mark) {
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  word = word.substr(0, word.find('.'));
+  constexpr std::size_t group = 3;
+  std::size_t at = word.find(mark);
+  if (at == word.npos || at == 0 || at > group || word.front() == '0') return false;
+  for (std::size_t k = 0; k < word.size(); ++k)
+    if (k < at || (k - at) % (group + 1) != 0 ? !is_digit(word[k]) : word[k] != mark) return false;
+  return (word.size() - at) % (group + 1) == 0;
+}
+
+/// Returns the word without its blanks, or nothing where a blank separates two numbers.
+std::string without_blanks(std::string_view word) {
+  const std::string plain = plain_spaces(word);
+  for (std::size_t k = 1; k + 1 < plain.size(); ++k)
+    if (plain[k] == ' ' && is_digit(plain[k - 1]) && is_digit(plain[k + 1]) && !is_grouped(plain, ' ')) return "";
+  std::string joint = with(plain, " ", "");
+  return joint != word ? joint : "";
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -68,12 +91,14 @@ std::string number_remedy(std::string_view word) {
   const std::string minus = with(word, "\u2212", "-");
   if (minus != word && is_number(minus)) return fmt::format("write {}, with the minus sign of the keyboard", minus);
   if (const std::string point = with_point(word); is_number(point))
-    return fmt::format("write {}, with a decimal point", point);
+    return is_grouped(word, ',') ? fmt::format("write {} if the comma separates thousands, {} if it is a decimal comma",
+                                               with(word, ",", ""), point)
+                                 : fmt::format("write {}, with a decimal point", point);
   if (word.find_first_not_of("0123456789.,+-eE") == word.npos && !word.ends_with(',') && word.find(',') != word.npos &&
       word.find_first_of(digits) != word.npos)
     return "write its digits without commas, with one decimal point";
-  const std::string joint = with(plain_spaces(word), " ", "");
-  if (joint != word && is_number(joint)) return fmt::format("write {}, without blanks", joint);
+  if (const std::string joint = without_blanks(word); is_number(joint))
+    return fmt::format("write {}, without blanks", joint);
   if (const std::size_t at = word.find_first_of("dDqQ"); at != word.npos && at > 0) {
     const std::string exponent = fmt::format("{}e{}", word.substr(0, at), word.substr(at + 1));
     if (is_number(exponent)) return fmt::format("write {}", exponent);
