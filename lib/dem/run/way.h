@@ -7,8 +7,8 @@
 
 #include "core/archive.h"
 #include "dem/loading/rig.h"
+#include "dem/loading/swing.h"
 #include "dem/run/scenario.h"
-#include "dem/run/swing.h"
 
 namespace soilweave::dem {
 

@@ -1,18 +1,17 @@
 // Frequency of the swing of an assembly that waits for rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "dem/run/swing.h"
+#include "dem/loading/swing.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "dem/engine/homogeneous.h"
-#include "dem/run/keeper.h"
 
 namespace soilweave::dem {
 namespace {
 
 // Steps between samples: rattling of grains, faster than a swing of the whole, evens out in between.
-constexpr std::int64_t steps_between_looks = 5 * look_interval;
+constexpr std::int64_t steps_between_looks = 80;
 // Samples before the first estimate.
 constexpr std::int64_t first_looks = 6;
 // Lower bound of the frequency over that of affine contacts.
