@@ -98,7 +98,9 @@ void write_head(Writer& file, const std::string& kind, const History& history) {
 }
 
 OpenFile::OpenFile(const std::filesystem::path& path, std::string role)
-    : OpenFile(read_bytes(path), input_name(path), std::move(role)) {}
+    : OpenFile(read_bytes(path), input_name(path), std::move(role)) {
+  source.file = path;
+}
 
 OpenFile::OpenFile(std::string bytes, const std::string& where, std::string role)
     : source{std::move(role), sha256(bytes), {}}, reader(std::move(bytes), where) {

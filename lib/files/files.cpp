@@ -256,7 +256,7 @@ SeriesFile read_run_series(const std::filesystem::path& path, std::string role) 
 TextFile read_text(const std::filesystem::path& path, std::string role) {
   std::string bytes = read_bytes(path);
   TextFile file;
-  file.source = {role, sha256(bytes), {}};
+  file.source = {role, sha256(bytes), {}, path};
   file.text = plain_text(std::move(bytes), input_name(path), role);
   return file;
 }

@@ -70,7 +70,7 @@ History extend(const std::vector<Source>& sources, const tool::Invocation& invoc
                           .seed = invocation.seed,
                           .inputs = {}};
   for (const Source& source : sources)
-    record.inputs.push_back({source.role, source.sha256, merge(history, source.history)});
+    record.inputs.push_back({source.role, source.sha256, merge(history, source.history), source.file});
   history.push_back(std::move(record));
   return history;
 }

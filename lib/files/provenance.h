@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct InputRecord {
   std::string sha256;  // digest of the bytes read
   /// Index in History of the record that made it; -1: data from outside.
   int origin = -1;
+  /// File that was read; no file holds its name. Empty for inputs of earlier runs.
+  std::filesystem::path file = {};
 };
 
 /// One tool run.
@@ -35,10 +38,11 @@ using History = std::vector<ProvenanceRecord>;
 /// Returns the SHA-256 of bytes in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
-/// One input as read: its role, digest and history (empty for text files).
+/// One input as read: its role, digest, history (empty for text files) and file.
 struct Source {
   std::string role, sha256;
   History history;
+  std::filesystem::path file = {};
 };
 
 /// Returns the merged histories of the sources, then a record of this invocation.

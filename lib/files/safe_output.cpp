@@ -8,8 +8,7 @@
 #include <new>
 
 #include "core/error.h"
-#include "files/files.h"
-#include "store/bytes.h"
+#include "core/output_path.h"
 
 namespace soilweave::io {
 namespace {
@@ -28,24 +27,35 @@ bool has_folder(const fs::path& output) {
   return output != "-" && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
+// Returns whether the input came from a file with a name, not from standard input.
+bool is_named(const InputRecord& input) { return !input.file.empty() && input.file != "-"; }
+
+// Throws CannotCreate if an input lies in the folder of the run, which is removed at the end.
+void demand_no_input_in_part(const fs::path& output, const History& history) {
+  if (history.empty()) return;
+  const fs::path part = part_of(output);
+  std::error_code failure;
+  for (const InputRecord& input : history.back().inputs)
+    if (is_named(input) && fs::equivalent(input.file.parent_path(), part, failure))
+      throw CannotCreate(fmt::format("{}: would be lost, for {} is emptied by this command; copy it elsewhere first",
+                                     input.file.string(), part.string()));
+}
+
 }  // namespace
 
 void demand_no_input(const fs::path& output, const History& history, std::string_view option) {
   std::error_code failure;
-  // Files that documents name are text or surfaces, never HDF5.
-  if (history.empty() || !fs::is_regular_file(output, failure) || is_hdf5(output)) return;
-  const std::string digest = sha256(read_bytes(output));
+  if (history.empty() || !fs::is_regular_file(output, failure)) return;
   for (const InputRecord& input : history.back().inputs)
-    if (input.sha256 == digest)
-      throw CannotCreate(
-          fmt::format("{}: is the {} that this command reads, or a copy of it, and would be lost; name "
-                      "another file with {}",
-                      output.string(), input.role, option));
+    if (is_named(input) && same_file(input.file, output))
+      throw CannotCreate(fmt::format("{}: is read by this command and would be lost; name another file with {}",
+                                     output.string(), option));
 }
 
 SafeOutput::SafeOutput(const fs::path& output, const History& history, const tool::Invocation& invocation) {
   if (!has_folder(output)) return;
-  if (invocation.force) demand_no_input(output, history, "--output");
+  demand_no_input(output, history, "--output");
+  demand_no_input_in_part(output, history);
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
     // A crash came after the output was written and before its folder was removed.

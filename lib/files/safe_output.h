@@ -12,7 +12,7 @@
 
 namespace soilweave::io {
 
-/// Throws CannotCreate if `output` has the bytes of an input of the last record. `option` named the output.
+/// Throws CannotCreate if `output` is a file that the last record read. `option` named the output.
 void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
 
 /// Output of one invocation.

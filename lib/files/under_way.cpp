@@ -95,6 +95,7 @@ RunFile read_run_so_far(const fs::path& folder, std::string role) {
     if (!run.source.history.empty()) run.scenario = run.source.history.back().scenario;
     run.source.role = role;
     run.source.sha256 = sha256(digests);
+    run.source.file = folder;
     return run;
   });
 }
@@ -106,6 +107,7 @@ PackingFile read_newest_state(const fs::path& folder, std::string role) {
     packing.state = checkpoint_of(path, packing.source.history).state;
     packing.source.role = role;
     packing.source.sha256 = sha256(read_bytes(path));
+    packing.source.file = path;
     return packing;
   });
 }

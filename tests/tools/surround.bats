@@ -73,10 +73,21 @@ setup() {
   refuses 65 filter-expand "more than twice the reinforced part" --quiet "${plan[@]}" --set surround.scale=9
   refuses 65 filter-expand "raise surround.copies" --quiet "${plan[@]}" --set 'surround.copies=[1,1,1]'
   refuses 65 filter-expand "cannot be reached by lowering friction" --quiet "${plan[@]}" --set material.1.friction_angle=0
+  refuses 65 filter-expand "give surround.scale" --quiet "${plan[@]}" --set grains.scale=0.9
   refuses 65 filter-expand "wrapped" --quiet "${plan[@]}" --set surround.form=rapped
   refuses 65 filter-expand "describes 3" --quiet "${plan[@]}" --set surround.material=3
   refuses 65 filter-expand "is one that the file's grains have" --quiet "${plan[@]}" --set surround.material=0
   refuses 65 filter-expand "takes a file that has its geotextile already" --quiet "${plan[@]}" --set container.shape=box
+  # The representative volume is an input too, though only the plan names it.
+  cp one.h5 volume.h5 && ln -s volume.h5 link.h5
+  local name
+  for name in volume.h5 link.h5; do
+    refuses 73 filter-expand "$name: is read by this command and would be lost; name another file with --output" --quiet --force \
+      "${plan[@]:0:${#plan[@]}-1}" "$name" --set surround.representative_volume=volume.h5
+    refuses 73 filter-expand "$name: is read by this command and would be lost; name another file with --history" --quiet --force "${plan[@]}" \
+      --set surround.representative_volume=volume.h5 --history "$name"
+  done
+  cmp one.h5 volume.h5
   refuses 66 filter-expand "surround.representative_volume names" --quiet "${plan[@]}" --set surround.representative_volume=none.h5
   refuses 1 filter-expand "ask for at most" --quiet "${plan[@]}" --set surround.void_ratio=1.2 \
     --set surround.first_friction_angle=28

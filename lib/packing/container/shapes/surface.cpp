@@ -155,7 +155,7 @@ std::unique_ptr<Container> Surface::read(Settings& table, PlanFiles* files) {
     return nullptr;
   }
   const std::filesystem::path file = files->names.path("container.file", word);
-  files->sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}});
+  files->sources.push_back({"surface", io::sha256(io::read_bytes(file)), {}, file});
   return std::make_unique<Surface>(file.string(), size);
 }
 
