@@ -67,6 +67,7 @@ struct RunDem {
     Doubts doubts(invocation.tool);
     if (check) {
       io::write_bytes("-", dem::forecast(state, plan).text());
+      doubts.add_all(dem::plate_doubts(state, plan));
       return doubts.add_all(analysis::doubts_before(state, plan));
     }
     Progress progress("run-dem", invocation.quiet);
@@ -79,6 +80,7 @@ struct RunDem {
     if (analysis::is_reinforced(state))
       observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };
     dem::Outcome outcome = dem::run(state, plan, report, {safe.part(), interval, &signals}, observe);
+    doubts.add_all(dem::plate_doubts(state, plan));
     doubts.add_all(analysis::doubts_after(state, plan, outcome.file));
     outcome.cost.output += safe.write([&] { io::write_run(output, outcome.file, io::with_doubts(history, doubts)); });
     if (output != "-") progress.note("run-dem: " + outcome.cost.line());

@@ -95,6 +95,73 @@ TEST(Run, AStageMayChangeFrictionAndDamping) {
   EXPECT_LT(last(run, "void_ratio"), run.series.at("void_ratio").values.front());
 }
 
+TEST(Run, PlatesKeepTheirFrictionUntilAStageGivesThemAnother) {
+  const std::string plates =
+      "[[material]]\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
+      "[[plane]]\nname = \"bottom\"\npoint = \"touch\"\nnormal = [0, 0, 1]\nmaterial = 1\n"
+      "[[plane]]\nname = \"top\"\npoint = \"touch\"\nnormal = [0, 0, -1]\nmaterial = 1\n"
+      "[equilibrium]\nunbalanced_force = 0.1\n[record]\nsnapshots = \"stations\"\n";
+  const auto held = [](const std::string& keys) { return "[[stage]]\npath = \"free\"\n" + keys; };
+  const auto sheared = [](const std::string& keys) {
+    return "[[stage]]\npath = \"drive\"\n" + keys +
+           "[[stage.move]]\npart = \"top\"\nalong = [0, 0, -1]\ndistance = 2e-4\nspeed = 0.05\n";
+  };
+  const io::Snapshot packing = [] {
+    io::Snapshot state = testing::packed(testing::sand(), 1e5);
+    state.cell.periodic[2] = false;
+    state.contacts = {};
+    return state;
+  }();
+  const auto force = [&](const std::string& stages) {
+    const Scenario plan = scenario(plates + stages);
+    return last(run(prepare(packing, plan), plan, {}).file, "force_top_z");
+  };
+  const double smooth = force(held("plate_friction_angle = 0\n") + sheared(""));
+  EXPECT_EQ(force(held("plate_friction_angle = 0\n") + sheared("friction_angle = 29\n")), smooth);
+  EXPECT_NE(force(held("") + sheared("")), smooth);
+  // Planes of the input obey too.
+  io::Snapshot inherited = packing;
+  inherited.planes = prepare(packing, scenario(plates + held(""))).planes;
+  const std::string bare = plates.substr(0, plates.find("[[plane]]")) + "[equilibrium]\nunbalanced_force = 0.1\n";
+  const auto squeezed = [&](const std::string& keys) {
+    const Scenario plan = scenario(bare + held(keys) + "[stage.x]\nstrain = 0.002\n");
+    return last(run(prepare(inherited, plan), plan, {}).file, "stress_xx");
+  };
+  EXPECT_NE(squeezed("plate_friction_angle = 0\n"), squeezed(""));
+}
+
+TEST(Run, RecordsStrainsThatCountFromTheStartOfTheirStage) {
+  const io::RunFile run = loaded(
+      "[record]\nsnapshots = \"list\"\nstrains = [0.002]\n[[stage]]\npath = \"isotropic\"\npressure = 1.2e5\n"
+      "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1.2e5\naxial_strain = 0.003\nincrement = 0.001\n");
+  ASSERT_EQ(run.snapshots.size(), 4U);  // start, end of the first stage, the station, end of the second
+  const std::vector<double>& steps = run.series.at("step").values;
+  EXPECT_EQ(static_cast<double>(run.snapshots[2].step), steps[3]);
+}
+
+TEST(Run, SaysWhatHasNotArrived) {
+  const auto complains = [](const std::string& stages, const std::string& words) {
+    const Scenario plan = scenario("[equilibrium]\nsteps = 200\n" + stages);
+    io::Snapshot packing = testing::packed(plan.model, 1e5);
+    if (!plan.planes.point.empty()) packing.cell.periodic[2] = false;
+    try {
+      run(prepare(packing, plan), plan, {});
+      ADD_FAILURE() << "reached";
+    } catch (const TargetNotReached& e) {
+      EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    }
+  };
+  complains("[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.001\nrate = 1e-6\n",
+            "axis z is still 0.001 away from its strain: raise equilibrium.steps or the rate");
+  const std::string plates =
+      "[[plane]]\nname = \"bottom\"\npoint = \"touch\"\nnormal = [0, 0, 1]\n"
+      "[[plane]]\nname = \"top\"\npoint = \"touch\"\nnormal = [0, 0, -1]\n[[stage]]\npath = \"drive\"\n";
+  complains(plates + "[[stage.move]]\npart = \"top\"\nalong = [0, 0, -1]\ndistance = 0.001\nspeed = 1e-9\n",
+            "\"top\" has moved");
+  complains(plates + "[[stage.load]]\npart = \"top\"\nalong = [0, 0, 1]\nforce = 50\nspeed = 1\n",
+            "\"top\" touches no grain: turn its load of 50 N towards the grains");
+}
+
 TEST(Run, AStageMayDampMoreWhereItOnlyWaitsForRest) {
   const auto stage = [](double strain, const std::string& keys) {
     return fmt::format("[[stage]]\npath = \"constant-volume\"\naxial_strain = {}\nincrement = 0.001\n{}", strain, keys);

@@ -103,10 +103,139 @@ TEST(Refused, StrainsThatMeetNoStation) {
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.001, 0.004]", from_zero)));
   EXPECT_NO_THROW(prepare(grains(), recorded("[0.004, 0.006]", triaxial + triaxial.substr(0, triaxial.find("incre")) +
                                                                    "increment = 0.002\n")));
-  // Strains of a pressing stage are known only once it has been pressed, in the run.
-  EXPECT_NO_THROW(prepare(grains(), recorded("[0.0123]", pressed + triaxial)));
+  // Where a pressing stage ends is known only once it has been pressed, so that strains count from the start of a
+  // stage.
+  EXPECT_NO_THROW(prepare(grains(), recorded("[0.002]", pressed + triaxial)));
+  expect_error<DataError>([&] { prepare(grains(), recorded("[0.0123]", pressed + triaxial)); },
+                          "record.strains: 0.0123 (the nearest is 0.004): no station");
   expect_error<DataError>([&] { prepare(grains(), recorded("[0.01]", pressed)); }, "leave the list out");
   expect_error<DataError>([&] { recorded("[]", from_zero); }, "strains: is an empty list");
+}
+
+const std::string plate_material = "[[material]]\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nfriction_angle = 30\n";
+
+std::string plane(const std::string& name, const std::string& normal, int material = 1) {
+  return "[[plane]]\nname = \"" + name + "\"\npoint = \"touch\"\nnormal = " + normal +
+         "\nmaterial = " + std::to_string(material) + "\n";
+}
+
+// Plates below and above the grains, along z.
+std::string plates(int material = 1) {
+  return plate_material + plane("bottom", "[0, 0, 1]", material) + plane("top", "[0, 0, -1]", material);
+}
+
+io::Snapshot between_plates() {
+  io::Snapshot state = grains();
+  state.cell.periodic = {false, false, false};
+  return state;
+}
+
+TEST(Refused, AFrictionOfPlatesThatOthersShareOrNobodyHas) {
+  const std::string smooth = "[[stage]]\nname = \"s\"\npath = \"free\"\nplate_friction_angle = 0\n";
+  EXPECT_NO_THROW(prepare(between_plates(), scenario(plates() + smooth)));
+  expect_error<DataError>([&] { prepare(between_plates(), scenario(plates(0) + smooth)); },
+                          "stage \"s\": plate_friction_angle would change the friction among grains too: planes share "
+                          "material 0 with the grains");
+  expect_error<DataError>([&] { prepare(between_plates(), scenario(plate_material + smooth)); },
+                          "plate_friction_angle is given, but there are no planes");
+  // Planes of the input are planes too.
+  io::Snapshot inherited = between_plates();
+  inherited.planes = {{Vec3(0, 0, -9)}, {Vec3::UnitZ()}, {Vec3::Zero()}, {1}, {0}};
+  EXPECT_NO_THROW(prepare(inherited, scenario(plate_material + smooth)));
+}
+
+TEST(Refused, CompressionBetweenPlatesThatDoNotFaceEachOther) {
+  const auto compressed = [](const std::string& keys) {
+    return "[[stage]]\nname = \"c\"\npath = \"uniaxial\"\nheight = 3\nstrain = 0.01\n" + keys;
+  };
+  EXPECT_NO_THROW(prepare(between_plates(), scenario(plates() + compressed(""))));
+  expect_error<DataError>(
+      [&] { prepare(between_plates(), scenario(plates() + compressed("lower = \"top\"\nupper = \"bottom\"\n"))); },
+      "stage \"c\" moves \"top\" up and \"bottom\" down, but these planes do not face each other along z");
+  const std::string sideways = plate_material + plane("bottom", "[1, 0, 0]") + plane("top", "[-1, 0, 0]");
+  expect_error<DataError>([&] { prepare(between_plates(), scenario(sideways + compressed(""))); }, "along z");
+  expect_error<DataError>(
+      [&] { prepare(between_plates(), scenario(plates() + compressed("moving = \"upper\"\nlower = \"floor\"\n"))); },
+      "no [[plane]] or [[clamp]] is called \"floor\"");
+  const Scenario tenfold = scenario(plates() + "[[stage]]\npath = \"uniaxial\"\nheight = 30\nstrain = 0.01\n");
+  ASSERT_EQ(plate_doubts(prepare(between_plates(), tenfold), tenfold).size(), 1U);
+  EXPECT_EQ(plate_doubts(prepare(between_plates(), tenfold), tenfold)[0].key, "height");
+  const Scenario fit = scenario(plates() + compressed(""));
+  EXPECT_TRUE(plate_doubts(prepare(between_plates(), fit), fit).empty());
+}
+
+TEST(Refused, ZInThePlaneOfDisks) {
+  io::Snapshot disks = between_plates();
+  disks.grains.dimension = 2;
+  for (Vec3& x : disks.grains.position) x.z() = 0;
+  const std::string held = "[[stage]]\npath = \"free\"\n[stage.z]\nstrain = 0\n";
+  EXPECT_NO_THROW(prepare(disks, scenario("[numerics]\ngravity = [0, -9.81, 0]\n" + held)));
+  expect_error<DataError>([&] { prepare(disks, scenario("[numerics]\ngravity = [0, 0, -9.81]\n" + held)); },
+                          "numerics.gravity acts along z, and the packing is of disks");
+  expect_error<DataError>([&] { prepare(disks, scenario(held.substr(0, held.size() - 2) + "0.1\n")); },
+                          "stage \"free\" loads along z");
+  expect_error<DataError>(
+      [&] { prepare(disks, scenario("[[plane]]\npoint = [0, -9, 0]\nnormal = [0, 1, 1]\n" + held)); },
+      "plane 0: its normal has a part along z");
+  const std::string up =
+      "[[stage]]\npath = \"drive\"\n[[stage.move]]\npart = \"b\"\nalong = [0, 0, 1]\ndistance = 1\n"
+      "speed = 1\n";
+  expect_error<DataError>([&] { prepare(disks, scenario(plate_material + plane("b", "[0, 1, 0]") + up)); },
+                          "stage \"drive\" loads along z");
+}
+
+TEST(Refused, OrdersThatOnePlateCannotFollow) {
+  const auto order = [](const std::string& kind, const std::string& along, double value) {
+    const bool load = kind == "load";
+    return "[[stage." + kind + "]]\npart = \"top\"\nalong = " + along + "\n" + (load ? "force" : "distance") + " = " +
+           number_text(value) + "\nspeed = 0.1\n";
+  };
+  const std::string drive = plates() + "[[stage]]\npath = \"drive\"\n", down = "[0, 0, -1]", aside = "[1, 0, 0]";
+  EXPECT_NO_THROW(scenario(drive + order("load", down, 1) + order("move", aside, 1)));
+  EXPECT_NO_THROW(scenario(drive + order("move", down, 1) + order("move", aside, 1)));
+  expect_error<DataError>([&] { scenario(drive + order("load", down, 1) + order("move", "[0, 0, 1]", 1)); },
+                          "moves \"top\" along its load");
+  expect_error<DataError>([&] { scenario(drive + order("move", down, 1) + order("move", down, 2)); },
+                          "moves \"top\" twice along one direction");
+  expect_error<DataError>([&] { scenario(drive + order("load", down, 1) + order("load", aside, 2)); },
+                          "loads \"top\" twice");
+  expect_error<DataError>([&] { scenario(plane("top", down + "\nvelocity = [0, 0, -1]", 0) + pressed); },
+                          "velocity: is given beside a name");
+  const Scenario pulled = scenario(drive + order("load", "[0, 0, 1]", 1));
+  ASSERT_EQ(plate_doubts(prepare(between_plates(), pulled), pulled).size(), 1U);
+  EXPECT_EQ(plate_doubts(prepare(between_plates(), pulled), pulled)[0].key, "pull");
+}
+
+TEST(Refused, NamesThatAreEmptyOrTaken) {
+  const std::string clamp = "[[clamp]]\nname = \"top\"\nlow = [0, 0, 0]\nhigh = [1, 1, 1]\n";
+  const std::string top = plane("top", "[0, 0, -1]", 0), held = "[[stage]]\npath = \"free\"\n";
+  EXPECT_NO_THROW(scenario(top + held));
+  for (const std::string& both : {top + top, top + clamp})
+    expect_error<DataError>([&] { scenario(both + held); }, "\"top\" is another plane's or clamp's already");
+  expect_error<DataError>([&] { scenario(plane("", "[0, 0, -1]", 0) + held); }, "name: is empty");
+}
+
+TEST(Refused, KeysThatTakeEachOthersPlace) {
+  expect_error<DataError>([&] { scenario(triaxial + "stations = [0.001]\n"); },
+                          "axial_strain: is given beside stations: leave one of the two out");
+  expect_error<DataError>([&] { scenario("[[stage]]\npath = \"free\"\n[stage.x]\nstress = 1e5\nstrain = 0.1\n"); },
+                          "strain: is given beside stress: leave one of the two out");
+  expect_error<DataError>(
+      [&] { scenario("[[geotextile]]\ncurve = \"PE\"\nyarn_strain = [0.1]\nyarn_tension = [10]\n" + pressed); },
+      "yarn_strain: is given beside curve: leave one of the two out");
+}
+
+TEST(Refused, ALimitOfStepsThatEndsTheRunIsForecast) {
+  const Scenario plan = scenario("[equilibrium]\nsteps = 100\n" + triaxial);
+  EXPECT_NE(forecast(grains(), plan).text().find("equilibrium.steps = 100 would end the run"), std::string::npos);
+}
+
+TEST(Prepare, DensityOfGrainsLeavesNodesAlone) {
+  const std::string curve = "[[geotextile]]\nyarn_strain = [0.1]\nyarn_tension = [10]\n";
+  const io::Snapshot state = with_yarn(grains());  // grains 0 and 1 are nodes
+  const io::Snapshot heavy = prepare(state, scenario(curve + "[grains]\ndensity = 2650\n" + pressed));
+  EXPECT_EQ(heavy.grains.mass[1], state.grains.mass[1]);
+  EXPECT_NE(heavy.grains.mass[2], state.grains.mass[2]);
 }
 
 TEST(Refused, MoreStationsThanAreRecorded) {

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "core/text/beside.h"
+
 namespace soilweave::dem {
 
 std::vector<double> stations_every(double step, double end, Settings& table) {
@@ -39,6 +41,7 @@ StrainStations read_strain_stations(Settings& table) {
   StrainStations s;
   s.rate = table.number(rate, 0.1);
   if (table.has("stations")) {
+    refuse_beside(table, "stations", {axial.name, increment.name});
     s.strain = table.numbers(list_key);
     return s;
   }

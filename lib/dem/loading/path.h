@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,14 @@ struct PathState {
   Vec3 strain;
 };
 
+/// Plates that a path moves towards each other along z.
+struct Between {
+  /// Names of the plates.
+  std::string lower, upper;
+  /// Height that strains refer to, m.
+  double height;
+};
+
 /// A loading path. Goals depend only on the station and the state.
 class Path {
  public:
@@ -34,6 +43,10 @@ class Path {
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
   /// Returns the goals of plates and clamps on the way to a station.
   virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
+  /// Returns the plates between which the path compresses, if it does.
+  virtual std::optional<Between> between() const { return std::nullopt; }
+  /// Returns the least dimension of a space in which the path can load what it names.
+  virtual int least_dimension() const { return 2; }
   /// Returns the strain that names a station, if the cell's own does not.
   virtual double nominal_strain(std::size_t) const { return std::numeric_limits<double>::quiet_NaN(); }
 };

@@ -85,8 +85,7 @@ void Rig::drive(const std::vector<DriveGoal>& goals, double damping, Simulation&
       s.loaded = true;
       s.direction = goal.direction, s.load = goal.value, s.speed = goal.speed;
     } else {
-      // A part that moves along the direction of its load no longer carries it.
-      if (s.loaded && std::abs(s.direction.dot(goal.direction)) > 0.5) s.loaded = false;
+      if (s.loaded && std::abs(s.direction.dot(goal.direction)) > along_load) s.loaded = false;
       const double left = goal.value - (s.displacement - s.at_start).dot(goal.direction);
       const double speed = pace * goal.speed;
       velocity[p] += std::clamp(left / dt, -speed, speed) * goal.direction;
@@ -164,6 +163,32 @@ bool Rig::arrived(const std::vector<DriveGoal>& goals, double tolerance, const S
       return false;
   }
   return true;
+}
+
+std::string Rig::late_part(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const {
+  for (const DriveGoal& goal : goals) {
+    if (goal.kind != DriveGoal::Kind::displacement) continue;
+    const State& s = states_[index(goal.part)];
+    const double way = (s.displacement - s.at_start).dot(goal.direction);
+    if (std::abs(goal.value - way) > displacement_tolerance)
+      return fmt::format("\"{}\" has moved {:.4g} of {:.4g} m: raise equilibrium.steps or its speed", goal.part, way,
+                         goal.value);
+  }
+  if (!loaded()) return {};
+  const std::vector<PlateLoad> plates = simulation.plate_loads();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const State& s = states_[p];
+    const double borne = -force(p, plates, simulation).dot(s.direction);
+    if (!s.loaded || std::abs(s.load - borne) <= tolerance * std::abs(s.load)) continue;
+    if (!parts_[p].is_clamp && plates[parts_[p].number].stiffness == 0)
+      return fmt::format(
+          "\"{}\" touches no grain: turn its load of {:.4g} N towards the grains, or raise its speed or "
+          "equilibrium.steps",
+          parts_[p].name, s.load);
+    return fmt::format("the grains bear {:.4g} of the load of {:.4g} N on \"{}\": raise equilibrium.steps or its speed",
+                       borne, s.load, parts_[p].name);
+  }
+  return {};
 }
 
 void Rig::record(const Simulation& simulation, io::Series& series) const {

@@ -37,6 +37,9 @@ struct RigPart {
   double mass = 0;
 };
 
+/// Cosine between two directions above which a part moves along its load, and no longer carries it.
+inline constexpr double along_load = 0.5;
+
 /// All named plates and clamps of a run.
 class Rig {
  public:
@@ -59,6 +62,8 @@ class Rig {
   bool moved(const std::vector<DriveGoal>& goals) const;
   /// Returns whether all displacements are reached and all loads, also earlier ones, are within the tolerance.
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
+  /// Returns which part has not arrived, with a remedy, as one clause; empty if all have.
+  std::string late_part(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
   /// Appends displacement and force of every part to the series.
   void record(const Simulation& simulation, io::Series& series) const;
   /// Returns displacement and force of every part in brief, for progress.

@@ -52,10 +52,11 @@ class Walk {
       const Arrival arrival = arrival_at(goals, drives);
       const double fastest = std::max(way(goals), way(drives, before)) / rest_.step_share(arrival);
       const double moving = of.paced ? slowed * fastest : fastest, waiting = rest_.steps(stage, arrival);
-      const double steps = std::min(moving + waiting, most);
+      const double steps = std::min(moving + waiting, most), fewest = rest_.fewest(arrival, fastest, waiting);
+      of.longest = std::max(of.longest, moving + waiting), of.least_longest = std::max(of.least_longest, fewest);
       of.steps += steps;
       of.waiting += std::max(0.0, steps - moving);
-      of.fewest += std::min(rest_.fewest(arrival, fastest, waiting), most);
+      of.fewest += std::min(fewest, most);
       of.most += std::min(rest_.most(arrival, of.paced ? 2 * moving : moving, waiting), most);
       before = drives;
       first_ = false;
@@ -189,6 +190,7 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   f.stability_limit = simulation.stability_limit();
   f.unbalanced_force = simulation.unbalanced_force();
   f.largest_overlap = simulation.largest_overlap();
+  f.largest_station = scenario.largest_station;
   Walk walk(simulation, scenario, dimension);
   f.cost = tried(simulation, scenario, dimension);
   walk.learn(simulation);
@@ -227,12 +229,19 @@ std::string Forecast::text() const {
       "{} grains, {:.0f} contacts, largest overlap {:.2g} of the radius, unbalanced force {:.2g}\n"
       "time step {:.4g} s, stability limit {:.4g} s\n",
       cost.grains, cost.contacts(), largest_overlap, unbalanced_force, time_step, stability_limit);
-  for (const OfStage& stage : stages)
+  for (const OfStage& stage : stages) {
     text += fmt::format(
         "stage \"{}\": {} station{}, about {:.2g} steps ({:.2g} to {:.2g}{}), {:.2g} of them waiting "
         "for rest\n",
         stage.name, stage.stations, stage.stations == 1 ? "" : "s", stage.steps, stage.fewest, stage.most,
         stage.paced ? ", slowed down on the way" : "", stage.waiting);
+    const auto limit = static_cast<double>(largest_station);
+    if (stage.longest > limit)
+      text += fmt::format(
+          "stage \"{}\": equilibrium.steps = {} {} end the run: a station takes about {:.2g} steps; raise it, or load "
+          "faster\n",
+          stage.name, largest_station, stage.least_longest > limit ? "would" : "may", stage.longest);
+  }
   text += fmt::format("{} states recorded, file about {}, memory about {}\n", states, bytes_text(file_bytes),
                       bytes_text(memory_bytes));
   return text + fmt::format("about {} ({} to {}): {}\n", time_text(cost.stepping + cost.output), time_text(least_time),

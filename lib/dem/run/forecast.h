@@ -28,6 +28,8 @@ struct Forecast {
     double fewest = 0, most = 0;
     /// Whether the loading slows down with the unbalanced force.
     bool paced = false;
+    /// Estimate and least number of steps of the station with most steps, without their limit.
+    double longest = 0, least_longest = 0;
   };
   /// Forecast of each stage.
   std::vector<OfStage> stages;
@@ -35,6 +37,8 @@ struct Forecast {
   double stability_limit = 0, time_step = 0;
   /// Unbalanced force and largest overlap at the start, as ratios.
   double unbalanced_force = 0, largest_overlap = 0;
+  /// Steps after which a station counts as unreachable.
+  std::int64_t largest_station = 0;
   /// Number of recorded states.
   std::size_t states = 0;
   /// Size of the run's file and of the memory, bytes.

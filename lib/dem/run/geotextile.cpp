@@ -8,6 +8,7 @@
 
 #include "core/data.h"
 #include "core/error.h"
+#include "core/text/beside.h"
 #include "core/text/text.h"
 #include "files/files.h"
 
@@ -70,6 +71,7 @@ WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFi
   WireCurve curve;
   double layers = 1;
   if (table.has("curve")) {
+    refuse_beside(table, "curve", {strains.name, tensions.name, slope.name});
     const std::string name = table.text({"curve", "file of the curve, or name of a geotextile of data/geotextiles"});
     if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
       curve = from_file(files.path(key + ".curve", name), sources);

@@ -14,6 +14,7 @@
 #include "core/text/text.h"
 #include "dem/engine/described.h"
 #include "dem/engine/mass_scaling.h"
+#include "dem/loading/plates.h"
 #include "dem/loading/rig.h"
 #include "dem/state/bodies.h"
 
@@ -51,16 +52,13 @@ bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
                     [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
 }
 
-// Strain along the loading axis that names snapshots, at every station, as far as known beforehand.
-struct KnownStations {
-  std::vector<double> strains;
-  bool all = true;  // false: a stage begins at a strain that only the run finds
-};
-
-KnownStations known_stations(const io::Snapshot& packing, const Scenario& scenario) {
+// Returns the strains along the loading axis that name stations: the nominal one, or those since the
+// start of the stage and since the reference. Strains since the reference are left out after a stage whose last strain
+// only the run finds.
+std::vector<double> known_stations(const io::Snapshot& packing, const Scenario& scenario) {
   const int axis = packing.grains.dimension - 1;
   const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
-  KnownStations known;
+  std::vector<double> known;
   // Natural strain since the packing's reference, as in Simulation::strain().
   std::optional<double> start = 0.0 - std::log(packing.cell.deformation_gradient(axis, axis));
   for (const Stage& stage : scenario.stages) {
@@ -70,14 +68,13 @@ KnownStations known_stations(const io::Snapshot& packing, const Scenario& scenar
       const double nominal = stage.path->nominal_strain(station);
       const AxisGoal goal = stage.path->goals(station, unloaded)[static_cast<std::size_t>(axis)];
       const bool strained = goal.kind == AxisGoal::Kind::strain;
+      last = strained && start ? std::optional(*start + goal.value) : std::nullopt;
       if (!std::isnan(nominal)) {
-        known.strains.push_back(nominal);
-      } else if (strained && start) {
-        known.strains.push_back(*start + goal.value);
+        known.push_back(nominal);
       } else if (strained) {
-        known.all = false;
+        known.push_back(goal.value);
+        if (last) known.push_back(*last);
       }
-      last = !strained ? std::nullopt : start ? std::optional(*start + goal.value) : std::nullopt;
     }
     start = last;
   }
@@ -86,22 +83,18 @@ KnownStations known_stations(const io::Snapshot& packing, const Scenario& scenar
 
 void demand_recorded(const io::Snapshot& packing, const Scenario& scenario) {
   if (scenario.snapshots.which != SnapshotRule::Which::list) return;
-  const KnownStations known = known_stations(packing, scenario);
-  if (!known.all) return;
+  const std::vector<double> known = known_stations(packing, scenario);
   std::string lost;
   for (const double strain : scenario.snapshots.strains) {
-    if (std::any_of(known.strains.begin(), known.strains.end(),
-                    [&](double s) { return std::abs(s - strain) < station_tolerance; }))
-      continue;
+    if (is_at(known, strain)) continue;
     lost += (lost.empty() ? "" : ", ") + number_text(strain);
-    const auto nearest = std::min_element(known.strains.begin(), known.strains.end(), [&](double a, double b) {
-      return std::abs(a - strain) < std::abs(b - strain);
-    });
-    if (nearest != known.strains.end()) lost += fmt::format(" (the nearest is {:.6g})", *nearest);
+    const auto nearest = std::min_element(
+        known.begin(), known.end(), [&](double a, double b) { return std::abs(a - strain) < std::abs(b - strain); });
+    if (nearest != known.end()) lost += fmt::format(" (the nearest is {:.6g})", *nearest);
   }
   if (!lost.empty())
     throw DataError(fmt::format("record.strains: {}: no station has this axial strain; give strains of stations{}",
-                                lost, known.strains.empty() ? ", which no stage here has: leave the list out" : ""));
+                                lost, known.empty() ? ", which no stage here has: leave the list out" : ""));
 }
 
 std::vector<bool> nodes_of(const io::Snapshot& state) {
@@ -200,7 +193,53 @@ void demand_facing(const Scenario& scenario) {
                       stage.name));
 }
 
+void demand_in_plane(const io::Snapshot& state, const Scenario& scenario) {
+  if (state.grains.dimension != 2) return;
+  const std::string why = "along z, and the packing is of disks in the plane of x and y";
+  if (scenario.numerics.gravity.z() != 0)
+    throw DataError(fmt::format("numerics.gravity acts {}: give it along y", why));
+  for (std::size_t k = 0; k < state.planes.point.size(); ++k)
+    for (const auto& [name, vector] :
+         {std::pair("normal", &state.planes.normal), std::pair("velocity", &state.planes.velocity)})
+      if ((*vector)[k].z() != 0)
+        throw DataError(fmt::format("plane {}: its {} has a part {}: leave that part out", k, name, why));
+}
+
+// Throws DataError for a stage that gives plates a friction angle where there are none, or grains would get it too.
+void demand_own_material(const io::Snapshot& state, const Stage& stage) {
+  if (!stage.plate_friction) return;
+  if (state.planes.point.empty())
+    throw DataError(fmt::format(
+        "stage \"{}\": plate_friction_angle is given, but there are no planes: give [[plane]] tables, or leave it out",
+        stage.name));
+  const std::vector<std::int32_t>& grains = state.grains.material_id;
+  for (const std::int32_t material : state.planes.material_id)
+    if (std::find(grains.begin(), grains.end(), material) != grains.end())
+      throw DataError(fmt::format(
+          "stage \"{}\": plate_friction_angle would change the friction among grains too: planes share material {} "
+          "with the grains; give [[plane]] tables whose material is a [[material]] of their own",
+          stage.name, material));
+}
+
+void demand_fit(const io::Snapshot& state, const Scenario& scenario) {
+  demand_in_plane(state, scenario);
+  const std::vector<RigPart> parts = parts_of(scenario);
+  for (const Stage& stage : scenario.stages) {
+    demand_own_material(state, stage);
+    if (const std::string why = Plates{parts, state.planes}.misfit(*stage.path, state.grains.dimension); !why.empty())
+      throw DataError(fmt::format("stage \"{}\" {}", stage.name, why));
+  }
+}
+
 }  // namespace
+
+std::vector<Doubt> plate_doubts(const io::Snapshot& state, const Scenario& scenario) {
+  const std::vector<RigPart> parts = parts_of(scenario);
+  std::vector<Doubt> all;
+  for (const Stage& stage : scenario.stages)
+    for (Doubt& doubt : Plates{parts, state.planes}.doubts(stage.name, *stage.path)) all.push_back(std::move(doubt));
+  return all;
+}
 
 std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
   std::vector<std::int32_t> found;
@@ -212,6 +251,12 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+void set_density(io::Snapshot& state, double density) {
+  const std::vector<bool> node = nodes_of(state);
+  for (std::size_t i = 0; i < state.grains.size(); ++i)
+    if (!node[i]) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
 }
 
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
@@ -228,15 +273,16 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   // Planes of an earlier run stay if the scenario has none.
   if (!scenario.planes.point.empty()) state.planes = scenario.planes;
   described(state, scenario.model);
-  for (std::size_t i = 0; i < state.grains.size(); ++i) {
-    const double density = scenario.density[static_cast<std::size_t>(state.grains.material_id[i])];
-    if (density > 0) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
-  }
+  if (scenario.grain_density > 0) set_density(state, scenario.grain_density);
+  for (std::size_t i = 0; i < state.grains.size(); ++i)
+    if (const auto& density = scenario.density[static_cast<std::size_t>(state.grains.material_id[i])])
+      state.grains.mass[i] = *density * grain_volume(state.grains.dimension, state.grains.radius[i]);
   if (scenario.equal_steps) equalise_steps(scenario.model, state.grains);
   put_in_touch(state, scenario);
   // Contacts with planes of an earlier run do not belong to new planes.
   if (!scenario.planes.point.empty() && !are_parallel(packing.planes, state.planes))
     state.contacts = without_planes(state.contacts);
+  demand_fit(state, scenario);
   demand_footing(state, scenario.numerics.gravity);
   demand_outside(state, scenario);
   demand_held(state, scenario);

@@ -4,11 +4,15 @@
 
 #include <vector>
 
+#include "core/doubts.h"
 #include "dem/engine/simulation.h"
 #include "dem/run/scenario.h"
 #include "files/records.h"
 
 namespace soilweave::dem {
+
+/// Gives grains, but no nodes of geotextiles, the masses of this density, kg/m3.
+void set_density(io::Snapshot& state, double density);
 
 /// Returns the packing with the scenario's density (masses follow), mass scaling and planes.
 /// Planes that are to touch are put in place. Throws DataError if packing and scenario do not fit:
@@ -17,8 +21,14 @@ namespace soilweave::dem {
 /// - a yarn passes through a periodic face, a plane starts inside the grains, or a clamp holds nothing;
 /// - gravity has nothing to press on;
 /// - a homogeneous start has no parts that face each other, or a critical drag has no axis to swing along;
-/// - scaled masses would fall.
+/// - scaled masses would fall;
+/// - a plane, gravity or a stage leaves the plane of disks;
+/// - a stage gives plates a friction angle, and there are none, or grains have their material too;
+/// - a stage compresses between plates that do not face each other along z.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
+
+/// Returns doubts about the plates of a prepared state.
+std::vector<Doubt> plate_doubts(const io::Snapshot& state, const Scenario& scenario);
 
 /// Throws DataError if a fixed time step exceeds the stability limit of the present contacts.
 void demand_stable(Simulation& simulation, const Numerics& numerics);

@@ -25,20 +25,6 @@ double symmetric_uniform(std::mt19937_64& engine) {
   return 2.0 * static_cast<double>(engine() >> 11) * 0x1.0p-53 - 1.0;
 }
 
-bool wants_snapshot(const SnapshotRule& rule, const Simulation& simulation, int axis, double nominal) {
-  if (rule.which == SnapshotRule::Which::stations) return true;
-  if (rule.which == SnapshotRule::Which::ends) return false;
-  const double strain = std::isnan(nominal) ? simulation.strain()[axis] : nominal;
-  return std::any_of(rule.strains.begin(), rule.strains.end(),
-                     [&](double s) { return std::abs(s - strain) < station_tolerance; });
-}
-
-std::vector<RigPart> parts_of(const Scenario& scenario) {
-  std::vector<RigPart> parts;
-  for (const PartSetting& p : scenario.parts) parts.push_back(p.part);
-  return parts;
-}
-
 Numerics with_clamps(const Scenario& scenario, const io::Snapshot& start) {
   Numerics numerics = scenario.numerics;
   for (const PartSetting& p : scenario.parts)
@@ -70,6 +56,7 @@ class Runner {
         observe_(observe),
         dimension_(start.grains.dimension),
         model_(scenario.model),
+        planes_material_(start.planes.material_id),
         keeper_(safekeeping, start.grains.size()),
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
         simulation_(last ? Simulation(last->state, scenario.model, with_clamps(scenario, start), kept_)
@@ -100,8 +87,7 @@ class Runner {
         ++at_.done;
         const bool last_of_stage = ++at_.station == stage.path->stations();
         at_.first = simulation_.steps();
-        const double nominal = stage.path->nominal_strain(at_.station - 1);
-        if (last_of_stage || wants_snapshot(scenario_.snapshots, simulation_, dimension_ - 1, nominal)) keep_state();
+        if (last_of_stage || wants_snapshot(stage, at_.station - 1)) keep_state();
       }
     }
     Cost cost = clock_.cost(simulation_, keeper_.seconds());
@@ -141,13 +127,26 @@ class Runner {
     return checkpoint_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
   }
 
-  // Applies a stage's changes to the grains.
+  // Applies a stage's changes to the grains. A later friction angle of all materials leaves the planes their own.
   void apply(const Stage& stage) {
     if (!stage.friction && !stage.plate_friction) return;
     if (stage.friction) model_ = with_friction(model_, *stage.friction);
-    if (stage.plate_friction)
-      model_ = with_friction_against(model_, *stage.plate_friction, scenario_.planes.material_id);
+    if (stage.plate_friction) plate_friction_ = stage.plate_friction;
+    if (plate_friction_) model_ = with_friction_against(model_, *plate_friction_, planes_material_);
     simulation_.set_model(model_);
+  }
+
+  // Returns whether the rule asks for a snapshot of the station that was reached.
+  bool wants_snapshot(const Stage& stage, std::size_t station) const {
+    const SnapshotRule& rule = scenario_.snapshots;
+    if (rule.which != SnapshotRule::Which::list) return rule.which == SnapshotRule::Which::stations;
+    const double nominal = stage.path->nominal_strain(station);
+    if (!std::isnan(nominal)) return is_at(rule.strains, nominal);
+    const int axis = dimension_ - 1;
+    const AxisGoal goal = goals_of(stage, station)[static_cast<std::size_t>(axis)];
+    const double strain = simulation_.strain()[axis];
+    return is_at(rule.strains, strain) ||
+           (goal.kind == AxisGoal::Kind::strain && is_at(rule.strains, strain - at_.start_of_stage[axis]));
   }
 
   void begin(const Stage& stage) {
@@ -192,7 +191,7 @@ class Runner {
       if (settled(goals, drives)) break;
       const std::int64_t steps = simulation_.steps() - at_.first;
       if (steps % report_interval == 0) tell(stage, station);
-      if (steps >= scenario_.largest_station) unreachable(stage, station, goals);
+      if (steps >= scenario_.largest_station) unreachable(stage, station, goals, drives);
       keeper_.after_step([this] { return checkpoint(); });
     }
     tell(stage, station);
@@ -262,7 +261,8 @@ class Runner {
                        simulation_.void_ratio());
   }
 
-  [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals) const {
+  [[noreturn]] void unreachable(const Stage& stage, std::size_t station, const AxisGoals& goals,
+                                const std::vector<DriveGoal>& drives) const {
     std::string where;
     for (int a = 0; a < dimension_; ++a) {
       const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
@@ -275,10 +275,25 @@ class Runner {
         "stage \"{}\", station {}: not settled after {} steps, at step {} ({}; unbalanced force {:.2e} of "
         "{:.2e}{}): {}",
         stage.name, station + 1, scenario_.largest_station, simulation_.steps(), where, simulation_.unbalanced_force(),
-        scenario_.tolerances.unbalanced_force, energy_and_limit(), likely_cause(stage, goals)));
+        scenario_.tolerances.unbalanced_force, energy_and_limit(), likely_cause(stage, goals, drives)));
   }
 
-  std::string likely_cause(const Stage& stage, const AxisGoals& goals) const {
+  // Returns the strain that has not arrived, with a remedy; empty if all have.
+  std::string late_strain(const Stage& stage, const AxisGoals& goals) const {
+    if (Servo::strained(goals, dimension_, simulation_)) return {};
+    const Vec3 strain = simulation_.strain();
+    int late = 0;
+    double most = 0;
+    for (int a = 0; a < dimension_; ++a) {
+      const AxisGoal& goal = goals[static_cast<std::size_t>(a)];
+      const double left = goal.kind == AxisGoal::Kind::strain ? std::abs(goal.value - strain[a]) : 0;
+      if (left > most) most = left, late = a;
+    }
+    return fmt::format("axis {} is still {:.3g} away from its strain: raise equilibrium.steps{} or the rate",
+                       "xyz"[late], most, stage.way_unbalanced_force > 0 ? ", way_unbalanced_force" : "");
+  }
+
+  std::string likely_cause(const Stage& stage, const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
     const Measures& m = simulation_.measures();
     const Mat3 gradient = simulation_.snapshot().cell.velocity_gradient;
     for (int a = 0; a < dimension_; ++a) {
@@ -291,6 +306,8 @@ class Runner {
                            *held ? held : "raise equilibrium.steps, or start from a denser packing");
       if (*held) return fmt::format("axis {} is held back by its largest rate: {}", "xyz"[a], held);
     }
+    if (std::string late = late_strain(stage, goals); !late.empty()) return late;
+    if (std::string late = rig_.late_part(drives, scenario_.tolerances.stress, simulation_); !late.empty()) return late;
     if (simulation_.unbalanced_force() > scenario_.tolerances.unbalanced_force &&
         stage.damping.value_or(scenario_.numerics.damping) < 0.05)
       return fmt::format("the grains do not come to rest: raise {}",
@@ -325,6 +342,8 @@ class Runner {
   const Observe& observe_;
   int dimension_;
   Model model_;
+  std::vector<std::int32_t> planes_material_;
+  std::optional<double> plate_friction_;  // rad, once a stage has given it
   Keeper keeper_;
   Archive kept_;
   Simulation simulation_;

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/text/units.h"
 #include "dem/contact/laws.h"
+#include "dem/loading/plates.h"
 #include "dem/run/geotextile.h"
 
 namespace soilweave::dem {
@@ -65,6 +67,16 @@ SnapshotRule read_snapshots(Settings& document) {
   return rule;
 }
 
+// Returns the name of a plate or clamp, by which paths call it.
+std::string part_name(Settings& table, std::string_view sentence, const std::vector<PartSetting>& parts) {
+  std::string name = table.text({"name", sentence});
+  if (table.has("name") && name.empty()) table.mistake("name", "is empty: give one, for paths");
+  if (std::any_of(parts.begin(), parts.end(), [&](const PartSetting& p) { return p.part.name == name; }))
+    table.mistake("name",
+                  fmt::format("\"{}\" is another plane's or clamp's already: give each a name of its own", name));
+  return name;
+}
+
 constexpr Parameter part_mass{"mass", "kg", 0, 1e15, false, "mass of a plate or clamp; 0: carried by its contacts"};
 
 void read_clamps(Settings& document, std::vector<PartSetting>& parts) {
@@ -72,7 +84,8 @@ void read_clamps(Settings& document, std::vector<PartSetting>& parts) {
   static constexpr Parameter high{"high", "m", -1e6, 1e6, false, "upper corner"};
   std::size_t number = 0;
   for (Settings table : document.tables("clamp")) {
-    PartSetting p{{table.text({"name", "name of the clamp, for paths"}), true, number++, table.number(part_mass, 1.0)}};
+    PartSetting p{
+        {part_name(table, "name of the clamp, for paths", parts), true, number++, table.number(part_mass, 1.0)}};
     if (p.part.mass == 0) table.mistake("mass", "is zero: a clamp has no contacts that could carry it");
     p.low = table.vector(low), p.high = table.vector(high);
     parts.push_back(p);
@@ -119,10 +132,12 @@ Stage read_stage(Settings table, const std::vector<PartSetting>& parts) {
   stage.path = read_path(path, table);
   if (stage.path && stage.path->stations() == 0)
     table.mistake("", "has no stations: its list is empty; name one at least, or leave the stage out");
-  if (stage.path && stage.path->stations() > 0)
+  if (stage.path && stage.path->stations() > 0) {
+    if (const std::string why = contradiction(stage.path->drives(0)); !why.empty()) table.mistake("", why);
     for (const DriveGoal& goal : stage.path->drives(0))
       if (std::none_of(parts.begin(), parts.end(), [&](const PartSetting& p) { return p.part.name == goal.part; }))
         table.mistake("", "moves \"" + goal.part + "\", but no [[plane]] or [[clamp]] is called so");
+  }
   return stage;
 }
 
@@ -147,9 +162,13 @@ io::PlanesRecord read_planes(Settings& document, std::size_t materials, std::vec
     const std::string partners =
         table.choice({"partners", "which bodies touch the plane"}, {"all", "soil", "geotextile"}, "all");
     planes.partners.push_back(partners == "all" ? 0 : (partners == "soil" ? 1 : 2));
-    if (table.has("name"))
-      parts.push_back({{table.text({"name", "name of the plane, for paths"}), false, planes.point.size() - 1,
-                        table.number(part_mass, 0.0)}});
+    if (!table.has("name")) continue;
+    parts.push_back({{part_name(table, "name of the plane, for paths", parts), false, planes.point.size() - 1,
+                      table.number(part_mass, 0.0)}});
+    if (planes.velocity.back() != Vec3::Zero())
+      table.mistake("velocity",
+                    "is given beside a name, and stages alone move planes with a name: leave one of the two "
+                    "out, or give a [[stage.move]]");
   }
   return planes;
 }
@@ -161,6 +180,12 @@ bool is_among(const std::vector<std::int32_t>& materials, std::size_t material) 
 }
 
 }  // namespace
+
+std::vector<RigPart> parts_of(const Scenario& scenario) {
+  std::vector<RigPart> parts;
+  for (const PartSetting& p : scenario.parts) parts.push_back(p.part);
+  return parts;
+}
 
 Model read_model(Settings& document) {
   Settings contact = document.table("contact");
@@ -222,11 +247,12 @@ std::vector<Key> scenario_keys() {
 Scenario read_scenario(Settings& document, const NamedFiles& files) {
   Scenario s;
   s.model = read_model(document);
-  s.density.push_back(read_density(document));
+  s.grain_density = read_density(document);
+  s.density.emplace_back();
   s.equal_steps = document.table("grains").choice({"mass_scaling", "masses of the equations of motion"},
                                                   {"none", "equal-step"}, "none") == "equal-step";
   for (Settings table : document.tables("material"))
-    s.density.push_back(table.has("density") ? table.number(density_parameter) : s.density.front());
+    s.density.push_back(table.has("density") ? std::optional(table.number(density_parameter)) : std::nullopt);
   for (Settings table : document.tables("geotextile")) {
     const std::string key = fmt::format("geotextile.{}", s.model.geotextiles.size());
     s.model.geotextiles.push_back(read_geotextile(table, key, files, s.sources));
@@ -243,6 +269,11 @@ Scenario read_scenario(Settings& document, const NamedFiles& files) {
   document.finish();
   s.resolved = document.resolved();
   return s;
+}
+
+bool is_at(const std::vector<double>& strains, double strain) {
+  return std::any_of(strains.begin(), strains.end(),
+                     [&](double s) { return std::abs(s - strain) < station_tolerance; });
 }
 
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials) {

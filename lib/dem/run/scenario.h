@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,9 @@ struct Stage {
   std::unique_ptr<Path> path;
   /// Whether the state at its start becomes the reference of the strains.
   bool reset_strain = false;
-  /// Friction angle of all materials from here on, rad.
+  /// Friction angle of all materials from here on, rad; of planes only as long as plate_friction was never given.
   std::optional<double> friction;
-  /// Friction angle of the planes' materials against any other, rad.
+  /// Friction angle of the planes' materials against any other from here on, rad.
   std::optional<double> plate_friction;
   /// Local damping during this stage.
   std::optional<double> damping;
@@ -45,11 +46,14 @@ struct SnapshotRule {
   /// First and last state, every station, or stations at listed strains.
   enum class Which { ends, stations, list };
   Which which = Which::ends;
-  /// Strains along the loading axis, for `list`.
+  /// Strains along the loading axis, for `list`: since the start of their stage or since the reference.
   std::vector<double> strains;
 };
 /// Distance below which a strain to record belongs to a station.
 inline constexpr double station_tolerance = 1e-7;
+
+/// Returns whether the strain is one of these.
+bool is_at(const std::vector<double>& strains, double strain);
 
 /// A plate or clamp that can be driven.
 struct PartSetting {
@@ -65,8 +69,10 @@ struct Scenario {
   Model model;
   /// Time step, damping and guards.
   Numerics numerics;
-  /// Density by material_id, kg/m3, scaled. Positive values replace the packing's masses.
-  std::vector<double> density;
+  /// Density of the grains, kg/m3, scaled; nodes keep theirs. A positive value replaces the packing's masses.
+  double grain_density = 0;
+  /// Density of each [[material]] that gives one, by material_id, for its grains and nodes.
+  std::vector<std::optional<double>> density;
   /// Masses with which all grains admit the same step (mass_scaling.h).
   bool equal_steps = false;
   /// Tolerances of a settled station.
@@ -90,6 +96,9 @@ struct Scenario {
   /// Text of the scenario with overrides applied, for provenance.
   std::string resolved;
 };
+
+/// Returns the parts of a scenario, in its order.
+std::vector<RigPart> parts_of(const Scenario& scenario);
 
 /// Reads [contact] and [[material]]: the law and its materials. Every tool that steps grains uses it.
 Model read_model(Settings& document);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "dem/loading/path.h"
 
 namespace soilweave::dem {
@@ -39,6 +41,10 @@ class Drive final : public Path {
   }
 
   std::size_t stations() const override { return parts_; }
+  int least_dimension() const override {
+    const auto leaves_plane = [](const Goal& goal) { return goal.end.direction.z() != 0; };
+    return std::any_of(goals_.begin(), goals_.end(), leaves_plane) ? 3 : 2;
+  }
   AxisGoals goals(std::size_t, const PathState&) const override { return {}; }
   std::vector<DriveGoal> drives(std::size_t station) const override {
     const double share = static_cast<double>(station + 1) / static_cast<double>(parts_);

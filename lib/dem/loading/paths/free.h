@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/text/beside.h"
 #include "dem/loading/path.h"
 
 namespace soilweave::dem {
@@ -29,6 +30,7 @@ class Free final : public Path {
       Axis& goal = path.axes_[a];
       goal.end.max_rate = read_max_rate(axis);
       if (axis.has("stress")) {
+        refuse_beside(axis, "stress", {strain.name});
         goal.end.kind = AxisGoal::Kind::stress;
         goal.end.value = read_stress(axis, "stress", "stress at the end");
         goal.start = axis.number(from, goal.end.value);
@@ -41,6 +43,10 @@ class Free final : public Path {
   }
 
   std::size_t stations() const override { return parts_; }
+  int least_dimension() const override {
+    const AxisGoal& z = axes_[2].end;
+    return z.kind == AxisGoal::Kind::stress || z.value != 0 ? 3 : 2;
+  }
   AxisGoals goals(std::size_t station, const PathState&) const override {
     const double share = static_cast<double>(station + 1) / static_cast<double>(parts_);
     AxisGoals goals;

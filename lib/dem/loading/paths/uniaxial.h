@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/text/beside.h"
 #include "dem/loading/path.h"
 
 namespace soilweave::dem {
@@ -27,6 +28,7 @@ class Uniaxial final : public Path {
     path.height_ = table.number(height);
     path.rate_ = table.number(rate, 0.1);
     if (table.has("stations")) {
+      refuse_beside(table, "stations", {strain.name, increment.name});
       path.strain_ = table.numbers(list);
       return path;
     }
@@ -37,6 +39,8 @@ class Uniaxial final : public Path {
 
   std::size_t stations() const override { return strain_.size(); }
   AxisGoals goals(std::size_t, const PathState&) const override { return {}; }
+  std::optional<Between> between() const override { return Between{lower_, upper_, height_}; }
+  int least_dimension() const override { return 3; }
   double nominal_strain(std::size_t station) const override { return strain_[station]; }
   std::vector<DriveGoal> drives(std::size_t station) const override {
     const double share = both_ ? 0.5 : 1, way = share * height_ * strain_[station], speed = share * height_ * rate_;
