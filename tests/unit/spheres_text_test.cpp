@@ -124,6 +124,37 @@ TEST_F(Spheres, ColumnsGoByTheirNames) {
   EXPECT_TRUE(import("x y z r\n1 2 3 0.25\n").notes.empty());
 }
 
+TEST_F(Spheres, CommentsAboveTheGrainsAreObeyedOrRefused) {
+  reads("# Particle data: x y z d\n1 2 3 0.5\n4 5 6 1\n");
+  reads("# columns: x, y, z, diameter\n1 2 3 0.5\n4 5 6 1\n");
+  reads("# x [mm] y [mm] z [mm] d [mm]\n# made by hand\n1000 2000 3000 500\n4000 5000 6000 1000\n");
+  reads("# units: mm\nx y z r\n1000 2000 3000 250\n4000 5000 6000 500\n");
+  reads("# all lengths in mm\n1000 2000 3000 250\n4000 5000 6000 500\n");
+  reads("# resolution in um\nx [mm] y [mm] z [mm] r [mm]\n1000 2000 3000 250\n4000 5000 6000 500\n");
+  reads("# mean radius 375 mm, 2 grains in all\n1 2 3 0.25\n4 5 6 0.5\n");
+  const std::string row = "\n1 2 3 0.25\n";
+  refuses("# x y z r [mm]" + row, "line 1: columns in a comment that is not understood: column x is in no unit");
+  refuses("# x y z diameter (mm)" + row, "column diameter in mm: write one unit");
+  refuses("# columns: x, y, z, diameter (all in mm)" + row, "line 1: columns in a comment that is not understood");
+  refuses("# made by hand\n#x y z radius mm\n" + row, "line 2: the comment names 5 columns, and lines have 4");
+  refuses("# 9\n# id x y z r\n# 1" + row, "line 2: the comment names 5 columns");
+  refuses("##PERIODIC:: 4 4 4\n# id x y r" + row, "line 2: a comment that names no column z");
+  refuses("# x, y, z, diameter (all in mm)\nx y z d" + row, "line 1: whether lengths are in mm is not clear here");
+  refuses("# resolution in mm" + row, "line 1: whether lengths are in mm is not clear here");
+  refuses("# units: mm\nx [m] y [m] z [m] r [m]" + row, "line 1: the comment gives lengths in mm");
+  refuses("#format x_y_z_r\n#x_mm y_mm z_mm d_mm" + row, "line 2: the comment names other columns or units");
+}
+
+TEST_F(Spheres, TheCellHasTheUnitOfTheColumns) {
+  for (const char* names : {"x [mm],y [mm],z [mm],r [mm]\n", "# x [mm],y [mm],z [mm],r [mm]\n", "# units: mm\n"}) {
+    const Snapshot state = read(std::string("##PERIODIC:: 46 46 92\n") + names + "10,10,10,3\n30,30,40,4\n");
+    EXPECT_TRUE(state.cell.matrix.isApprox(Vec3(0.046, 0.046, 0.092).asDiagonal().toDenseMatrix(), 1e-15)) << names;
+    EXPECT_EQ(state.grains.radius[1], 0.004);
+  }
+  const Snapshot disks = read("##PERIODIC:: 46 92\nx_mm y_mm r_mm\n10 10 3\n30 30 4\n");
+  EXPECT_TRUE(disks.cell.matrix.isApprox(Vec3(0.046, 0.092, 1).asDiagonal().toDenseMatrix(), 1e-15));
+}
+
 TEST_F(Spheres, SeparatorsAreNotGuessed) {
   refuses("10,5\t20,5\t30,5\t5,0\n",
           "line 1, column 1: \"10,5\" is no finite number: write 10.5, with a decimal point");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 #include "core/error.h"
 #include "core/text/number_word.h"
@@ -37,6 +38,12 @@ constexpr std::array known_names{
 
 // Words of YADE's #format line other than positions and radii. Each is one column.
 constexpr std::array yade_words{"id", "matid", "clumpid", "mask", "mass", "material"};
+
+// Words, in lower case, around a unit of all lengths. The unit follows one of the first three.
+constexpr std::array unit_words{"in",  "unit",  "units",  "all",      "length",      "lengths",  "dimensions",
+                                "of",  "are",   "is",     "the",      "coordinates", "position", "positions",
+                                "and", "radii", "radius", "diameter", "diameters",   "sizes",    "values"};
+constexpr std::size_t leading_words = 3;
 
 struct Heading {
   std::string name;  // name as written, without the unit
@@ -80,6 +87,46 @@ Heading heading(const std::string& written) {
     found = {written.substr(0, bar), unit, role_of(written.substr(0, bar))};
   }
   return found;
+}
+
+template <class Words>
+bool is_among(const Words& words, std::string_view word) {
+  return std::find(std::begin(words), std::end(words), lower(word)) != std::end(words);
+}
+
+/// Returns the words of a comment, without the marks between them.
+std::vector<std::string> words_of(std::string_view line) {
+  constexpr std::string_view marks = " \t,;=()[]";
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t end = std::min(line.find_first_of(marks, at), line.size());
+    std::string_view word = line.substr(at, end - at);
+    while (word.ends_with(':') || word.ends_with('.')) word.remove_suffix(1);
+    if (!word.empty()) words.emplace_back(word);
+    at = end + 1;
+  }
+  return words;
+}
+
+/// Returns a comment without a label such as "Columns: ", which has no column's name.
+std::string_view without_label(std::string_view line) {
+  const std::size_t colon = line.find(": ");
+  if (colon == line.npos) return line;
+  const std::vector<std::string> label = words_of(line.substr(0, colon));
+  const bool has_name =
+      std::any_of(label.begin(), label.end(), [](const std::string& word) { return role_of(word) != Role::other; });
+  return has_name ? line : trimmed(line.substr(colon + 1));
+}
+
+/// Returns the unit of length behind "in" or "units", or nothing.
+std::string unit_in(const std::vector<std::string>& words) {
+  bool behind = false;
+  for (const std::string& word : words) {
+    if (behind && is_length(word)) return word;
+    const bool leads = is_among(std::span(unit_words).first<leading_words>(), word);
+    behind = leads || (behind && is_among(unit_words, word));
+  }
+  return "";
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -140,7 +187,8 @@ SphereColumns named_columns(const std::vector<std::string>& names) {
   const std::string missing = !x ? "x" : !y ? "y" : !size ? "r, radius or diameter" : "";
   if (!missing.empty()) throw DataError(fmt::format("no column {} among {}", missing, listed(names)));
   columns.x = *x, columns.y = *y, columns.z = z, columns.size = *size;
-  if (const std::string unit = common_unit(headings); !unit.empty()) columns.length_factor = unit_factor(unit, "m");
+  if (const std::string unit = common_unit(headings); !unit.empty())
+    columns.length_factor = unit_factor(unit, "m"), columns.has_unit = true;
   return columns;
 }
 
@@ -164,16 +212,32 @@ std::optional<SphereColumns> yade_columns(std::string_view line) {
   return named_columns(names);
 }
 
-std::optional<SphereColumns> commented_columns(std::string_view line) {
-  while (line.starts_with('#')) line.remove_prefix(1);
-  std::vector<std::string> names = header_names(line, separator_of(line));
-  if (!names.empty() && names.front().ends_with(':') && role_of(names.front()) == Role::other)
-    names.erase(names.begin());
-  try {
-    return named_columns(names);
-  } catch (const DataError&) {
-    return std::nullopt;  // a comment need not name columns
+ColumnComment column_comment(std::string_view line) {
+  ColumnComment comment;
+  line = trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+  const std::vector<std::string> all = words_of(line);
+  const auto names = [&](auto... roles) {
+    return std::any_of(all.begin(), all.end(), [&](const std::string& word) {
+      const Role role = heading(word).role;
+      return ((role == roles) || ...);
+    });
+  };
+  if (names(Role::x) && names(Role::y) && names(Role::radius, Role::diameter)) {
+    const std::string_view list = without_label(line);
+    try {
+      comment.columns = named_columns(header_names(list, separator_of(list)));
+    } catch (const DataError& error) {
+      comment.unclear = error.what();
+      const auto unit = std::find_if(all.begin(), all.end(), is_length);
+      if (unit != all.end()) comment.unit = *unit, comment.unit_is_vague = true;
+    }
+  } else {
+    comment.unit = unit_in(all);
+    comment.unit_is_vague = !comment.unit.empty() && std::any_of(all.begin(), all.end(), [&](const std::string& word) {
+      return word != comment.unit && !is_among(unit_words, word);
+    });
   }
+  return comment;
 }
 
 std::vector<std::string> header_names(std::string_view line, char separator) {

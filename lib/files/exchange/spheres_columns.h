@@ -18,8 +18,9 @@ struct SphereColumns {
   std::optional<std::size_t> z;  // absent for disks
   /// Factor from `size` to a radius: 1/2 for diameters.
   double size_factor = 1;
-  /// Factor from the unit of length to m.
+  /// Factor from the unit of length to m, and whether the names have a unit.
   double length_factor = 1;
+  bool has_unit = false;
   std::vector<std::string> unused;  // names of the other columns
 
   /// Returns whether the column has no meaning here.
@@ -35,8 +36,22 @@ SphereColumns named_columns(const std::vector<std::string>& names);
 /// Returns the columns of YADE's line "#format x_y_z_r"; nothing for other lines. Throws DataError for unknown columns.
 std::optional<SphereColumns> yade_columns(std::string_view line);
 
-/// Returns the columns that a comment such as "# x y z r" names, or nothing.
-std::optional<SphereColumns> commented_columns(std::string_view line);
+/// Statement of a comment above the grains.
+struct ColumnComment {
+  /// Columns, as in "# x y z r".
+  std::optional<SphereColumns> columns;
+  /// Reason why the comment is not understood, although it names x, y and a size.
+  std::string unclear;
+  /// Unit of length, as in "# units: mm"; empty if there is none, or columns have it.
+  std::string unit;
+  /// Whether the unit stands among further words, as in "# resolution in mm", so that it may be of something else.
+  bool unit_is_vague = false;
+
+  /// Returns whether the comment names columns.
+  bool names_columns() const { return columns || !unclear.empty(); }
+};
+/// Returns the statement of a comment; an empty one for comments about other things.
+ColumnComment column_comment(std::string_view line);
 
 /// Returns the names in a header line, with a separate unit joined to its name.
 std::vector<std::string> header_names(std::string_view line, char separator);

@@ -43,6 +43,12 @@ bool is_like_the_mark(std::string_view comment) {
   return word.starts_with("periodic:");
 }
 
+/// Comment that names columns or their unit.
+struct Comment {
+  std::size_t line;
+  ColumnComment said;
+};
+
 class SpheresReader {
  public:
   SpheresReader(const std::string& where, const SpheresOptions& options)
@@ -75,6 +81,8 @@ class SpheresReader {
     if (options_.cell && options_.cell->periodic[2] != (g.dimension == 3))
       throw DataError(fmt::format("{}: holds {}, whose cell has {} lengths (--cell)", where_,
                                   g.dimension == 2 ? "disks" : "spheres", g.dimension));
+    // The lengths of the cell have the unit of the columns.
+    if (has_cell_) state_.cell.matrix.topLeftCorner(g.dimension, g.dimension) *= columns_->length_factor;
     if (!has_cell_ && options_.cell) state_.cell = *options_.cell;
     if (!has_cell_ && !options_.cell) aperiodic_cell();
     ImportedSpheres read{std::move(state_), {}, {}};
@@ -132,13 +140,39 @@ class SpheresReader {
 
   void comment(std::string_view text) {
     if (is_like_the_mark(text)) fail(fmt::format("write {} Lx Ly Lz (disks: Lx Ly), as it stands here", periodic_mark));
-    if (state_.grains.size() > 0 || columns_) return;
+    if (state_.grains.size() > 0) return;
     try {
-      if (auto columns = yade_columns(text)) return take(std::move(*columns), ' ');
+      if (auto columns = columns_ ? std::nullopt : yade_columns(text)) return take(std::move(*columns), ' ');
     } catch (const DataError& error) {
       fail(error.what());
     }
-    if (auto columns = commented_columns(text)) commented_ = std::move(columns);
+    ColumnComment said = column_comment(text);
+    if (said.names_columns() || !said.unit.empty()) comments_.push_back({line_, std::move(said)});
+  }
+
+  [[noreturn]] void fail(const Comment& comment, const std::string& what) const {
+    throw DataError(
+        fmt::format("{}: line {}: {}; write a line of names without #, one for each column, such as "
+                    "x [mm] y [mm] z [mm] r [mm], or leave the comment out",
+                    where_, comment.line, what));
+  }
+
+  /// Takes the unit of comments, and demands that they agree with the columns.
+  void heed_comments() {
+    SphereColumns& c = *columns_;
+    for (const Comment& comment : comments_) {
+      const ColumnComment& said = comment.said;
+      if (said.columns && (said.columns->size_factor != c.size_factor ||
+                           (said.columns->has_unit && said.columns->length_factor != c.length_factor)))
+        fail(comment, "the comment names other columns or units than the line of names");
+      if (said.unit.empty()) continue;
+      const double factor = unit_factor(said.unit, "m");
+      if (said.unit_is_vague && (c.has_unit || factor == 1)) continue;
+      if (said.unit_is_vague) fail(comment, fmt::format("whether lengths are in {} is not clear here", said.unit));
+      if (c.has_unit && factor != c.length_factor)
+        fail(comment, fmt::format("the comment gives lengths in {}, the columns another unit", said.unit));
+      c.length_factor = factor, c.has_unit = true;
+    }
   }
 
   void header(const std::vector<std::string>& names, char separator) {
@@ -156,12 +190,30 @@ class SpheresReader {
     separator_ = separator;
   }
 
+  /// Takes the columns that the last fitting comment names, and returns whether there is one.
+  bool take_commented(std::size_t width) {
+    const Comment* unfit = nullptr;
+    for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment) {
+      if (!comment->said.names_columns()) continue;
+      const std::optional<SphereColumns>& columns = comment->said.columns;
+      if (columns && columns->width == width && (columns->z || dimension_ != 3)) {
+        take(*columns, separator_);
+        return true;
+      }
+      if (!unfit) unfit = &*comment;
+    }
+    if (!unfit) return false;
+    const std::optional<SphereColumns>& columns = unfit->said.columns;
+    if (!columns) fail(*unfit, "columns in a comment that is not understood: " + unfit->said.unclear);
+    if (columns->width == width) fail(*unfit, "a comment that names no column z, which spheres need");
+    fail(*unfit, fmt::format("the comment names {} columns, and lines have {}", columns->width, width));
+  }
+
   /// Determines the columns of a text that begins with numbers.
   void begin(std::string_view text) {
     separator_ = separator_of_numbers(trimmed(text));
     const std::vector<std::string> words = cells(text, separator_);
-    if (commented_ && commented_->width == words.size() && (commented_->z || dimension_ != 3))
-      return take(std::move(*commented_), separator_);
+    if (take_commented(words.size())) return;
     take(plain_columns(dimension_.value_or(3)), separator_);
     // Decimal commas between commas look like too many columns, so words with one are reported as such.
     for (std::size_t k = 0; k < words.size(); ++k)
@@ -174,6 +226,7 @@ class SpheresReader {
 
   void grain(std::string_view text) {
     if (!columns_) begin(text);
+    if (state_.grains.size() == 0) heed_comments();
     const std::vector<std::string> words = cells(text, separator_);
     const SphereColumns& c = *columns_;
     if (words.size() != c.width)
@@ -235,7 +288,8 @@ class SpheresReader {
   std::size_t line_ = 0;
   bool has_cell_ = false;
   char separator_ = ' ';
-  std::optional<SphereColumns> columns_, commented_;
+  std::optional<SphereColumns> columns_;
+  std::vector<Comment> comments_;  // above the first grain
   Snapshot state_;
 };
 

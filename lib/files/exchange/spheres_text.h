@@ -35,10 +35,12 @@ CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 /// Reads grains, one per line.
 /// - Columns are named by a header, by YADE's #format line, or by a comment with one word for each column. They are x,
 ///   y, z and r, radius or diameter in any order, with a unit as x [mm] or x_mm. Other columns are left out and noted.
+///   A comment may give the unit of all lengths, as "# units: mm". A comment that names x, y and a size otherwise, or
+///   another unit than the header, is refused.
 /// - Without names, lines are exactly x y z r, for disks x y r.
 /// - The first line tells the separator: blanks and tabs, commas or semicolons.
-/// - "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell. Otherwise it is options.cell, or
-///   nothing is periodic.
+/// - "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell, in the unit of the columns. Without
+///   this line it is options.cell, or nothing is periodic.
 /// Throws DataError with line and column of anything else, and names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
