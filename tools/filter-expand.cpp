@@ -52,6 +52,8 @@ struct FilterExpand {
     const io::TextFile text = io::read_text(plan, "plan");
     packing::Plan what = packing::read_plan(text.text, plan.string(), overrides);
     what.numerics.threads = invocation.threads;
+    if (!history.empty() && !what.growth && !what.surround)
+      throw UsageError("--history: " + plan.string() + " has no [growth], so that nothing is measured: leave it out");
     const io::PackingFile volume = io::read_state(packing);
     if (what.surround) return put_around(volume, what, text.source, invocation);
     const io::Snapshot start = [&] {
@@ -68,7 +70,7 @@ struct FilterExpand {
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
-    if (safe.finished(progress)) return;
+    if (safe.finished(progress)) return demand_history();
     if (what.growth && what.container)
       packing::aim(*what.growth, start, analysis::void_ratio(volume.state), *what.container, what.soil_depth());
     if (!what.growth) {
@@ -86,6 +88,16 @@ struct FilterExpand {
   }
 
  private:
+  // Throws CannotCreate if the output is finished without the measurements, which it does not hold.
+  void demand_history() const {
+    std::error_code ignored;
+    if (history.empty() || std::filesystem::exists(history, ignored)) return;
+    throw CannotCreate(
+        fmt::format("{}: cannot be written, for {} is finished and holds no measurements: leave out "
+                    "--history, or give --force in place of --resume",
+                    history.string(), output.string()));
+  }
+
   static void demand_met(const std::vector<Doubt>& missed, const packing::Surround& how) {
     if (missed.empty() || !how.missed_is_error) return;
     std::vector<std::string> sentences;
@@ -105,16 +117,19 @@ struct FilterExpand {
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
-    // Its last record tells what a finished cell missed.
-    if (safe.finished(progress)) return demand_met(io::read_history(output).back().doubts, *what.surround);
+    if (safe.finished(progress)) {
+      demand_history();
+      // Its last record tells what a finished cell missed.
+      return demand_met(io::read_history(output).back().doubts, *what.surround);
+    }
     packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
                                                           {safe.part(), interval, &signals});
     // An error says by itself what was missed.
     Doubts doubts = what.surround->missed_is_error ? Doubts() : Doubts(invocation.tool);
     doubts.add_all(done.missed);
+    if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
     done.result.cost.output +=
         safe.write([&] { io::write_packing(output, done.result.state, io::with_doubts(past, doubts)); });
-    if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
     if (output != "-") {
       progress.note("filter-expand: placed: " + done.before.text());
       progress.note("filter-expand: compacted: " + done.after.text());

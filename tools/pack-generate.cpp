@@ -8,14 +8,13 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/stop_signals.h"
-#include "dem/run/scenario.h"
-#include "files/exchange/spheres_text.h"
 #include "files/files.h"
 #include "files/safe_output.h"
+#include "packing/container/geotextile.h"
 #include "packing/generate/doubtful.h"
 #include "packing/generate/generate.h"
 #include "packing/generate/grading.h"
-#include "packing/generate/spatial_order.h"
+#include "packing/generate/imported.h"
 #include "packing/generate/standard.h"
 
 namespace {
@@ -33,7 +32,8 @@ constexpr Parameter cloud_parameter{
 constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
 constexpr Parameter dimension_parameter{"dimension", "1", 2, 3, false, "3 for spheres, 2 for disks"};
 constexpr Parameter coarsest_parameter{"coarsest", "m", 0, 1e3, true, "coarser grains of the grading are left out"};
-constexpr Parameter density_parameter{"density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included"};
+constexpr Parameter density_parameter{
+    "density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included [2650e3, or a packing file's own]"};
 constexpr Parameter rate_parameter{"max_rate", "1/s", 0,
                                    1e3,        true,  "largest strain rate of compression [1, or fit for the size]"};
 constexpr Parameter tolerance_parameter{"tolerance", "1", 0, 1, true, "unbalanced force of an equilibrium"};
@@ -42,8 +42,8 @@ struct PackGenerate {
   std::filesystem::path output, material, import;
   std::string grading = "toyoura", cell;
   std::int64_t grains = 1000, dimension = 3;
-  std::optional<double> void_ratio, coarsest, mean_radius, max_rate;
-  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, density = 2650e3, tolerance = 1e-3;
+  std::optional<double> void_ratio, coarsest, mean_radius, max_rate, density;
+  double pressure = 1e3, cloud_void_ratio = 2.5, aspect = 2, tolerance = 1e-3;
   double interval = 300;
   bool as_is = false;
 
@@ -105,17 +105,21 @@ struct PackGenerate {
       sources.push_back(text.source);
       given = packing::Contacts(text.text, material.string());
     }
-    if (given && given->density > 0 && density != PackGenerate().density && density != given->density)
+    const bool of_material = given && given->density > 0;
+    if (of_material && density && *density != given->density)
       throw UsageError("--density: " + material.string() + " has another grains.density: leave one of the two out");
-    const double rho = given && given->density > 0 ? given->density : density;
+    const std::optional<double> rho = of_material ? given->density : density;
     std::vector<std::string> notes;
+    std::vector<Doubt> about;
     std::optional<packing::Room> room;
-    if (import.empty()) room = read_room(sources, notes);
-    const io::Snapshot state = room ? make_cloud(*room, rho, invocation) : read_import(rho, sources, notes);
+    if (import.empty()) room = read_room(sources, notes, about);
+    const io::Snapshot state = room ? make_cloud(*room, rho.value_or(packing::default_density), invocation)
+                                    : read_import(rho, sources, notes, about);
     const double radius = packing::mean_radius(state);
     packing::Contacts contacts =
         given ? *given : packing::Contacts(packing::default_material(radius), "default material");
     contacts.numerics.threads = invocation.threads;
+    contacts.model.geotextiles = packing::resting_geotextiles(packing::geotextiles_of(state));
     const io::History history = io::extend(sources, invocation, as_is && !given ? "" : contacts.resolved);
     const StopSignals signals;
     Progress progress("pack-generate", invocation.quiet);
@@ -125,7 +129,9 @@ struct PackGenerate {
     if (as_is) {
       const dem::Simulation checked(state, contacts.model,
                                     contacts.numerics);  // throws for grains that overlap too much
-      return void(safe.write([&] { io::write_packing(output, state, history); }));
+      Doubts doubts("pack-generate");
+      doubts.add_all(about);
+      return void(safe.write([&] { io::write_packing(output, state, io::with_doubts(history, doubts)); }));
     }
     packing::Recipe recipe;
     recipe.pressure = pressure, recipe.void_ratio = void_ratio, recipe.tolerances.unbalanced_force = tolerance;
@@ -134,7 +140,7 @@ struct PackGenerate {
     const ProgressReport report = [&](double f, const std::string& detail) { progress.update(f, detail); };
     packing::Result result =
         packing::compact(state, contacts.model, contacts.numerics, recipe, report, {safe.part(), interval, &signals});
-    const std::vector<Doubt> about = packing::doubts_about(result.state, contacts.model, room);
+    for (Doubt& doubt : packing::doubts_about(result.state, contacts.model, room)) about.push_back(std::move(doubt));
     Doubts("pack-generate").add_all(about);
     Doubts doubts;
     if (result.unheld) doubts.add({"void_ratio", *result.unheld});  // the error below says it
@@ -146,7 +152,8 @@ struct PackGenerate {
   }
 
   // Returns the grading, and the cell that its grains will fill.
-  packing::Room read_room(std::vector<io::Source>& sources, std::vector<std::string>& notes) const {
+  packing::Room read_room(std::vector<io::Source>& sources, std::vector<std::string>& notes,
+                          std::vector<Doubt>& about) const {
     packing::Grading curve = packing::Grading::toyoura();
     if (grading != "toyoura") {
       const io::TextFile table = io::read_text(grading, "grading");
@@ -154,6 +161,7 @@ struct PackGenerate {
       curve = packing::Grading::from_tsv(table.text, grading);
       if (const std::string lack = curve.left_out(); !lack.empty()) notes.push_back(grading + ": " + lack);
     }
+    if (auto doubt = coarsest ? packing::coarsest_doubt(curve, *coarsest) : std::nullopt) about.push_back(*doubt);
     if (coarsest) curve = curve.up_to(*coarsest);
     return {curve, static_cast<int>(dimension), {1, dimension == 2 ? aspect : 1.0, aspect}, cloud_void_ratio};
   }
@@ -167,21 +175,19 @@ struct PackGenerate {
     return packing::new_cloud(room, n, {grading == "toyoura", mean_radius}, void_ratio, rho, invocation.seed);
   }
 
-  bool is_ours() const { return import.extension() == ".h5"; }
+  bool is_ours() const { return packing::is_packing_file(import); }
 
-  io::Snapshot read_import(double rho, std::vector<io::Source>& sources, std::vector<std::string>& notes) const {
-    if (is_ours()) {
-      io::PackingFile file = io::read_state(import);
-      sources.push_back(file.source);
-      return packing::in_spatial_order(file.state);
-    }
-    io::SpheresOptions options{rho, {}, {}};
+  io::Snapshot read_import(const std::optional<double>& rho, std::vector<io::Source>& sources,
+                           std::vector<std::string>& notes, std::vector<Doubt>& about) const {
+    io::SpheresOptions options;
     if (!cell.empty()) options.cell = io::periodic_cell(cell, "--cell");
     if (dimension == 2 || (options.cell && !options.cell->periodic[2])) options.dimension = 2;
-    io::ImportedSpheres read = io::import_spheres(import, options);
-    sources.push_back(read.source);
-    notes = read.notes;
-    return packing::in_spatial_order(read.state);
+    packing::Imported read = packing::import_packing(import, rho, options);
+    if (!as_is) packing::demand_no_geotextile(read.state, import);
+    if (auto doubt = packing::cell_doubt(read.state)) about.push_back(*doubt);
+    sources.push_back(std::move(read.source));
+    notes = std::move(read.notes);
+    return std::move(read.state);
   }
 };
 

@@ -216,7 +216,7 @@ PYTHON
   local file
   for file in binary mm; do cmp text.txt <(to-vtk --text $file.h5) || show "$file: other grains"; done
   # A file that only the plan names is an input too.
-  refuses 73 filter-expand "binary.STL: is the surface that this command reads, or a copy of it, and would be lost" packing.h5 plans/cut.toml \
+  refuses 73 filter-expand "binary.STL: is read by this command and would be lost" packing.h5 plans/cut.toml \
     --set container.file=binary.STL --force -o binary.STL
   head -c 400 binary.STL > short.stl
   refuses 65 filter-expand "counts 12 triangles, which take 684 bytes, but it has 400" packing.h5 plans/cut.toml --set container.file=short.stl -o out.h5
@@ -312,6 +312,31 @@ PY
   refuses 65 filter-expand "is no VTK file of polygons" packing.h5 egg.toml --set container.file=cut_off.vtp -o out.h5
   sed '/^\[growth\]/,$d; /^file/d; s/^shape.*/shape = "none"/' egg.toml > bare.toml
   refuses 65 filter-expand "has no container to wrap" packing.h5 bare.toml -o out.h5
+}
+
+@test "sheets of two geotextiles are laid, and imported as they are" {
+  printf '%s\n' '[container]' 'shape = "none"' '[[sheet]]' 'cells = [4, 4, 1]' '[[sheet]]' 'cells = [4, 4, 1]' 'height = 0.02' \
+    'geotextile_id = 1' > two.toml
+  sed -n '/^\[contact\]/,/^\[growth\]/p' bag.toml | sed '/^\[growth\]/d' >> two.toml
+  filter-expand --quiet packing.h5 two.toml -o two.h5
+  printf '[[geotextile]]\ncurve = "%s"\n' PE PP >> two.toml
+  filter-expand --quiet packing.h5 two.toml -o described.h5
+  sed '/^\[container\]/,/^geotextile_id/d; /^\[\[geotextile\]\]/,$d' two.toml > material.toml
+  pack-generate --quiet --import two.h5 --as-is --material material.toml -o again.h5
+  refuses 65 pack-generate "has a geotextile, which is not compacted here: give --as-is" --import two.h5 --material material.toml -o out.h5
+}
+
+@test "keys and options that have no effect are refused" {
+  refuses 65 filter-expand "is given beside [growth], which has a damping of its own: give growth.damping" packing.h5 bag.toml \
+    --set numerics.damping=0.4 -o out.h5
+  local set
+  for set in 'container.copies=[1,1,1]' grains.scale=0.9 grains.density=2650; do
+    printf '%s\n' '[container]' 'shape = "none"' '[[sheet]]' 'cells = [4, 4, 1]' > bare.toml
+    sed -n '/^\[contact\]/,/^\[growth\]/p' bag.toml | sed '/^\[growth\]/d' >> bare.toml
+    refuses 65 filter-expand "is given beside container.shape = \"none\"" packing.h5 bare.toml --set "$set" -o out.h5
+  done
+  refuses 64 filter-expand "has no [growth], so that nothing is measured: leave it out" packing.h5 bare.toml --history h.tsv -o out.h5
+  refuses 73 filter-expand "is finished and holds no measurements: leave out --history" packing.h5 bag.toml --resume --history h.tsv -o bag.h5
 }
 
 @test "what cannot be is refused" {

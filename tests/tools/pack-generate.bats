@@ -79,6 +79,39 @@ unmade() {
   to-vtk --history again.h5 | grep -q "command: pack-generate --grains 60"
 }
 
+# first_mass FILE: mass of the first grain over the cube of its radius.
+first_mass() {
+  "$PYTHON" -c 'import h5py, sys; g = h5py.File(sys.argv[1])["particles/grains"]; m, r = (g[n] for n in ("mass", "radius"))
+m, r = (x["value"][-1] if hasattr(x, "keys") else x[()] for x in (m, r)); print(m.reshape(-1)[0] / r.reshape(-1)[0] ** 3)' "$1"
+}
+
+@test "an imported packing file keeps its masses, or takes the density that is asked for" {
+  printf '[contact]\nlaw = "hertz-mindlin"\nyoung_modulus = "4 GPa"\npoisson_ratio = 0.33\nfriction_angle = 29\n' > m.toml
+  printf '[grains]\ndensity = 2650\n' > dense.toml
+  cat m.toml dense.toml > both.toml
+  pack-generate --quiet --import packing.h5 --as-is --density 2650 -o option.h5
+  pack-generate --quiet --import packing.h5 --as-is --material both.toml -o table.h5
+  pack-generate --quiet --import packing.h5 --as-is --material m.toml -o kept.h5
+  near "$(first_mass option.h5)" 11100.3 1e-4
+  near "$(first_mass table.h5)" 11100.3 1e-4
+  near "$(first_mass kept.h5)" "$(first_mass packing.h5)" 1e-12
+}
+
+@test "a cell and grains in different units, and a --coarsest in mm, are doubted" {
+  { echo "##PERIODIC:: 46 46 92"; echo "0.01 0.01 0.01 0.003"; echo "0.03 0.03 0.04 0.004"; } > mixed.txt
+  call pack-generate --import mixed.txt --as-is -o mixed.h5
+  # shellcheck disable=SC2154  # stderr is set by run
+  [[ $status -eq 0 && $stderr == *"doubt: the void ratio is "*"check that both have one unit of length"* ]] || show
+  { echo "##PERIODIC:: 46 46 92"; echo "x [mm],y [mm],z [mm],r [mm]"; echo "10,10,10,3"; echo "30,30,40,4"; } > mm.csv
+  { echo "##PERIODIC:: 0.046 0.046 0.092"; echo "0.01 0.01 0.01 0.003"; echo "0.03 0.03 0.04 0.004"; } > m.txt
+  pack-generate --quiet --import mm.csv --as-is -o mm.h5
+  pack-generate --quiet --import m.txt --as-is -o m.h5
+  cmp <(to-vtk --text mm.h5 | awk '{ for (k = 1; k <= NF; ++k) printf "%.9s ", $k; print "" }') \
+    <(to-vtk --text m.h5 | awk '{ for (k = 1; k <= NF; ++k) printf "%.9s ", $k; print "" }')
+  call small --coarsest 0.15 -o all.h5
+  [[ $status -eq 0 && $stderr == *"doubt: --coarsest leaves nothing out: it is 150 mm"* ]] || show
+}
+
 @test "errors: usage" {
   unmade 64 "--output is missing"
   unmade 64 "'extra' is one file too many" extra -o out.h5
@@ -115,8 +148,11 @@ unmade() {
   refused 65 "cut.h5: truncated: 3000 bytes of $(stat -Lc %s packing.h5)" --import cut.h5 --as-is -o out.h5
   cp open.txt words.h5
   refused 65 "words.h5: not an HDF5 file" --import words.h5 --as-is -o out.h5
+  # A packing file is known by its first bytes too.
   cp packing.h5 packing.txt
-  refused 65 "packing.txt: an HDF5 file where a text belongs (the spheres)" --import packing.txt -o out.h5
+  pack-generate --quiet --import packing.txt --as-is -o named.h5
+  same_text <(to-vtk --text packing.h5) <(to-vtk --text named.h5)
+  rm named.h5
   unmade 65 "packing.h5: an HDF5 file where a text belongs (the material)" --material packing.h5 -o out.h5
   homogenize --quiet packing.h5 -o fields.h5
   refused 65 "fields.h5: holds fields, but packing or run is needed here" --import fields.h5 --as-is -o out.h5
@@ -253,6 +289,8 @@ unmade() {
   printf 'size [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
   unmade 65 "grading.tsv: no column diameter among size, finer_by_mass: head the columns diameter [mm] and finer_by_mass [%]" \
     --grading grading.tsv -o out.h5
+  printf 'Diameter [mm]\tfiner_by_mass [1]\n1\t0.5\n2\t1\n' > grading.tsv
+  unmade 65 "did you mean diameter instead of Diameter?" --grading grading.tsv -o out.h5
   printf 'diameter [mm]\tfiner_by_mass [1]\n1 0.5\n' > grading.tsv
   unmade 65 "grading.tsv: line 2, column 2: 1 values where the header names 2 columns" --grading grading.tsv -o out.h5
 }

@@ -137,6 +137,15 @@ Fabric sheet(const std::array<int, 2>& cells, double spacing, double height) {
   return fabric;
 }
 
+std::size_t geotextiles_of(const io::Snapshot& state) {
+  const std::vector<std::int32_t>& ids = state.yarns.geotextile_id;
+  return ids.empty() ? 0 : static_cast<std::size_t>(*std::max_element(ids.begin(), ids.end())) + 1;
+}
+
+std::vector<dem::WireCurve> resting_geotextiles(std::size_t count) {
+  return std::vector<dem::WireCurve>(count, {"resting", {1}, {1}, 1});
+}
+
 void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state) {
   io::GrainsRecord& g = state.grains;
   io::YarnsRecord& y = state.yarns;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "dem/contact/model.h"
 #include "files/records.h"
 #include "packing/container/container.h"
 
@@ -42,6 +43,11 @@ std::array<int, 3> cells_of(const Container& bag, double spacing, double outside
 /// Returns a sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, centred on the z axis, with yarns
 /// `spacing` m apart.
 Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);
+
+/// Returns the number of geotextiles that yarns of the state name.
+std::size_t geotextiles_of(const io::Snapshot& state);
+/// Returns that many geotextiles, for states whose yarns bear nothing: any curve will do.
+std::vector<dem::WireCurve> resting_geotextiles(std::size_t count);
 
 /// Adds the fabric's nodes, with copy_id -1, after the grains, and its yarns. The fabric gets the next free number.
 void add(const Fabric& fabric, const NodeRecipe& recipe, io::Snapshot& state);

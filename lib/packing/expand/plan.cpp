@@ -214,6 +214,30 @@ void scale(io::Snapshot& volume, double factor) {
     for (double& x : field.values) x *= std::pow(factor, power_of_length(field));
 }
 
+// Returns the number of geotextiles that yarns of the plan name.
+std::size_t geotextiles_of(const Plan& plan) {
+  std::int32_t last = plan.nodes.geotextile;
+  for (const Plan::Sheet& s : plan.sheets) last = std::max(last, s.nodes.geotextile);
+  return static_cast<std::size_t>(last) + 1;
+}
+
+// Adds a mistake for each key that the plan gives, but that has no effect beside others.
+void demand_used(Settings& document, const Plan& plan) {
+  const auto refuse = [&](const char* table, const char* key, const char* why) {
+    if (Settings found = document.table(table); found.has(key)) found.mistake(key, why);
+  };
+  if (plan.surround)
+    refuse("grains", "scale", "is given beside [surround], which has a scale of its own: give surround.scale");
+  if (plan.growth)
+    refuse("numerics", "damping", "is given beside [growth], which has a damping of its own: give growth.damping");
+  // A container that could not be read is a mistake already.
+  if (plan.container || document.table("container").text("shape", "unknown") != "none") return;
+  constexpr const char* no_soil = "is given beside container.shape = \"none\", which takes no soil: leave it out";
+  refuse("container", "copies", no_soil);
+  refuse("grains", "scale", no_soil);
+  refuse("grains", "density", no_soil);
+}
+
 }  // namespace
 
 Laid read_laid(Settings& table) {
@@ -250,11 +274,9 @@ Plan read_plan(Settings& document, const NamedFiles& files) {
   plan.density = dem::read_density(document);
   plan.model = dem::read_model(document);
   plan.numerics = dem::read_numerics(document);
-  std::vector<dem::WireCurve> geotextiles;
-  if (plan.surround)
-    for (Settings table : document.tables("geotextile"))
-      geotextiles.push_back(
-          dem::read_geotextile(table, fmt::format("geotextile.{}", geotextiles.size()), files, plan.sources));
+  for (Settings table : document.tables("geotextile"))
+    plan.model.geotextiles.push_back(
+        dem::read_geotextile(table, fmt::format("geotextile.{}", plan.model.geotextiles.size()), files, plan.sources));
   if (document.has("growth")) {
     Settings table = document.table("growth");
     plan.growth = Growth::read(table);
@@ -262,11 +284,12 @@ Plan read_plan(Settings& document, const NamedFiles& files) {
       table.mistake("", "needs a geotextile to grow against: give [geotextile_mesh]");
   }
   if (plan.surround) demand_fill(document, plan);
+  demand_used(document, plan);
   document.finish();
   plan.resolved = document.resolved();
-  // Yarns have no tension while grains grow, so any curve will do.
-  if (!plan.surround) geotextiles.assign(1, {"resting", {1}, {1}, 1});
-  plan.model.geotextiles = std::move(geotextiles);
+  // Yarns have no tension while grains grow, so that a plan need not describe them.
+  if (!plan.surround && plan.model.geotextiles.empty())
+    plan.model.geotextiles = resting_geotextiles(geotextiles_of(plan));
   return plan;
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
+#include "analysis/measure/volume_of_interest.h"
 #include "core/error.h"
 
 namespace soilweave::packing {
@@ -20,6 +21,7 @@ constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
 constexpr analysis::SoundLimits limits = analysis::made_packing;
 constexpr double most_overlap = 0.05;            // mean overlap over the mean radius
 constexpr double median_error = 0.1;             // share of the median diameter by mass
+constexpr double loosest = 10;                   // void ratio of a cloud, beyond which units differ
 constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
 // Returns the median diameter by mass of n grains over that of the curve.
@@ -82,6 +84,26 @@ std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains) {
                fmt::format("half the mass of the {} grains is finer than {:.3g} times the diameter that the grading "
                            "has there: {}",
                            grains, ratio, remedy)};
+}
+
+std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest) {
+  if (coarsest <= curve.diameter.back()) return std::nullopt;
+  return Doubt{"coarsest",
+               fmt::format("--coarsest leaves nothing out: it is {:.4g} mm, and the largest diameter of the "
+                           "grading is {:.4g} mm: give it in m, or with its unit (0.15mm)",
+                           1e3 * coarsest, 1e3 * curve.diameter.back())};
+}
+
+std::optional<Doubt> cell_doubt(const io::Snapshot& state) {
+  const auto& periodic = state.cell.periodic;
+  const int d = state.grains.dimension;
+  if (!std::all_of(periodic.begin(), periodic.begin() + d, [](bool p) { return p; })) return std::nullopt;
+  const double void_ratio = analysis::void_ratio(state);
+  if (void_ratio <= loosest) return std::nullopt;
+  return Doubt{"cell-unit",
+               fmt::format("the void ratio is {:.3g}, above {}: the cell is {:.4g} m wide, and the grains' "
+                           "mean radius is {:.4g} m: check that both have one unit of length",
+                           void_ratio, loosest, state.cell.matrix(0, 0), mean_radius(state))};
 }
 
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room) {

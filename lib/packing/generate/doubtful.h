@@ -20,6 +20,12 @@ std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius
 /// grains needs many grains.
 std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains);
 
+/// Returns a doubt if a largest diameter (--coarsest, m) leaves out nothing of the curve, as one in mm would.
+std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest);
+
+/// Returns a doubt if a periodic cell is so loose that it and its grains seem to have different units of length.
+std::optional<Doubt> cell_doubt(const io::Snapshot& state);
+
 /// Returns doubts about a packing at rest under an isotropic pressure: the two above, rattlers, a coordination number
 /// below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
 std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room);

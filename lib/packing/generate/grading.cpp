@@ -10,6 +10,7 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/text/text.h"
 #include "files/exchange/table.h"
 
 SOILWEAVE_EMBED(toyoura, "data/gradings/toyoura.tsv")
@@ -20,14 +21,22 @@ namespace {
 // Number of slices of equal mass that turn mass into number; the error falls with its square.
 constexpr std::size_t slices = 100'000;
 
+// Returns "; did you mean diameter instead of Diameter?" if a column has nearly this name.
+std::string meant(const io::Series& table, const std::string& name) {
+  for (const io::Column& column : table.columns)
+    if (!nearest(column.name, {name}).empty())
+      return fmt::format("; did you mean {} instead of {}?", name, column.name);
+  return "";
+}
+
 }  // namespace
 
 Grading Grading::from_tsv(std::string_view text, const std::string& where) {
   const io::Series table = io::from_tsv(text, where);
   for (const char* name : {"diameter", "finer_by_mass"})
     if (!table.find(name))
-      throw DataError(fmt::format("{}: no column {} among {}: head the columns diameter [mm] and finer_by_mass [%]",
-                                  where, name, io::column_names(table)));
+      throw DataError(fmt::format("{}: no column {} among {}{}: head the columns diameter [mm] and finer_by_mass [%]",
+                                  where, name, io::column_names(table), meant(table, name)));
   Grading g;
   g.diameter = io::in_unit(table, "diameter", "m", where);
   g.finer = io::in_unit(table, "finer_by_mass", "1", where);
