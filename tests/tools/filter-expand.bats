@@ -336,7 +336,8 @@ PY
     refuses 65 filter-expand "is given beside container.shape = \"none\"" packing.h5 bare.toml --set "$set" -o out.h5
   done
   refuses 64 filter-expand "has no [growth], so that nothing is measured: leave it out" packing.h5 bare.toml --history h.tsv -o out.h5
-  refuses 73 filter-expand "is finished and holds no measurements: leave out --history" packing.h5 bag.toml --resume --history h.tsv -o bag.h5
+  refuses 73 filter-expand "is finished and holds no measurements: leave out --history" --quiet packing.h5 bag.toml --resume --history h.tsv \
+    -o bag.h5
 }
 
 @test "what cannot be is refused" {

@@ -102,32 +102,25 @@ TEST(Run, PlatesKeepTheirFrictionUntilAStageGivesThemAnother) {
       "[[plane]]\nname = \"top\"\npoint = \"touch\"\nnormal = [0, 0, -1]\nmaterial = 1\n"
       "[equilibrium]\nunbalanced_force = 0.1\n[record]\nsnapshots = \"stations\"\n";
   const auto held = [](const std::string& keys) { return "[[stage]]\npath = \"free\"\n" + keys; };
-  const auto sheared = [](const std::string& keys) {
-    return "[[stage]]\npath = \"drive\"\n" + keys +
-           "[[stage.move]]\npart = \"top\"\nalong = [0, 0, -1]\ndistance = 2e-4\nspeed = 0.05\n";
-  };
+  const auto squeezed = [&](const std::string& keys) { return held(keys) + "[stage.x]\nstrain = 0.002\n"; };
   const io::Snapshot packing = [] {
     io::Snapshot state = testing::packed(testing::sand(), 1e5);
     state.cell.periodic[2] = false;
     state.contacts = {};
     return state;
   }();
-  const auto force = [&](const std::string& stages) {
-    const Scenario plan = scenario(plates + stages);
-    return last(run(prepare(packing, plan), plan, {}).file, "force_top_z");
+  const auto stress = [](const io::Snapshot& start, const std::string& text) {
+    const Scenario plan = scenario(text);
+    return last(run(prepare(start, plan), plan, {}).file, "stress_xx");
   };
-  const double smooth = force(held("plate_friction_angle = 0\n") + sheared(""));
-  EXPECT_EQ(force(held("plate_friction_angle = 0\n") + sheared("friction_angle = 29\n")), smooth);
-  EXPECT_NE(force(held("") + sheared("")), smooth);
+  const double smooth = stress(packing, plates + held("plate_friction_angle = 0\n") + squeezed(""));
+  EXPECT_EQ(stress(packing, plates + held("plate_friction_angle = 0\n") + squeezed("friction_angle = 29\n")), smooth);
+  EXPECT_NE(stress(packing, plates + held("") + squeezed("")), smooth);
   // Planes of the input obey too.
   io::Snapshot inherited = packing;
   inherited.planes = prepare(packing, scenario(plates + held(""))).planes;
   const std::string bare = plates.substr(0, plates.find("[[plane]]")) + "[equilibrium]\nunbalanced_force = 0.1\n";
-  const auto squeezed = [&](const std::string& keys) {
-    const Scenario plan = scenario(bare + held(keys) + "[stage.x]\nstrain = 0.002\n");
-    return last(run(prepare(inherited, plan), plan, {}).file, "stress_xx");
-  };
-  EXPECT_NE(squeezed("plate_friction_angle = 0\n"), squeezed(""));
+  EXPECT_NE(stress(inherited, bare + squeezed("plate_friction_angle = 0\n")), stress(inherited, bare + squeezed("")));
 }
 
 TEST(Run, RecordsStrainsThatCountFromTheStartOfTheirStage) {
