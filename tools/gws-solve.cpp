@@ -116,7 +116,7 @@ struct Identify {
     output.put(groups, output.place_of(groups, table),
                toml ? gws::identified_soil(found, bags, series.method(), invocation.command)
                     : gws::describe(found, bags, series.method()),
-               sources, scenario, invocation, {});
+               sources, scenario, invocation, gws::doubts(found, assignments));
   }
 };
 

@@ -163,6 +163,27 @@ PY
   [[ $stderr == *"beyond.tsv: row 2: q/p = 4.2 under 200 kPa; in compression q/p lies between 0 and 3, and the pressure above 0" ]] || show
 }
 
+@test "what is identified the next command takes, and what is not is a doubt" {
+  local strengths
+  gws-solve respond --geotextile PP --points 40 --tsv > PP.tsv
+  for strengths in "1.40 1.35 1.30" "1.65 1.645 1.64" "1.20 1.22 1.25"; do
+    # shellcheck disable=SC2086  # three words
+    set -- $strengths
+    printf 'confining_pressure [kPa]\tobliquity_at_failure [1]\n100\t%s\n200\t%s\n400\t%s\n' "$@" > peaks.tsv
+    exits 0 gws-solve identify PP.tsv --failure peaks.tsv --toml
+    printf '%s\n' "$output" > soil.toml
+    if [[ $1 == 1.40 ]]; then
+      [[ $stderr == *": doubt: stiffness: not identified, so the answer keeps the constants of soil toyoura-gws: "* ]] || show
+      near "$(awk '/^n =/ { print $3; exit }' soil.toml)" 0.0559 0.01
+    else
+      [[ $stderr == *": doubt: failure_line, stiffness: not identified, so the answer keeps "*"--set failure_line.n=0"* ]] || show
+    fi
+    exits 0 gws-solve respond --geotextile PP --soil soil.toml
+  done
+  exits 0 gws-solve identify PP.tsv --set failure_line.n=0 --set failure_line.M=1.645 --soil soil.toml
+  [[ $stderr == *": doubt: stiffness: "* && $stderr != *failure_line* ]] || show
+}
+
 @test "a soil has all its constants, and says where its data end" {
   sed '/^xi/d; /^p_1/d' "$LAB/../soils/toyoura-gws.toml" > partial.toml
   exits 65 gws-solve respond --soil partial.toml --geotextile PP

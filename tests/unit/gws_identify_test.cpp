@@ -181,6 +181,87 @@ TEST(GwsIdentify, OneGeotextileLeavesTheStiffnessUnidentifiedWithTheReason) {
   EXPECT_EQ(found.left_out[0], "stiffness: 1 points for 2 constants; give more");
 }
 
+/// Returns the failure line through strengths at mean stresses in kPa, as identification finds it from Toyoura sand's.
+Identification of_strengths(const std::vector<double>& pressures, const std::vector<double>& strengths) {
+  std::mt19937_64 random(5);
+  Points failure{pressures, strengths};
+  for (double& p : failure.x) p *= 1e3;
+  return identify({made("PP", 30, 0, 0, random)}, {"test", {}, {}}, {}, failure, Difference::central, Method::thesis);
+}
+
+TEST(GwsIdentify, AnyFallingStrengthsGiveTheirFailureLine) {
+  for (const double n : {0.02, 0.056, 0.3})
+    for (const double p_c : {1e4, 0.36e6, 1e10}) {
+      std::vector<double> strengths;
+      for (const double p : {100e3, 200e3, 400e3}) strengths.push_back(1.35 * std::pow(p / p_c, -n));
+      const Soil found = of_strengths({100, 200, 400}, strengths).soil.soil;
+      EXPECT_NEAR(found.n, n, 1e-6 * n);
+      EXPECT_NEAR(found.p_c, p_c, 1e-6 * p_c);
+    }
+}
+
+TEST(GwsIdentify, StrengthsThatDoNotFallGiveNoLineButADoubt) {
+  const std::vector<std::vector<double>> strengths{{1.20, 1.25}, {1.6, 1.65}, {1.65, 1.64}, {1.4, 1.4}};
+  for (const std::vector<double>& rising : strengths) {
+    const Identification found = of_strengths({100, 400}, rising);
+    EXPECT_EQ(found.soil.soil.n, Soil{}.n);
+    EXPECT_EQ(found.soil.soil.p_c, Soil{}.p_c);
+    ASSERT_EQ(doubts(found, {}).size(), 1u);
+    const std::string why = doubts(found, {}).front().sentence;
+    EXPECT_EQ(why.rfind("failure_line, stiffness: not identified, so the answer keeps the constants of soil test", 0),
+              0u);
+    EXPECT_NE(why.find("--set failure_line.n=0 --set failure_line.M="), std::string::npos) << why;
+  }
+  EXPECT_TRUE(doubts(of_strengths({100, 400}, {1.6, 1.5}), {"stiffness.alpha=3e7"}).empty());
+  EXPECT_EQ(doubts(of_strengths({100}, {1.6}), {}).front().sentence.find("failure_line, stiffness"), 0u);
+}
+
+TEST(GwsIdentify, ALineThatItsPointsDoNotFollowIsLeftOut) {
+  std::mt19937_64 random(6);
+  for (const Method method : {Method::path, Method::thesis}) {
+    std::vector<BagSeries> series;
+    for (const char* name : {"PE", "PP", "3PP"}) {
+      series.push_back(made(name, 40, 0, 0, random));
+      for (double& strain : series.back().strain_volumetric) strain = -strain;
+    }
+    const Identification found = identify(series, {"test", {}, {}}, {}, {}, Difference::central, method);
+    for (const Line& line : found.lines) {
+      EXPECT_NE(line.name, "compression_line");
+      EXPECT_GT(line.fit.determination, 0) << line.name;
+      for (std::size_t k = 0; k < line.constants.size(); ++k)
+        EXPECT_TRUE(constant(line.constants[k]).parameter.contains(line.fit.estimates[k])) << line.constants[k];
+    }
+    EXPECT_NE(doubts(found, {}).front().sentence.find("check signs and units"), std::string::npos);
+  }
+}
+
+TEST(GwsIdentify, RowsThatNoSoilHasAreRefused) {
+  const auto refusal = [](const std::string& units, const std::string& rows) {
+    try {
+      bag_series(io::from_tsv("strain_axial" + units +
+                                  "\tstrain_volumetric [%]\tmean_stress [kPa]\t"
+                                  "deviatoric_stress [kPa]\ttensile_stiffness [kN/m]\n" +
+                                  rows,
+                              "table"),
+                 "table", 0, false);
+    } catch (const DataError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(" [%]", "0\t0\t10\t12\t53\n1\t0.5\t20\t25\t53\n2\t0.4\t30\t40\t53\n"), "");
+  EXPECT_NE(refusal("", "0\t0\t10\t12\t53\n1\t0.5\t20\t25\t53\n2\t0.4\t30\t40\t53\n")
+                .find("row 2: strain_axial = 1; must be between -1 and 1: per cent are written strain_axial [%]"),
+            std::string::npos);
+  EXPECT_NE(refusal(" [%]", "0\t0\t10\t-9\t53\n1\t0.5\t40\t-25\t53\n2\t0.4\t70\t-40\t53\n").find("row 3: q = -40 kPa"),
+            std::string::npos);
+  EXPECT_NE(refusal(" [%]", "0\t0\t10\t12\t53\n1\t0.5\t20\t65\t53\n2\t0.4\t30\t80\t53\n").find("row 2: q/p = 3.25"),
+            std::string::npos);
+  EXPECT_NE(refusal(" [%]", "0\t0\t10\t12\t53\n1\t50\t20\t25\t53\n2\t40\t30\t40\t53\n")
+                .find("volumetric strains up to 0.5 beside axial ones up to 0.02"),
+            std::string::npos);
+}
+
 TEST(GwsIdentify, SeriesAreReadInAnyUnitUpToFailure) {
   const io::Series table = io::from_tsv(
       "strain_axial [%]\tstrain_volumetric [%]\tmean_stress [kPa]\tdeviatoric_stress [kPa]\ttensile_stiffness [kN/m]\n"

@@ -26,6 +26,9 @@ BagSeries BagSeries::from_row(std::size_t n) const {
 
 namespace {
 
+// Volume changes by three times the axial strain under equal strains along all axes; wrapped soil spreads.
+constexpr double greatest_volumetric = 3;
+
 // Keeps the rows up to `last` whose axial strain is not below that of an earlier one; returns how many it left out.
 std::size_t keep_loading(BagSeries& s, std::size_t last) {
   std::size_t kept = 0;
@@ -43,6 +46,49 @@ std::size_t keep_loading(BagSeries& s, std::size_t last) {
   if (!s.contracting.empty()) s.contracting.resize(kept);
   s.row.resize(kept);
   return last + 1 - kept;
+}
+
+// Throws DataError if row i has no numbers, or no compression.
+void check_row(const BagSeries& s, std::size_t i, const std::string& where, std::size_t row) {
+  if (!(s.mean_stress[i] > 0))
+    throw DataError(
+        fmt::format("{}: row {}: mean stress {} Pa; must be above 0, compression", where, row, s.mean_stress[i]));
+  if (!std::isfinite(s.strain_axial[i] + s.strain_volumetric[i] + s.deviatoric_stress[i]))
+    throw DataError(
+        fmt::format("{}: row {}: a strain or stress is not a number; leave the row out, or mend it", where, row));
+}
+
+// Throws DataError for rows of loading that no wrapped soil under compression has: a strain of 1 or more, q/p of 3 or
+// more, q of extension at the greatest axial stress, or volumetric strains far beyond the axial ones. natural: strains
+// were logarithmic.
+void check_loading(const BagSeries& s, const std::string& where, bool natural) {
+  double axial = 0, volumetric = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const auto judge = [&](const char* name, double strain, double& greatest) {
+      greatest = std::max(greatest, std::abs(strain));
+      if (const double given = natural ? -std::log1p(-strain) : strain; !(std::abs(given) < 1))
+        throw DataError(
+            fmt::format("{}: row {}: {} = {:.4g}; must be between -1 and 1: per cent are written {} [%] in the header",
+                        where, s.row[i] + 1, name, given, name));
+    };
+    judge("strain_axial", s.strain_axial[i], axial);
+    judge("strain_volumetric", s.strain_volumetric[i], volumetric);
+    if (const double obliquity = s.deviatoric_stress[i] / s.mean_stress[i]; !(obliquity < 3))
+      throw DataError(
+          fmt::format("{}: row {}: q/p = {:.4g}; must be below 3, where the lateral stress is zero: check the units of "
+                      "deviatoric_stress and mean_stress",
+                      where, s.row[i] + 1, obliquity));
+  }
+  if (!(s.deviatoric_stress.back() > 0))
+    throw DataError(
+        fmt::format("{}: row {}: q = {:.4g} kPa at the greatest axial stress; must be above 0, sigma_a - "
+                    "sigma_r with compression positive",
+                    where, s.row.back() + 1, s.deviatoric_stress.back() / 1e3));
+  if (volumetric > greatest_volumetric * axial)
+    throw DataError(fmt::format(
+        "{}: volumetric strains up to {:.4g} beside axial ones up to {:.4g}: check the units in the header, "
+        "per cent are written [%]",
+        where, volumetric, axial));
 }
 
 // Returns the stiffness of a column. It may not change, nor differ by a per cent from the given one (0: none is given).
@@ -84,12 +130,7 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
   std::iota(s.row.begin(), s.row.end(), first_row);
   std::size_t peak = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
-    if (!(s.mean_stress[i] > 0))
-      throw DataError(fmt::format("{}: row {}: mean stress {} Pa; must be above 0, compression", where,
-                                  first_row + i + 1, s.mean_stress[i]));
-    if (!std::isfinite(s.strain_axial[i] + s.strain_volumetric[i] + s.deviatoric_stress[i]))
-      throw DataError(fmt::format("{}: row {}: a strain or stress is not a number; leave the row out, or mend it",
-                                  where, first_row + i + 1));
+    check_row(s, i, where, first_row + i + 1);
     if (natural) {
       s.strain_axial[i] = -std::expm1(-s.strain_axial[i]);
       s.strain_volumetric[i] = -std::expm1(-s.strain_volumetric[i]);
@@ -103,6 +144,7 @@ BagSeries bag_series(const io::Series& table, const std::string& where, double s
         "{}: rows up to the greatest axial stress whose axial strain does not fall: {}; at least 3 are needed: "
         "sort the rows by time, with compression positive",
         where, s.size()));
+  check_loading(s, where, natural);
   if (s.size() < table.rows())
     s.note = fmt::format("{}: {} of {} rows, up to {}{}", where, s.size(), table.rows(),
                          peak + 1 < table.rows() ? "the greatest axial stress" : "the last",

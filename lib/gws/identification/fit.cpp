@@ -130,7 +130,8 @@ Fit fit(const std::string& what, const std::vector<double>& observed, const std:
   int status = gsl_multifit_nlinear_init(&first.vector, &functions, solver.get());
   if (status != GSL_SUCCESS) throw undetermined(status);
   status = gsl_multifit_nlinear_driver(1000, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, solver.get());
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw undetermined(status);
+  // A search that begins at its end makes no progress; GSL then tells GSL_EMAXITER, and the cause as the reason.
+  if (status != GSL_SUCCESS && status != GSL_ENOPROG && reason != GSL_ENOPROG) throw undetermined(status);
   const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(solver.get());
   const Matrix covariance(gsl_matrix_alloc(k, k), gsl_matrix_free);
   gsl_multifit_nlinear_covar(jacobian, 0, covariance.get());

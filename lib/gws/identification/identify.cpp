@@ -5,15 +5,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "core/error.h"
+#include "core/text/text.h"
 #include "gws/identification/path_lines.h"
 #include "gws/identification/thesis_lines.h"
 #include "gws/solution/model.h"
 
 namespace soilweave::gws {
 namespace {
+
+/// Throws DataError if the line's constants leave their ranges, or if it explains its points worse than their mean
+/// does.
+void judge(const Line& line) {
+  for (std::size_t k = 0; k < line.constants.size(); ++k) {
+    const Parameter& range = constant(line.constants[k]).parameter;
+    if (!range.contains(line.fit.estimates[k]))
+      throw DataError(
+          fmt::format("{}: {} = {:.4g} is out of range: must be {} ({}); check signs and units of the points",
+                      line.name, range.name, line.fit.estimates[k], range_text(range), range.why));
+  }
+  if (!(line.fit.determination > 0))
+    throw DataError(
+        fmt::format("{}: the points do not follow the line (R2 {:.3g}, less than their mean explains); check signs and "
+                    "units of the columns: contraction, compression and q = sigma_a - sigma_r are positive",
+                    line.name, line.fit.determination));
+}
 
 /// Collects lines, and why others are not among them.
 struct Collected {
@@ -23,7 +41,9 @@ struct Collected {
   template <class Make>
   void add(const Make& make) {
     try {
-      lines.push_back(make());
+      Line line = make();
+      judge(line);
+      lines.push_back(std::move(line));
     } catch (const DataError& error) {
       left_out.emplace_back(error.what());
     }
@@ -72,13 +92,19 @@ void by_path(Collected& all, const std::vector<BagSeries>& series, const Soil& s
   set_constants(start, lines);
   std::vector<Line> found;
   std::vector<std::string> left_out;
-  try {
-    found = path_lines(series, start, compression_given, difference, left_out);
-  } catch (const DataError&) {
+  const auto search = [&](const Soil& from) {
     left_out.clear();
-    found = path_lines(series, soil, compression_given, difference, left_out);
+    found = path_lines(series, from, compression_given, difference, left_out);
+    // Constants of the paths hang together, so that none is kept without the others. The stiffness rests on them.
+    for (const Line& line : found)
+      if (line.name != "stiffness") judge(line);
+  };
+  try {
+    search(start);
+  } catch (const DataError&) {
+    search(soil);
   }
-  std::ranges::move(found, std::back_inserter(all.lines));
+  for (Line& line : found) all.add([&] { return std::move(line); });
   all.left_out.insert(all.left_out.end(), left_out.begin(), left_out.end());
 }
 
@@ -135,6 +161,22 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
       found.soil.scatter.push_back({line.constants, line.fit.standard_errors, line.fit.correlation, line.fit.freedom});
   }
   return found;
+}
+
+std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments) {
+  std::vector<std::string> kept;
+  for (const Constant& c : constants()) {
+    const std::string start = std::string(c.line) + ".";
+    const bool assigned =
+        std::ranges::any_of(assignments, [&](const std::string& one) { return one.starts_with(start); });
+    const bool identified = std::ranges::any_of(found.lines, [&](const Line& line) { return line.name == c.line; });
+    if (!assigned && !identified && (kept.empty() || kept.back() != c.line)) kept.emplace_back(c.line);
+  }
+  if (kept.empty()) return {};
+  std::string why = fmt::format("{}", fmt::join(found.left_out, "; "));
+  if (why.empty()) why = "give what determines them, as --failure for the failure line";
+  return {{"not-identified", fmt::format("{}: not identified, so the answer keeps the constants of soil {}: {}",
+                                         fmt::join(kept, ", "), found.soil.name, why)}};
 }
 
 }  // namespace soilweave::gws

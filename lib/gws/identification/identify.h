@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/doubts.h"
 #include "gws/identification/line.h"
 #include "gws/solution/soil.h"
 
@@ -35,11 +36,16 @@ enum class Method {
 /// Returns which strain the compression line was fitted to, and how, in one sentence.
 std::string_view explained(Method method);
 
-/// Identifies the lines that the series allow. compression, failure: points of other tests; empty: none. M, p_a, m and
-/// Poisson's ratio are not identified: M and p_c are one constant together, m and nu are as in the thesis. Series not
-/// from rest serve the near-failure line alone. difference: of the increments that are tabulated, and (Method::thesis)
-/// fitted. No point is dropped.
+/// Identifies the lines that the series allow. A line is left out if its constants leave their ranges, or if it
+/// explains its points worse than their mean does. compression, failure: points of other tests; empty: none. M, p_a, m
+/// and Poisson's ratio are not identified: M and p_c are one constant together, m and nu are as in the thesis. Series
+/// not from rest serve the near-failure line alone. difference: of the increments that are tabulated, and
+/// (Method::thesis) fitted. No point is dropped.
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference, Method method);
+
+/// Returns the doubt "not-identified" if lines keep the constants of the soil that identification began with.
+/// assignments: constants that the user gave, as "failure_line.n=0"; their lines are not doubted.
+std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments);
 
 }  // namespace soilweave::gws

@@ -24,6 +24,7 @@ constexpr double difference_step = 1e-5;  // of a parameter, for derivatives
 constexpr double path_tolerance = 1e-9;   // a thousandth of what one difference step changes
 constexpr int whitenings = 3;             // the correlation settles after two
 constexpr int most_iterations = 100;
+constexpr double remaining_gain = 1e-6;  // share of the sum of squares; a hundredth of the errors at a hundred rows
 
 /// A constant as a parameter of the search: positive ones as their logarithm.
 struct SearchedConstant {
@@ -67,10 +68,15 @@ class Search {
     if (rows_ <= at_.size())
       throw DataError(fmt::format("{} rows for {} constants; give longer series, or more of them", rows_, at_.size()));
     learn_errors(residuals(at_));
+    bool converged = false;
     for (int k = 0; k < whitenings; ++k) {
-      descend();
+      converged = descend();
       learn_errors(residuals(at_));
     }
+    if (!converged)
+      throw DataError(
+          "the search stops before the least sum of squares; check signs and units of the columns, or give --fit "
+          "thesis, which searches line by line");
     return result();
   }
 
@@ -184,17 +190,20 @@ class Search {
     }
   }
 
-  /// Levenberg-Marquardt to the nearest least sum of squares.
-  void descend() {
+  /// Goes by Levenberg-Marquardt to the nearest least sum of squares. Returns whether it gets there: whether the next
+  /// full step would gain less than a `remaining_gain` of the sum.
+  bool descend() {
     double damping = 1e-3, best = squares(at_);
     if (!std::isfinite(best)) throw ended_early();
     MatrixXd jacobian;
     VectorXd white;
+    double promised = 0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       linearize(jacobian, white);
       if (!jacobian.allFinite()) throw ended_early();
       const MatrixXd normal = jacobian.transpose() * jacobian;
       const VectorXd slope = jacobian.transpose() * white;
+      promised = slope.dot(normal.ldlt().solve(slope));
       bool better = false;
       double gain = 0;
       while (!better && damping < 1e12) {
@@ -209,9 +218,10 @@ class Search {
         at_ = tried;
         best = now;
       }
-      if (!better || gain < 1e-10 * best) return;
+      if (!better || gain < 1e-10 * best) return promised < remaining_gain * best;
       damping = std::max(damping, 1e-12);
     }
+    return promised < remaining_gain * best;
   }
 
   DataError ended_early() const {

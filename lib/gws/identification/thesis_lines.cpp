@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/identification/thesis_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,21 +14,38 @@
 namespace soilweave::gws {
 namespace {
 
+/// Returns whether a constant has no value of zero or below.
+bool is_positive(const Constant& constant) { return constant.parameter.low == 0 && constant.parameter.open; }
+
 /// Fits `line` once its points and constants are there. model(soil, i) is the fitted value for observed[i];
-/// ordinate(soil, x) is the line in its figure.
+/// ordinate(soil, x) is the line in its figure. Positive constants are searched as their logarithms, since they may be
+/// many orders of magnitude from those of `soil`.
 void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
               const std::function<double(const Soil&, std::size_t)>& model,
               const std::function<double(const Soil&, double)>& ordinate) {
-  for (const std::string& key : line.constants) line.given.push_back(soil.*constant(key).field);
+  std::vector<double> start;
+  for (const std::string& key : line.constants) {
+    const Constant& searched = constant(key);
+    line.given.push_back(soil.*searched.field);
+    start.push_back(is_positive(searched) ? std::log(line.given.back()) : line.given.back());
+  }
   Soil trial = soil;
   const auto set = [&](const double* values) {
-    for (std::size_t k = 0; k < line.constants.size(); ++k) trial.*constant(line.constants[k]).field = values[k];
+    for (std::size_t k = 0; k < line.constants.size(); ++k) {
+      const Constant& searched = constant(line.constants[k]);
+      trial.*searched.field = is_positive(searched) ? std::exp(values[k]) : values[k];
+    }
   };
-  line.fit = fit(line.name, observed, line.given, [&](const double* parameters, double* fitted) {
+  line.fit = fit(line.name, observed, start, [&](const double* parameters, double* fitted) {
     set(parameters);
     for (std::size_t i = 0; i < observed.size(); ++i) fitted[i] = model(trial, i);
   });
   set(line.fit.estimates.data());
+  for (std::size_t k = 0; k < line.constants.size(); ++k) {
+    const Constant& searched = constant(line.constants[k]);
+    line.fit.estimates[k] = trial.*searched.field;
+    if (is_positive(searched)) line.fit.standard_errors[k] *= trial.*searched.field;
+  }
   for (const double x : line.x) line.ordinate.push_back(ordinate(trial, x));
 }
 
@@ -34,6 +53,33 @@ void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
 void fit_line(Line& line, const Soil& soil, const std::function<double(const Soil&, double)>& ordinate) {
   fit_line(
       line, soil, line.y, [&](const Soil& trial, std::size_t i) { return ordinate(trial, line.x[i]); }, ordinate);
+}
+
+/// Returns the soil with n and p_c of the straight line through ln q/p against ln p, where the search for the failure
+/// line begins. Throws DataError if q/p does not fall, or so little that p_c leaves its range.
+Soil falling(Soil soil, const Line& line) {
+  const auto count = static_cast<double>(line.x.size());
+  double x_mean = 0, y_mean = 0, squares = 0, products = 0, strength = 0;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    x_mean += std::log(line.x[i]) / count;
+    y_mean += std::log(line.y[i]) / count;
+    strength += line.y[i] / count;
+  }
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    const double x = std::log(line.x[i]) - x_mean;
+    squares += x * x;
+    products += x * (std::log(line.y[i]) - y_mean);
+  }
+  if (!(squares > 0))
+    throw DataError(line.name + ": all tests have one pressure; give strengths at two pressures or more");
+  soil.n = -products / squares;
+  soil.p_c = std::exp(x_mean + (y_mean - std::log(soil.M)) / soil.n);
+  if (soil.n > 0 && constant("failure_line.p_c").parameter.contains(soil.p_c)) return soil;
+  throw DataError(fmt::format(
+      "{}: q/p at failure {} with pressure (n = {:.3g}, p_c = {:.3g} Pa): give tests over a wider range of pressures, "
+      "or "
+      "take one strength for all by --set failure_line.n=0 --set failure_line.M={:.4g} instead of --failure",
+      line.name, soil.n > 0 ? "hardly falls" : "does not fall", soil.n, soil.p_c, strength));
 }
 
 }  // namespace
@@ -56,7 +102,9 @@ Line compression_line(const std::vector<BagSeries>& series, const Soil& soil, co
 Line failure_line(const std::vector<BagSeries>& series, const Soil& soil, const Points& points) {
   Line line = started("failure_line", {"n", "p_c"}, {"mean_stress", "Pa", "failure_obliquity", "1"});
   for (std::size_t i = 0; i < points.x.size(); ++i) put_point(line, points.x[i], points.y[i], series.size(), i);
-  fit_line(line, soil, [](const Soil& trial, double p) { return failure_obliquity(trial, p); });
+  if (line.x.size() < 2)
+    throw DataError(line.name + ": 1 point for 2 constants; give strengths at two pressures or more");
+  fit_line(line, falling(soil, line), [](const Soil& trial, double p) { return failure_obliquity(trial, p); });
   return line;
 }
 

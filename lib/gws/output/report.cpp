@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "core/text/text.h"
 #include "gws/output/tables.h"
+#include "gws/solution/model.h"
 
 namespace soilweave::gws {
 namespace {
@@ -194,6 +196,14 @@ std::string identified_soil(const Identification& found, const std::vector<BagSe
                             const std::string& command) {
   std::string comment = fmt::format("Identified by {}\n{}\n{}", command, explained(method), notes(series));
   for (const std::string& why : found.left_out) comment += "Not identified, constants as given: " + why + "\n";
+  const Soil& soil = found.soil.soil;
+  for (const BagSeries& bag : series)
+    if (const End end = soil_state(soil, soil.young_modulus(bag.stiffness), soil.p_0, {}).end; end != End::none)
+      throw DataError(
+          fmt::format("{}: the constants found allow no state of it at the first mean stress, {:.4g} Pa: {}; give "
+                      "--fit {}, or bags "
+                      "that begin at rest",
+                      bag.name, soil.p_0, reason(end), method == Method::path ? "thesis" : "path"));
   return soil_text(found.soil, comment);
 }
 
