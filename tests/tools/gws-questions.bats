@@ -77,6 +77,20 @@ questions() {
 TABLE
 }
 
+@test "what design answers for a data sheet, respond settles as asked" {
+  local scale
+  printf 'name = "slack"\ntension_at_2 = "2 kN/m"\ntension_at_5 = "8 kN/m"\nstrength = "60 kN/m"\nfailure_strain = "10 %%"\n' > slack.toml
+  gws-solve design --soil toyoura-gws --geotextile slack.toml --settlement "5 %" --tsv > allowance.tsv
+  gws-solve respond --soil toyoura-gws --geotextile slack.toml --surcharge "$(value allowance.tsv surcharge 1)" --tsv > service.tsv
+  near "$(value service.tsv settlement last)" 0.05 1e-6
+  exits 0 gws-solve design --soil toyoura-gws --geotextile slack.toml --surcharge "300 kPa" --settlement "5 %"
+  [[ $output == "Smallest stiffness 98.622 kN/m (secant at the 2.719 % it reaches) with a strength of 46.796 kN/m, 0.7799 times the tensions of slack"* ]] || show
+  scale=0.7799
+  awk -v scale=$scale '/kN/ { match($0, /[0-9.]+ kN/); n = substr($0, RSTART) * scale; sub(/"[0-9.]+/, "\"" n) } { print }' slack.toml > scaled.toml
+  gws-solve respond --soil toyoura-gws --geotextile scaled.toml --surcharge "300 kPa" --tsv > service.tsv
+  near "$(value service.tsv settlement last)" 0.05 1e-3
+}
+
 @test "thirty questions are answered, or refused in one line that tells what to change" {
   local wanted words arguments count=0
   while IFS=';' read -r wanted words arguments; do

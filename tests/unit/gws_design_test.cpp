@@ -7,6 +7,8 @@
 #include "core/error.h"
 #include "gws/design/design.h"
 #include "gws/design/sensitivity.h"
+#include "gws/solution/data_sheet.h"
+#include "gws/solution/secant.h"
 #include "support/gws_reference.h"
 
 namespace soilweave::gws {
@@ -64,6 +66,73 @@ TEST(GwsDesign, TheAllowableSurchargeIsTheLesserOfTheTwo) {
   EXPECT_NEAR(response.at_surcharge(by_settlement.surcharge).settlement(), 0.05, 1e-9);
   EXPECT_EQ(by_strength.governs, Governs::strength);
   EXPECT_NEAR(by_strength.surcharge, response.last().surcharge / 1.5, 1e-6);
+}
+
+/// Returns bags with data sheets: one that is slack at first, and one that is stiff at first.
+std::vector<Case> bags_of_sheets() {
+  std::vector<Case> bags(2, nothing_yet());
+  bags[0].geotextile = of_sheet("slack", {2e3, 8e3, 60e3, 0.1}, "here");
+  bags[1].geotextile = of_sheet("stiff", {20e3, 40e3, 60e3, 0.1}, "here");
+  return bags;
+}
+
+/// Returns the settlement of a bag under a surcharge, as `respond` finds it.
+double settlement_under(Case bag, double surcharge) {
+  bag = at_strain_reached(bag, surcharge);
+  bag.until = surcharge;
+  const Response response(bag);
+  EXPECT_FALSE(response.failed());
+  return response.last().settlement() - response.start().settlement();
+}
+
+TEST(GwsDesign, TheAnswerForADataSheetSettlesAsAskedInTheResponse) {
+  for (const std::optional<double> compacted : {std::optional<double>(), std::optional<double>(30e3)})
+    for (Case bag : bags_of_sheets()) {
+      bag.initial_surcharge = compacted;
+      const Allowance allowed = allowable_surcharge(bag, 0.04, 1.2);
+      ASSERT_EQ(allowed.governs, Governs::settlement);
+      EXPECT_NEAR(settlement_under(bag, allowed.surcharge), 0.04, 1e-6) << bag.geotextile.name;
+      const Design design = smallest_geotextile(bag, {300e3, 0.04, 1.2}, range);
+      Case designed = bag;
+      designed.geotextile = design.geotextile;
+      EXPECT_NEAR(settlement_under(designed, 300e3), 0.04, 1e-6) << bag.geotextile.name;
+      EXPECT_NEAR(design.service.hoop_tension / design.service.hoop_strain, design.geotextile.stiffness, 1);
+      // Only the tensions were scaled, all alike.
+      EXPECT_NEAR(design.geotextile.curve.tension[1] / bag.geotextile.curve.tension[1],
+                  design.geotextile.strength / bag.geotextile.strength, 1e-12);
+      const double J = at_strain_reached(bag, std::nullopt).geotextile.stiffness;
+      const ChartRow row = design_chart(bag, {300e3, 0.04, 1.2}, {J, 2 * J}, 2).front();
+      EXPECT_NEAR(row.service_settlement, settlement_under(bag, 300e3), 1e-6);
+      EXPECT_NEAR(row.allowable_surcharge / allowed.surcharge, 1, 1e-6);
+    }
+}
+
+TEST(GwsDesign, TheStrengthOfADataSheetGovernsAtTheSafety) {
+  for (const Case& bag : bags_of_sheets()) {
+    const Design design = smallest_geotextile(bag, {1000e3, 0.3, 1.5}, range);
+    EXPECT_EQ(design.governs, Governs::strength);
+    Case designed = bag;
+    designed.geotextile = design.geotextile;
+    EXPECT_NEAR(Response(at_strain_reached(designed, std::nullopt)).last().surcharge / 1500e3, 1, 1e-6);
+  }
+}
+
+TEST(GwsSensitivity, ADataSheetIsVariedAsItResponds) {
+  for (Case bag : bags_of_sheets()) {
+    bag = at_strain_reached(bag, 300e3);
+    bag.until = 300e3;
+    for (const Sensitivity& row : sensitivities(bag, {"test", bag.soil, {}}, 0.1)) {
+      if (row.key != "height") continue;
+      Case low = bag, high = bag;
+      low.bag.height *= 0.9, high.bag.height *= 1.1;
+      EXPECT_NEAR(row.service_settlement_low, settlement_under(low, 300e3), 1e-6);
+      EXPECT_NEAR(row.service_settlement_high, settlement_under(high, 300e3), 1e-6);
+    }
+    // Constants without scatter give bands without width.
+    const Bands bands = monte_carlo(bag, {"test", bag.soil, {{{"near_failure_line.xi"}, {0}, {1}, 10}}}, 2, 1, 3);
+    const BandRow& middle = bands.rows[1];
+    EXPECT_NEAR(settlement_under(bag, middle.surcharge.middle), middle.settlement, 1e-6);
+  }
 }
 
 TEST(GwsDesign, WhatNoStiffnessCarriesIsSaid) {

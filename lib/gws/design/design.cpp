@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "gws/solution/secant.h"
 
 namespace soilweave::gws {
 namespace {
@@ -17,35 +18,42 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the bag with stiffness J and no limit on its hoops, loaded up to a surcharge.
-Case unlimited_bag(Case bag, double J, double until) {
+/// Returns the geotextile of one kind with stiffness J: all tensions in proportion. J of a curve is the secant at the
+/// bag's limit.
+Geotextile of_one_kind(const Case& bag, double J) {
+  Geotextile found = bag.geotextile.layers(J / bag.geotextile.stiffness);
+  found.name = bag.geotextile.name;
+  return found;
+}
+
+/// Returns the bag with stiffness J, loaded up to a surcharge. Its hoops have no limit but the end of their curve.
+Case loaded_bag(Case bag, double J, double until) {
+  bag.until = until;
+  if (bag.geotextile.curve.known()) {
+    bag.geotextile = of_one_kind(bag, J);
+    return at_strain_reached(bag, until);
+  }
   bag.geotextile.stiffness = J;
   bag.geotextile.strength = bag.geotextile.failure_strain = unlimited;
-  bag.until = until;
   return bag;
 }
 
 struct Trial {
-  bool carried = false;
+  /// Whether the bag carries the surcharge, and the factored one.
+  bool serves = false, bears = false;
   Point start, service, factored;
+  /// Geotextile at service.
+  Geotextile geotextile;
 };
 
 Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   Case failing = bag;
   failing.soil = demand.weakened.value_or(bag.soil);
-  const Response response(unlimited_bag(failing, J, demand.safety * demand.surcharge));
-  Trial trial;
-  trial.carried = !response.failed();
-  trial.start = response.start();
-  trial.factored = response.last();
-  if (trial.carried) trial.service = response.at_surcharge(demand.surcharge);
-  if (!demand.weakened) return trial;
-  // The factored surcharge then rests on the weaker soil, the one at service on the bag's own.
-  const Response service(unlimited_bag(bag, J, demand.surcharge));
-  trial.start = service.start();
-  trial.service = service.last();
-  trial.carried = trial.carried && !service.failed();
-  return trial;
+  const Response factored(loaded_bag(failing, J, demand.safety * demand.surcharge));
+  // The factored surcharge rests on the weaker soil, the one at service on the bag's own.
+  const Case serving = loaded_bag(bag, J, demand.surcharge);
+  const Response service(serving);
+  return {!service.failed(), !factored.failed(), service.start(), service.last(), factored.last(), serving.geotextile};
 }
 
 /// Returns the smallest J of the range with excess(trial) <= 0, since excess falls with J. Infinite if even the
@@ -54,8 +62,7 @@ template <class Excess>
 double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
   const auto f = [&](double x) {
     try {
-      const Trial trial = try_stiffness(bag, demand, std::exp(x));
-      return trial.carried ? excess(trial) : 1.0;  // soil fails before the load is on: too soft
+      return excess(try_stiffness(bag, demand, std::exp(x)));
     } catch (const DataError&) {
       return 1.0;  // too soft to begin; an impossible demand has thrown on the stiffest before
     }
@@ -73,13 +80,12 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
 ChartRow chart_row(const Case& bag, const Demand& demand) {
   ChartRow row{bag.geotextile, unreached, unreached, unreached, unreached, unreached};
   try {
-    const Response response(bag);
-    const double compacted = response.start().settlement();
+    const Answers answers(bag);
+    const Response& response = answers.ultimate();
     row.capacity = response.last().surcharge;
-    row.settlement = response.last().settlement() - compacted;
+    row.settlement = response.last().settlement() - response.start().settlement();
     row.hoop_strain = response.last().hoop_strain;
-    if (demand.surcharge >= response.start().surcharge && demand.surcharge <= row.capacity)
-      row.service_settlement = response.at_surcharge(demand.surcharge).settlement() - compacted;
+    if (answers.reaches(demand.surcharge)) row.service_settlement = answers.under(demand.surcharge).settlement();
     if (row.capacity / demand.safety > response.start().surcharge)
       row.allowable_surcharge = allowable_surcharge(bag, demand.settlement, demand.safety, demand.weakened).surcharge;
   } catch (const DataError&) {
@@ -90,21 +96,25 @@ ChartRow chart_row(const Case& bag, const Demand& demand) {
 
 }  // namespace
 
-Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range) {
+Design smallest_geotextile(const Case& given, const Demand& demand, const StiffnessRange& range) {
+  Case bag = given;
   if (!(demand.safety >= 1)) throw DataError("safety: must be at least 1");
   if (!(bag.strength_fraction > 0))
     throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
   if (!(range.low > 0 && range.low < range.high))
     throw DataError("stiffness: the range must begin above 0 N/m and rise");
+  bag = at_strain_reached(bag, std::nullopt);
   try_stiffness(bag, demand, range.high);
-  const double limit = bag.geotextile.strength > 0 ? bag.hoop_limit() : unlimited;
+  const bool limited = bag.geotextile.strength > 0;
+  const double limit = limited ? bag.hoop_limit() : unlimited, too_soft = 1;
   const double for_settlement = smallest_stiffness(bag, demand, range, [&](const Trial& t) {
+    if (!t.serves || (!limited && !t.bears)) return too_soft;
     return t.service.settlement() - t.start.settlement() - demand.settlement;
   });
   const double for_strength =
-      std::isfinite(limit)
-          ? smallest_stiffness(bag, demand, range, [&](const Trial& t) { return t.factored.hoop_strain - limit; })
-          : range.low;
+      limited ? smallest_stiffness(bag, demand, range,
+                                   [&](const Trial& t) { return t.bears ? t.factored.hoop_strain - limit : too_soft; })
+              : range.low;
   const double J = std::max(for_settlement, for_strength);
   if (!std::isfinite(J))
     throw TargetNotReached(fmt::format(
@@ -118,8 +128,10 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
                   : for_strength > for_settlement ? Governs::strength
                                                   : Governs::settlement;
   found.geotextile.stiffness = J;
-  if (bag.geotextile.strength > 0) {
-    found.geotextile.strength *= J / bag.geotextile.stiffness;
+  if (bag.geotextile.curve.known()) {
+    found.geotextile = trial.geotextile;
+  } else if (limited) {
+    found.geotextile = of_one_kind(bag, J);
   } else {
     found.geotextile.strength = std::max(0.0, trial.factored.hoop_tension) / bag.strength_fraction;
     found.geotextile.failure_strain = found.geotextile.strength / J;
@@ -128,25 +140,26 @@ Design smallest_geotextile(const Case& bag, const Demand& demand, const Stiffnes
 }
 
 Allowance allowable_surcharge(const Case& bag, double settlement, double safety, const std::optional<Soil>& weakened) {
-  const Response response(bag);
-  if (!response.failed()) throw DataError("the response ends before the capacity is known; leave out the surcharge");
+  const Answers answers(bag);
+  const Response& response = answers.ultimate();
   Case failing = bag;
   failing.soil = weakened.value_or(bag.soil);
-  const double capacity = std::min(response.last().surcharge, Response(failing).last().surcharge);
+  const double capacity = std::min(response.last().surcharge, Answers(failing).ultimate().last().surcharge);
   Allowance found{capacity / safety, Governs::strength, {}};
   if (found.surcharge < response.start().surcharge)
     throw DataError(fmt::format("safety {}: leaves {:.6g} Pa, below the initial surcharge {:.6g} Pa", safety,
                                 found.surcharge, response.start().surcharge));
-  const double strain = response.start().settlement() + settlement;
-  if (strain < response.last().settlement()) {
-    const Point at = response.at_strain(strain);
+  if (settlement < response.last().settlement() - response.start().settlement()) {
+    const Point at = answers.settled(settlement).at;
     if (at.surcharge < found.surcharge) found = {at.surcharge, Governs::settlement, {}};
   }
-  found.at = response.at_surcharge(found.surcharge);
+  found.at = answers.under(found.surcharge).at;
   return found;
 }
 
-std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n) {
+std::vector<ChartRow> design_chart(const Case& given, const Demand& demand, const StiffnessRange& range,
+                                   std::size_t n) {
+  const Case bag = at_strain_reached(given, std::nullopt);
   check(bag);
   if (!(bag.geotextile.strength > 0)) throw DataError("chart: the geotextile needs a strength");
   std::vector<ChartRow> rows;
@@ -154,8 +167,7 @@ std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const 
     const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0;
     Case one = bag;
     one.until.reset();
-    one.geotextile.stiffness = range.low * std::pow(range.high / range.low, share);
-    one.geotextile.strength *= one.geotextile.stiffness / bag.geotextile.stiffness;
+    one.geotextile = of_one_kind(bag, range.low * std::pow(range.high / range.low, share));
     rows.push_back(chart_row(one, demand));
   }
   // Geotextiles that are too weak to begin have rows without values; if all have, the last one says why.

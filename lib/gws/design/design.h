@@ -41,8 +41,9 @@ struct Design {
 
 /// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J. A
 /// strength of the case's geotextile keeps its ratio to the stiffness and limits the hoops at `safety` times q. Without
-/// one (0), it follows from the hoop tension there. Throws TargetNotReached if the stiffest geotextile is too soft,
-/// DataError for an inadmissible demand.
+/// one (0), it follows from the hoop tension there. All tensions of a curve are scaled alike; the range is then of its
+/// secant at the limit, and the stiffness that is returned its secant at service. Throws TargetNotReached if the
+/// stiffest geotextile is too soft, DataError for an inadmissible demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
 /// Surcharge that a given bag carries.
@@ -66,7 +67,8 @@ struct ChartRow {
   /// For the demand.
   double service_settlement = 0, allowable_surcharge = 0;
 };
-/// Returns n bags at equal steps of ln J. Strength over stiffness and failure strain stay constant.
+/// Returns n bags at equal steps of ln J, the secant at the limit if there is a curve. Strength over stiffness and
+/// failure strain stay constant.
 std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n);
 
 }  // namespace soilweave::gws

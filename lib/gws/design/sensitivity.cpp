@@ -11,6 +11,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "gws/solution/secant.h"
 
 namespace soilweave::gws {
 namespace {
@@ -24,13 +25,13 @@ struct Outcome {
 
 Outcome outcome(const Case& bag, const std::optional<double>& surcharge) {
   try {
-    const Response response(bag);
-    const double compacted = response.start().settlement();
-    Outcome found{response.last().surcharge, response.last().settlement() - compacted, none, none};
-    if (surcharge && *surcharge >= response.start().surcharge && *surcharge <= found.capacity) {
-      const Point at = response.at_surcharge(*surcharge);
-      found.service_settlement = at.settlement() - compacted;
-      found.service_tension = at.hoop_tension;
+    const Answers answers(bag);
+    const Response& response = answers.ultimate();
+    Outcome found{response.last().surcharge, response.last().settlement() - response.start().settlement(), none, none};
+    if (surcharge && answers.reaches(*surcharge)) {
+      const Answers::Answer service = answers.under(*surcharge);
+      found.service_settlement = service.settlement();
+      found.service_tension = service.at.hoop_tension;
     }
     return found;
   } catch (const DataError&) {
@@ -96,28 +97,28 @@ class Draw {
   Eigen::MatrixXd lower_;
 };
 
-std::optional<Response> answered(const Case& bag, Bands& bands) {
+std::optional<Answers> answered(const Case& bag, Bands& bands) {
   for (const Constant& c : constants())
     if (!c.parameter.contains(bag.soil.*c.field)) {
       ++bands.left_out[c.key() + " out of its range"];
       return std::nullopt;
     }
   try {
-    return Response(bag);
+    return Answers(bag);
   } catch (const DataError& error) {
     ++bands.left_out[error.what()];
     return std::nullopt;
   }
 }
 
-BandRow row_of(const std::vector<Response>& responses, double settlement) {
+BandRow row_of(const std::vector<Answers>& draws, double settlement) {
   BandRow row;
   row.settlement = settlement;
   std::vector<double> surcharge, axial, radial, hoop;
-  for (const Response& response : responses) {
-    const double strain = response.start().settlement() + settlement;
-    if (strain > response.last().settlement()) continue;
-    const Point at = response.at_strain(strain);
+  for (const Answers& draw : draws) {
+    const Response& response = draw.ultimate();
+    if (response.start().settlement() + settlement > response.last().settlement()) continue;
+    const Point at = draw.settled(settlement).at;
     surcharge.push_back(at.surcharge);
     axial.push_back(at.soil.axial_stress());
     radial.push_back(at.soil.lateral_stress());
@@ -141,6 +142,8 @@ std::vector<Sensitivity> sensitivities(const Case& given, const SoilFile& soil, 
     const auto varied = [&](double value) {
       Case other = bag;
       handle.place(other) = value;
+      for (double& tension : other.geotextile.curve.tension)
+        tension *= other.geotextile.stiffness / bag.geotextile.stiffness;
       return outcome(other, given.until);
     };
     Case copy = bag;
@@ -181,17 +184,19 @@ Bands monte_carlo(const Case& given, const SoilFile& soil, std::int64_t samples,
                     ": no constant has a scatter; identify them, or write [scatter.LINE] into the soil file");
   Bands bands;
   bands.samples = samples;
-  const Response undisturbed(bag);
+  const Answers all_as_given(bag);
+  const Response& undisturbed = all_as_given.ultimate();
   std::mt19937_64 random(seed);
-  std::vector<Response> responses;
+  std::vector<Answers> answers;
   for (std::int64_t k = 0; k < samples; ++k) {
     Case one = bag;
     for (const Draw& draw : draws) draw(one.soil, random);
-    if (auto response = answered(one, bands)) responses.push_back(std::move(*response));
+    if (auto found = answered(one, bands)) answers.push_back(std::move(*found));
   }
-  if (responses.empty()) throw DataError("no draw has a response; the first reason: " + bands.left_out.begin()->first);
+  if (answers.empty()) throw DataError("no draw has a response; the first reason: " + bands.left_out.begin()->first);
   std::vector<double> capacity, settlement;
-  for (const Response& response : responses) {
+  for (const Answers& draw : answers) {
+    const Response& response = draw.ultimate();
     capacity.push_back(response.last().surcharge);
     settlement.push_back(response.last().settlement() - response.start().settlement());
   }
@@ -199,7 +204,7 @@ Bands monte_carlo(const Case& given, const SoilFile& soil, std::int64_t samples,
   bands.settlement = band(settlement);
   const double reach = undisturbed.last().settlement() - undisturbed.start().settlement();
   for (std::int64_t i = 0; i <= n; ++i)
-    bands.rows.push_back(row_of(responses, reach * static_cast<double>(i) / static_cast<double>(n)));
+    bands.rows.push_back(row_of(answers, reach * static_cast<double>(i) / static_cast<double>(n)));
   return bands;
 }
 

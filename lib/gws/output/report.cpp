@@ -209,14 +209,20 @@ std::string identified_soil(const Identification& found, const std::vector<BagSe
 
 std::string describe(const Design& design, const Demand& demand, const Case& bag) {
   const double settled = design.service.settlement() - design.start.settlement();
+  const Geotextile &found = design.geotextile, &given = bag.geotextile;
+  const std::string secant =
+      found.curve.known() ? fmt::format(" (secant at the {:.4g} % it reaches)", 100 * found.secant_at) : "";
+  const std::string scaled = found.curve.known() ? fmt::format(", {:.4g} times the tensions of {}",
+                                                               found.strength / given.strength, given.name)
+                                                 : "";
   return fmt::format(
-      "Smallest stiffness {:.5g} kN/m with a strength of {:.5g} kN/m ({}).\n"
+      "Smallest stiffness {:.5g} kN/m{} with a strength of {:.5g} kN/m{} ({}).\n"
       "At {:.6g} kPa the bag settles {:.4g} % ({:.3g} mm) with a tension of {:.4g} kN/m; at {:.4g} times that, {:.6g} "
       "kPa,\n"
       "the tension is {:.4g} kN/m, {:.3g} of the strength, at a settlement of {:.4g} %.\n",
-      design.geotextile.stiffness / 1e3, design.geotextile.strength / 1e3, governing(design.governs),
-      demand.surcharge / 1e3, 100 * settled, 1e3 * bag.bag.height * settled, design.service.hoop_tension / 1e3,
-      demand.safety, design.factored.surcharge / 1e3, design.factored.hoop_tension / 1e3,
+      found.stiffness / 1e3, secant, found.strength / 1e3, scaled, governing(design.governs), demand.surcharge / 1e3,
+      100 * settled, 1e3 * bag.bag.height * settled, design.service.hoop_tension / 1e3, demand.safety,
+      design.factored.surcharge / 1e3, design.factored.hoop_tension / 1e3,
       design.factored.hoop_tension / design.geotextile.strength,
       100 * (design.factored.settlement() - design.start.settlement()));
 }

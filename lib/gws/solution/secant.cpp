@@ -12,20 +12,49 @@
 namespace soilweave::gws {
 namespace {
 
+/// Returns the response up to this hoop strain, on the path that belongs to its own secant.
+Response response_to(const Case& bag, double strain) {
+  Case one = with_secant(bag, strain);
+  one.until.reset();
+  one.geotextile.failure_strain = strain;  // where the response shall end
+  return Response(one);
+}
+
+/// Returns the bag with the secant at the hoop strain where value(response) reaches `wanted`, which it does at the
+/// limit at the latest. The value rises with the strain.
+template <class Value>
+Case where(const Case& bag, double wanted, const Value& value) {
+  const double limit = limit_strain(bag);
+  const auto excess = [&](double log_strain) {
+    try {
+      return value(response_to(bag, std::exp(log_strain))) - wanted;
+    } catch (const DataError&) {
+      return -1.0;  // so small a strain that the first stress of the model, or the compaction, is beyond it
+    }
+  };
+  const double low = std::log(1e-4 * limit), high = std::log(limit);
+  if (excess(high) <= 0) return with_secant(bag, limit);
+  if (excess(low) >= 0) return with_secant(bag, std::exp(low));
+  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the tolerance
+  const auto close = [](double a, double b) { return std::abs(b - a) < 1e-9; };
+  return with_secant(bag, std::exp(boost::math::tools::toms748_solve(excess, low, high, close, evaluations).second));
+}
+
+double end_of(const Response& response) { return response.last().surcharge; }
+double settlement_of(const Response& response) { return response.last().settlement() - response.start().settlement(); }
+
+/// Returns the bag without the surcharge at which to end.
+Case to_its_limit(Case bag) {
+  bag.until.reset();
+  return at_strain_reached(bag, std::nullopt);
+}
+
+}  // namespace
+
 double limit_strain(const Case& bag) {
   return std::min(bag.geotextile.curve.strain_at(bag.strength_fraction * bag.geotextile.strength),
                   bag.geotextile.failure_strain);
 }
-
-/// The state with this hoop strain, on the path that belongs to its own secant.
-Point state_at(const Case& bag, double strain) {
-  Case one = with_secant(bag, strain);
-  one.until.reset();
-  one.geotextile.failure_strain = strain;  // where the response shall end
-  return Response(one).last();
-}
-
-}  // namespace
 
 Case with_secant(Case bag, double strain) {
   bag.geotextile.stiffness = bag.geotextile.curve.tension_at(strain) / strain;
@@ -38,20 +67,30 @@ Case at_strain_reached(const Case& bag, std::optional<double> surcharge) {
   const double limit = limit_strain(bag);
   if (!(limit > 0))
     throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
-  const Case at_limit = with_secant(bag, limit);
-  if (!surcharge || state_at(bag, limit).surcharge <= *surcharge) return at_limit;
-  const auto excess = [&](double log_strain) {
-    try {
-      return state_at(bag, std::exp(log_strain)).surcharge - *surcharge;
-    } catch (const DataError&) {
-      return -*surcharge;  // so small a strain that the first stress of the model is beyond it
-    }
-  };
-  const double low = std::log(1e-4 * limit), high = std::log(limit);
-  if (excess(low) >= 0) return with_secant(bag, std::exp(low));
-  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the tolerance
-  const auto close = [](double a, double b) { return std::abs(b - a) < 1e-9; };
-  return with_secant(bag, std::exp(boost::math::tools::toms748_solve(excess, low, high, close, evaluations).second));
+  if (!surcharge) return with_secant(bag, limit);
+  return where(bag, *surcharge, end_of);
+}
+
+Answers::Answers(const Case& bag) : bag_(to_its_limit(bag)), ultimate_(bag_) {}
+
+bool Answers::reaches(double surcharge) const {
+  return surcharge >= ultimate_.start().surcharge && surcharge <= ultimate_.last().surcharge;
+}
+
+Answers::Answer Answers::under(double surcharge) const {
+  if (!bag_.geotextile.curve.known() || !reaches(surcharge))
+    return {ultimate_.start(), ultimate_.at_surcharge(surcharge)};
+  const Response response(at_strain_reached(bag_, surcharge));
+  // The search for the secant may end a rounding short of the surcharge.
+  return {response.start(), response.at_surcharge(std::min(surcharge, response.last().surcharge))};
+}
+
+Answers::Answer Answers::settled(double settlement) const {
+  if (!bag_.geotextile.curve.known() || settlement >= settlement_of(ultimate_))
+    return {ultimate_.start(), ultimate_.at_strain(ultimate_.start().settlement() + settlement)};
+  const Response response(where(bag_, settlement, settlement_of));
+  const double strain = response.start().settlement() + settlement;
+  return {response.start(), response.at_strain(std::min(strain, response.last().settlement()))};
 }
 
 std::vector<Point> secant_points(const Case& bag, std::size_t n) {
@@ -59,7 +98,7 @@ std::vector<Point> secant_points(const Case& bag, std::size_t n) {
   for (std::size_t i = 1; i <= n; ++i) {
     const double strain = bag.geotextile.secant_at * static_cast<double>(i) / static_cast<double>(n);
     try {
-      found.push_back(state_at(bag, strain));
+      found.push_back(response_to(bag, strain).last());
     } catch (const DataError&) {
       continue;  // the bag has more tension at its beginning, compacted or not
     }
