@@ -30,6 +30,13 @@ TOML
   sed '/tension_at_2 = "12/d' woven.toml > half.toml
   { sed 's/^name.*/[[product]]\nname = "W70"/; s/^\[machine\]/[product.machine]/; s/^\[cross\]/[product.cross]/' woven.toml
     sed 's/^name.*/\n[[product]]\nname = "P160"/' pet.toml; } > catalogue.toml
+  { cat catalogue.toml; sed 's/^name.*/\n[[product]]\nname = "P160"/' pet.toml; } > two.toml
+  sed 's/product.cross/product.cros/; /^$/,$d' catalogue.toml > typing.toml
+  { cat catalogue.toml; echo 'rf_creep = 2.5'; } > creep.toml
+  sed 's/^\(\[*\)product/\1products/' catalogue.toml > plural.toml
+  sed 's/^name = "W70"/&\nstrength = "75 kN\/m"/' catalogue.toml > beside.toml
+  sed '/^\[cross/,$d' woven.toml > oneway.toml
+  sed 's/^\[machine/[MD/; s/^\[cross/[CD/' woven.toml > letters.toml
   printf 'name = "site sand"\n[estimate]\nfriction_angle = 38\ndilation_angle = 8\nE50 = "40 MPa"\nvoid_ratio = 0.6\n' > site.toml
   sed 's/^friction_angle.*/friction_angle = 5/' site.toml > weak.toml
   sed 's/^dilation_angle.*/dilation_angle = 29/; s/^friction_angle.*/friction_angle = 28/' site.toml > wild.toml
@@ -46,6 +53,7 @@ questions() {
 0;Geotextile W70: ;respond --soil toyoura-gws --geotextile catalogue.toml:W70@cross
 0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --settlement "5 %" --safety 1.5
 0;Carries;design --soil toyoura-gws --geotextile catalogue.toml:P160 --settlement "5 %"
+0;Long-term strength: 90.61 kN/m over creep 2, installation 1, durability 1 leaves 45.3 kN/m;design --soil toyoura-gws --geotextile PP --surcharge "1500 kPa" --safety 1.5 --rf-creep 2
 0;leaves 14.43 kN/m;respond --soil toyoura-gws --geotextile PP --rf-creep 2 --rf-installation 1.1
 0;multiplied by 1.35, and tan phi divided by 1.25;design --soil toyoura-gws --geotextile PP --settlement "5 %" --factor-load 1.35 --factor-soil 1.25
 0;Failure is counted at 1 of the strength.;respond --soil toyoura-gws --geotextile PP --strength-fraction 1
@@ -67,6 +75,17 @@ questions() {
 65;blunt.toml: no strength: give the tension at failure;respond --geotextile blunt.toml
 65;both.toml: stiffness and tensions at strains both tell a stiffness: leave one of them out;respond --geotextile both.toml
 65;half.toml: [cross] has no tension_at_2, which [machine] has: give it, or choose a direction (NAME@machine);respond --geotextile half.toml
+65;catalogue.toml: is a catalogue: name one of its products, as catalogue.toml:W70 (W70, P160);respond --geotextile catalogue.toml
+65;two.toml: 2 of its [[product]] are named P160: give each a name of its own;respond --geotextile two.toml:P160
+65;typing.toml:8: unknown key 'product.0.cros';respond --geotextile typing.toml:W70@machine
+65;creep.toml:20: unknown key 'product.0.rf_creep';respond --geotextile creep.toml:P160
+0;Geotextile W70;respond --soil toyoura-gws --geotextile creep.toml:W70
+65;plural.toml:1: unknown key 'products'; did you mean 'product'?;respond --geotextile plural.toml:W70
+65;beside.toml: W70: strength stands beside the tables of its directions: move it into [machine] and [cross];respond --geotextile beside.toml:W70
+65;oneway.toml: has [machine] alone, and a bag is stretched both ways: give [cross] too, or take that one for both (NAME@machine);respond --geotextile oneway.toml
+0;strength 80 kN/m;respond --soil toyoura-gws --geotextile oneway.toml@machine
+65;oneway.toml: has no [cross]: write it, or leave out @cross;respond --geotextile oneway.toml@cross
+65;letters.toml: [MD] is no table of a sheet: the directions are written [machine] and [cross];respond --geotextile letters.toml
 65;catalogue.toml: has no [[product]] named W71; did you mean 'W70'?;respond --geotextile catalogue.toml:W71
 65;'along' is no direction: give @machine or @cross;respond --geotextile woven.toml@along
 65;greater --strength-fraction;respond --geotextile PP --strength-fraction 0

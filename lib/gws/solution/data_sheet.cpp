@@ -18,10 +18,15 @@ std::optional<double> value(Settings& at, const Parameter& parameter) {
   return at.number(parameter);
 }
 
+Parameter named(const char* name) {
+  Parameter tension = tension_range;
+  tension.name = name;
+  return tension;
+}
+
 DataSheet read_direction(Settings& at) {
-  Parameter at_2 = tension_range, at_5 = tension_range;
-  at_2.name = "tension_at_2", at_5.name = "tension_at_5";
-  return {value(at, at_2), value(at, at_5), value(at, tensile_strength), value(at, failure_strain_range)};
+  return {value(at, named("tension_at_2")), value(at, named("tension_at_5")), value(at, tensile_strength),
+          value(at, failure_strain_range)};
 }
 
 /// The lesser of both directions, point by point.
@@ -81,10 +86,21 @@ Geotextile read_sheet(Settings& table, const std::string& direction, const std::
                                   direction, direction));
     return of_sheet(name, read_direction(table), where);
   }
+  for (const Parameter& beside : {named("tension_at_2"), named("tension_at_5"), tensile_strength, failure_strain_range})
+    if (table.has(beside.name))
+      throw DataError(fmt::format(
+          "{}: {} stands beside the tables of its directions: move it into [machine] and [cross]", where, beside.name));
+  if (direction.empty() && machine != cross)
+    throw DataError(fmt::format(
+        "{}: has [{}] alone, and a bag is stretched both ways: give [{}] too, or take that one "
+        "for both (NAME@{})",
+        where, machine ? "machine" : "cross", machine ? "cross" : "machine", machine ? "machine" : "cross"));
+  if (!(direction == "machine" ? machine : direction != "cross" || cross))
+    throw DataError(fmt::format("{}: has no [{}]: write it, or leave out @{}", where, direction, direction));
   Settings along = table.table("machine"), across = table.table("cross");
   const DataSheet of_machine = read_direction(along), of_cross = read_direction(across);
-  if (direction == "machine" || (direction.empty() && !cross)) return of_sheet(name, of_machine, where);
-  if (direction == "cross" || !machine) return of_sheet(name, of_cross, where);
+  if (direction == "machine") return of_sheet(name, of_machine, where);
+  if (direction == "cross") return of_sheet(name, of_cross, where);
   return of_sheet(name, lesser(of_machine, of_cross, where), where);
 }
 

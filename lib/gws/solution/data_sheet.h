@@ -26,7 +26,7 @@ bool is_sheet(const Settings& table);
 
 /// Reads tension_at_2, tension_at_5, strength and failure_strain, at the top or in [machine] and [cross]. direction:
 /// "machine", "cross", or empty for the lesser value at each point, since the solution knows one tension for both
-/// directions. Mistakes go to the document.
+/// directions. Throws DataError for a direction that is missing. Other mistakes go to the document.
 Geotextile read_sheet(Settings& table, const std::string& direction, const std::string& where);
 
 }  // namespace soilweave::gws

@@ -27,8 +27,18 @@ double between(const std::vector<double>& x, const std::vector<double>& y, doubl
   return y[after - 1] + (y[after] - y[after - 1]) * (at - x[after - 1]) / (x[after] - x[after - 1]);
 }
 
+/// Throws DataError if the tables of a sheet's directions have other names than [machine] and [cross].
+void check_directions(const Settings& document, const std::string& where) {
+  for (const char* name : {"MD", "CD", "CMD", "TD", "XD", "md", "cd", "cmd", "td", "xd", "warp", "weft", "longitudinal",
+                           "transverse", "Machine", "Cross"})
+    if (document.has(name))
+      throw DataError(fmt::format("{}: [{}] is no table of a sheet: the directions are written [machine] and [cross]",
+                                  where, name));
+}
+
 /// Reads a table of its own or a product of a catalogue; finish() is the caller's.
 Geotextile read_table(Settings& document, const std::string& where, const std::string& direction) {
+  check_directions(document, where);
   if (is_sheet(document)) return read_sheet(document, direction, where);
   if (!direction.empty())
     throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
@@ -46,14 +56,46 @@ Geotextile read_table(Settings& document, const std::string& where, const std::s
   return found;
 }
 
-Geotextile of_catalogue(const std::string& path, const std::string& product, const std::string& direction) {
-  Settings document = Settings::parse(io::read_text(path, "catalogue").text, path);
-  std::vector<std::string> known;
-  for (Settings& table : document.tables("product")) {
-    known.push_back(table.text("name", ""));
-    if (known.back() == product) return read_table(table, fmt::format("{}: {}", path, product), direction);
+/// Returns the text with empty lines in the place of all products but one, so that it is judged alone and lines keep
+/// their numbers.
+std::string with_one_product(const std::string& text, std::size_t wanted) {
+  std::string kept;
+  std::size_t begun = 0;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("[[product]]")) ++begun;
+    kept += (begun == 0 || begun == wanted + 1 ? line : "") + "\n";
   }
-  throw DataError(fmt::format("{}: has no [[product]] named {}{}", path, product, suggestion(product, known)));
+  return kept;
+}
+
+Geotextile of_catalogue(const std::string& path, const std::string& product, const std::string& direction) {
+  const std::string text = io::read_text(path, "catalogue").text;
+  Settings all = Settings::parse(text, path);
+  std::vector<std::string> known;
+  for (Settings& table : all.tables("product")) known.push_back(table.text("name", ""));
+  if (known.empty()) all.finish();  // which tells what stands there instead
+  const auto place = std::ranges::find(known, product);
+  if (place == known.end())
+    throw DataError(fmt::format("{}: has no [[product]] named {}{}", path, product, suggestion(product, known)));
+  if (const auto count = std::ranges::count(known, product); count > 1)
+    throw DataError(
+        fmt::format("{}: {} of its [[product]] are named {}: give each a name of its own", path, count, product));
+  Settings document = Settings::parse(with_one_product(text, static_cast<std::size_t>(place - known.begin())), path);
+  std::vector<Settings> products = document.tables("product");
+  if (products.size() != 1)
+    throw DataError(fmt::format("{}: write [[product]] at the start of a line of its own before each product", path));
+  const Geotextile found = read_table(products.front(), fmt::format("{}: {}", path, product), direction);
+  document.finish();
+  return found;
+}
+
+/// Throws DataError if the document is a catalogue, of which no product was named.
+void check_no_catalogue(Settings& document, const std::string& where) {
+  if (!document.has("product")) return;
+  std::vector<std::string> names;
+  for (Settings& table : document.tables("product")) names.push_back(table.text("name", "?"));
+  throw DataError(fmt::format("{}: is a catalogue: name one of its products, as {}:{} ({})", where, where,
+                              names.empty() ? "NAME" : names.front(), fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -74,6 +116,7 @@ std::vector<std::string> geotextile_names() { return data_names("geotextiles", "
 
 Geotextile read_geotextile(const std::string& text, const std::string& where, const std::string& direction) {
   Settings document = Settings::parse(text, where);
+  check_no_catalogue(document, where);
   Geotextile found = read_table(document, where, direction);
   document.finish();
   return found;

@@ -56,8 +56,9 @@ inline constexpr Parameter failure_strain_range{"failure_strain",
 std::vector<std::string> geotextile_names();
 
 /// Returns a geotextile by name ("PP"), multiple ("3PP", "0.5PP": thesis Fig. 5.15), TOML file (a path with "/" or
-/// ".toml") or catalogue entry ("FILE.toml:NAME", with tables [[product]]). "@machine" or "@cross" after it chooses a
-/// direction of a data sheet; default: the lesser value of both. Throws DataError that names the nearest known one.
+/// ".toml") or catalogue entry ("FILE.toml:NAME", with tables [[product]], of which only this one is judged).
+/// "@machine" or "@cross" after it chooses a direction of a data sheet; default: the lesser value of both. Throws
+/// DataError that names the nearest known one.
 Geotextile find_geotextile(const std::string& name);
 
 /// Reads TOML text: stiffness, strength and failure_strain, or a data sheet (gws/solution/data_sheet.h). where: name of
