@@ -128,7 +128,7 @@ std::optional<double> ReadCase::asked(const std::optional<double>& surcharge) co
 std::string ReadCase::conditions(const Case& bag) const {
   Case original = bag;
   original.soil = soil.soil;
-  const double before = unreduced > 0 ? unreduced : bag.geotextile.strength * factors.reduction();
+  const double before = bag.geotextile.strength * factors.reduction();
   return gws::conditions(original, factors, before, chose_fraction);
 }
 
@@ -149,7 +149,6 @@ ReadCase CaseOptions::read() const {
   c.lateral = read_lateral(read.sources);
   c.strength_fraction = fraction.value_or(c.strength_fraction);
   read.factors = factors;
-  read.unreduced = c.geotextile.strength;
   c.geotextile.strength /= factors.reduction();
   read.chose_soil = !soil.empty();
   read.chose_fraction = fraction.has_value();

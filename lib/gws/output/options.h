@@ -63,8 +63,6 @@ struct ReadCase {
   /// Soil as TOML, for provenance.
   std::string scenario;
   Factors factors;
-  /// Strength of the geotextile before reduction, N/m.
-  double unreduced = 0;
   /// Whether the user gave them.
   bool chose_soil = false, chose_fraction = false;
 
