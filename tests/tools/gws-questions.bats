@@ -38,6 +38,8 @@ TOML
   sed '/^\[cross/,$d' woven.toml > oneway.toml
   sed 's/^\[machine/[MD/; s/^\[cross/[CD/' woven.toml > letters.toml
   printf 'name = "site sand"\n[estimate]\nfriction_angle = 38\ndilation_angle = 8\nE50 = "40 MPa"\nvoid_ratio = 0.6\n' > site.toml
+  printf 'name = "tested"\n[estimate]\ntriaxial = "%s/../../data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv"\nvoid_ratio = 0.68\n' \
+    "$BATS_TEST_DIRNAME" > curves.toml
   sed 's/^friction_angle.*/friction_angle = 5/' site.toml > weak.toml
   sed 's/^dilation_angle.*/dilation_angle = 29/; s/^friction_angle.*/friction_angle = 28/' site.toml > wild.toml
 }
@@ -60,7 +62,7 @@ questions() {
 0;Failure is counted at 0.5 of the strength, the default: in the thesis's;respond --soil toyoura-gws --geotextile PP
 0;apparent cohesion 347.5 kPa;respond --soil toyoura-gws --geotextile PP
 0;At the surcharge asked for:;respond --soil toyoura-gws --geotextile PP --surcharge "300 kPa" --sensitivity
-0;Soil site sand: estimated from phi 38 deg, psi 8 deg, E50 40 MPa, e 0.6: no bags of it were computed;respond --soil site.toml --geotextile PP
+0;Soil site sand: estimated from phi 38 deg, psi 8 deg, E50 40 MPa under 100 kPa, e 0.6: no bags of it were computed;respond --soil site.toml --geotextile PP
 0;Soil toyoura-gws, since no --soil is given;design --surcharge "300 kPa"
 64;--stiffness: 400 N/m is less than any geotextile has (2000 N/m); did you mean "400 kN/m"?;respond --stiffness 400 --strength "40 kN/m"
 64;--strength: 40 N/m is less than any geotextile has (500 N/m); did you mean "40 kN/m"?;respond --stiffness "400 kN/m" --strength 40
@@ -89,6 +91,7 @@ questions() {
 65;catalogue.toml: has no [[product]] named W71; did you mean 'W70'?;respond --geotextile catalogue.toml:W71
 65;'along' is no direction: give @machine or @cross;respond --geotextile woven.toml@along
 65;greater --strength-fraction;respond --geotextile PP --strength-fraction 0
+65;estimate.pressure: is missing;respond --soil curves.toml --geotextile PP
 65;friction_angle: 5 is out of range: must be from 15 to 60 deg;respond --soil weak.toml --geotextile PP
 65;dilation_angle: is not below the friction angle: check both, 0 is on the safe side;respond --soil wild.toml --geotextile PP
 1;300 kPa are not reached: the bag bears;respond --soil toyoura-gws --geotextile PE --rf-creep 3 --rf-durability 1.5 --surcharge "300 kPa"

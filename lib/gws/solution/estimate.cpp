@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/text/units.h"
@@ -80,8 +81,9 @@ Triaxial read_estimate(Settings& table) {
       confined{"pressure", "Pa", 1e3, 1e7, false, "confining pressure of the test", "tests have 10 kPa to 2 MPa"};
   Triaxial test;
   test.void_ratio = table.number(porosity);
-  test.pressure = table.number(confined, 1e5);
-  if (table.has("triaxial")) {
+  const bool curves = table.has("triaxial");
+  test.pressure = table.number(confined, curves ? std::nullopt : std::optional(1e5));  // E50 is in proportion to it
+  if (curves) {
     read_curves(test, table.text("triaxial"));
     return test;
   }
@@ -95,8 +97,9 @@ Triaxial read_estimate(Settings& table) {
 
 std::string marked(const Triaxial& test) {
   return fmt::format(
-      "estimated from phi {:.3g} deg, psi {:.3g} deg, E50 {:.4g} MPa, e {:.3g}: no bags of it were computed",
-      test.friction_angle, test.dilation_angle, test.E50 / 1e6, test.void_ratio);
+      "estimated from phi {:.3g} deg, psi {:.3g} deg, E50 {:.4g} MPa under {:.4g} kPa, e {:.3g}: no bags of it were "
+      "computed",
+      test.friction_angle, test.dilation_angle, test.E50 / 1e6, test.pressure / 1e3, test.void_ratio);
 }
 
 }  // namespace soilweave::gws

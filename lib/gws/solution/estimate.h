@@ -31,7 +31,8 @@ struct Triaxial {
 Soil estimated(const Triaxial& test);
 
 /// Reads [estimate]: friction_angle, dilation_angle, E50, void_ratio, pressure. Key triaxial, a TSV with strain_axial,
-/// strain_volumetric and stress_ratio, replaces the first three. Mistakes go to the document.
+/// strain_volumetric and stress_ratio, replaces the first three; the pressure is required then, else 100 kPa. Mistakes
+/// go to the document.
 Triaxial read_estimate(Settings& table);
 
 /// Returns the phrase that marks such a soil in answers.
