@@ -44,7 +44,8 @@ struct Respond {
 
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(true);
-    if (surcharge) gws::doubt_pressure(*surcharge, wrong);
+    if (surcharge) gws::doubt_pressure("surcharge", *surcharge, wrong);
+    if (!surcharge && bag.factors.load != 1) wrong.emplace_back("--factor-load multiplies the surcharge: give one too");
     if (sensitivity && samples > 0) wrong.emplace_back("--sensitivity and --samples: give one of them");
     output.check(wrong);
   }
@@ -145,7 +146,7 @@ struct Design {
 
   void validate() const {
     std::vector<std::string> wrong = bag.mistakes(chart || !surcharge);
-    if (surcharge) gws::doubt_pressure(*surcharge, wrong);
+    if (surcharge) gws::doubt_pressure("surcharge", *surcharge, wrong);
     if (!surcharge && !settlement && !chart)
       wrong.emplace_back("nothing to design for: give --surcharge or --settlement");
     if (from >= to) wrong.emplace_back("--from: must be below --to");

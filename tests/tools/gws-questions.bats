@@ -40,6 +40,15 @@ TOML
   printf 'name = "site sand"\n[estimate]\nfriction_angle = 38\ndilation_angle = 8\nE50 = "40 MPa"\nvoid_ratio = 0.6\n' > site.toml
   printf 'name = "tested"\n[estimate]\ntriaxial = "%s/../../data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv"\nvoid_ratio = 0.68\n' \
     "$BATS_TEST_DIRNAME" > curves.toml
+  mkdir lab
+  sed 's/^triaxial.*/triaxial = "test.tsv"\npressure = "200 kPa"/' curves.toml > lab/soil.toml
+  grep -v '^#' "$BATS_TEST_DIRNAME/../../data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv" > lab/test.tsv
+  for case in reversed percent ratio; do sed "s/test.tsv/$case.tsv/" lab/soil.toml > "lab/$case.toml"; done
+  { head -1 lab/test.tsv; tail -n +2 lab/test.tsv | tac; } > lab/reversed.tsv
+  awk -F'\t' -v OFS='\t' 'NR > 1 { $1 *= 100 } { print }' lab/test.tsv | sed '1s/ \[[^]]*\]//' > lab/percent.tsv
+  awk -F'\t' -v OFS='\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /stress_ratio/) k = i } NR > 1 { $k = 3 * ($k - 1) / ($k + 2) } { print }' \
+    lab/test.tsv > lab/ratio.tsv
+  echo $'surcharge [kPa]\tlateral_stress [kPa]' > empty.tsv
   sed 's/^friction_angle.*/friction_angle = 5/' site.toml > weak.toml
   sed 's/^dilation_angle.*/dilation_angle = 29/; s/^friction_angle.*/friction_angle = 28/' site.toml > wild.toml
 }
@@ -92,6 +101,14 @@ questions() {
 65;'along' is no direction: give @machine or @cross;respond --geotextile woven.toml@along
 65;greater --strength-fraction;respond --geotextile PP --strength-fraction 0
 65;estimate.pressure: is missing;respond --soil curves.toml --geotextile PP
+0;under 200 kPa, e 0.68: no bags of it were computed;respond --soil lab/soil.toml --geotextile PP
+65;lab/reversed.tsv: row 2: the axial strain falls: leave out unloading, and give rows in the order of the test;respond --soil lab/reversed.toml --geotextile PP
+65;which must be below 1: per cent are written [%] in the header;respond --soil lab/percent.toml --geotextile PP
+65;it is 1 at rest and no soil bears more than 15: check stress_ratio or deviatoric_stress;respond --soil lab/ratio.toml --geotextile PP
+64;--lateral-stress: 50 Pa is less than a person standing on the bag; did you mean "50 kPa"?;respond --geotextile PP --lateral-stress 50
+64;--factor-load multiplies the surcharge: give one too;respond --geotextile PP --factor-load 1.5
+65;empty.tsv: has no rows: give one at least, or leave out --lateral-history;respond --soil toyoura-gws --geotextile PP --lateral-history empty.tsv
+0;no capacity for a bag so slender;respond --soil toyoura-gws --geotextile PP --width "80 mm" --height "400 mm"
 65;friction_angle: 5 is out of range: must be from 15 to 60 deg;respond --soil weak.toml --geotextile PP
 65;dilation_angle: is not below the friction angle: check both, 0 is on the safe side;respond --soil wild.toml --geotextile PP
 1;300 kPa are not reached: the bag bears;respond --soil toyoura-gws --geotextile PE --rf-creep 3 --rf-durability 1.5 --surcharge "300 kPa"

@@ -56,15 +56,16 @@ std::string conditions(const Case& bag, const Factors& factors, double unreduced
         "Against failure the surcharge is multiplied by {:.4g}, and tan phi divided by {:.4g}: M {:.4g} becomes "
         "{:.4g}.\n",
         factors.load, factors.soil, bag.soil.M, weak.M);
-  const double tension = bag.strength_fraction * bag.geotextile.strength, M = weak.M;
+  const double tension = bag.hoop_limit() * bag.geotextile.stiffness, M = weak.M;
   if (!(tension > 0)) return text;
   const LongBag flat{bag.bag.width, bag.bag.height, tension, passive_ratio(M)};
+  const double bears = capacity(flat, bag.lateral.at(0));
   text += fmt::format(
       "Matsuoka and Liu (2006), plane strain, phi {:.1f} deg (q/p = M), at the same tension of {:.4g} kN/m: apparent "
-      "cohesion {:.1f} kPa,\ncapacity {:.1f} kPa. Ours has hoops along both sides, q/p above M at low stress, and a "
-      "bag that flattens.\n",
+      "cohesion {:.1f} kPa,\n{}. Ours has hoops along both sides, q/p above M at low stress, and a bag that "
+      "flattens.\n",
       friction_angle(M) * 180 / std::numbers::pi, tension / 1e3, apparent_cohesion(flat) / 1e3,
-      capacity(flat, bag.lateral.at(0)) / 1e3);
+      bears > 0 ? fmt::format("capacity {:.1f} kPa", bears / 1e3) : "no capacity for a bag so slender");
   return text;
 }
 

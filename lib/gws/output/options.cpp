@@ -75,6 +75,7 @@ std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
         "--stiffness, --strength and --failure-strain contradict each other: {:.4g} kN/m at {:.4g} % are {:.4g} kN/m; "
         "leave one of them out",
         *stiffness / 1e3, 100 * *failure_strain, *stiffness * *failure_strain / 1e3));
+  doubt_pressure("lateral-stress", lateral, wrong);
   if (!history.empty() && lateral > 0) wrong.emplace_back("--lateral-stress and --lateral-history: give one of them");
   if (initial_settlement && initial_surcharge)
     wrong.emplace_back("--initial-settlement and --initial-surcharge: give one of them");
@@ -112,6 +113,7 @@ LateralStress CaseOptions::read_lateral(std::vector<io::Source>& sources) const 
   sources.push_back(text.source);
   const io::Series table = io::from_tsv(text.text, history.string());
   const std::string where = history.string();
+  if (table.rows() == 0) throw DataError(where + ": has no rows: give one at least, or leave out --lateral-history");
   return {io::in_unit(table, "surcharge", "Pa", where), io::in_unit(table, "lateral_stress", "Pa", where)};
 }
 
@@ -119,6 +121,12 @@ std::string ReadCase::soil_line() const {
   if (!chose_soil) return fmt::format("Soil {}, since no --soil is given\n", soil.name);
   if (!soil.estimated.empty()) return fmt::format("Soil {}: {}\n", soil.name, soil.estimated);
   return "";
+}
+
+std::vector<Doubt> ReadCase::doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const {
+  std::vector<Doubt> all = gws::doubts(soil, chose_soil, the_case, stiffnesses, states);
+  all.insert(all.end(), about_geotextile.begin(), about_geotextile.end());
+  return all;
 }
 
 std::optional<double> ReadCase::asked(const std::optional<double>& surcharge) const {
@@ -132,11 +140,10 @@ std::string ReadCase::conditions(const Case& bag) const {
   return gws::conditions(original, factors, before, chose_fraction);
 }
 
-void doubt_pressure(double surcharge, std::vector<std::string>& wrong) {
-  if (surcharge > 0 && surcharge < 1e3)
-    wrong.push_back(
-        fmt::format("--surcharge: {} Pa is less than a person standing on the bag; did you mean \"{} kPa\"?",
-                    number_text(surcharge), number_text(surcharge)));
+void doubt_pressure(const char* option, double pressure, std::vector<std::string>& wrong) {
+  if (pressure > 0 && pressure < 1e3)
+    wrong.push_back(fmt::format("--{}: {} Pa is less than a person standing on the bag; did you mean \"{} kPa\"?",
+                                option, number_text(pressure), number_text(pressure)));
 }
 
 ReadCase CaseOptions::read() const {
@@ -145,6 +152,7 @@ ReadCase CaseOptions::read() const {
   read.soil = find_soil(soil.empty() ? default_soil : soil, assignments, read.sources, read.scenario);
   c.soil = read.soil.soil;
   c.geotextile = read_geotextile();
+  read.about_geotextile = contradictions(c.geotextile);
   c.bag = {width, height};
   c.lateral = read_lateral(read.sources);
   c.strength_fraction = fraction.value_or(c.strength_fraction);
@@ -171,7 +179,8 @@ SoilFile find_soil(const std::string& name, const std::vector<std::string>& assi
   sources.push_back(text.source);
   Settings document = Settings::parse(text.text, file ? name : "soil " + name);
   for (const std::string& assignment : assignments) document.set(assignment);
-  SoilFile read = read_soil(document);
+  SoilFile read = read_soil(document, {file ? name : path.string(), assignments});
+  sources.insert(sources.end(), read.sources.begin(), read.sources.end());
   document.finish();
   resolved = document.resolved();
   return read;

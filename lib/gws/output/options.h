@@ -52,8 +52,8 @@ inline constexpr Parameter highest_stiffness{
 /// Soil if none is chosen.
 inline constexpr const char* default_soil = "toyoura-gws";
 
-/// Adds a usage mistake for a pressure below any first one: it was probably given in kPa.
-void doubt_pressure(double surcharge, std::vector<std::string>& wrong);
+/// Adds a usage mistake for the pressure (Pa) of an option that is below any of interest: it was probably given in kPa.
+void doubt_pressure(const char* option, double pressure, std::vector<std::string>& wrong);
 
 /// A case with its sources.
 struct ReadCase {
@@ -63,6 +63,8 @@ struct ReadCase {
   /// Soil as TOML, for provenance.
   std::string scenario;
   Factors factors;
+  /// A doubt about the geotextile's own numbers.
+  std::vector<Doubt> about_geotextile;
   /// Whether the user gave them.
   bool chose_soil = false, chose_fraction = false;
 
@@ -74,9 +76,7 @@ struct ReadCase {
   /// strength.
   std::string conditions(const Case& bag) const;
   /// Returns the doubts about an answer (gws/solution/doubts.h).
-  std::vector<Doubt> doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const {
-    return gws::doubts(soil, chose_soil, the_case, stiffnesses, states);
-  }
+  std::vector<Doubt> doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const;
 };
 
 /// Options of a bag.

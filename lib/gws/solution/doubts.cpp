@@ -93,6 +93,13 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
     found.push_back({"untested", fmt::format("the solution is untested here: {}; load such a bag of grains "
                                              "(filter-expand, run-dem) before relying on it",
                                              all)});
+  const std::vector<double>& history = asked.lateral.surcharge;
+  if (history.size() > 1 && !states.empty() && states.back().surcharge > history.back())
+    found.push_back(
+        {"history-end",
+         fmt::format("the history of the lateral stress ends at a surcharge of {:.4g} kPa, and its last "
+                     "value, {:.4g} kPa, is kept up to {:.4g} kPa; give rows up to there",
+                     history.back() / 1e3, asked.lateral.lateral.back() / 1e3, states.back().surcharge / 1e3)});
   if (!states.empty() && states.back().soil.end == End::none && states.back().hoop_tension < 0)
     found.push_back(
         {"compressed",
@@ -101,6 +108,20 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
                      states.back().surcharge / 1e3, states.back().lateral / 1e3,
                      states.back().soil.lateral_stress() / 1e3)});
   return found;
+}
+
+std::vector<Doubt> contradictions(const Geotextile& geotextile) {
+  // Curves of a data sheet bend; one secant is within a factor of 1.5 of their end.
+  constexpr double factor = 1.5;
+  const double at_failure = geotextile.stiffness * geotextile.failure_strain, strength = geotextile.strength;
+  if (geotextile.curve.known() || !(strength > 0) || !(at_failure > 0)) return {};
+  if (std::max(strength / at_failure, at_failure / strength) <= factor) return {};
+  return {
+      {"contradiction",
+       fmt::format("geotextile {}: {:.4g} kN/m at a failure strain of {:.4g} % are {:.4g} kN/m, not its strength of "
+                   "{:.4g} kN/m: the lesser of both counts; correct one of the three",
+                   geotextile.name, geotextile.stiffness / 1e3, 100 * geotextile.failure_strain, at_failure / 1e3,
+                   strength / 1e3)}};
 }
 
 }  // namespace soilweave::gws

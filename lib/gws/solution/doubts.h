@@ -14,8 +14,13 @@ namespace soilweave::gws {
 /// "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
 /// "untested": the bag's shape or the lateral stress of `asked` leaves the range of the grains' runs that the solution
 /// was compared with. "compressed": in the last state the lateral stress outside exceeds the soil's, which only a
-/// geotextile under compression could balance. States that do not exist are skipped.
+/// geotextile under compression could balance. "history-end": the history of the lateral stress ends below the last
+/// surcharge. States that do not exist are skipped.
 std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states);
+
+/// Returns "contradiction" if stiffness times failure strain of a geotextile without a curve is not its strength within
+/// a factor of 1.5.
+std::vector<Doubt> contradictions(const Geotextile& geotextile);
 
 }  // namespace soilweave::gws

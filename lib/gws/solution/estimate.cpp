@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
+#include "core/text/text.h"
 #include "core/text/units.h"
 #include "files/exchange/table.h"
 #include "files/files.h"
@@ -29,17 +32,78 @@ double half_strain(double obliquity, double E50, double pressure) {
 
 double void_ratio_function(double e) { return (2.17 - e) * (2.17 - e) / (1 + e); }
 
-/// Strength, dilation and stiffness of a test's curves. The dilation is the greatest slope over a tenth of the strain.
-void read_curves(Triaxial& test, const std::string& path) {
-  const io::Series table = io::from_tsv(io::read_text(path, "triaxial test").text, path);
-  const std::vector<double> strain = io::in_unit(table, "strain_axial", "1", path),
-                            volumetric = io::in_unit(table, "strain_volumetric", "1", path),
-                            ratio = io::in_unit(table, "stress_ratio", "1", path);
+constexpr Parameter friction_range{
+    "friction_angle", "deg", 15, 60, false, "friction angle at the peak", "sand and gravel have 25 to 50"},
+    dilation_range{"dilation_angle", "deg", 0, 30, false, "dilation angle at the peak", "sand has 0 to 20"},
+    modulus_range{"E50", "Pa", 1e5, 1e10, false, "secant modulus to half of the strength", "sand has 5 to 200 MPa"};
+
+/// Curves of a drained triaxial test, compression and contraction positive.
+struct Curves {
+  std::vector<double> strain, volumetric, ratio;
+};
+
+/// Returns a column under the first of its names that the table has.
+std::vector<double> column(const io::Series& table, std::initializer_list<const char*> names, const std::string& path) {
+  for (const char* name : names)
+    if (table.find(name)) return io::in_unit(table, name, "1", path);
+  throw DataError(fmt::format("{}: has no column {}", path, fmt::join(names, " or ")));
+}
+
+std::vector<double> stress_ratios(const io::Series& table, double pressure, const std::string& path) {
+  if (table.find("stress_ratio") || !table.find("deviatoric_stress")) {
+    if (!table.find("stress_ratio")) throw DataError(path + ": has no column stress_ratio or deviatoric_stress");
+    return io::in_unit(table, "stress_ratio", "1", path);
+  }
+  std::vector<double> ratios = io::in_unit(table, "deviatoric_stress", "Pa", path);
+  for (double& q : ratios) q = 1 + q / pressure;
+  return ratios;
+}
+
+/// Throws DataError for the first row that no drained test has.
+void judge(const Curves& curves, const std::string& path) {
+  // The bounds of calibration (pipelines/calibration/plausible.py).
+  constexpr double seated = 1.3, at_rest = 5e-5, least = 0.9, most = 15, greatest_volumetric = 0.3;
+  for (std::size_t i = 0; i < curves.strain.size(); ++i) {
+    const double strain = curves.strain[i], volumetric = curves.volumetric[i], ratio = curves.ratio[i];
+    const auto refuse = [&](const std::string& what) {
+      throw DataError(fmt::format("{}: row {}: {}", path, i + 1, what));
+    };
+    if (!std::isfinite(strain + volumetric + ratio)) refuse("a value is not a number: leave the row out");
+    if (!(std::abs(strain) < 1))
+      refuse(fmt::format("axial strain {:.4g}, which must be below 1: per cent are written [%] in the header", strain));
+    if (i > 0 && strain < curves.strain[i - 1])
+      refuse("the axial strain falls: leave out unloading, and give rows in the order of the test");
+    if (!(std::abs(volumetric) < greatest_volumetric))
+      refuse(fmt::format("volumetric strain {:.4g}, more than a test has: per cent are written [%] in the header",
+                         volumetric));
+    if (!(ratio >= least && ratio <= most) || (strain <= at_rest && ratio > seated))
+      refuse(
+          fmt::format("axial over radial stress is {:.4g} at an axial strain of {:.3g}; it is 1 at rest and no soil "
+                      "bears more than {:g}: check stress_ratio or deviatoric_stress, its unit, and the pressure",
+                      ratio, strain, most));
+  }
+}
+
+Curves read_curves(const std::string& path, double pressure, std::vector<io::Source>& sources) {
+  const io::TextFile file = io::read_text(path, "triaxial test");
+  sources.push_back(file.source);
+  const io::Series table = io::from_tsv(file.text, path);
+  Curves curves{column(table, {"strain_axial", "axial_strain"}, path),
+                column(table, {"strain_volumetric", "volumetric_strain"}, path), stress_ratios(table, pressure, path)};
+  judge(curves, path);
+  return curves;
+}
+
+/// Puts strength, dilation and stiffness of curves into the test. The dilation is the greatest slope over a tenth of
+/// the strain.
+void measure(Triaxial& test, const Curves& curves, const std::string& path) {
+  const auto& [strain, volumetric, ratio] = curves;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(ratio) - ratio.begin());
   if (ratio.size() < 5 || !(ratio[peak] > 1))
     throw DataError(path + ": at least 5 rows with a stress_ratio above 1 are needed");
   const double sine = (ratio[peak] - 1) / (ratio[peak] + 1), half = (ratio[peak] + 1) / 2;
   test.friction_angle = std::asin(sine) / degree;
+  test.still_rises = peak + 1 == ratio.size();
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(ratio, [&](double r) { return r >= half; }) - ratio.begin());
   const double before = at > 0 ? ratio[at - 1] : 1, first = at > 0 ? strain[at - 1] : 0;
@@ -52,6 +116,13 @@ void read_curves(Triaxial& test, const std::string& path) {
     if (j < strain.size()) steepest = std::max(steepest, -(volumetric[j] - volumetric[i]) / (strain[j] - strain[i]));
   }
   test.dilation_angle = std::asin(steepest / (2 + steepest)) / degree;
+  for (const auto& [value, range] :
+       {std::pair(test.friction_angle, friction_range), std::pair(test.dilation_angle, dilation_range),
+        std::pair(test.E50, modulus_range)})
+    if (!range.contains(value))
+      throw DataError(
+          fmt::format("{}: its curves give {} = {:.4g} {}; must be {} ({}): check units, signs and pressure", path,
+                      range.name, value, range.unit, range_text(range), range.why));
 }
 
 }  // namespace
@@ -72,24 +143,22 @@ Soil estimated(const Triaxial& test) {
   return soil;
 }
 
-Triaxial read_estimate(Settings& table) {
-  static constexpr Parameter friction{
-      "friction_angle", "deg", 15, 60, false, "friction angle at the peak", "sand and gravel have 25 to 50"},
-      dilation{"dilation_angle", "deg", 0, 30, false, "dilation angle at the peak", "sand has 0 to 20"},
-      modulus{"E50", "Pa", 1e5, 1e10, false, "secant modulus to half of the strength", "sand has 5 to 200 MPa"},
-      porosity{"void_ratio", "1", 0.2, 1.5, false, "void ratio before shear", "sand has 0.4 to 1.1"},
+Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources) {
+  static constexpr Parameter porosity{"void_ratio",         "1", 0.2, 1.5, false, "void ratio before shear",
+                                      "sand has 0.4 to 1.1"},
       confined{"pressure", "Pa", 1e3, 1e7, false, "confining pressure of the test", "tests have 10 kPa to 2 MPa"};
   Triaxial test;
   test.void_ratio = table.number(porosity);
   const bool curves = table.has("triaxial");
   test.pressure = table.number(confined, curves ? std::nullopt : std::optional(1e5));  // E50 is in proportion to it
   if (curves) {
-    read_curves(test, table.text("triaxial"));
+    const std::string path = files.path("estimate.triaxial", table.text("triaxial")).string();
+    if (table.has("pressure")) measure(test, read_curves(path, test.pressure, sources), path);
     return test;
   }
-  test.friction_angle = table.number(friction);
-  test.dilation_angle = table.number(dilation);
-  test.E50 = table.number(modulus);
+  test.friction_angle = table.number(friction_range);
+  test.dilation_angle = table.number(dilation_range);
+  test.E50 = table.number(modulus_range);
   if (!(test.dilation_angle < test.friction_angle))
     table.mistake("dilation_angle", "is not below the friction angle: check both, 0 is on the safe side");
   return test;
@@ -97,9 +166,10 @@ Triaxial read_estimate(Settings& table) {
 
 std::string marked(const Triaxial& test) {
   return fmt::format(
-      "estimated from phi {:.3g} deg, psi {:.3g} deg, E50 {:.4g} MPa under {:.4g} kPa, e {:.3g}: no bags of it were "
+      "estimated from phi {:.3g} deg, psi {:.3g} deg, E50 {:.4g} MPa under {:.4g} kPa, e {:.3g}{}: no bags of it were "
       "computed",
-      test.friction_angle, test.dilation_angle, test.E50 / 1e6, test.pressure / 1e3, test.void_ratio);
+      test.friction_angle, test.dilation_angle, test.E50 / 1e6, test.pressure / 1e3, test.void_ratio,
+      test.still_rises ? " (the test still rises at its end, so that its strength is at least this)" : "");
 }
 
 }  // namespace soilweave::gws

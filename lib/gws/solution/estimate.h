@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/text/named_file.h"
 #include "core/text/settings.h"
+#include "files/provenance.h"
 #include "gws/solution/soil.h"
 
 namespace soilweave::gws {
@@ -19,6 +22,8 @@ struct Triaxial {
   double void_ratio = 0;
   /// Confining pressure, Pa.
   double pressure = 1e5;
+  /// Whether its curve still rises in the last row.
+  bool still_rises = false;
 };
 
 /// Returns Toyoura sand's constants (thesis Table 5.2), apart from those that the test gives:
@@ -31,9 +36,10 @@ struct Triaxial {
 Soil estimated(const Triaxial& test);
 
 /// Reads [estimate]: friction_angle, dilation_angle, E50, void_ratio, pressure. Key triaxial, a TSV with strain_axial,
-/// strain_volumetric and stress_ratio, replaces the first three; the pressure is required then, else 100 kPa. Mistakes
-/// go to the document.
-Triaxial read_estimate(Settings& table);
+/// strain_volumetric and stress_ratio (or deviatoric_stress), replaces the first three; the pressure is required then,
+/// else 100 kPa. The table's source is added to `sources`. Mistakes go to the document. Throws DataError for rows that
+/// no drained test has, and for curves whose strength, dilation or stiffness no soil has.
+Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources);
 
 /// Returns the phrase that marks such a soil in answers.
 std::string marked(const Triaxial& test);

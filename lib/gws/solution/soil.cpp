@@ -133,14 +133,14 @@ double Scatter::quantile() const {
   return boost::math::quantile(boost::math::students_t_distribution<double>(freedom), 0.975);
 }
 
-SoilFile read_soil(Settings& document) {
+SoilFile read_soil(Settings& document, const NamedFiles& files) {
   SoilFile file;
   file.name = document.text("name", "soil");
   std::vector<std::string> lines;
   const bool is_estimate = document.has("estimate");
   if (is_estimate) {
     Settings at = document.table("estimate");
-    const Triaxial test = read_estimate(at);
+    const Triaxial test = read_estimate(at, files, file.sources);
     file.soil = estimated(test);
     file.estimated = marked(test);
   }

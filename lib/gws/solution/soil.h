@@ -21,7 +21,9 @@
 #include <vector>
 
 #include "core/parameter.h"
+#include "core/text/named_file.h"
 #include "core/text/settings.h"
+#include "files/provenance.h"
 
 namespace soilweave::gws {
 
@@ -98,11 +100,13 @@ struct SoilFile {
   Identified identified = {};
   /// How constants were estimated without bags; empty: they were not.
   std::string estimated = {};
+  /// Files that the soil's own file names.
+  std::vector<io::Source> sources = {};
 };
 
-/// Reads a soil. With [estimate] constants may be absent, and are estimated; else each has to be there. Mistakes go to
-/// the document, on which the caller calls finish().
-SoilFile read_soil(Settings& document);
+/// Reads a soil. With [estimate] constants may be absent, and are estimated; else each has to be there. `files` tells
+/// where the paths of the document begin. Mistakes go to the document, on which the caller calls finish().
+SoilFile read_soil(Settings& document, const NamedFiles& files = {});
 /// Returns TOML text that read_soil() reads back, after the lines of `comment`.
 std::string soil_text(const SoilFile& file, std::string_view comment);
 
