@@ -175,8 +175,8 @@ $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
 # GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds the sources.
 # A precompiled header would bring its own optimisation back.
-UNPACKED := $(call object,lib/fem/model/soil.cpp lib/fem/material/continuum_laws.cpp lib/display/display.cpp \
-  lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp)
+UNPACKED := $(call object,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
+  lib/display/display.cpp lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp)
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
