@@ -268,6 +268,18 @@ TEST(Settings, WholeNumbersBeyondTheirRangeAreErrors) {
   EXPECT_EQ(mistakes_of(s), "t:1: steps: 1e+300 is beyond the whole numbers that are read");
 }
 
+TEST(Settings, ATableThatIsLeftIsNotJudged) {
+  Settings s = Settings::parse("[[product]]\nsize = 1\n[[product]]\nsiz = 1\n[product.inner]\nx = 1\n", "t.toml");
+  std::vector<Settings> products = s.tables("product");
+  EXPECT_EQ(products[0].number(size), 1);
+  EXPECT_NE(mistakes_of(s), "");
+  Settings again = Settings::parse("[[product]]\nsize = 1\n[[product]]\nsiz = 1\n[product.inner]\nx = 1\n", "t.toml");
+  products = again.tables("product");
+  EXPECT_EQ(products[0].number(size), 1);
+  products[1].leave();
+  EXPECT_EQ(mistakes_of(again), "");
+}
+
 TEST(Settings, ResolvedIsTheSameForTheSameContentInAnyOrder) {
   Settings one = Settings::parse("b = 2\na = 1\n[t]\ny = 'q'\nx = 1.5\n", "one");
   Settings other = Settings::parse("# a remark\na = 5\nb = 2\n[t]\nx = 1.5\ny = 'q'\n", "other");

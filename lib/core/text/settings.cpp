@@ -311,6 +311,8 @@ std::vector<Settings> Settings::tables(std::string_view key) {
   return found;
 }
 
+void Settings::leave() { document_->unread.insert(path_); }
+
 void Settings::finish() const {
   if (document_->recorder) return;
   Document& document = *document_;

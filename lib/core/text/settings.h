@@ -72,6 +72,8 @@ class Settings {
   /// Returns the array of tables, empty if absent.
   std::vector<Settings> tables(std::string_view key);
 
+  /// Leaves the table unread: finish() judges none of its keys.
+  void leave();
   /// Adds a mistake about `key` (or about the table if empty), with file and line.
   void mistake(std::string_view key, std::string_view what);
   /// Throws DataError with all mistakes, unknown keys included. Call it once, after the last key.

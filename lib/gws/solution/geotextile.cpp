@@ -38,8 +38,9 @@ void check_directions(const Settings& document, const std::string& where) {
 
 /// Reads a table of its own or a product of a catalogue; finish() is the caller's.
 Geotextile read_table(Settings& document, const std::string& where, const std::string& direction) {
-  check_directions(document, where);
   if (is_sheet(document)) return read_sheet(document, direction, where);
+  // Asked for where it stops here alone, since a name that is asked for counts as known.
+  if (!document.has(tensile_strength.name)) check_directions(document, where);
   if (!direction.empty())
     throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
                                 direction, direction));
@@ -56,35 +57,22 @@ Geotextile read_table(Settings& document, const std::string& where, const std::s
   return found;
 }
 
-/// Returns the text with empty lines in the place of all products but one, so that it is judged alone and lines keep
-/// their numbers.
-std::string with_one_product(const std::string& text, std::size_t wanted) {
-  std::string kept;
-  std::size_t begun = 0;
-  for (const std::string& line : lines_of(text)) {
-    if (line.starts_with("[[product]]")) ++begun;
-    kept += (begun == 0 || begun == wanted + 1 ? line : "") + "\n";
-  }
-  return kept;
-}
-
 Geotextile of_catalogue(const std::string& path, const std::string& product, const std::string& direction) {
-  const std::string text = io::read_text(path, "catalogue").text;
-  Settings all = Settings::parse(text, path);
+  Settings document = Settings::parse(io::read_text(path, "catalogue").text, path);
+  std::vector<Settings> products = document.tables("product");
   std::vector<std::string> known;
-  for (Settings& table : all.tables("product")) known.push_back(table.text("name", ""));
-  if (known.empty()) all.finish();  // which tells what stands there instead
+  for (Settings& one : products) known.push_back(one.text("name", ""));
+  if (known.empty()) document.finish();  // which tells what stands there instead
   const auto place = std::ranges::find(known, product);
   if (place == known.end())
     throw DataError(fmt::format("{}: has no [[product]] named {}{}", path, product, suggestion(product, known)));
   if (const auto count = std::ranges::count(known, product); count > 1)
     throw DataError(
         fmt::format("{}: {} of its [[product]] are named {}: give each a name of its own", path, count, product));
-  Settings document = Settings::parse(with_one_product(text, static_cast<std::size_t>(place - known.begin())), path);
-  std::vector<Settings> products = document.tables("product");
-  if (products.size() != 1)
-    throw DataError(fmt::format("{}: write [[product]] at the start of a line of its own before each product", path));
-  const Geotextile found = read_table(products.front(), fmt::format("{}: {}", path, product), direction);
+  for (std::size_t k = 0; k < products.size(); ++k)
+    if (known[k] != product) products[k].leave();
+  Settings& wanted = products[static_cast<std::size_t>(place - known.begin())];
+  const Geotextile found = read_table(wanted, fmt::format("{}: {}", path, product), direction);
   document.finish();
   return found;
 }
