@@ -33,6 +33,7 @@ TOML
   { cat catalogue.toml; sed 's/^name.*/\n[[product]]\nname = "P160"/' pet.toml; } > two.toml
   sed 's/product.cross/product.cros/; /^$/,$d' catalogue.toml > typing.toml
   { cat catalogue.toml; echo 'rf_creep = 2.5'; } > creep.toml
+  echo 'product = [{name = "I", stiffness = "400 kN/m", strength = "60 kN/m", failure_strain = "10 %"}, {name = "J", stiffness = "400 kN/m", strength = "60 kN/m", failure_strain = "10 %", strngth = 1}]' > inline.toml
   sed 's/^\(\[*\)product/\1products/' catalogue.toml > plural.toml
   sed 's/^name = "W70"/&\nstrength = "75 kN\/m"/' catalogue.toml > beside.toml
   sed '/^\[cross/,$d' woven.toml > oneway.toml
@@ -61,6 +62,8 @@ questions() {
 0;strength 80 kN/m, strain at failure 12 %;respond --soil toyoura-gws --geotextile woven.toml@machine
 0;strength 140 kN/m;respond --soil toyoura-gws --stiffness "1200 kN/m" --strength "140 kN/m"
 0;secant at the;respond --soil toyoura-gws --geotextile pet.toml --surcharge "500 kPa"
+0;at the same tension of 80 kN/m;respond --soil toyoura-gws --geotextile pet.toml --surcharge "500 kPa"
+0;at the same tension of 1.14 kN/m;respond --soil toyoura-gws --geotextile PP --stiffness "8 kN/m"
 0;Geotextile W70: ;respond --soil toyoura-gws --geotextile catalogue.toml:W70@cross
 0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --settlement "5 %" --safety 1.5
 0;Carries;design --soil toyoura-gws --geotextile catalogue.toml:P160 --settlement "5 %"
@@ -89,8 +92,10 @@ questions() {
 65;catalogue.toml: is a catalogue: name one of its products, as catalogue.toml:W70 (W70, P160);respond --geotextile catalogue.toml
 65;two.toml: 2 of its [[product]] are named P160: give each a name of its own;respond --geotextile two.toml:P160
 65;typing.toml:8: unknown key 'product.0.cros';respond --geotextile typing.toml:W70@machine
-65;creep.toml:20: unknown key 'product.0.rf_creep';respond --geotextile creep.toml:P160
+65;creep.toml:20: unknown key 'product.1.rf_creep'; known: cross, failure_strain, machine, name,;respond --geotextile creep.toml:P160
 0;Geotextile W70;respond --soil toyoura-gws --geotextile creep.toml:W70
+0;Geotextile I;respond --soil toyoura-gws --geotextile inline.toml:I
+65;inline.toml:1: unknown key 'product.1.strngth'; did you mean 'strength'?;respond --geotextile inline.toml:J
 65;plural.toml:1: unknown key 'products'; did you mean 'product'?;respond --geotextile plural.toml:W70
 65;beside.toml: W70: strength stands beside the tables of its directions: move it into [machine] and [cross];respond --geotextile beside.toml:W70
 65;oneway.toml: has [machine] alone, and a bag is stretched both ways: give [cross] too, or take that one for both (NAME@machine);respond --geotextile oneway.toml

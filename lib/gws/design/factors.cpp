@@ -56,7 +56,10 @@ std::string conditions(const Case& bag, const Factors& factors, double unreduced
         "Against failure the surcharge is multiplied by {:.4g}, and tan phi divided by {:.4g}: M {:.4g} becomes "
         "{:.4g}.\n",
         factors.load, factors.soil, bag.soil.M, weak.M);
-  const double tension = bag.hoop_limit() * bag.geotextile.stiffness, M = weak.M;
+  // The secant of a curve is that at the strain reached, which tells nothing about the tension at failure.
+  const double tension = bag.geotextile.curve.known() ? bag.strength_fraction * bag.geotextile.strength
+                                                      : bag.hoop_limit() * bag.geotextile.stiffness;
+  const double M = weak.M;
   if (!(tension > 0)) return text;
   const LongBag flat{bag.bag.width, bag.bag.height, tension, passive_ratio(M)};
   const double bears = capacity(flat, bag.lateral.at(0));
