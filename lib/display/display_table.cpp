@@ -215,8 +215,7 @@ void demand_same_radii(const VtkPicture& grains, const Series& table, const std:
     if (!known[i] || std::abs(radius - radii[i]) <= 1e-6 * radii[i]) continue;
     throw DataError(
         fmt::format("the table of grains is of another packing: grain {} has a radius of {:.6g} m there, and of {:.6g} "
-                    "m here; make "
-                    "it from this file, with homogenize --grains",
+                    "m here; make it from this file, with homogenize --grains",
                     bodies[i], radius, radii[i]));
   }
 }

@@ -77,8 +77,7 @@ Soil falling(Soil soil, const Line& line) {
   if (soil.n > 0 && constant("failure_line.p_c").parameter.contains(soil.p_c)) return soil;
   throw DataError(fmt::format(
       "{}: q/p at failure {} with pressure (n = {:.3g}, p_c = {:.3g} Pa): give tests over a wider range of pressures, "
-      "or "
-      "take one strength for all by --set failure_line.n=0 --set failure_line.M={:.4g} instead of --failure",
+      "or take one strength for all by --set failure_line.n=0 --set failure_line.M={:.4g} instead of --failure",
       line.name, soil.n > 0 ? "hardly falls" : "does not fall", soil.n, soil.p_c, strength));
 }
 

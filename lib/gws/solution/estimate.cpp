@@ -49,11 +49,10 @@ std::vector<double> column(const io::Series& table, std::initializer_list<const 
   throw DataError(fmt::format("{}: has no column {}", path, fmt::join(names, " or ")));
 }
 
+/// Returns axial over radial stress, from its own column or from the deviatoric stress.
 std::vector<double> stress_ratios(const io::Series& table, double pressure, const std::string& path) {
-  if (table.find("stress_ratio") || !table.find("deviatoric_stress")) {
-    if (!table.find("stress_ratio")) throw DataError(path + ": has no column stress_ratio or deviatoric_stress");
-    return io::in_unit(table, "stress_ratio", "1", path);
-  }
+  if (table.find("stress_ratio")) return io::in_unit(table, "stress_ratio", "1", path);
+  if (!table.find("deviatoric_stress")) throw DataError(path + ": has no column stress_ratio or deviatoric_stress");
   std::vector<double> ratios = io::in_unit(table, "deviatoric_stress", "Pa", path);
   for (double& q : ratios) q = 1 + q / pressure;
   return ratios;

@@ -78,7 +78,7 @@ Scatter read_scatter(Settings& at, const std::string& line) {
       if (const std::string name(c.parameter.name); at.has(name)) {
         scatter.keys.push_back(c.key());
         scatter.standard_errors.push_back(
-            at.number({c.parameter.name, c.parameter.unit, 0, 1e300, false, "standard error"}));
+            at.number({c.parameter.name, c.parameter.unit, 0, 1e15, false, "standard error"}));
       }
     }
   scatter.freedom = at.number(freedom, 1e9);
