@@ -82,7 +82,8 @@ struct ToVtk {
     if (kind != "fields" && kind != "multiscale") return show_states(invocation);
     if (!fields.empty() || force_scale || unwrapped)
       throw UsageError("--fields, --force-scale and --unwrapped are for packings and runs, not for " + input.string());
-    kind == "fields" ? show_fields(invocation) : show_multiscale(invocation);
+    if (kind == "fields") return show_fields(invocation);
+    show_multiscale(invocation);
   }
 
  private:

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "analysis/measure/stress.h"
+#include "analysis/measure/tessellation.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -51,7 +52,7 @@ bool holds(const dem::Stage& stage, const Acting& before, int dimension, std::si
 
 std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& scenario) {
   const int dimension = start.grains.dimension;
-  if (std::count(start.cell.periodic.begin(), start.cell.periodic.begin() + dimension, false) > 0) return {};
+  if (!is_periodic(start)) return {};
   Acting acting{cell_stress(start), {true, true, true}};
   for (const dem::Stage& stage : scenario.stages) {
     const dem::AxisGoals first = stage.path->goals(0, acting.state(dimension, 1));

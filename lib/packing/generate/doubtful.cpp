@@ -9,6 +9,7 @@
 
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
+#include "analysis/measure/tessellation.h"
 #include "analysis/measure/volume_of_interest.h"
 #include "core/error.h"
 
@@ -95,9 +96,7 @@ std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest) {
 }
 
 std::optional<Doubt> cell_doubt(const io::Snapshot& state) {
-  const auto& periodic = state.cell.periodic;
-  const int d = state.grains.dimension;
-  if (!std::all_of(periodic.begin(), periodic.begin() + d, [](bool p) { return p; })) return std::nullopt;
+  if (!analysis::is_periodic(state)) return std::nullopt;
   const double void_ratio = analysis::void_ratio(state);
   if (void_ratio <= loosest) return std::nullopt;
   return Doubt{"cell-unit",
