@@ -27,6 +27,9 @@ TOML
   printf 'name = "bare"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\n' > bare.toml
   printf 'name = "blunt"\ntension_at_5 = "35 kN/m"\nfailure_strain = "10 %%"\n' > blunt.toml
   printf 'name = "both"\nstiffness = "400 kN/m"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "12 %%"\n' > both.toml
+  printf 'name = "plain"\nstrength = "60 kN/m"\nfailure_strain = 0.12\nstiffness = 600\n' > plain.toml
+  printf 'name = "mixed"\nstrength = "60 kN/m"\nfailure_strain = 0.12\ntension_at_5 = 30\n' > mixed.toml
+  sed 's/"\([0-9.]*\) kN\/m"/\1/' pet.toml > unitless.toml
   sed '/tension_at_2 = "12/d' woven.toml > half.toml
   { sed 's/^name.*/[[product]]\nname = "W70"/; s/^\[machine\]/[product.machine]/; s/^\[cross\]/[product.cross]/' woven.toml
     sed 's/^name.*/\n[[product]]\nname = "P160"/' pet.toml; } > catalogue.toml
@@ -44,6 +47,7 @@ TOML
   mkdir lab
   sed 's/^triaxial.*/triaxial = "test.tsv"\npressure = "200 kPa"/' curves.toml > lab/soil.toml
   grep -v '^#' "$BATS_TEST_DIRNAME/../../data/laboratory/toyoura_drained_triaxial_0.2MPa.tsv" > lab/test.tsv
+  sed "s|^triaxial.*|triaxial = \"$BATS_TEST_DIRNAME/../../data/own/example/drained_100kPa.tsv\"\npressure = \"200 kPa\"|" curves.toml > lab/other.toml
   for case in reversed percent ratio; do sed "s/test.tsv/$case.tsv/" lab/soil.toml > "lab/$case.toml"; done
   { head -1 lab/test.tsv; tail -n +2 lab/test.tsv | tac; } > lab/reversed.tsv
   awk -F'\t' -v OFS='\t' 'NR > 1 { $1 *= 100 } { print }' lab/test.tsv | sed '1s/ \[[^]]*\]//' > lab/percent.tsv
@@ -90,6 +94,9 @@ questions() {
 65;both.toml: stiffness and tensions at strains both tell a stiffness: leave one of them out;respond --geotextile both.toml
 65;half.toml: [cross] has no tension_at_2, which [machine] has: give it, or choose a direction (NAME@machine);respond --geotextile half.toml
 65;catalogue.toml: is a catalogue: name one of its products, as catalogue.toml:W70 (W70, P160);respond --geotextile catalogue.toml
+65;plain.toml:4: stiffness: 600 N/m is less than any geotextile has (2000 N/m); did you mean "600 kN/m"?;respond --geotextile plain.toml
+65;unitless.toml:4: strength: 160 N/m is less than any geotextile has (500 N/m); did you mean "160 kN/m"?;respond --geotextile unitless.toml
+65;mixed.toml: 0.03 kN/m at a strain of 5 % beside 60 kN/m at 12 %: check both units;respond --geotextile mixed.toml
 65;two.toml: 2 of its [[product]] are named P160: give each a name of its own;respond --geotextile two.toml:P160
 65;typing.toml:8: unknown key 'product.0.cros';respond --geotextile typing.toml:W70@machine
 65;creep.toml:20: unknown key 'product.1.rf_creep'; known: cross, failure_strain, machine, name,;respond --geotextile creep.toml:P160
@@ -106,6 +113,7 @@ questions() {
 65;'along' is no direction: give @machine or @cross;respond --geotextile woven.toml@along
 65;greater --strength-fraction;respond --geotextile PP --strength-fraction 0
 65;estimate.pressure: is missing;respond --soil curves.toml --geotextile PP
+65;row 1: its lateral stress is 99.63 kPa, and pressure says 200 kPa: check both;respond --soil lab/other.toml --geotextile PP
 0;under 200 kPa, e 0.68: no bags of it were computed;respond --soil lab/soil.toml --geotextile PP
 65;lab/reversed.tsv: row 2: the axial strain falls: leave out unloading, and give rows in the order of the test;respond --soil lab/reversed.toml --geotextile PP
 65;which must be below 1: per cent are written [%] in the header;respond --soil lab/percent.toml --geotextile PP

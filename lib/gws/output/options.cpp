@@ -67,8 +67,9 @@ std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
   std::vector<std::string> wrong;
   if (needs_geotextile && geotextile.empty() && !(stiffness && (strength || failure_strain)))
     wrong.emplace_back("no geotextile: give --geotextile NAME, or --stiffness and one of --strength, --failure-strain");
-  if (stiffness) doubt_unit("stiffness", *stiffness, wrong);
-  if (strength) doubt_unit("strength", *strength, wrong);
+  for (const auto& [name, value] : {std::pair{"stiffness", stiffness}, std::pair{"strength", strength}})
+    if (const std::string mistake = unit_mistake(name, value.value_or(0)); !mistake.empty())
+      wrong.push_back(fmt::format("--{}: {}", name, mistake));
   if (geotextile.empty() && stiffness && strength && failure_strain &&
       std::abs(*strength / (*stiffness * *failure_strain) - 1) > 0.5)
     wrong.push_back(fmt::format(

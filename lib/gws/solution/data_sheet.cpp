@@ -11,6 +11,9 @@
 namespace soilweave::gws {
 namespace {
 
+// No geotextile stiffens fiftyfold: a secant so far below that to failure comes of a unit that was left out.
+constexpr double least_share = 0.02;
+
 constexpr Parameter tension_range{"tension", "N/m", 0, 1e10, true, "tension at a strain", "a stretched sheet pulls"};
 
 std::optional<double> value(Settings& at, const Parameter& parameter) {
@@ -25,7 +28,10 @@ Parameter named(const char* name) {
 }
 
 DataSheet read_direction(Settings& at) {
-  return {value(at, named("tension_at_2")), value(at, named("tension_at_5")), value(at, tensile_strength),
+  const std::optional<double> strength = value(at, tensile_strength);
+  if (const std::string wrong = unit_mistake(std::string(tensile_strength.name), strength.value_or(0)); !wrong.empty())
+    at.mistake(tensile_strength.name, wrong);
+  return {value(at, named("tension_at_2")), value(at, named("tension_at_5")), strength,
           value(at, failure_strain_range)};
 }
 
@@ -66,7 +72,13 @@ Geotextile of_sheet(const std::string& name, const DataSheet& sheet, const std::
   if (sheet.at_2) add(0.02, *sheet.at_2);
   if (sheet.at_5) add(0.05, *sheet.at_5);
   add(*sheet.failure_strain, *sheet.strength);
-  found.stiffness = found.strength / found.failure_strain;
+  const double secant = found.strength / found.failure_strain;
+  for (std::size_t k = 1; k + 1 < found.curve.strain.size(); ++k)
+    if (found.curve.tension[k] / found.curve.strain[k] < least_share * secant)
+      throw DataError(fmt::format(
+          "{}: {:.4g} kN/m at a strain of {:.4g} % beside {:.4g} kN/m at {:.4g} %: check both units", where,
+          found.curve.tension[k] / 1e3, 100 * found.curve.strain[k], found.strength / 1e3, 100 * found.failure_strain));
+  found.stiffness = secant;
   return found;
 }
 

@@ -58,6 +58,25 @@ std::vector<double> stress_ratios(const io::Series& table, double pressure, cons
   return ratios;
 }
 
+/// Throws DataError for the first row whose own stresses tell another confining pressure than the one given.
+void judge_pressure(const io::Series& table, double pressure, const std::string& path) {
+  constexpr double most = 0.1;  // cell pressure is held to some per cent
+  std::vector<double> lateral;
+  for (const char* name : {"radial_stress", "stress_radial", "confining_pressure", "cell_pressure"})
+    if (lateral.empty() && table.find(name)) lateral = io::in_unit(table, name, "Pa", path);
+  if (lateral.empty() && table.find("mean_stress") && table.find("deviatoric_stress")) {
+    lateral = io::in_unit(table, "mean_stress", "Pa", path);
+    const std::vector<double> deviatoric = io::in_unit(table, "deviatoric_stress", "Pa", path);
+    for (std::size_t i = 0; i < lateral.size(); ++i) lateral[i] -= deviatoric[i] / 3;
+  }
+  for (std::size_t i = 0; i < lateral.size(); ++i)
+    if (std::abs(lateral[i] / pressure - 1) > most)
+      throw DataError(
+          fmt::format("{}: row {}: its lateral stress is {:.4g} kPa, and pressure says {:.4g} kPa: check "
+                      "both, and whether the test was drained at a constant pressure",
+                      path, i + 1, lateral[i] / 1e3, pressure / 1e3));
+}
+
 /// Throws DataError for the first row that no drained test has.
 void judge(const Curves& curves, const std::string& path) {
   // The bounds of calibration (pipelines/calibration/plausible.py).
@@ -90,6 +109,7 @@ Curves read_curves(const std::string& path, double pressure, std::vector<io::Sou
   Curves curves{column(table, {"strain_axial", "axial_strain"}, path),
                 column(table, {"strain_volumetric", "volumetric_strain"}, path), stress_ratios(table, pressure, path)};
   judge(curves, path);
+  judge_pressure(table, pressure, path);
   return curves;
 }
 

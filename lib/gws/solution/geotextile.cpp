@@ -49,6 +49,9 @@ Geotextile read_table(Settings& document, const std::string& where, const std::s
   found.stiffness = document.number(tensile_stiffness);
   found.strength = document.number(tensile_strength);
   found.failure_strain = document.number(failure_strain_range);
+  for (const auto& [key, value] :
+       {std::pair{tensile_stiffness.name, found.stiffness}, std::pair{tensile_strength.name, found.strength}})
+    if (const std::string wrong = unit_mistake(std::string(key), value); !wrong.empty()) document.mistake(key, wrong);
   // The yarns' curve belongs to the discrete model, so it is only checked here.
   static constexpr Parameter point{"yarn_strain", "1", 0, 1e12, true, "points of the yarns' curve"};
   for (const char* key : {"yarn_strain", "yarn_tension"})
@@ -110,11 +113,11 @@ Geotextile read_geotextile(const std::string& text, const std::string& where, co
   return found;
 }
 
-void doubt_unit(const std::string& name, double value, std::vector<std::string>& wrong) {
-  const double least = name == "strength" ? least_strength : least_stiffness;
-  if (value >= least || !(value > 0)) return;
-  wrong.push_back(fmt::format("--{}: {} N/m is less than any geotextile has ({} N/m); did you mean \"{} kN/m\"?", name,
-                              number_text(value), number_text(least), number_text(value)));
+std::string unit_mistake(const std::string& name, double value) {
+  const double least = name == tensile_strength.name ? least_strength : least_stiffness;
+  if (value >= least || !(value > 0)) return "";
+  return fmt::format("{} N/m is less than any geotextile has ({} N/m); did you mean \"{} kN/m\"?", number_text(value),
+                     number_text(least), number_text(value));
 }
 
 Geotextile find_geotextile(const std::string& given) {

@@ -65,8 +65,8 @@ Geotextile find_geotextile(const std::string& name);
 /// the document in errors.
 Geotextile read_geotextile(const std::string& text, const std::string& where, const std::string& direction = "");
 
-/// Adds a usage mistake for a stiffness or strength below any geotextile's: it was probably given in kN/m, not N/m.
-/// name: the option, without hyphens.
-void doubt_unit(const std::string& name, double value, std::vector<std::string>& wrong);
+/// Returns the mistake of a stiffness or strength (by the parameter's name, in N/m) that is below any geotextile's, as
+/// where kN/m were given without their unit; empty if there is none.
+std::string unit_mistake(const std::string& name, double value);
 
 }  // namespace soilweave::gws
