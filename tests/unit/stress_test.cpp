@@ -183,6 +183,28 @@ TEST(VolumeOfInterest, CopiesComeInOrder) {
   EXPECT_EQ(v[2].grains, (std::vector<std::size_t>{7}));
 }
 
+TEST(VolumeOfInterest, GroupsKeepTheirPlaceWithoutTheOutermostCopies) {
+  // Ten by ten copies of which those at the sides were cut away: numbers end at 88, and 9 by 9 copies would end at 80.
+  io::Snapshot s;
+  for (std::int32_t y = 1; y < 9; ++y)
+    for (std::int32_t x = 1; x < 9; ++x) {
+      test::add_grain(s, Vec3(x, y, 0), 0.5);
+      s.grains.copy_id.back() = 10 * y + x;
+    }
+  const std::vector<Volume> all = groups(s);
+  ASSERT_EQ(all.size(), 5U);
+  const auto ids = [&](const Volume& volume) {
+    std::vector<std::int32_t> found;
+    for (const std::size_t i : volume.grains) found.push_back(s.grains.copy_id[i]);
+    return found;
+  };
+  EXPECT_EQ(all[0].name, "#1");
+  EXPECT_EQ(ids(all[0]), (std::vector<std::int32_t>{41, 51})) << "half as wide";
+  EXPECT_EQ(ids(all[1]), (std::vector<std::int32_t>{42, 43, 52, 53}));
+  EXPECT_EQ(ids(all[2]), (std::vector<std::int32_t>{44, 45, 54, 55}));
+  EXPECT_EQ(ids(all[4]), (std::vector<std::int32_t>{48, 58}));
+}
+
 TEST(VolumeOfInterest, GroupsLieAlongTheMiddle) {
   io::Snapshot s;
   test::add_grain(s, Vec3(9, 9, 9), 0.5);

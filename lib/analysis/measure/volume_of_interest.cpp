@@ -11,6 +11,8 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <ranges>
+#include <set>
 
 #include "analysis/measure/parts.h"
 #include "dem/state/bodies.h"
@@ -97,6 +99,23 @@ bool are_columns(std::int32_t n, const io::Snapshot& state, const std::vector<Pa
          within < largest_distance * sum_of_distances(all, median(all));
 }
 
+// Returns n of n by n copies in one layer, numbered along x first; 0 for others. The greatest number does not tell it
+// where sheets were laid on the middle of a bag's soil: as many rows of copies are then missing on all four sides.
+std::int32_t copies_along(const io::Snapshot& state, const std::vector<Part>& part) {
+  std::set<std::int32_t> ids;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == Part::soil && state.grains.copy_id[i] >= 0) ids.insert(state.grains.copy_id[i]);
+  if (ids.empty()) return 0;
+  const std::int32_t first = *ids.begin(), last = *ids.rbegin();
+  for (std::int32_t n = 2; n <= last; ++n) {
+    if (first / n + last / n != n - 1) continue;
+    const auto [left, right] =
+        std::ranges::minmax(ids | std::views::transform([n](std::int32_t id) { return id % n; }));
+    if (left + right == n - 1 && are_columns(n, state, part)) return n;
+  }
+  return 0;
+}
+
 }  // namespace
 
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
@@ -131,11 +150,9 @@ std::vector<Volume> copies(const io::Snapshot& state) {
 }
 
 std::vector<Volume> groups(const io::Snapshot& state) {
-  std::int32_t last = 0;
-  for (const std::int32_t id : state.grains.copy_id) last = std::max(last, id);
-  const auto n = static_cast<std::int32_t>(std::lround(std::sqrt(last + 1.0)));
   const std::vector<Part> part = parts(state);
-  if (n < 2 || !are_columns(n, state, part)) return {};
+  const std::int32_t n = copies_along(state, part);
+  if (n == 0) return {};
   const std::int32_t wide = n % 2 == 0 ? 2 : 1;
   std::vector<Volume> all(static_cast<std::size_t>(n / wide));
   for (std::size_t k = 0; k < all.size(); ++k) all[k].name = fmt::format("#{}", k + 1);

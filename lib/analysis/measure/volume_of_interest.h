@@ -27,7 +27,8 @@ Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 std::vector<Volume> copies(const io::Snapshot& state);
 /// Returns the groups #1 to #5 of thesis Fig. 3.9: one per pair of copies along x, each of four neighbours in the
 /// middle of y. An odd number of copies along x gives one group per copy. Groups without reinforced soil are left out;
-/// the others keep their names. Empty unless the copies lie in one layer, as many along x as along y.
+/// the others keep their names. Empty unless the copies lie in one layer, as many along x as along y; as many rows of
+/// them may be missing on all four sides.
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);
