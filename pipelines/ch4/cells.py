@@ -39,6 +39,16 @@ def stress(name, words):
     return "1", words, lambda cell: cell.table(name, "kPa") / confining()
 
 
+def grouped(k, stress_of, words):
+    """Returns an entry of Series.derived: a stress of a group of the reinforced soil. Raises NotMade where it has no value in the run."""
+    def read(cell):
+        values = cell.table(f"group_{k}_{stress_of}_stress", "kPa", missing=True)
+        if numpy.isnan(values).any():
+            raise NotMade(f"{pathlib.Path(cell.table.where).stem}: the run did not record its groups")
+        return values
+    return "kPa", words, read
+
+
 class Soil(Series):
     """A cell of soil alone, from the start of shear on, and what the forms have in common with it."""
 
@@ -75,8 +85,8 @@ class Cell(Soil):
         "e_inside": column("soil_delaunay_void_ratio", "1", "void ratio of the reinforced soil"),
         "shear": column("soil_strain_deviatoric", "%", "deviatoric strain of the reinforced soil"),
         "broken": column("broken_yarns", "1", "broken yarns"),
-        **{f"p{k}": column(f"group_{k}_mean_stress", "kPa", "mean stress p") for k in GROUPS},
-        **{f"q{k}": column(f"group_{k}_deviatoric_stress", "kPa", "deviatoric stress q") for k in GROUPS}}
+        **{f"p{k}": grouped(k, "mean", "mean stress p") for k in GROUPS},
+        **{f"q{k}": grouped(k, "deviatoric", "deviatoric stress q") for k in GROUPS}}
 
     @functools.cached_property
     def whole(self):
