@@ -59,8 +59,8 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
                                      soil.name)});
   if (!soil.estimated.empty())
     found.push_back(
-        {"estimated-soil", fmt::format("soil {}: {}; alpha, beta and the dilatancy line are Toyoura sand's; "
-                                       "identify them on bags of its own (gws-solve identify)",
+        {"estimated-soil", fmt::format("soil {}: {}; beta, n, m, xi, Poisson's ratio and the dilatancy line are "
+                                       "Toyoura sand's; identify them on bags of its own (gws-solve identify)",
                                        soil.name, soil.estimated)});
   const Identified& range = soil.identified;
   if (soil.estimated.empty() && !(range.stiffness.known() && range.mean_stress.known() && range.axial_strain.known()))

@@ -149,14 +149,16 @@ void measure(Triaxial& test, const Curves& curves, const std::string& path) {
 Soil estimated(const Triaxial& test) {
   Soil soil;
   const double at_failure = obliquity(test.friction_angle), p = 3 * test.pressure / (3 - at_failure);
-  const double scale =
-      half_strain(at_failure, test.E50, test.pressure) /
-      half_strain(failure_obliquity(soil, p),
-                  toyoura_E50 * std::pow(test.pressure / toyoura_pressure, toyoura_exponent), test.pressure);
-  const double strength = at_failure / failure_obliquity(soil, p);
+  const double toyoura_modulus = toyoura_E50 * std::pow(test.pressure / toyoura_pressure, toyoura_exponent);
+  const double scale = half_strain(at_failure, test.E50, test.pressure) /
+                       half_strain(failure_obliquity(soil, p), toyoura_modulus, test.pressure);
+  const double strength = at_failure / failure_obliquity(soil, p), stiffness = test.E50 / toyoura_modulus;
   soil.lambda *= scale;
   soil.kappa *= scale * strength;
-  soil.C_t *= void_ratio_function(toyoura_void_ratio) / void_ratio_function(test.void_ratio);
+  // E50 contains elastic and plastic strain. One that changes alone mobilises the strength at another stress, and the
+  // softer soil may settle less.
+  soil.alpha *= stiffness;
+  soil.C_t *= void_ratio_function(toyoura_void_ratio) / void_ratio_function(test.void_ratio) / stiffness;
   soil.M = at_failure - obliquity(test.dilation_angle);
   soil.p_c = p * std::pow(at_failure / soil.M, 1 / soil.n);
   return soil;

@@ -31,8 +31,10 @@ struct Triaxial {
 ///   p_c follows from both; n is Toyoura's.
 /// - kappa and lambda scale with the strain at half of the strength, at equal pressure. kappa also scales with the
 ///   strength.
-/// - C_t scales with (2.17 - e)^2/(1 + e) of Hardin and Richart (1963).
-/// alpha, beta and the slope of the dilatancy line stay Toyoura's.
+/// - alpha scales with E50, and C_t with 1/E50, at equal pressure. All strains are then in proportion to 1/E50 at equal
+///   stress.
+/// - C_t also scales with (1 + e)/(2.17 - e)^2 of Hardin and Richart (1963).
+/// beta, xi, m, p_0, Poisson's ratio and the slope of the dilatancy line stay Toyoura's.
 Soil estimated(const Triaxial& test);
 
 /// Reads [estimate]: friction_angle, dilation_angle, E50, void_ratio, pressure. Key triaxial, a TSV with strain_axial,
