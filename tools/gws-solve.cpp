@@ -68,7 +68,7 @@ struct Respond {
       text += gws::describe(rows);
     } else if (samples > 0) {
       const auto bands = gws::monte_carlo(c, read.soil, samples, invocation.seed, points);
-      groups.push_back({"bands", "quantiles of the response over the constants' scatter", gws::bands_table(bands)});
+      groups.push_back({"bands", "quantiles over constants " + gws::variation(bands), gws::bands_table(bands)});
       text += gws::aligned(gws::readable(bands)) + gws::describe(bands);
     } else {
       text += gws::aligned(gws::readable(states)) + gws::verdict(response, c);

@@ -181,7 +181,7 @@ PY
     exits 0 gws-solve respond --geotextile PP --soil soil.toml
   done
   exits 0 gws-solve identify PP.tsv --set failure_line.n=0 --set failure_line.M=1.645 --soil soil.toml
-  [[ $stderr == *": doubt: stiffness: "* && $stderr != *failure_line* ]] || show
+  [[ $stderr == *": doubt: stiffness: "* && $stderr != *": doubt: failure_line"* ]] || show
 }
 
 @test "a soil has all its constants, and says where its data end" {
@@ -228,7 +228,28 @@ PY
   gws-solve respond --geotextile PP --soil soil.toml --samples 200 --seed 3 -o one.h5 > text
   gws-solve respond --geotextile PP --soil soil.toml --samples 200 --seed 3 -o other.h5 > /dev/null
   same_bytes one.h5 other.h5
-  grep -qE "^200 draws: ultimate bearing capacity [0-9.]+ kPa \(95 %: [0-9.]+ to [0-9.]+\)" text || show "$(cat text)"
+  grep -qE "^196 draws \(4 of 200 left out\): ultimate bearing capacity [0-9.]+ kPa \(95 %: [0-9.]+ to [0-9.]+\)" text || show "$(cat text)"
+}
+
+@test "bands say which constants were varied, and a line through as many points as constants is a doubt" {
+  local geotextile held='; held, having none: '
+  for geotextile in PE PP 3PP; do gws-solve respond --geotextile "$geotextile" --tsv > "$geotextile.tsv"; done
+  printf 'confining_pressure [kPa]\tobliquity_at_failure [1]\n100\t1.70\n400\t1.55\n' > peaks.tsv
+  exits 0 gws-solve identify PE.tsv PP.tsv 3PP.tsv --failure peaks.tsv --toml
+  [[ $stderr == "gws-solve identify: doubt: failure_line: fitted to as many points as constants, so the scatter "* ]] || show
+  printf '%s\n' "$output" > soil.toml
+  exits 0 gws-solve respond --geotextile PP --soil soil.toml --samples 50 -o bands.h5
+  [[ $stderr == *"doubt: failure_line: fitted to as many points as constants"* ]] || show
+  [[ $output == *"Constants varied by their scatter: C_t, p_0, kappa, "*"$held"*"M, n, p_c, "* ]] || show
+  printf '200\t1.61\n' >> peaks.tsv
+  exits 0 gws-solve identify PE.tsv PP.tsv 3PP.tsv --failure peaks.tsv --toml
+  [[ $stderr != *"as many points"* ]] || show
+  printf '%s\n' "$output" > soil.toml
+  exits 0 gws-solve respond --geotextile PP --soil soil.toml --samples 200
+  [[ $output == *"Constants varied by their scatter: C_t, p_0, n, p_c, "*"$held"* ]] || show
+  local used left
+  read -r used left < <(sed -nE 's/^([0-9]+) draws \(([0-9]+) of 200 left out\): .*/\1 \2/p' <<< "$output")
+  [[ $((used + left)) -eq 200 && $left -gt 0 ]] || show "draws that were left out count"
 }
 
 @test "the sensitivity names every constant" {

@@ -201,6 +201,9 @@ TEST(GwsSensitivity, DrawsOutOfRangeAreCounted) {
   std::size_t left_out = 0;
   for (const auto& [why, count] : bands.left_out) left_out += count;
   EXPECT_GT(left_out, 20u);
+  EXPECT_EQ(bands.samples + left_out, 200u);
+  EXPECT_EQ(bands.varied, std::vector<std::string>{"stiffness.poisson_ratio"});
+  EXPECT_EQ(bands.held.size(), constants().size() - 1);
   EXPECT_TRUE(bands.left_out.contains("stiffness.poisson_ratio out of its range"));
   EXPECT_THROW(monte_carlo(bag, {"test", bag.soil, {}}, 10, 1, 2), DataError);
 }

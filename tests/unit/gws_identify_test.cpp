@@ -212,8 +212,23 @@ TEST(GwsIdentify, StrengthsThatDoNotFallGiveNoLineButADoubt) {
               0u);
     EXPECT_NE(why.find("--set failure_line.n=0 --set failure_line.M="), std::string::npos) << why;
   }
-  EXPECT_TRUE(doubts(of_strengths({100, 400}, {1.6, 1.5}), {"stiffness.alpha=3e7"}).empty());
+  const std::vector<double> falling{1.6, std::sqrt(1.6 * 1.5), 1.5};
+  EXPECT_TRUE(doubts(of_strengths({100, 200, 400}, falling), {"stiffness.alpha=3e7"}).empty());
   EXPECT_EQ(doubts(of_strengths({100}, {1.6}), {}).front().sentence.find("failure_line, stiffness"), 0u);
+}
+
+TEST(GwsIdentify, ALineThroughAsManyPointsAsConstantsIsADoubtHereAndInItsSoil) {
+  const Identification found = of_strengths({100, 400}, {1.6, 1.5});
+  const std::vector<Doubt> said = doubts(found, {"stiffness.alpha=3e7"});
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].key, "exact-fit");
+  EXPECT_EQ(said[0].sentence.rfind("failure_line: fitted to as many points as constants", 0), 0u) << said[0].sentence;
+  Settings document = Settings::parse(soil_text(found.soil, ""), "text");
+  const SoilFile read = read_soil(document);
+  document.finish();
+  EXPECT_EQ(read.exact, std::vector<std::string>{"failure_line"});
+  EXPECT_EQ(read.scatter.size(), found.soil.scatter.size());
+  EXPECT_EQ(soil_text(read, ""), soil_text(found.soil, ""));
 }
 
 TEST(GwsIdentify, ALineThatItsPointsDoNotFollowIsLeftOut) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gws/design/sensitivity.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -111,6 +113,13 @@ std::optional<Answers> answered(const Case& bag, Bands& bands) {
   }
 }
 
+/// Returns the names of constants without their lines, with commas between them.
+std::string names(const std::vector<std::string>& keys) {
+  std::string all;
+  for (const std::string& key : keys) all += (all.empty() ? "" : ", ") + key.substr(key.find('.') + 1);
+  return all.empty() ? "none" : all;
+}
+
 BandRow row_of(const std::vector<Answers>& draws, double settlement) {
   BandRow row;
   row.settlement = settlement;
@@ -183,7 +192,11 @@ Bands monte_carlo(const Case& given, const SoilFile& soil, std::int64_t samples,
     throw DataError("soil " + soil.name +
                     ": no constant has a scatter; identify them, or write [scatter.LINE] into the soil file");
   Bands bands;
-  bands.samples = samples;
+  for (const Constant& c : constants()) {
+    std::size_t place = 0;
+    const Scatter* scatter = scatter_of(soil, c.key(), place);
+    (scatter && scatter->standard_errors[place] > 0 ? bands.varied : bands.held).push_back(c.key());
+  }
   const Answers all_as_given(bag);
   const Response& undisturbed = all_as_given.ultimate();
   std::mt19937_64 random(seed);
@@ -194,6 +207,7 @@ Bands monte_carlo(const Case& given, const SoilFile& soil, std::int64_t samples,
     if (auto found = answered(one, bands)) answers.push_back(std::move(*found));
   }
   if (answers.empty()) throw DataError("no draw has a response; the first reason: " + bands.left_out.begin()->first);
+  bands.samples = answers.size();
   std::vector<double> capacity, settlement;
   for (const Answers& draw : answers) {
     const Response& response = draw.ultimate();
@@ -206,6 +220,11 @@ Bands monte_carlo(const Case& given, const SoilFile& soil, std::int64_t samples,
   for (std::int64_t i = 0; i <= n; ++i)
     bands.rows.push_back(row_of(answers, reach * static_cast<double>(i) / static_cast<double>(n)));
   return bands;
+}
+
+std::string variation(const Bands& bands) {
+  const std::string held = bands.held.empty() ? "" : "; held, having none: " + names(bands.held);
+  return fmt::format("varied by their scatter: {}{}", names(bands.varied), held);
 }
 
 }  // namespace soilweave::gws

@@ -45,9 +45,12 @@ struct BandRow {
 };
 /// Bands of responses, and of their ends.
 struct Bands {
-  std::int64_t samples = 0;
-  /// Draws without a response, by reason.
+  /// Number of draws that have a response.
+  std::size_t samples = 0;
+  /// Number of draws without a response, by reason.
   std::map<std::string, std::size_t> left_out;
+  /// Keys of the constants that were varied, and of those held because they have no scatter.
+  std::vector<std::string> varied, held;
   Band capacity, settlement;
   std::vector<BandRow> rows;
 };
@@ -56,5 +59,8 @@ struct Bands {
 /// settlement, up to the end of the undisturbed response. Throws DataError if no constant has a scatter, or no draw a
 /// response.
 Bands monte_carlo(const Case& bag, const SoilFile& soil, std::int64_t samples, std::uint64_t seed, std::int64_t n);
+
+/// Returns which constants were varied and which were held, in one phrase.
+std::string variation(const Bands& bands);
 
 }  // namespace soilweave::gws

@@ -11,6 +11,7 @@
 #include "core/text/text.h"
 #include "gws/identification/path_lines.h"
 #include "gws/identification/thesis_lines.h"
+#include "gws/solution/doubts.h"
 #include "gws/solution/model.h"
 
 namespace soilweave::gws {
@@ -108,6 +109,23 @@ void by_path(Collected& all, const std::vector<BagSeries>& series, const Soil& s
   all.left_out.insert(all.left_out.end(), left_out.begin(), left_out.end());
 }
 
+/// Returns the doubt "not-identified" if lines keep the constants of the soil that identification began with.
+std::vector<Doubt> not_identified(const Identification& found, const std::vector<std::string>& assignments) {
+  std::vector<std::string> kept;
+  for (const Constant& c : constants()) {
+    const std::string start = std::string(c.line) + ".";
+    const bool assigned =
+        std::ranges::any_of(assignments, [&](const std::string& one) { return one.starts_with(start); });
+    const bool identified = std::ranges::any_of(found.lines, [&](const Line& line) { return line.name == c.line; });
+    if (!assigned && !identified && (kept.empty() || kept.back() != c.line)) kept.emplace_back(c.line);
+  }
+  if (kept.empty()) return {};
+  std::string why = fmt::format("{}", fmt::join(found.left_out, "; "));
+  if (why.empty()) why = "give what determines them, as --failure for the failure line";
+  return {{"not-identified", fmt::format("{}: not identified, so the answer keeps the constants of soil {}: {}",
+                                         fmt::join(kept, ", "), found.soil.name, why)}};
+}
+
 }  // namespace
 
 std::string_view explained(Method method) {
@@ -122,6 +140,7 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
   Identification found;
   found.soil = soil;
   found.soil.scatter.clear();
+  found.soil.exact.clear();
   const std::vector<BagSeries> series = near_failure_rows(given, soil.soil);
   if (!series.empty()) found.soil.identified = range_of(series);
   Collected all{found.lines, found.left_out};
@@ -159,24 +178,15 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
     for (const std::string& key : line.constants) line.given.push_back(soil.soil.*constant(key).field);
     if (line.fit.freedom > 0)
       found.soil.scatter.push_back({line.constants, line.fit.standard_errors, line.fit.correlation, line.fit.freedom});
+    if (line.x.size() <= line.constants.size()) found.soil.exact.push_back(line.name);
   }
   return found;
 }
 
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments) {
-  std::vector<std::string> kept;
-  for (const Constant& c : constants()) {
-    const std::string start = std::string(c.line) + ".";
-    const bool assigned =
-        std::ranges::any_of(assignments, [&](const std::string& one) { return one.starts_with(start); });
-    const bool identified = std::ranges::any_of(found.lines, [&](const Line& line) { return line.name == c.line; });
-    if (!assigned && !identified && (kept.empty() || kept.back() != c.line)) kept.emplace_back(c.line);
-  }
-  if (kept.empty()) return {};
-  std::string why = fmt::format("{}", fmt::join(found.left_out, "; "));
-  if (why.empty()) why = "give what determines them, as --failure for the failure line";
-  return {{"not-identified", fmt::format("{}: not identified, so the answer keeps the constants of soil {}: {}",
-                                         fmt::join(kept, ", "), found.soil.name, why)}};
+  std::vector<Doubt> all = not_identified(found, assignments), exact = unscattered(found.soil);
+  all.insert(all.end(), exact.begin(), exact.end());
+  return all;
 }
 
 }  // namespace soilweave::gws

@@ -44,8 +44,9 @@ std::string_view explained(Method method);
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference, Method method);
 
-/// Returns the doubt "not-identified" if lines keep the constants of the soil that identification began with.
-/// assignments: constants that the user gave, as "failure_line.n=0"; their lines are not doubted.
+/// Returns the doubts by name. "not-identified": lines keep the constants of the soil that identification began with.
+/// "exact-fit": a line has as many points as constants. assignments: constants that the user gave, as
+/// "failure_line.n=0"; their lines do not count as kept.
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments);
 
 }  // namespace soilweave::gws

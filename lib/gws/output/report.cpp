@@ -370,11 +370,14 @@ io::Series readable(const Bands& bands) {
 }
 
 std::string describe(const Bands& bands) {
+  std::size_t left_out = 0;
+  for (const auto& [why, count] : bands.left_out) left_out += count;
+  const std::string apart = left_out > 0 ? fmt::format(" ({} of {} left out)", left_out, bands.samples + left_out) : "";
   std::string text = fmt::format(
-      "{} draws: ultimate bearing capacity {:.1f} kPa (95 %: {:.1f} to {:.1f}), final settlement {:.2f} % (95 %: "
-      "{:.2f} to {:.2f})\n",
-      bands.samples, bands.capacity.middle / 1e3, bands.capacity.low / 1e3, bands.capacity.high / 1e3,
-      100 * bands.settlement.middle, 100 * bands.settlement.low, 100 * bands.settlement.high);
+      "{} draws{}: ultimate bearing capacity {:.1f} kPa (95 %: {:.1f} to {:.1f}), final settlement {:.2f} % (95 %: "
+      "{:.2f} to {:.2f})\nConstants {}\n",
+      bands.samples, apart, bands.capacity.middle / 1e3, bands.capacity.low / 1e3, bands.capacity.high / 1e3,
+      100 * bands.settlement.middle, 100 * bands.settlement.low, 100 * bands.settlement.high, variation(bands));
   for (const auto& [why, count] : bands.left_out) text += fmt::format("{} draws left out: {}\n", count, why);
   return text;
 }

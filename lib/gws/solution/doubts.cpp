@@ -68,6 +68,7 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
                      fmt::format("soil {} lacks [identified] with stiffness, mean_stress and axial_strain, the ranges "
                                  "of its data: extrapolation is not seen",
                                  soil.name)});
+  for (const Doubt& doubt : unscattered(soil)) found.push_back(doubt);
   std::vector<double> pressures, strains;
   for (const Point& point : states) {
     if (point.soil.end != End::none) continue;
@@ -108,6 +109,15 @@ std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, 
                      states.back().surcharge / 1e3, states.back().lateral / 1e3,
                      states.back().soil.lateral_stress() / 1e3)});
   return found;
+}
+
+std::vector<Doubt> unscattered(const SoilFile& soil) {
+  if (soil.exact.empty()) return {};
+  return {
+      {"exact-fit",
+       fmt::format("{}: fitted to as many points as constants, so the scatter from point to point is unknown, and "
+                   "intervals and bands lack it; give more points (strengths at three pressures, three geotextiles)",
+                   listed(soil.exact))}};
 }
 
 std::vector<Doubt> contradictions(const Geotextile& geotextile) {

@@ -10,14 +10,17 @@
 namespace soilweave::gws {
 
 /// Returns the doubts by name. "default-soil": the soil was not `chosen`. "estimated-soil": no bags of it were
-/// computed. "unknown-range": the soil does not tell on which stresses, strains and geotextiles it was identified.
-/// "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range of the soil's data.
-/// "untested": the bag's shape or the lateral stress of `asked` leaves the range of the grains' runs that the solution
-/// was compared with. "compressed": in the last state the lateral stress outside exceeds the soil's, which only a
-/// geotextile under compression could balance. "history-end": the history of the lateral stress ends below the last
-/// surcharge. States that do not exist are skipped.
+/// computed. "exact-fit": as unscattered() tells. "unknown-range": the soil does not tell on which stresses, strains
+/// and geotextiles it was identified. "extrapolation": a stiffness (N/m), mean stress or axial strain leaves the range
+/// of the soil's data. "untested": the bag's shape or the lateral stress of `asked` leaves the range of the grains'
+/// runs that the solution was compared with. "compressed": in the last state the lateral stress outside exceeds the
+/// soil's, which only a geotextile under compression could balance. "history-end": the history of the lateral stress
+/// ends below the last surcharge. States that do not exist are skipped.
 std::vector<Doubt> doubts(const SoilFile& soil, bool chosen, const Case& asked, const std::vector<double>& stiffnesses,
                           const std::vector<Point>& states);
+
+/// Returns "exact-fit" if lines of the soil were fitted to as many points as they have constants.
+std::vector<Doubt> unscattered(const SoilFile& soil);
 
 /// Returns "contradiction" if stiffness times failure strain of a geotextile without a curve is not its strength within
 /// a factor of 1.5.

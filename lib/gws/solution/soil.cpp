@@ -92,6 +92,21 @@ Scatter read_scatter(Settings& at, const std::string& line) {
   return scatter;
 }
 
+constexpr std::string_view exact_text =
+    "# Fitted to as many points as constants: the scatter from point to point is unknown.\nexact = true\n";
+
+std::string line_of(const Scatter& s) { return s.keys.front().substr(0, s.keys.front().find('.')); }
+
+/// Returns the table [scatter.LINE] as TOML.
+std::string scatter_text(const Scatter& s) {
+  const std::string line = line_of(s);
+  std::string text = fmt::format("\n# Standard errors and their correlation.\n[scatter.{}]\n", line), numbers;
+  for (std::size_t i = 0; i < s.keys.size(); ++i)
+    text += fmt::format("{} = {}\n", s.keys[i].substr(line.size() + 1), number_text(s.standard_errors[i]));
+  for (const double r : s.correlation) numbers += (numbers.empty() ? "" : ", ") + number_text(r);
+  return text + fmt::format("correlation = [{}]\nfreedom = {}\n", numbers, number_text(s.freedom));
+}
+
 struct Extent {
   Parameter parameter;
   Span Identified::*field;
@@ -154,7 +169,9 @@ SoilFile read_soil(Settings& document, const NamedFiles& files) {
   for (const std::string& line : lines) {
     if (!scatters.has(line)) continue;
     Settings at = scatters.table(line);
-    file.scatter.push_back(read_scatter(at, line));
+    if (at.flag({"exact", "whether the line was fitted to as many points as it has constants"}, false))
+      file.exact.push_back(line);
+    if (Scatter scatter = read_scatter(at, line); !scatter.keys.empty()) file.scatter.push_back(std::move(scatter));
   }
   file.identified = read_identified(document.table("identified"));
   return file;
@@ -178,16 +195,16 @@ std::string soil_text(const SoilFile& file, std::string_view comment) {
     headed = true;
     text += fmt::format("{} = [{}, {}]\n", e.parameter.name, number_text(span.low), number_text(span.high));
   }
+  std::vector<std::string> scattered;
   for (const Scatter& s : file.scatter) {
     if (s.keys.empty()) continue;
-    const std::size_t dot = s.keys.front().find('.');
-    text += fmt::format("\n# Standard errors and their correlation.\n[scatter.{}]\n", s.keys.front().substr(0, dot));
-    for (std::size_t i = 0; i < s.keys.size(); ++i)
-      text += fmt::format("{} = {}\n", s.keys[i].substr(dot + 1), number_text(s.standard_errors[i]));
-    std::string numbers;
-    for (const double r : s.correlation) numbers += (numbers.empty() ? "" : ", ") + number_text(r);
-    text += fmt::format("correlation = [{}]\nfreedom = {}\n", numbers, number_text(s.freedom));
+    text += scatter_text(s);
+    scattered.push_back(line_of(s));
+    if (std::ranges::find(file.exact, scattered.back()) != file.exact.end()) text += exact_text;
   }
+  for (const std::string& exact : file.exact)
+    if (std::ranges::find(scattered, exact) == scattered.end())
+      text += fmt::format("\n[scatter.{}]\n{}", exact, exact_text);
   return text;
 }
 

@@ -102,6 +102,8 @@ struct SoilFile {
   std::string estimated = {};
   /// Files that the soil's own file names.
   std::vector<io::Source> sources = {};
+  /// Lines fitted to as many points as they have constants, whose scatter from point to point is unknown.
+  std::vector<std::string> exact = {};
 };
 
 /// Reads a soil. With [estimate] constants may be absent, and are estimated; else each has to be there. `files` tells
