@@ -252,6 +252,15 @@ PY
   [[ $((used + left)) -eq 200 && $left -gt 0 ]] || show "draws that were left out count"
 }
 
+@test "geotextiles in another order than their series are a doubt" {
+  local geotextile
+  for geotextile in PE PP 3PP; do gws-solve respond --geotextile "$geotextile" --tsv | cut -f 4,6,10,11 > "$geotextile.tsv"; done
+  exits 0 gws-solve identify PE.tsv PP.tsv 3PP.tsv --geotextile PP --geotextile PE --geotextile 3PP --set failure_line.n=0.0723
+  [[ $stderr == *": doubt: the points hardly determine these constants: stiffness: "*"beta "*"; must be from 0 to 2"*"R2 "*"; check that the geotextiles are in the order of the series, "* ]] || show
+  exits 0 gws-solve identify PE.tsv PP.tsv 3PP.tsv --geotextile PE --geotextile PP --geotextile 3PP --set failure_line.n=0.0723
+  [[ -z $stderr ]] || show "nothing is doubtful"
+}
+
 @test "the sensitivity names every constant" {
   exits 0 gws-solve respond --geotextile PP --sensitivity
   local constant

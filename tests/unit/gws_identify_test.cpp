@@ -231,6 +231,22 @@ TEST(GwsIdentify, ALineThroughAsManyPointsAsConstantsIsADoubtHereAndInItsSoil) {
   EXPECT_EQ(soil_text(read, ""), soil_text(found.soil, ""));
 }
 
+TEST(GwsIdentify, GeotextilesInAnotherOrderAreADoubt) {
+  std::mt19937_64 random(7);
+  for (const Method method : {Method::path, Method::thesis}) {
+    std::vector<BagSeries> series;
+    for (const char* name : {"PE", "PP", "3PP"}) series.push_back(made(name, 40, 0.005, 2e-4, random));
+    const auto said = [&] {
+      return doubts(identify(series, {"test", {}, {}}, {}, {}, Difference::central, method), {"failure_line.n=0"});
+    };
+    EXPECT_TRUE(said().empty()) << said()[0].sentence;
+    std::swap(series[0].stiffness, series[1].stiffness);
+    ASSERT_EQ(said().size(), 1u);
+    EXPECT_EQ(said()[0].key, "hardly-determined");
+    EXPECT_NE(said()[0].sentence.find("check that the geotextiles are in the order of the series"), std::string::npos);
+  }
+}
+
 TEST(GwsIdentify, ALineThatItsPointsDoNotFollowIsLeftOut) {
   std::mt19937_64 random(6);
   for (const Method method : {Method::path, Method::thesis}) {

@@ -126,6 +126,40 @@ std::vector<Doubt> not_identified(const Identification& found, const std::vector
                                          fmt::join(kept, ", "), found.soil.name, why)}};
 }
 
+/// Returns the findings on a line that its points hardly determine: 95 % intervals beyond the range of a constant, and
+/// a low R2. A line through as many points as constants has neither.
+std::vector<std::string> weaknesses(const Line& line) {
+  constexpr double least_determination = 0.5;
+  std::vector<std::string> found;
+  if (line.x.size() <= line.constants.size()) return found;
+  for (std::size_t k = 0; k < line.constants.size(); ++k) {
+    const Parameter& range = constant(line.constants[k]).parameter;
+    const double value = line.fit.estimates[k], low = value - line.fit.half_width(k),
+                 high = value + line.fit.half_width(k);
+    if (low < range.low || high > range.high)
+      found.push_back(fmt::format("{} {:.4g} (95 %: {:.3g} to {:.3g}; must be {})", range.name, value, low, high,
+                                  range_text(range)));
+  }
+  if (line.fit.determination < least_determination) found.push_back(fmt::format("R2 {:.3g}", line.fit.determination));
+  return found;
+}
+
+/// Returns the doubt "hardly-determined" about lines that have weaknesses.
+std::vector<Doubt> hardly_determined(const std::vector<Line>& lines) {
+  std::string all;
+  bool stiffness = false;
+  for (const Line& line : lines) {
+    const std::vector<std::string> found = weaknesses(line);
+    if (found.empty()) continue;
+    all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", line.name, fmt::join(found, ", "));
+    stiffness = stiffness || line.name == "stiffness";
+  }
+  if (all.empty()) return {};
+  return {{"hardly-determined",
+           fmt::format("the points hardly determine these constants: {}; {}give more points, over a wider range", all,
+                       stiffness ? "check that the geotextiles are in the order of the series, or " : "")}};
+}
+
 }  // namespace
 
 std::string_view explained(Method method) {
@@ -184,8 +218,10 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
 }
 
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments) {
-  std::vector<Doubt> all = not_identified(found, assignments), exact = unscattered(found.soil);
+  std::vector<Doubt> all = not_identified(found, assignments), exact = unscattered(found.soil),
+                     weak = hardly_determined(found.lines);
   all.insert(all.end(), exact.begin(), exact.end());
+  all.insert(all.end(), weak.begin(), weak.end());
   return all;
 }
 

@@ -45,8 +45,9 @@ Identification identify(const std::vector<BagSeries>& series, const SoilFile& so
                         const Points& failure, Difference difference, Method method);
 
 /// Returns the doubts by name. "not-identified": lines keep the constants of the soil that identification began with.
-/// "exact-fit": a line has as many points as constants. assignments: constants that the user gave, as
-/// "failure_line.n=0"; their lines do not count as kept.
+/// "exact-fit": a line has as many points as constants. "hardly-determined": a 95 % interval leaves the range of its
+/// constant, or R2 is below 0.5. assignments: constants that the user gave, as "failure_line.n=0"; their lines do not
+/// count as kept.
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments);
 
 }  // namespace soilweave::gws
