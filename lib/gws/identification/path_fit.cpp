@@ -67,11 +67,12 @@ class Search {
   PathFit run() {
     if (rows_ <= at_.size())
       throw DataError(fmt::format("{} rows for {} constants; give longer series, or more of them", rows_, at_.size()));
-    learn_errors(residuals(at_));
     bool converged = false;
+    // The covariance needs the errors that weighted the last search. Those of its residuals would be too small where
+    // one relation is far more exact than the others.
     for (int k = 0; k < whitenings; ++k) {
-      converged = descend();
       learn_errors(residuals(at_));
+      converged = descend();
     }
     if (!converged)
       throw DataError(
