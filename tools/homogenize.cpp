@@ -98,7 +98,7 @@ struct Homogenize {
     analysis::put_broken(tables.broken.table, file.snapshots.back());
     tables.series.table = file.series;
     put_of_run(file, tables);
-    if (tsv) print(tables);
+    if (tsv) print(tables, file.snapshots.back(), doubts);
     if (!output.empty()) write(tables, io::with_doubts(io::extend({file.source}, invocation), doubts));
   }
 
@@ -116,7 +116,6 @@ struct Homogenize {
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, Doubts& doubts) const {
     if (wanted("cell")) analysis::put_cell(tables.cell.table, s, tessellation);
-    if (tsv && table == "cell") doubts.add_all(analysis::open_cell_doubts(s));
     if (wanted("bag") && analysis::is_reinforced(s)) analysis::put_bag(tables.bag.table, s);
     if (yarns || table == "yarns") analysis::put_yarns(tables.yarns.table, s);
     const std::vector<analysis::Volume> volumes = choice.volumes(s, input.string());
@@ -152,11 +151,14 @@ struct Homogenize {
       if (one.given_by(file)) fmt::print("{}\t{}\n", one.name, one.long_name);
   }
 
-  void print(Tables& tables) const {
+  void print(Tables& tables, const io::Snapshot& last, Doubts& doubts) const {
     for (const Group* group : tables.all())
       if (group->name == table) {
         if (group->table.rows() == 0) explain_absence(table);
-        std::fputs(io::to_tsv(analysis::chosen_columns(group->table, columns)).c_str(), stdout);
+        const io::Series chosen = analysis::chosen_columns(group->table, columns);
+        const bool of_cell = table == "cell" || table == "series";
+        if (of_cell && analysis::lacks_values(chosen)) doubts.add_all(analysis::open_cell_doubts(last));
+        std::fputs(io::to_tsv(chosen).c_str(), stdout);
       }
   }
 

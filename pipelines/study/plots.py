@@ -16,6 +16,8 @@ from .tables import Table
 DASHES = ("-", "--", ":", "-.", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
 
 
+# Quantities of a series that volumes of interest have too.
+OF_VOLUMES = ("mean_stress", "deviatoric_stress", "void_ratio", "strain_axial", "strain_volumetric")
 PLANES = {1: ("x", "y"), 2: ("x", "z")}
 
 
@@ -85,16 +87,24 @@ def _chosen(tables, beside, entry):
     return max(common or _choices(entry)[:1], key=lambda line: sum(table.has(line.column) for _, table in beside))
 
 
-def _column(table, line):
+def _column(table, line, remedy=""):
     values = table(line.column, line.unit, missing=True)
     if numpy.isnan(values).all():
-        raise StudyError(f"{table.where}: column {line.column} has no value")
+        raise StudyError(f"{table.where}: column {line.column} has no value{remedy}")
     return values
+
+
+def _over(table, panel):
+    """Returns the abscissae of a panel. Raises StudyError for a cell that is not periodic, with a table that has them."""
+    of_volumes = all(any(line.column in OF_VOLUMES for line in _choices(entry)) for entry in panel.each)
+    instead = ("draw the text of a volume among its grains: homogenize RUN --table volumes --box=X0,X1,Y0,Y1,Z0,Z1 --tsv"
+               if of_volumes else "see the columns of its plates: homogenize RUN --table series --tsv")
+    return _column(table, panel.abscissa, f"; a cell that is not periodic has none: {instead}")
 
 
 def _abscissae(table, panel):
     """Returns the abscissae of a table, NaN where a logarithmic axis has no place for them."""
-    values = _column(table, panel.abscissa)
+    values = _over(table, panel)
     if not panel.log:
         return values
     if not (values > 0).any():
@@ -105,7 +115,7 @@ def _abscissae(table, panel):
 
 def _left_out(label, table, panel):
     """Returns a note, in a list, about the rows that a logarithmic axis leaves out."""
-    count = int((_column(table, panel.abscissa) <= 0).sum()) if panel.log else 0
+    count = int((_over(table, panel) <= 0).sum()) if panel.log else 0
     why = f"{panel.abscissa.column} is not above 0 there, and its axis is logarithmic"
     return [f"{label}: {count} of {len(table)} rows left out, since {why}"] if count else []
 

@@ -126,6 +126,15 @@ def test_missing_values_leave_gaps_and_columns_of_nothing_else_are_refused():
         plots.draw("stress-strain", [("run", Table.parse(text.replace("\t1\t", "\tnan\t").replace("\t3\t", "\tnan\t"), "run.tsv"))])
 
 
+@pytest.mark.parametrize(("kind", "remedy"), [("e-log-p", "--table volumes --box"), ("stress-strain", "--table volumes --box"),
+                                              ("energies", "columns of its plates: homogenize RUN --table series")])
+def test_a_cell_that_is_not_periodic_has_a_remedy(kind, remedy):
+    over = kinds.KINDS[kind].panels[0].abscissa.column
+    table = table_for(kinds.KINDS[kind]).replace(over, numpy.full(3, numpy.nan))
+    with pytest.raises(StudyError, match=f"column {over} has no value; a cell that is not periodic has none: .*{remedy}"):
+        plots.draw(kind, [("run", table)])
+
+
 def test_the_last_stage_is_drawn_over_strain_and_all_along_a_path():
     table = table_for(kinds.KINDS["stress-strain"], rows=4)
     assert len(plots.stage_of(table, "", kinds.KINDS["stress-strain"])) == 2

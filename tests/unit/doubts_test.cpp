@@ -95,6 +95,16 @@ TEST(DoubtsOfPackings, CellThatIsNarrowForItsLargestGrain) {
   EXPECT_TRUE(analysis::cell_doubts(open).empty());
 }
 
+TEST(DoubtsOfPackings, OpenCellsHaveARemedyThatSuitsThem) {
+  io::Snapshot state = simple_cubic(3, Vec3(1, 1, 1));
+  const auto said = [&] { return sentence_of(analysis::open_cell_doubts(state), "open-cell"); };
+  EXPECT_EQ(said(), "");
+  state.cell.periodic = {true, true, false};
+  EXPECT_NE(said().find("take displacement and force of named planes from --table series"), std::string::npos);
+  state.cell.periodic = {false, false, false};
+  EXPECT_NE(said().find("--table volumes with a --box among the grains; or displacement"), std::string::npos);
+}
+
 TEST(DoubtsOfPackings, VolumesOfFewGrains) {
   const io::Snapshot state = simple_cubic(5, Vec3(1, 1, 1));
   const analysis::Volume all = analysis::whole(state), four{"four", {0, 1, 2, 3}, {}};

@@ -68,6 +68,28 @@ TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   }
 }
 
+// The length of an axis without periodic faces is not that of the grains.
+TEST(Recorded, ACellThatDoesNotFollowItsGrainsHasNoStressStrainOrVoidRatio) {
+  io::Snapshot state = scene({at(0), at(1.99 * R), at(3.98 * R)}, false);
+  state.grains.material_id.assign(3, 0);
+  for (const bool closed : {true, false}) {
+    state.cell.periodic = {true, true, closed};
+    const Simulation s(state, linear(), undamped(1e-6));
+    for (const char* name : {"strain_xx", "strain_axial", "strain_volumetric", "strain_deviatoric", "stress_xx",
+                             "stress_zx", "mean_stress", "deviatoric_stress", "void_ratio"})
+      EXPECT_EQ(std::isfinite(recorded(s, 3, name)), closed) << name;
+    EXPECT_EQ(std::isnan(recorded(s, 3, "stress_ratio")), !closed);
+    EXPECT_DOUBLE_EQ(recorded(s, 3, "coordination_number"), 2.0 * 2 / 3);
+  }
+}
+
+TEST(Recorded, RatiosOfNothingHaveNoValue) {
+  const Simulation apart(scene({at(0), at(3 * R)}, false), linear(), undamped(1e-6));
+  for (const char* name : {"stress_ratio", "mechanical_coordination_number", "sliding_fraction"})
+    EXPECT_TRUE(std::isnan(recorded(apart, 3, name))) << name;
+  EXPECT_EQ(recorded(apart, 3, "coordination_number"), 0);
+}
+
 // A contact of branch l that is strained along its normal resists with l^2 kn, over the volume. Against a plane l is
 // the distance to it, between grains the distance of their centres.
 TEST(Recorded, StiffnessOfTheCellIsThatOfItsBranches) {

@@ -97,7 +97,7 @@ Coordination coordination(const io::Snapshot& state, const std::vector<bool>& co
   const double none = static_cast<double>(z.histogram[0]);
   const double one = z.histogram.size() > 1 ? static_cast<double>(z.histogram[1]) : 0;
   z.all = grains > 0 ? ends / grains : 0;
-  z.mechanical = grains > none + one ? (ends - one) / (grains - none - one) : 0;
+  z.mechanical = grains > none + one ? (ends - one) / (grains - none - one) : std::nan("");
 
   std::vector<char> out(count.size(), 0), gone(state.contacts.size(), 0);
   for (bool changed = true; changed;) {

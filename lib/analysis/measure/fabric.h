@@ -50,7 +50,7 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 struct Coordination {
   /// 2 Nc/N over contacts between grains; a contact with a plane counts once.
   double all = 0;
-  /// (2 Nc - N1)/(N - N0 - N1), Thornton 2000.
+  /// (2 Nc - N1)/(N - N0 - N1), Thornton 2000. NaN if no grain has two contacts.
   double mechanical = 0;
   /// Mean after repeated removal of grains with fewer than 2 contacts.
   double backbone = 0;

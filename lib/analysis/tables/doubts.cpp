@@ -223,9 +223,17 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state) {
 
 std::vector<Doubt> open_cell_doubts(const io::Snapshot& state) {
   if (is_periodic(state)) return {};
+  std::vector<std::string> instead;
+  if (is_reinforced(state)) instead.emplace_back("--table bag, or loading for a bag between plates");
+  const std::array<bool, 3>& periodic = state.cell.periodic;
+  // Power cells of an open assembly are known in 3D alone.
+  if (state.grains.dimension == 3 && std::none_of(periodic.begin(), periodic.end(), [](bool axis) { return axis; }))
+    instead.emplace_back("--table volumes with a --box among the grains");
+  instead.emplace_back("displacement and force of named planes from --table series");
   return {{"open-cell",
-           "the cell is not periodic along all axes, so that it does not follow its grains: the table cell has no "
-           "stress, strain or void ratio (nan); take --table series or bag, or a --box among the grains"}};
+           fmt::format("the cell is not periodic along all axes, so that it does not follow its grains: it has no "
+                       "stress, strain or void ratio (nan); take {}",
+                       fmt::join(instead, "; or "))}};
 }
 
 std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Volume>& volumes) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -137,6 +138,7 @@ void put_volume(io::Series& table, const io::Snapshot& reference, const io::Snap
   const Mat3 strain = enough ? natural_strain(best_fit_gradient(reference, state, volume.grains, volume.images))
                              : Mat3::Constant(no_value);
   put_strain(table, strain, d);
+  put(table, "strain_axial", "1", "natural strain along the loading axis", strain(d - 1, d - 1));
 }
 
 void put_grains(io::Series& table, const io::Snapshot& state, const Local& local) {
@@ -229,6 +231,12 @@ void put_chains(io::Series& table, const io::Snapshot& state) {
   put_rows(table, "second", "1", "body_id of the second grain", links, [&](std::size_t k) { return id(k, 1); });
   put_rows(table, "normal_force", "N", "normal force, compression positive", links,
            [&](std::size_t k) { return c.normal_force[k]; });
+}
+
+bool lacks_values(const io::Series& table) {
+  return std::ranges::any_of(table.columns, [](const io::Column& column) {
+    return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
+  });
 }
 
 io::Series chosen_columns(const io::Series& table, const std::string& names) {

@@ -64,6 +64,9 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
 /// Appends one row per contact of a chain.
 void put_chains(io::Series& table, const io::Snapshot& state);
 
+/// Returns whether a column has no value in any row.
+bool lacks_values(const io::Series& table);
+
 /// Returns the columns listed in `names` (separated by commas), or all if empty. Throws UsageError for an unknown or
 /// repeated column.
 io::Series chosen_columns(const io::Series& table, const std::string& names);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -12,32 +13,16 @@
 namespace soilweave::dem {
 namespace {
 
+// Value of a quantity that the state does not have.
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
 struct Coordination {
-  double all = 0;         // 2 Nc/N
-  double mechanical = 0;  // Thornton (2000): (2 Nc - N1)/(N - N0 - N1)
-  double sliding = 0;     // share of the contacts
+  double all = 0;                // 2 Nc/N
+  double mechanical = no_value;  // Thornton (2000): (2 Nc - N1)/(N - N0 - N1)
+  double sliding = no_value;     // share of the contacts
 };
 
-// Quantities of a row, gathered once.
-struct Moment {
-  const Simulation& simulation;
-  int dimension, stage;
-  Measures measures;
-  Vec3 strain;
-  Coordination coordination;
-
-  double lateral_stress() const {
-    const int last = dimension - 1;
-    return (measures.stress.diagonal().head(dimension).sum() - measures.stress(last, last)) / last;
-  }
-};
-
-struct Quantity {
-  const char *name, *unit, *long_name;
-  double (*value)(const Moment&);
-};
-
-Coordination coordination(const io::Snapshot& s) {
+Coordination coordination_of(const io::Snapshot& s) {
   std::vector<int> count(s.grains.size(), 0);
   double sliding = 0;
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
@@ -51,8 +36,42 @@ Coordination coordination(const io::Snapshot& s) {
   double ends = 0;
   for (const int k : count) ends += k;
   const double m = static_cast<double>(s.contacts.size());
-  return {ends / n, n > n0 + n1 ? (ends - n1) / (n - n0 - n1) : 0, m > 0 ? sliding / m : 0};
+  return {ends / n, n > n0 + n1 ? (ends - n1) / (n - n0 - n1) : no_value, m > 0 ? sliding / m : no_value};
 }
+
+// Quantities of a row, gathered once. A cell that is not periodic along all axes does not follow its grains, so that
+// stress, strain and void ratio have no value.
+struct Moment {
+  Moment(const Simulation& of, int space, int number)
+      : simulation(of),
+        dimension(space),
+        stage(number),
+        stress(of.measures().stress),
+        strain(of.strain()),
+        void_ratio(of.void_ratio()),
+        coordination(coordination_of(of.snapshot())) {
+    if (of.cell().all_periodic()) return;
+    stress.setConstant(no_value), strain.setConstant(no_value), void_ratio = no_value;
+  }
+
+  double stress_ratio() const {
+    const int last = dimension - 1;
+    const double axial = stress(last, last), lateral = (stress.diagonal().head(dimension).sum() - axial) / last;
+    return lateral > 0 ? axial / lateral : no_value;
+  }
+
+  const Simulation& simulation;
+  int dimension, stage;
+  Mat3 stress;
+  Vec3 strain;
+  double void_ratio;
+  Coordination coordination;
+};
+
+struct Quantity {
+  const char *name, *unit, *long_name;
+  double (*value)(const Moment&);
+};
 
 double deviatoric_strain(const Vec3& strain, int dimension) {
   const Mat3 e = strain.asDiagonal();
@@ -73,22 +92,18 @@ constexpr std::array quantities = {
              [](const M& m) { return m.strain.sum(); }},
     Quantity{"strain_deviatoric", "1", "deviatoric strain, sqrt(2/3 e:e) in 3D",
              [](const M& m) { return deviatoric_strain(m.strain, m.dimension); }},
-    Quantity{"stress_xx", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(0, 0); }},
-    Quantity{"stress_yy", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(1, 1); }},
-    Quantity{"stress_zz", "Pa", "stress, compression positive", [](const M& m) { return m.measures.stress(2, 2); }},
-    Quantity{"stress_xy", "Pa", "shear stress", [](const M& m) { return m.measures.stress(0, 1); }},
-    Quantity{"stress_yz", "Pa", "shear stress", [](const M& m) { return m.measures.stress(1, 2); }},
-    Quantity{"stress_zx", "Pa", "shear stress", [](const M& m) { return m.measures.stress(2, 0); }},
-    Quantity{"mean_stress", "Pa", "mean stress p", [](const M& m) { return mean(m.measures.stress, m.dimension); }},
+    Quantity{"stress_xx", "Pa", "stress, compression positive", [](const M& m) { return m.stress(0, 0); }},
+    Quantity{"stress_yy", "Pa", "stress, compression positive", [](const M& m) { return m.stress(1, 1); }},
+    Quantity{"stress_zz", "Pa", "stress, compression positive", [](const M& m) { return m.stress(2, 2); }},
+    Quantity{"stress_xy", "Pa", "shear stress", [](const M& m) { return m.stress(0, 1); }},
+    Quantity{"stress_yz", "Pa", "shear stress", [](const M& m) { return m.stress(1, 2); }},
+    Quantity{"stress_zx", "Pa", "shear stress", [](const M& m) { return m.stress(2, 0); }},
+    Quantity{"mean_stress", "Pa", "mean stress p", [](const M& m) { return mean(m.stress, m.dimension); }},
     Quantity{"deviatoric_stress", "Pa", "deviatoric stress q",
-             [](const M& m) { return deviatoric_stress(m.measures.stress, m.dimension); }},
-    Quantity{"stress_ratio", "1", "axial stress over mean lateral stress",
-             [](const M& m) {
-               const double lateral = m.lateral_stress();
-               return lateral > 0 ? m.measures.stress(m.dimension - 1, m.dimension - 1) / lateral : 0.0;
-             }},
+             [](const M& m) { return deviatoric_stress(m.stress, m.dimension); }},
+    Quantity{"stress_ratio", "1", "axial stress over mean lateral stress", [](const M& m) { return m.stress_ratio(); }},
     Quantity{"void_ratio", "1", "void ratio of the cell, overlaps counted twice",
-             [](const M& m) { return m.simulation.void_ratio(); }},
+             [](const M& m) { return m.void_ratio; }},
     Quantity{"coordination_number", "1", "2 Nc/N", [](const M& m) { return m.coordination.all; }},
     Quantity{"mechanical_coordination_number", "1", "(2 Nc - N1)/(N - N0 - N1), Thornton (2000)",
              [](const M& m) { return m.coordination.mechanical; }},
@@ -112,8 +127,7 @@ io::Series empty_series() {
 }
 
 void record(const Simulation& simulation, const Energies& energies, int dimension, int stage, io::Series& series) {
-  const Moment moment{
-      simulation, dimension, stage, simulation.measures(), simulation.strain(), coordination(simulation.snapshot())};
+  const Moment moment(simulation, dimension, stage);
   std::size_t column = 0;
   for (const Quantity& q : quantities) series.columns[column++].values.push_back(q.value(moment));
   for (const EnergyColumn& c : energies.columns()) series.columns[column++].values.push_back(c.value);

@@ -3,6 +3,7 @@
 #include "dem/state/cell.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace soilweave::dem {
 
@@ -21,6 +22,10 @@ void Cell::advance(double dt) {
   const Mat3 step = Mat3::Identity() + dt * velocity_gradient_;
   matrix_ = (step * matrix_).eval();
   deformation_gradient_ = (step * deformation_gradient_).eval();
+}
+
+bool Cell::all_periodic() const {
+  return std::all_of(periodic_.begin(), periodic_.begin() + dimension_, [](bool periodic) { return periodic; });
 }
 
 double Cell::volume() const {

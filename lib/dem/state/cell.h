@@ -31,6 +31,8 @@ class Cell {
   bool periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
   /// Returns whether any axis is periodic.
   bool any_periodic() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
+  /// Returns whether all axes of the space are periodic.
+  bool all_periodic() const;
   /// Returns whether the last step changed the cell.
   bool deforming() const { return deforming_; }
 
