@@ -5,6 +5,7 @@
 
 #include "analysis/tables/bag.h"
 #include "analysis/tables/doubts.h"
+#include "analysis/tables/plane_doubts.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -65,7 +66,9 @@ struct RunDem {
     io::Snapshot state = dem::prepare(start.state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
     Doubts doubts(invocation.tool);
+    const std::vector<Doubt> moved = analysis::moved_plane_doubts(start.state, state, plan);
     if (check) {
+      doubts.add_all(moved);
       io::write_bytes("-", dem::forecast(state, plan).text());
       doubts.add_all(dem::plate_doubts(state, plan));
       return doubts.add_all(analysis::doubts_before(state, plan));
@@ -76,6 +79,7 @@ struct RunDem {
     const StopSignals signals;
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
+    doubts.add_all(moved);
     dem::Observe observe;
     if (analysis::is_reinforced(state))
       observe = [&](const io::Snapshot& now, io::Series& row) { analysis::put_bag(row, now, invocation.threads); };

@@ -23,4 +23,16 @@ ROOT=$BATS_TEST_DIRNAME/../..
   homogenize oedometer.h5 --table series --tsv --quiet > oedometer.tsv
   holds 'low < first && high > 340 && high < 380' "low=$(value oedometer.tsv displacement_top_z last)" "first=$(value oedometer.tsv displacement_top_z 3)" \
     "high=$(value oedometer.tsv force_top_z last)"
+  # The box is not periodic: its series has no stress, and a volume among its grains is drawn instead.
+  mentions 65 plot "homogenize RUN --table volumes --box" e-log-p oedometer.h5 -o e.svg
+  homogenize oedometer.h5 --table volumes --box=-0.02,0.02,-0.02,0.02,-0.015,0.005 --tsv > volume.tsv
+  exits 0 plot e-log-p volume.tsv -o e.svg
+  exits 0 plot stress-strain volume.tsv -o s.svg
+  exits 0 homogenize oedometer.h5 --table series --tsv --columns force_top_z
+  [[ -z $stderr ]] || show "a doubt about columns that are not printed"
+  exits 0 homogenize oedometer.h5 --table series --tsv --columns stage,stress_zz
+  [[ $stderr == "homogenize: doubt: the cell is not periodic along all axes"*"--table volumes with a --box"* ]] || show
+  # A lid that begins where the first run began, and not where it ended, leaves the grains below it.
+  exits 0 run-dem oedometer.h5 pipelines/recipes/oedometer.toml --check
+  [[ $stderr == *'doubt: plane "top" starts 0.00'*'m behind its place at the end of the input'* ]] || show
 }
