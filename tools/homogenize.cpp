@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <tuple>
@@ -109,6 +110,12 @@ struct Homogenize {
          {Flag{!choice.empty(), "--box, --copies or --groups", "volumes"}, Flag{grains, "--grains", "grains"},
           Flag{yarns, "--yarns", "yarns"}, Flag{tessellation, "--tessellation", "cell"}})
       if (given && table != of) wrong.push_back(fmt::format("{} belongs to --table {}: give it, or -o FILE", flag, of));
+    const auto is_table = [&](const packing::RunTable& one) { return table == one.name; };
+    if (state != "all" && (table == "series" || std::ranges::any_of(packing::run_tables(), is_table)))
+      wrong.push_back(fmt::format(
+          "--state {}: --table {} has a row for each station of the whole run: leave --state out", state, table));
+    if (table == "broken" && state != "all" && state != "last")
+      wrong.push_back(fmt::format("--state {}: --table broken is of the last state: leave --state out", state));
   }
 
   /// Returns whether a slow table is written or printed.

@@ -293,7 +293,7 @@ assert abs(lengths.mean() / 0.004 - 1) < 0.06 and lengths.std() / lengths.mean()
 assert lengths.max() < 1.3 * lengths.mean() and lengths.min() > 0.7 * lengths.mean(), (lengths.min(), lengths.max())
 PY
   run-dem --quiet egg.h5 press.toml -o egg_run.h5
-  homogenize --state last --table series --tsv egg_run.h5 > egg.tsv
+  homogenize --table series --tsv egg_run.h5 > egg.tsv
   holds 'tension > 0' tension="$(value egg.tsv yarn_tension_face 1)"
   surface egg.stl egg
   filter-expand --quiet packing.h5 egg.toml --set container.file=egg.stl -o stl.h5

@@ -145,6 +145,10 @@ PY
   mentions 64 homogenize "from low to high" --tsv --table volumes --box 0,1,0,x,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "needs --box, --copies or --groups" --tsv --table volumes "$IN/sheared.h5"
   mentions 64 homogenize "--table" --tsv --table cells "$IN/sheared.h5"
+  mentions 64 homogenize "--state 0: --table series has a row for each station of the whole run: leave --state out" \
+    --tsv --table series --state 0 "$IN/sheared.h5"
+  mentions 64 homogenize "--table loading has a row" --tsv --table loading --state last "$IN/sheared.h5"
+  mentions 64 homogenize "--state first: --table broken is of the last state" --tsv --table broken --state first "$IN/sheared.h5"
   mentions 64 homogenize "belongs to --table volumes" --tsv --box 0,1,0,1,0,1 "$IN/sheared.h5"
   mentions 64 homogenize "--grains belongs to --table grains" --tsv --grains "$IN/sheared.h5"
   mentions 64 homogenize "belongs to --table cell" --tsv --table grains --tessellation "$IN/sheared.h5"
