@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/measure/parts.h"
@@ -52,8 +53,7 @@ struct ToVtk {
         "place become points, yarns lines, volumes also principal axes; others .csv.");
     table.example("to-vtk packing.h5 -o packing-vtk", "then: paraview --script=packing-vtk/show.py");
     table.example("to-vtk run.h5 --fields fields.h5 -o run-vtk",
-                  "strains too, after: homogenize run.h5 --grains -o "
-                  "fields.h5");
+                  "strains too, after: homogenize run.h5 --grains -o fields.h5");
     table.example("to-vtk --history packing.h5", "the runs and inputs that led to this file");
     table.example("to-vtk --text packing.h5", "x y z r, a grain a line");
     table.input(input, "INPUT", "packing, run, fields or multiscale file");
@@ -77,7 +77,7 @@ struct ToVtk {
 
   void run(const tool::Invocation& invocation) const {
     if (history) return io::write_bytes(output, io::describe(io::read_history(input)));
-    if (text) return io::write_bytes(output, spheres());
+    if (text) return write_text(invocation);
     const std::string kind = input != "-" ? io::read_kind(input) : "";
     if (kind != "fields" && kind != "multiscale") return show_states(invocation);
     if (!fields.empty() || force_scale || unwrapped)
@@ -93,11 +93,18 @@ struct ToVtk {
     return io::chosen_states(state, count, input.string());
   }
 
-  /// Returns the spheres of one state as text: the chosen one, or the last.
-  std::string spheres() const {
-    if (state == "all" || state == "last") return io::export_spheres(io::read_state(input).state);
-    const io::RunFile file = io::read_states(input);
-    return io::export_spheres(file.snapshots[chosen(file.snapshots.size()).front()]);
+  /// Writes the spheres of one state as text, the chosen one or the last, and tells what the text leaves out.
+  void write_text(const tool::Invocation& invocation) const {
+    const io::ExportedSpheres spheres = io::export_spheres(last_or_chosen(), input.string());
+    Progress progress("to-vtk", invocation.quiet);
+    if (!spheres.left_out.empty()) progress.note("to-vtk: the text leaves out " + spheres.left_out);
+    io::write_bytes(output, spheres.text);
+  }
+
+  io::Snapshot last_or_chosen() const {
+    if (state == "all" || state == "last") return io::read_state(input).state;
+    io::RunFile file = io::read_states(input);
+    return std::move(file.snapshots[chosen(file.snapshots.size()).front()]);
   }
 
   std::optional<io::Series> grain_fields() const {

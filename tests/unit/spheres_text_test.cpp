@@ -223,7 +223,7 @@ TEST_F(Spheres, FormatsOfOtherProgramsAreNamedWithAWayToConvertThem) {
 TEST_F(Spheres, DisksComeBackExactly) {
   for (const char* cell : {"##PERIODIC:: 0.3333333333333333 0.7\n", ""}) {
     const Snapshot state = read(std::string(cell) + "x y r\n0.1 0.20000000000000004 0.01\n0.2 0.1 0.02\n");
-    const Snapshot back = read(export_spheres(state));
+    const Snapshot back = read(export_spheres(state, "state").text);
     EXPECT_EQ(back.grains.dimension, 2);
     EXPECT_TRUE(test::same_bits(state.grains.position, back.grains.position));
     EXPECT_TRUE(test::same_bits(state.grains.radius, back.grains.radius));
@@ -235,12 +235,28 @@ TEST_F(Spheres, DisksComeBackExactly) {
 TEST_F(Spheres, ComeBackExactly) {
   Snapshot state = test::example_state(50);
   state.cell.matrix = Vec3(1.0 / 3, 1, 0.9).asDiagonal();
-  const Snapshot back = read(export_spheres(state));
+  const Snapshot back = read(export_spheres(state, "state").text);
   EXPECT_TRUE(test::same_bits(state.grains.position, back.grains.position));
   EXPECT_TRUE(test::same_bits(state.grains.radius, back.grains.radius));
   EXPECT_TRUE(test::same_bits(state.cell.matrix, back.cell.matrix));
   state.cell.matrix(0, 1) = 0.1;  // a tilted cell has no line of its own
-  EXPECT_EQ(export_spheres(state).find("PERIODIC"), std::string::npos);
+  EXPECT_EQ(export_spheres(state, "state").text.find("PERIODIC"), std::string::npos);
+}
+
+// Three grains in a row. The last two are joined by a yarn.
+TEST_F(Spheres, LeaveOutNodesAndTellWhatATextLacks) {
+  Snapshot state = read("1 1 1 0.5\n2 1 1 0.5\n3 1 1 0.5\n");
+  EXPECT_EQ(export_spheres(state, "state").left_out, "");
+  state.yarns.nodes = {{1, 2}};
+  state.planes.point = {Vec3::Zero()};
+  state.cell.periodic = {true, false, false};
+  const ExportedSpheres text = export_spheres(state, "state");
+  EXPECT_EQ(text.text, "1 1 1 0.5\n");
+  EXPECT_EQ(text.left_out,
+            "2 nodes and 1 yarns of geotextiles, 1 planes, the cell, which is tilted or not periodic along all axes");
+  state.yarns.nodes = {{0, 1}, {1, 2}};
+  expect_error<DataError>([&] { export_spheres(state, "state"); },
+                          "state: holds nodes of geotextiles alone, which are no grains");
 }
 
 TEST_F(Spheres, OfOtherProgramsAreRead) {

@@ -44,7 +44,15 @@ CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 /// Throws DataError with line and column of anything else, and names formats of other programs.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
-/// Returns a text that import_spheres() reads back exactly. An upright periodic cell gives the line ##PERIODIC::.
-std::string export_spheres(const Snapshot& state);
+/// Text of a packing.
+struct ExportedSpheres {
+  std::string text;
+  /// Nodes, planes, contacts and other content that the text leaves out, for people; empty if there is none.
+  std::string left_out;
+};
+
+/// Returns a text that import_spheres() reads back exactly. An upright periodic cell gives the line ##PERIODIC::. Nodes
+/// of geotextiles are no grains and are left out. Throws DataError naming `where` if there is nothing else.
+ExportedSpheres export_spheres(const Snapshot& state, const std::string& where);
 
 }  // namespace soilweave::io
