@@ -84,7 +84,9 @@ void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbal
   const bool loaded = squeezed || (unbalanced_force < quiet && !fixed_step_);
   throw PhysicsError(fmt::format(
       "step {}: {}, more than the {:.3g} % of guards.overlap: {}", step, deepest, 100 * limits_.overlap,
-      loaded ? "the load is too high for grains of this stiffness; lower it, or raise contact.young_modulus"
+      loaded ? fmt::format("the load is too high for grains of this stiffness{}; lower it, or raise "
+                           "contact.young_modulus",
+                           dimension_ == 2 ? ", for disks young_modulus times radius per metre of thickness" : "")
              : fmt::format("grains move too far in a step; {}, lower the loading rate, or check the packing",
                            lower_step())));
 }
