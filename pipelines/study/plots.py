@@ -73,7 +73,8 @@ def strained(fabric, series):
     A state at the end of a stage has the strain of that stage; the series counts it anew in the next one.
     """
     fabric = during(fabric, series)
-    return fabric.replace("strain_axial", numpy.interp(fabric("step", "1"), series("step", "1"), series("strain_axial", "1")))
+    strain = series("strain_axial", "1", missing=True)
+    return fabric.replace("strain_axial", numpy.interp(fabric("step", "1"), series("step", "1"), strain))
 
 
 def _choices(entry):

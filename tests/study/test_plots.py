@@ -173,6 +173,10 @@ def test_states_get_the_strain_that_the_series_has_at_their_steps():
     fabric = Table.parse("step [1]\tstrain_axial [1]\ta_c [1]\n0\t0\t0.1\n10\t0.005\t0.2\n20\t0.01\t0.3\n", "run.h5")
     strained = plots.strained(fabric, series)
     assert list(strained("strain_axial", "%")) == [0, 1] and list(strained("a_c", "1")) == [0.2, 0.3]
+    # The series of a cell that is not periodic has no strain: the fabric has none either, and says where to look.
+    unknown = plots.strained(fabric, series.replace("strain_axial", numpy.full(2, numpy.nan)))
+    with pytest.raises(StudyError, match="a cell that is not periodic has none: see the columns of its plates"):
+        plots.draw("fabric", [("run", unknown)])
 
 
 def test_roses_draw_the_last_state_in_each_plane():
