@@ -19,7 +19,7 @@ rooms=(
   dem/state dem/contact dem/sweep dem/engine dem/engine/energies dem/loading dem/run
   analysis/measure analysis/tables
   packing/generate packing/container packing/expand
-  calibration
+  calibration calibration/output
   gws/solution gws/identification gws/design gws/output
   fem/mesh fem/material fem/model fem/run
 )

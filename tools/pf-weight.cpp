@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "calibration/assimilation.h"
-#include "calibration/options.h"
+#include "calibration/output/options.h"
 #include "calibration/proposal.h"
 #include "calibration/sampling.h"
 #include "core/cli/tool.h"

@@ -1,6 +1,6 @@
 // Options of pf-weight.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "calibration/options.h"
+#include "calibration/output/options.h"
 
 #include <fmt/format.h>
 
