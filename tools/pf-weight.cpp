@@ -55,9 +55,7 @@ struct Draw {
 
   void run(const tool::Invocation& invocation) const {
     const io::TextFile text = io::read_text(prior, "prior");
-    Settings document = Settings::parse(text.text, prior.string());
-    const calibration::Prior ranges = calibration::read_prior(document);
-    document.finish();
+    const calibration::Prior ranges = calibration::parse_prior(text.text, prior.string());
     const Ensemble drawn = calibration::members_at(ranges, points(ranges.size(), invocation.seed), first_id);
     output.put(calibration::ensemble_file(drawn), calibration::members_table(drawn), "", {text.source}, invocation);
   }
@@ -86,7 +84,7 @@ struct Assimilate {
     t.about("pf-weight assimilate", "weights of an ensemble's parameter sets from observations, step by step");
     t.example("pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --error 0.1 -o posterior.h5",
               "runs in a table of any code: id, station, observables");
-    t.example("pf-weight assimilate sets.tsv observed.tsv --runs runs.tsv --least-size 0.2",
+    t.example("pf-weight assimilate sets.tsv observed.tsv --prior prior.toml --runs runs.tsv --least-size 0.2",
               "the error chosen so that a fifth of the sets stays effective");
     t.input(ensemble, "ENSEMBLE", "file of draw or resample, or a TSV with id and parameters");
     t.input(observations, "OBSERVATIONS", "TSV: station, observables");
@@ -94,7 +92,7 @@ struct Assimilate {
     t.unrecorded("runs");  // the runs' digests are recorded instead
     comparison.declare(t);
     t.flag(goes_on, "continue", "begin with ENSEMBLE's weights, of another test of the same sets: both count");
-    t.option(prior, "prior", "FILE", "prior (TOML) of an ensemble that is a TSV; else its own ranges");
+    t.option(prior, "prior", "FILE", "prior (TOML) that the sets of a TSV were drawn from");
     t.choice(table, "table", calibration::assimilation_table_names(), "table that --tsv prints");
     t.unrecorded("table");
     output.declare(t, "ensemble with weights and tables to write");
@@ -115,13 +113,14 @@ struct Assimilate {
     const calibration::Choice choice = comparison.choice();
     auto observed =
         calibration::observations(io::from_tsv(text.text, observations.string()), choice, observations.string());
+    const std::vector<Doubt> doubts = calibration::doubts(members);
     auto simulated = calibration::simulated(runs, members.id, observed, choice, sources);
     const auto done =
         calibration::assimilate(std::move(members), std::move(observed), std::move(simulated), comparison.model(),
                                 comparison.least_size, comparison.chosen_stations(), goes_on);
     const auto groups = calibration::groups_of(done);
     output.put(calibration::ensemble_file(done.ensemble, groups), calibration::table_of(done, groups, table),
-               calibration::describe(done), sources, invocation);
+               calibration::describe(done), sources, invocation, doubts);
     Progress progress("pf-weight", invocation.quiet);
     if (const auto remark = comparison.remark()) progress.note("pf-weight assimilate: " + *remark);
     for (const std::string& warning : calibration::warnings(done)) progress.note("pf-weight assimilate: " + warning);
@@ -176,7 +175,7 @@ struct Resample {
     const Ensemble next =
         calibration::members_from(proposal, before.prior, static_cast<std::size_t>(samples), invocation.seed, next_id);
     output.put(calibration::ensemble_file(keep ? calibration::together(before, next) : next),
-               calibration::members_table(next), "", sources, invocation);
+               calibration::members_table(next), "", sources, invocation, calibration::doubts(before));
     if (power == 1) return;
     Progress("pf-weight", invocation.quiet)
         .note(fmt::format("pf-weight resample: weights raised to the power {:.3g} to have {:.3g} of the sets effective",

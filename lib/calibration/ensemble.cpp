@@ -191,28 +191,38 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
   if (!prior.empty()) {
     const io::TextFile text = io::read_text(prior, "prior");
     sources.push_back(text.source);
-    Settings document = Settings::parse(text.text, prior.string());
-    given = read_prior(document);
-    document.finish();
+    given = parse_prior(text.text, prior.string());
   }
   if (path != "-" && !io::is_hdf5(path)) {
     const io::TextFile text = io::read_text(path, "ensemble");
     sources.push_back(text.source);
     const io::Series table = io::from_tsv(text.text, where);
-    return from_table(table, given ? *given : spanned(table, where), where);
+    Ensemble members = from_table(table, given ? *given : spanned(table, where), where);
+    members.assumed_prior = !given;
+    return members;
   }
   const io::EnsembleFile file = io::read_ensemble(path);
   sources.push_back(file.source);
-  Settings document = Settings::parse(file.prior, where + ": /prior");
-  Prior own = read_prior(document);
-  document.finish();
-  Ensemble members = from_table(file.members, given ? *given : own, where);
-  // Rounds use the coordinates of the file's own prior.
-  if (given) return members;
+  const Prior own = parse_prior(file.prior, where + ": /prior");
+  if (given && !same_ranges(*given, own))
+    throw DataError(fmt::format(
+        "{}: its sets are drawn from {}; --prior {} has {}: leave --prior out, or draw sets from the other prior",
+        where, ranges_text(own), prior.string(), ranges_text(*given)));
+  Ensemble members = from_table(file.members, own, where);
   for (const io::FieldsFile::Group& group : file.groups)
     if (group.name == rounds_name)
       members.rounds = read_rounds(group.table, members, where + ": /fields/" + rounds_name);
   return members;
+}
+
+std::vector<Doubt> doubts(const Ensemble& ensemble) {
+  std::vector<Doubt> list;
+  if (ensemble.assumed_prior)
+    list.push_back({"prior", fmt::format("the table of sets names no prior, so that all values between their least and "
+                                         "greatest count as equally likely: {}; give assimilate the prior that they "
+                                         "were drawn from, with --prior",
+                                         ranges_text(ensemble.prior))});
+  return list;
 }
 
 }  // namespace soilweave::calibration

@@ -9,6 +9,7 @@
 
 #include "calibration/prior.h"
 #include "calibration/rounds.h"
+#include "core/doubts.h"
 #include "files/files.h"
 
 namespace soilweave::calibration {
@@ -25,6 +26,8 @@ struct Ensemble {
   Vector weight;
   /// Distributions of the draws; empty if unknown.
   std::vector<Round> rounds;
+  /// True if no prior was given beside a table: the ranges are those of its sets.
+  bool assumed_prior = false;
 
   /// Returns the number of members.
   std::size_t size() const { return id.size(); }
@@ -46,8 +49,12 @@ io::Series members_table(const Ensemble& ensemble);
 io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsFile::Group> groups = {});
 
 /// Reads an ensemble file, or a TSV with id and one column per parameter. A TSV takes the prior's TOML, else the range
-/// of its values. Throws DataError.
+/// of its values on a linear scale. A file has its own prior. Throws DataError, also for a given prior that differs
+/// from the file's.
 Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem::path& prior,
                        std::vector<io::Source>& sources);
+
+/// Returns "prior" if the ranges are those of the sets alone.
+std::vector<Doubt> doubts(const Ensemble& ensemble);
 
 }  // namespace soilweave::calibration

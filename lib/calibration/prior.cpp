@@ -66,6 +66,18 @@ Range read_range(Settings& table, const std::set<std::string>& before) {
   return range;
 }
 
+std::string_view name_of(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
+
+// Relative difference of two bounds that are one number written with fewer digits.
+constexpr double rounding_of_bound = 1e-9;
+
+bool same_range(const Range& a, const Range& b) {
+  const auto close = [](double x, double y) {
+    return std::abs(x - y) <= rounding_of_bound * std::max(std::abs(x), std::abs(y));
+  };
+  return a.name == b.name && a.unit == b.unit && a.scale == b.scale && close(a.low, b.low) && close(a.high, b.high);
+}
+
 }  // namespace
 
 double Range::value(double u) const {
@@ -109,6 +121,25 @@ Prior read_prior(Settings& document) {
   return prior;
 }
 
+Prior parse_prior(std::string_view text, const std::string& where) {
+  Settings document = Settings::parse(text, where);
+  Prior prior = read_prior(document);
+  document.finish();
+  return prior;
+}
+
+bool same_ranges(const Prior& a, const Prior& b) {
+  return std::is_permutation(a.ranges.begin(), a.ranges.end(), b.ranges.begin(), b.ranges.end(), same_range);
+}
+
+std::string ranges_text(const Prior& prior) {
+  std::vector<std::string> parts;
+  for (const Range& range : prior.ranges)
+    parts.push_back(fmt::format("{} {:.4g} to {:.4g}{}, {}", range.name, range.low, range.high,
+                                range.unit == "1" ? "" : " " + range.unit, name_of(range.scale)));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 std::vector<Key> prior_keys() {
   return keys_of([](Settings& document) { read_prior(document); });
 }
@@ -118,8 +149,7 @@ std::string prior_text(const Prior& prior) {
   for (const Range& range : prior.ranges)
     text += fmt::format(
         "[[parameter]]\nname = \"{}\"\nlong_name = \"{}\"\nunit = \"{}\"\nscale = \"{}\"\nlow = {}\nhigh = {}\n\n",
-        range.name, range.long_name, range.unit, range.scale == Scale::log ? "log" : "linear", number_text(range.low),
-        number_text(range.high));
+        range.name, range.long_name, range.unit, name_of(range.scale), number_text(range.low), number_text(range.high));
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/text/settings.h"
@@ -46,6 +47,12 @@ struct Prior {
 /// Reads [[parameter]] tables: name, low, high; unit ("1"), scale ("linear" or "log"), long_name. Mistakes go to the
 /// document's list.
 Prior read_prior(Settings& document);
+/// Reads a prior's TOML whole. Throws DataError with every mistake, each naming `where`.
+Prior parse_prior(std::string_view text, const std::string& where);
+/// Returns whether both have the same parameters with the same units, scales and ranges, in any order.
+bool same_ranges(const Prior& a, const Prior& b);
+/// Returns a line for people: each parameter with its range, unit and scale.
+std::string ranges_text(const Prior& prior);
 /// Returns every key that a prior may have (core/text/keys.h).
 std::vector<Key> prior_keys();
 /// Returns the prior as TOML, with SI numbers.

@@ -286,6 +286,37 @@ PY
     ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --continue
 }
 
+# logs TABLE: the runs of these sets, whose only value at station 1 is the log of the parameter.
+logs() {
+  awk -F '\t' 'BEGIN { print "id\tx [1]\ty [1]" } NR > 1 { printf "%d\t0\t0\n%d\t1\t%.9g\n", $1, $1, log($2) / log(10) }' "$1"
+}
+
+@test "a prior on a log scale outlasts a table of its sets, or a doubt says what is taken instead" {
+  printf '[[parameter]]\nname = "a"\nunit = "Pa"\nscale = "log"\nlow = 1e8\nhigh = 1e10\n' > log.toml
+  sed 's/"log"/"linear"/' log.toml > linear.toml
+  pf-weight draw log.toml -n 200 --tsv -o ens.h5 > sets.tsv
+  printf 'x [1]\ty [1]\n0\t0\n1\t9\n' > flat.tsv
+  logs sets.tsv > runs.tsv
+  local try=(flat.tsv --runs runs.tsv --error 1000) given
+  exits 0 pf-weight assimilate sets.tsv "${try[@]}" --quiet
+  [[ $stderr == "pf-weight assimilate: doubt: the table of sets names no prior, so that all values between their least and greatest count as equally likely: a 1e+08 to "*" Pa, linear; give assimilate the prior that they were drawn from, with --prior" ]] || show
+  # An error that leaves the likelihood flat leaves the prior, whose mean is (high - low) / ln(high / low), or 2.15e9.
+  for given in "sets.tsv --prior log.toml" ens.h5 "ens.h5 --prior log.toml"; do
+    # shellcheck disable=SC2086  # words of the list
+    exits 0 pf-weight assimilate $given "${try[@]}" -o post.h5 --force
+    [[ $stderr != *doubt* ]] || show "$given"
+    pf-weight resample post.h5 -n 400 --seed 1 --quiet --tsv -o next.h5 --force > next.tsv
+    logs next.tsv > next_runs.tsv
+    pf-weight assimilate next.h5 flat.tsv --runs next_runs.tsv --error 1000 --quiet --tsv > steps.tsv
+    near "$(value steps.tsv a last)" 2.15e9 2e8
+  done
+  refuses 65 assimilate "ens.h5: its sets are drawn from a 1e+08 to 1e+10 Pa, log; --prior linear.toml has a 1e+08 to 1e+10 Pa, linear: leave --prior out, or draw sets from the other prior" \
+    ens.h5 "${try[@]}" --prior linear.toml
+  printf 'id\ta [Pa]\tweight\n0\t1e8\t0.5\n1\t1e9\t0.5\n' > weighed.tsv
+  exits 0 pf-weight resample weighed.tsv -n 4 -o out.h5
+  [[ $stderr == *"pf-weight resample: doubt: the table of sets names no prior"* ]] || show
+}
+
 # two A B: prints the linear model of the examples' runs for one parameter set.
 @test "resample: weights that are all zero or negative are refused" {
   printf 'id\ta\tweight\n0\t1\t0\n1\t2\t0\n' > zero.tsv

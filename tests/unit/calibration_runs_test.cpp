@@ -232,8 +232,12 @@ TEST(Ensembles, GoThroughFilesAndTablesUnchanged) {
   EXPECT_EQ(read_ensemble(folder / "e.tsv", {}, sources).prior.ranges[1].low, e.values.col(1).minCoeff());
   EXPECT_EQ(read_ensemble(folder / "e.h5", {}, sources).rounds.at(0).sets, 5u);
   EXPECT_TRUE(read_ensemble(folder / "e.tsv", folder / "prior.toml", sources).rounds.empty());
-  // Another prior has other coordinates.
-  EXPECT_TRUE(read_ensemble(folder / "e.h5", folder / "prior.toml", sources).rounds.empty());
+  EXPECT_EQ(read_ensemble(folder / "e.h5", folder / "prior.toml", sources).rounds.size(), 1u) << "the same prior";
+  Prior other = prior;
+  other.ranges[1].high = 61;
+  io::test::put_bytes(folder / "other.toml", prior_text(other));
+  io::test::expect_error<DataError>([&] { read_ensemble(folder / "e.h5", folder / "other.toml", sources); },
+                                    "mu 0 to 60 deg, linear; --prior");
   e.rounds.front().sets = 4;
   io::write_ensemble(folder / "less.h5", ensemble_file(e), {});
   EXPECT_THROW(read_ensemble(folder / "less.h5", {}, sources), DataError);

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/text/number_word.h"
 #include "files/exchange/table.h"
+#include "files/provenance.h"
 
 namespace soilweave::calibration {
 namespace {
@@ -105,9 +106,13 @@ void Output::check(std::vector<std::string> mistakes, bool needed) const {
 }
 
 void Output::put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
-                 const std::vector<io::Source>& sources, const tool::Invocation& invocation) const {
+                 const std::vector<io::Source>& sources, const tool::Invocation& invocation,
+                 const std::vector<Doubt>& doubts) const {
   print(table, text);
-  if (!file.empty()) io::write_ensemble(file, ensemble, io::extend(sources, invocation, ensemble.prior));
+  Doubts said(invocation.tool);
+  said.add_all(doubts);
+  if (file.empty()) return;
+  io::write_ensemble(file, ensemble, io::with_doubts(io::extend(sources, invocation, ensemble.prior), said));
 }
 
 }  // namespace soilweave::calibration

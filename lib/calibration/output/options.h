@@ -61,9 +61,11 @@ struct Output : io::TableOutput {
   void declare(tool::Table& table, std::string_view sentence);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes, bool needed) const;
-  /// Prints table (--tsv) or text, unless the file goes to standard output. Writes the file.
+  /// Prints table (--tsv) or text, unless the file goes to standard output. Says the doubts. Writes the file, with the
+  /// doubts in its history.
   void put(const io::EnsembleFile& ensemble, const io::Series& table, const std::string& text,
-           const std::vector<io::Source>& sources, const tool::Invocation& invocation) const;
+           const std::vector<io::Source>& sources, const tool::Invocation& invocation,
+           const std::vector<Doubt>& doubts = {}) const;
 };
 
 }  // namespace soilweave::calibration
