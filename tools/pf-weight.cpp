@@ -113,7 +113,8 @@ struct Assimilate {
     const calibration::Choice choice = comparison.choice();
     auto observed =
         calibration::observations(io::from_tsv(text.text, observations.string()), choice, observations.string());
-    const std::vector<Doubt> doubts = calibration::doubts(members);
+    if (goes_on) calibration::demand_new(members.weighings, text.source, observed);
+    const std::vector<Doubt> doubts = calibration::doubts(members, goes_on);
     auto simulated = calibration::simulated(runs, members.id, observed, choice, sources);
     const auto done =
         calibration::assimilate(std::move(members), std::move(observed), std::move(simulated), comparison.model(),
@@ -175,7 +176,7 @@ struct Resample {
     const Ensemble next =
         calibration::members_from(proposal, before.prior, static_cast<std::size_t>(samples), invocation.seed, next_id);
     output.put(calibration::ensemble_file(keep ? calibration::together(before, next) : next),
-               calibration::members_table(next), "", sources, invocation, calibration::doubts(before));
+               calibration::members_table(next), "", sources, invocation, calibration::doubts(before, true));
     if (power == 1) return;
     Progress("pf-weight", invocation.quiet)
         .note(fmt::format("pf-weight resample: weights raised to the power {:.3g} to have {:.3g} of the sets effective",

@@ -209,19 +209,24 @@ Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem:
         "{}: its sets are drawn from {}; --prior {} has {}: leave --prior out, or draw sets from the other prior",
         where, ranges_text(own), prior.string(), ranges_text(*given)));
   Ensemble members = from_table(file.members, own, where);
+  members.weighings = weighings_of(file.source.history);
   for (const io::FieldsFile::Group& group : file.groups)
     if (group.name == rounds_name)
       members.rounds = read_rounds(group.table, members, where + ": /fields/" + rounds_name);
   return members;
 }
 
-std::vector<Doubt> doubts(const Ensemble& ensemble) {
+std::vector<Doubt> doubts(const Ensemble& ensemble, bool goes_on) {
   std::vector<Doubt> list;
   if (ensemble.assumed_prior)
     list.push_back({"prior", fmt::format("the table of sets names no prior, so that all values between their least and "
                                          "greatest count as equally likely: {}; give assimilate the prior that they "
                                          "were drawn from, with --prior",
                                          ranges_text(ensemble.prior))});
+  if (ensemble.weight.size() > 0 && !goes_on)
+    list.push_back({"weights",
+                    "the weights that the ensemble has from an earlier test are left out, and this test counts alone; "
+                    "give --continue for both to count"});
   return list;
 }
 

@@ -9,6 +9,7 @@
 
 #include "calibration/prior.h"
 #include "calibration/rounds.h"
+#include "calibration/weighings.h"
 #include "core/doubts.h"
 #include "files/files.h"
 
@@ -28,6 +29,8 @@ struct Ensemble {
   std::vector<Round> rounds;
   /// True if no prior was given beside a table: the ranges are those of its sets.
   bool assumed_prior = false;
+  /// Observations that the weights count, by the history of the file.
+  std::vector<Weighing> weighings;
 
   /// Returns the number of members.
   std::size_t size() const { return id.size(); }
@@ -54,7 +57,8 @@ io::EnsembleFile ensemble_file(const Ensemble& ensemble, std::vector<io::FieldsF
 Ensemble read_ensemble(const std::filesystem::path& path, const std::filesystem::path& prior,
                        std::vector<io::Source>& sources);
 
-/// Returns "prior" if the ranges are those of the sets alone.
-std::vector<Doubt> doubts(const Ensemble& ensemble);
+/// Returns "prior" if the ranges are those of the sets alone, and "weights" if the ensemble has weights of an earlier
+/// test but the next one does not go on from them.
+std::vector<Doubt> doubts(const Ensemble& ensemble, bool goes_on);
 
 }  // namespace soilweave::calibration

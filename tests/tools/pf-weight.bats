@@ -286,6 +286,33 @@ PY
     ensemble.h5 observed.tsv --runs runs.tsv --error 0.3 --continue
 }
 
+@test "assimilate --continue: observations that have weighed the sets already are refused, other observables of their table are not" {
+  pf-weight draw prior.toml -n 50 -o ensemble.h5
+  local try=(--runs runs.tsv --variance 0.1 --quiet)
+  pf-weight assimilate ensemble.h5 observed.tsv "${try[@]}" --observe one -o one.h5 > steps.txt
+  cp observed.tsv again.tsv
+  refuses 65 assimilate "again.tsv: one has weighed these sets already, and would count twice; leave --continue out, or give the observations of another test" \
+    one.h5 again.tsv "${try[@]}" --continue
+  exits 0 pf-weight assimilate one.h5 again.tsv "${try[@]}" --continue --observe two=two -o both.h5
+  [[ -z $stderr ]] || show "nothing counts twice"
+  refuses 65 assimilate "observed.tsv: one has weighed these sets already, and would count twice; leave --continue out, or give the observations of another test" \
+    both.h5 observed.tsv "${try[@]}" --continue --observe one=two
+  # A round that is drawn anew begins without weights, and the tests of the round before may come again.
+  pf-weight resample both.h5 -n 5 --keep --quiet --tsv -o next.h5 > sets.tsv
+  exits 0 pf-weight assimilate next.h5 observed.tsv "${try[@]}" --observe one -o one.h5 --force
+  exits 0 pf-weight assimilate one.h5 observed.tsv "${try[@]}" --continue --observe two
+}
+
+@test "assimilate: weights that an ensemble has and that are left out are told, and the file says so" {
+  pf-weight draw prior.toml -n 50 -o ensemble.h5
+  pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --variance 0.1 --quiet -o first.h5 > first.txt
+  exits 0 pf-weight assimilate first.h5 observed.tsv --runs runs.tsv --variance 0.1 --quiet -o second.h5
+  local said="the weights that the ensemble has from an earlier test are left out, and this test counts alone; give --continue for both to count"
+  [[ $stderr == "pf-weight assimilate: doubt: $said" ]] || show
+  exits 0 to-vtk --history second.h5
+  [[ $(grep -c "  doubt: weights: $said" <<< "$output") -eq 1 ]] || show
+}
+
 # logs TABLE: the runs of these sets, whose only value at station 1 is the log of the parameter.
 logs() {
   awk -F '\t' 'BEGIN { print "id\tx [1]\ty [1]" } NR > 1 { printf "%d\t0\t0\n%d\t1\t%.9g\n", $1, $1, log($2) / log(10) }' "$1"
