@@ -196,13 +196,25 @@ io::Series curves_table(const Assimilation& a) {
   return table;
 }
 
+/// Returns 1 / sum of w^2 / p over the sets whose runs are used, with weights p before and w after the observations.
+double kept_share(const Vector& before, const Vector& weight, const Simulated& runs) {
+  double used = 0, sum = 0;
+  for (Eigen::Index i = 0; i < weight.size(); ++i) {
+    const double p = std::exp(before[i]);
+    if (runs.fate[static_cast<std::size_t>(i)] != Fate::used || !(p > 0)) continue;
+    used += p;
+    sum += weight[i] * weight[i] / p;
+  }
+  return 1 / (used * sum);
+}
+
 }  // namespace
 
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
                         std::optional<double> least_size, const std::vector<double>& stations, bool goes_on) {
   if (runs.used() == 0)
     throw DataError(fmt::format("none of {} runs can be used; the first: {}", runs.why.size(), runs.why.front()));
-  Assimilation a{std::move(ensemble), std::move(observed), std::move(runs), {}, {}, {}, {}};
+  Assimilation a{std::move(ensemble), std::move(observed), std::move(runs), {}, {}, {}, 0, {}};
   a.variance = variances(model, a.observed);
   a.misfit = misfits(a.observed, a.runs, a.variance);
   const Vector prior = goes_on ? a.ensemble.log_weight() : a.ensemble.log_prior_weight();
@@ -220,6 +232,7 @@ Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs
   std::sort(a.chosen.begin(), a.chosen.end());
   if (a.chosen.empty()) a.chosen.push_back(last);
   a.ensemble.weight = a.filtered.weights(last);
+  a.kept_share = kept_share(prior, a.ensemble.weight, a.runs);
   return a;
 }
 

@@ -31,6 +31,8 @@ struct Assimilation {
   /// chi2, N x T; variances with their factor, T x C.
   Matrix misfit, variance;
   Filtered filtered;
+  /// Effective share of the weights before the observations that is left after them; 1 if all likelihoods are equal.
+  double kept_share = 0;
   /// Steps for densities and covariances.
   std::vector<Eigen::Index> chosen;
 };

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/text/units.h"
 
 namespace soilweave::calibration {
 namespace {
@@ -29,6 +30,30 @@ double smallest_size(const Matrix& misfit, const Vector& log_prior, double facto
   return least;
 }
 
+/// Returns whether an error of 1 is the same in both units, or both are pure numbers, which per cent are too.
+bool one_unit(const std::string& a, const std::string& b) {
+  const auto factor = [](const std::string& from, const std::string& to) {
+    try {
+      return unit_factor(from.empty() ? "1" : from, to.empty() ? "1" : to);
+    } catch (const DataError&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  return a == b || factor(a, b) == 1 || (std::isfinite(factor(a, "1")) && std::isfinite(factor(b, "1")));
+}
+
+/// Throws DataError if observables differ in unit: one error for all of them would depend on the units chosen.
+void demand_one_unit(const std::vector<Observable>& observables) {
+  const Observable& first = observables.front();
+  const auto unit = [](const Observable& what) { return what.unit.empty() ? "1" : what.unit; };
+  for (const Observable& other : observables)
+    if (!one_unit(first.unit, other.unit))
+      throw DataError(fmt::format(
+          "{} is in {} and {} in {}: one error for both would mean another thing in other units; give --covariance "
+          "component with an error for each, or --covariance largest with a share, as --error 0.05",
+          first.name, unit(first), other.name, unit(other)));
+}
+
 }  // namespace
 
 ErrorModel::Kind error_kind(std::string_view name) {
@@ -46,7 +71,10 @@ Matrix variances(const ErrorModel& model, const Observations& observed) {
   }
   if (model.size.size() != 1)
     throw DataError(fmt::format("errors: {} given; one is needed, or --covariance component", model.size.size()));
-  if (model.kind == uniform) return Matrix::Constant(steps, components, model.size.front());
+  if (model.kind == uniform) {
+    demand_one_unit(observed.observables);
+    return Matrix::Constant(steps, components, model.size.front());
+  }
   Matrix deviation(steps, components);
   for (Eigen::Index c = 0; c < components; ++c) {
     const double greatest = observed.values.col(c).cwiseAbs().maxCoeff();

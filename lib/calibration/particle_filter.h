@@ -40,7 +40,7 @@ struct ErrorModel {
 };
 
 /// Returns the kind of this name:
-/// - uniform: one variance, as in the thesis;
+/// - uniform: one variance, as in the thesis, for observables of one unit;
 /// - component: one variance per component;
 /// - relative: standard deviation over each observation, at least 1 % of the greatest;
 /// - largest: standard deviation over the greatest observation.

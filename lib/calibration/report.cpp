@@ -12,6 +12,8 @@
 namespace soilweave::calibration {
 namespace {
 
+// Effective share of the weights from which on the observations tell next to nothing of the parameters.
+constexpr double nothing_learnt = 0.99;
 constexpr std::size_t listed_runs = 20, listed_steps = 12;
 
 double degenerate_below(const Assimilation& a) { return static_cast<double>(a.ensemble.prior.size()) + 1; }
@@ -111,6 +113,11 @@ std::vector<std::string> warnings(const Assimilation& a) {
         "error",
         size, n, a.ensemble.prior.size(), a.observed.station.name, a.observed.at[static_cast<std::size_t>(since)], most,
         a.ensemble.id[static_cast<std::size_t>(heaviest)]));
+  } else if (a.runs.used() > 1 && a.kept_share > nothing_learnt) {
+    list.push_back(
+        fmt::format("nothing is learnt: the observations leave {:.4g} of the weights before them effective; give a "
+                    "smaller error, or check that the parameters change what the runs are compared by",
+                    a.kept_share));
   }
   return list;
 }

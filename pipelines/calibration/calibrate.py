@@ -33,15 +33,22 @@ class Parser(argparse.ArgumentParser):
         raise Failure(64, f"calibrate: {message}; --help tells the options")
 
 
+def _share(text):
+    """Returns the share that a number, or one in per cent, is."""
+    return float(text.strip().removesuffix("%")) / (100 if text.strip().endswith("%") else 1)
+
+
 def _errors(text):
-    """Returns a relative error, or errors by observable, of "0.05" or "stress_ratio=0.15,strain_volumetric=0.3"."""
+    """Returns a relative error, or errors by observable, of "0.05", "5 %" or "stress_ratio=0.15,strain_volumetric=0.3"."""
     try:
         pairs = [part.split("=") for part in text.split(",")]
-        sizes = float(text) if "=" not in text else {name: float(value) for name, value in pairs}
+        sizes = _share(text) if "=" not in text else {name: float(value) for name, value in pairs}
     except ValueError as error:
-        raise argparse.ArgumentTypeError(f'"{text}": write a share, as 0.05, or NAME=NUMBER,NAME=NUMBER') from error
+        raise argparse.ArgumentTypeError(f'"{text}": write a share, as 0.05 or 5 %, or NAME=NUMBER,NAME=NUMBER') from error
     if not all(0 < size < math.inf for size in (sizes.values() if isinstance(sizes, dict) else [sizes])):
         raise argparse.ArgumentTypeError(f'"{text}": errors are numbers above 0')
+    if isinstance(sizes, float) and sizes > 1:
+        raise argparse.ArgumentTypeError(f'"{text}": a share is at most 1; write 5 per cent as 0.05 or 5 %')
     return sizes
 
 

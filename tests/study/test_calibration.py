@@ -183,6 +183,7 @@ def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
     ("--test t.tsv", 64, "write TABLE PRESSURE KIND"), ("--test t.tsv 1kPa true", 64, "KIND one of engineering"),
     ("--test t.tsv 1kPa natural", 64, "has no packing"), ("--test t.tsv 1kPa natural gone.h5", 66, "t.tsv: is not there"),
     ("--test t.tsv 1kPa natural p --error 0", 64, "errors are numbers above 0"), ("--test t.tsv 1kPa natural p --error nan", 64, "numbers above 0"),
+    ("--test t.tsv 1kPa natural p --error 5", 64, "write 5 per cent as 0.05"), ("--test t.tsv 1kPa natural p --error 500%", 64, "a share is at most 1"),
     ("--test t.tsv 1kPa natural p --variance stress_ratio=inf", 64, "numbers above 0"), ("--test t.tsv 1kPa natural p --until nan", 64, "above 0 in %"), ("--test t.tsv 1kPa natural p --rounds 0", 64, "whole number of at least 1"),
     ("--test t.tsv 1kPa natural p --variance 0.1", 64, "a share is an --error"), ("--test t.tsv 1kPa natural p --rate x", 64, "write a number in 1/s")])
 def test_wrong_options_are_one_line(words, status, said, tmp_path, monkeypatch):

@@ -331,7 +331,7 @@ logs() {
   for given in "sets.tsv --prior log.toml" ens.h5 "ens.h5 --prior log.toml"; do
     # shellcheck disable=SC2086  # words of the list
     exits 0 pf-weight assimilate $given "${try[@]}" -o post.h5 --force
-    [[ $stderr != *doubt* ]] || show "$given"
+    [[ $stderr == *"nothing is learnt: the observations leave 1 of the weights before them effective; give a smaller error"* && $stderr != *doubt* ]] || show "$given"
     pf-weight resample post.h5 -n 400 --seed 1 --quiet --tsv -o next.h5 --force > next.tsv
     logs next.tsv > next_runs.tsv
     pf-weight assimilate next.h5 flat.tsv --runs next_runs.tsv --error 1000 --quiet --tsv > steps.tsv
@@ -342,6 +342,28 @@ logs() {
   printf 'id\ta [Pa]\tweight\n0\t1e8\t0.5\n1\t1e9\t0.5\n' > weighed.tsv
   exits 0 pf-weight resample weighed.tsv -n 4 -o out.h5
   [[ $stderr == *"pf-weight resample: doubt: the table of sets names no prior"* ]] || show
+}
+
+@test "assimilate: one error for observables of different units is refused, and so is a share above 1" {
+  pf-weight draw prior.toml -n 100 -o ensemble.h5
+  sed -E '/^#/!s/\tone\ttwo/\tone [kPa]\ttwo [%]/' observed.tsv > units.tsv
+  sed -E '/^#/!s/\tone\ttwo/\tone [kPa]\ttwo [%]/' runs.tsv > unit_runs.tsv
+  local try=(ensemble.h5 units.tsv --runs unit_runs.tsv --quiet) size
+  for size in "--error 0.3" "--variance 0.1" "--least-size 0.3"; do
+    # shellcheck disable=SC2086  # option and value
+    refuses 65 assimilate "one is in kPa and two in %: one error for both would mean another thing in other units; give --covariance component with an error for each, or --covariance largest with a share, as --error 0.05" \
+      "${try[@]}" $size
+  done
+  exits 0 pf-weight assimilate "${try[@]}" --error 0.3 --observe one
+  exits 0 pf-weight assimilate "${try[@]}" --covariance component --variance 0.1,0.2
+  exits 0 pf-weight assimilate "${try[@]}" --covariance largest --least-size 0.3
+  exits 0 pf-weight assimilate "${try[@]}" --covariance largest --error 0.3
+  local share=$output
+  exits 0 pf-weight assimilate "${try[@]}" --covariance largest --error "30 %"
+  [[ $output == "$share" ]] || show "a share in per cent"
+  refuses 64 assimilate '--error 5: is a share with --covariance largest, and above 1; write 5 per cent as 0.05 or "5 %"' "${try[@]}" --covariance largest --error 5
+  refuses 64 assimilate '--error x %: give a share above 0, as 0.05 or "5 %"' "${try[@]}" --covariance relative --error "x %"
+  refuses 64 assimilate '--error 5 %: give numbers above 0, as 0.1 or 0.1,0.02; a share of the observations goes with --covariance largest' "${try[@]}" --error "5 %"
 }
 
 # two A B: prints the linear model of the examples' runs for one parameter set.

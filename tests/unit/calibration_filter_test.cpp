@@ -152,6 +152,19 @@ TEST(ParticleFilter, ErrorModelsGiveTheVariancesTheyName) {
   EXPECT_LT((variances({largest, {0.1}}, observed).cwiseSqrt() - expected).norm(), 1e-12);
   EXPECT_THROW(variances({component, {0.1}}, observed), DataError);
   EXPECT_THROW(variances({uniform, {0.1, 0.2}}, observed), DataError);
+  // One error for all is refused where it would depend on the units; names and signs of pure numbers are one.
+  const auto taken = [&](const std::string& a, const std::string& b) {
+    observed.observables[0].unit = a;
+    observed.observables[1].unit = b;
+    try {
+      variances({uniform, {0.1}}, observed);
+      return true;
+    } catch (const DataError&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(taken("", "%") && taken("1", "%") && taken("kPa", "kN/m2") && taken("settlement", "settlement"));
+  EXPECT_FALSE(taken("kPa", "MPa") || taken("kPa", "%") || taken("deg", "%") || taken("", "mm"));
 }
 
 TEST(ParticleFilter, ALinearModelHasItsExactPosteriorAndItsTruthInTheIntervals) {

@@ -26,6 +26,24 @@ std::pair<std::string, double> condition(const std::string& text) {
 /// True where the error model is made of variances, false where it is made of relative standard deviations.
 bool squared(const std::string& covariance) { return covariance == "uniform" || covariance == "component"; }
 
+/// Returns the sizes of errors; none if a part is no number above 0. A share may be in per cent.
+std::vector<double> error_sizes(const std::string& text, bool share) {
+  std::vector<double> sizes;
+  for (const std::string& part : parts_of_list(text)) {
+    const bool per_cent = share && part.ends_with('%');
+    const double size = number_of(trimmed(part.substr(0, part.size() - (per_cent ? 1 : 0)))).value_or(NAN);
+    if (!(size > 0 && std::isfinite(size))) return {};
+    sizes.push_back(per_cent ? size / 100 : size);
+  }
+  return sizes;
+}
+
+/// Says how errors are written that are no share.
+std::string squared_words(const std::string& text) {
+  return std::string("numbers above 0, as 0.1 or 0.1,0.02") +
+         (text.find('%') == std::string::npos ? "" : "; a share of the observations goes with --covariance largest");
+}
+
 }  // namespace
 
 void ComparisonOptions::declare(tool::Table& t) {
@@ -36,7 +54,7 @@ void ComparisonOptions::declare(tool::Table& t) {
   t.flag(greatest, "greatest", "compare the greatest values of each run, with a single row of observations");
   t.choice(covariance, "covariance", {"uniform", "component", "relative", "largest"},
            "error's variance: one for all, one each; or a share of each value, or of the greatest");
-  t.option(error, "error", "S[,S...]", "standard deviations, or a relative one");
+  t.option(error, "error", "S[,S...]", "standard deviations, or a share, as 0.05 or \"5 %\"");
   t.option(variance, "variance", "V[,V...]", "variances instead (uniform, component)");
   t.option(least_size, least_size_range);
   t.option(stations, "at", "STATION", "also give densities and covariances here");
@@ -55,9 +73,14 @@ void ComparisonOptions::check(std::vector<std::string>& mistakes) const {
   else if (error.empty() && variance.empty() && covariance == "component")
     mistakes.emplace_back("--covariance component: give --error with a standard deviation for each observable");
   for (const auto& [name, text] : {std::pair{"--error", error}, std::pair{"--variance", variance}}) {
-    const std::vector<double> sizes = numbers_of_list(text);
-    if (!text.empty() && (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) <= 0))
-      mistakes.push_back(fmt::format("{} {}: give numbers above 0, as 0.1 or 0.1,0.02", name, text));
+    const std::vector<double> sizes = error_sizes(text, !squares);
+    if (!text.empty() && sizes.empty())
+      mistakes.push_back(fmt::format("{} {}: give {}", name, text,
+                                     squares ? squared_words(text) : "a share above 0, as 0.05 or \"5 %\""));
+    else if (!squares && !sizes.empty() && *std::max_element(sizes.begin(), sizes.end()) > 1)
+      mistakes.push_back(
+          fmt::format("{} {}: is a share with --covariance {}, and above 1; write 5 per cent as 0.05 or \"5 %\"", name,
+                      text, covariance));
   }
   if (!until.empty() && !std::isfinite(number_of(until.substr(0, until.find_first_of(" %"))).value_or(NAN)))
     mistakes.push_back(fmt::format("--until: {}", no_number(until, "finite number")));
@@ -76,7 +99,7 @@ Choice ComparisonOptions::choice() const {
 
 ErrorModel ComparisonOptions::model() const {
   if (!variance.empty()) return {error_kind(covariance), numbers_of_list(variance)};
-  std::vector<double> sizes = error.empty() ? std::vector<double>{1} : numbers_of_list(error);
+  std::vector<double> sizes = error.empty() ? std::vector<double>{1} : error_sizes(error, !squared(covariance));
   if (squared(covariance))
     for (double& size : sizes) size *= size;
   return {error_kind(covariance), sizes};
