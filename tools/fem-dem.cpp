@@ -16,6 +16,7 @@
 #include "fem/run/run.h"
 #include "fem/run/scenario.h"
 #include "fem/run/tables.h"
+#include "fem/run/timing.h"
 #include "files/exchange/state_choice.h"
 #include "files/exchange/table.h"
 #include "files/exchange/table_output.h"
@@ -110,7 +111,7 @@ struct FemDem {
     const fem::Ranks ranks;
     Doubts doubts = ranks.first() ? Doubts("fem-dem") : Doubts();
     doubts.add_all(plan.doubts);
-    if (check) return io::write_bytes("-", fem::forecast(plan, states));
+    if (check) return io::write_bytes("-", fem::forecast(plan, states, doubts));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     const io::History history = io::with_doubts(io::extend(sources, invocation, plan.resolved), doubts);
@@ -118,10 +119,11 @@ struct FemDem {
     std::optional<io::SafeOutput> safe;
     if (ranks.first()) safe.emplace(output, history, invocation);
     if (ranks.told(std::int64_t{safe && safe->finished(progress)}) != 0) return;
+    progress.note("fem-dem: the mesh is " + fem::extent_text(plan.model.soil.mesh));
     const fem::Outcome outcome =
-        fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks);
+        fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks, doubts);
     if (!safe) return;
-    safe->write([&] { io::write_multiscale(output, outcome.file, history); });
+    safe->write([&] { io::write_multiscale(output, outcome.file, io::with_doubts(history, doubts)); });
     if (output != "-") progress.note("fem-dem: " + outcome.cost);
   }
 

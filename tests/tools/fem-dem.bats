@@ -71,6 +71,17 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
     END { exit !(w > 0 && e < 0.01 * w && e > -0.01 * w) }' <<< "$output"
 }
 
+@test "a mesh in mm is told by its extent and by a run that is too short for it" {
+  exits 0 fem-dem --check elastic.toml
+  [[ $output == *" points, 0.6 m by 0.3 m"* && $stderr != *doubt* ]] || show
+  exits 0 fem-dem elastic.toml --set time.duration=0.001 -o short.h5
+  [[ $stderr == *"fem-dem: the mesh is 0.6 m by 0.3 m"* ]] || show
+  [[ $stderr == *"fem-dem: doubt: the mesh is 0.6 m by 0.3 m, and an elastic wave of 46.1 m/s takes 0.0065 s along its shorter side, but the run ends after 0.001 s: no load gets through the soil; "* ]] || show
+  [[ $stderr == *"fem-dem: doubt: the run has "*" steps of "*", fewer than 30: no response develops; "* ]] || show
+  to-vtk --history short.h5 > history
+  [[ $(grep -c "  doubt: wave: \|  doubt: few_steps: " history) -eq 2 ]] || show "not in the file"
+}
+
 @test "a run ends at its duration, whatever its interval" {
   fem-dem --quiet elastic.toml --set time.output_interval=5 -o once.h5
   exits 0 fem-dem --table series --columns time once.h5

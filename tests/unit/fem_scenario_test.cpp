@@ -89,6 +89,28 @@ TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
   EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
 }
 
+std::vector<std::string> timing(const std::vector<std::string>& overrides) {
+  Doubts doubts;
+  const std::string text = forecast(scenario(footing + load, overrides), {}, doubts);
+  EXPECT_NE(text.find(" points, "), std::string::npos) << text;
+  std::vector<std::string> keys;
+  for (const Doubt& doubt : doubts.all()) keys.push_back(doubt.key);
+  return keys;
+}
+
+TEST(Scenario, DoubtsADurationInWhichNoLoadGetsThroughTheSoil) {
+  // E = 10 MPa, nu = 0.25 and 2000 kg/m3: compression waves have 77.5 m/s.
+  EXPECT_EQ(timing({}), Keys{});
+  EXPECT_EQ(timing({"time.duration=0.012", "time.step=1e-4"}), Keys{"wave"});
+  EXPECT_EQ(timing({"time.duration=0.014", "time.step=1e-4"}), Keys{});
+  EXPECT_EQ(timing({"mesh.width=1000", "mesh.height=1000"}), (Keys{"wave", "few_steps"})) << "a mesh in mm";
+  EXPECT_EQ(timing({"mesh.width=1000", "mesh.height=1000", "quasi_static.soil_damping=100"}), Keys{})
+      << "comes to rest at its outputs";
+  Doubts doubts;
+  EXPECT_NE(forecast(scenario(footing + load, {"mesh.width=1000"}), {}, doubts).find(" points, 1000 m by 1 m\n"),
+            std::string::npos);
+}
+
 TEST(Scenario, RefusesToRecordTheGrainsOfAContinuum) {
   refused(footing + load + "[record]\npoints = [1]\n", "record.points: names points whose grains are recorded");
   EXPECT_NO_THROW(scenario(footing + load + "[record]\npoints = []\n"));
@@ -96,7 +118,8 @@ TEST(Scenario, RefusesToRecordTheGrainsOfAContinuum) {
 
 std::vector<double> times(const std::vector<std::string>& overrides) {
   const Ranks ranks;
-  return run(scenario(footing + load, overrides), {}, nullptr, {}, {}, ranks).file.series.at("time").values;
+  Doubts doubts;
+  return run(scenario(footing + load, overrides), {}, nullptr, {}, {}, ranks, doubts).file.series.at("time").values;
 }
 
 TEST(Scenario, RunsForItsDurationWithAShorterLastInterval) {

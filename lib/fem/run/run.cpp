@@ -16,6 +16,7 @@
 #include "dem/run/checkpoint.h"
 #include "dem/run/forecast.h"
 #include "fem/run/record.h"
+#include "fem/run/timing.h"
 
 namespace soilweave::fem {
 namespace {
@@ -68,7 +69,7 @@ class Timetable {
 class Runner {
  public:
   Runner(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
-         const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks)
+         const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks, Doubts& doubts)
       : scenario_(scenario),
         ranks_(ranks),
         report_(report),
@@ -77,6 +78,7 @@ class Runner {
         model_(with_packings(scenario, packings), &ranks),
         timetable_(scenario, model_.time_step()) {
     file_.scenario = scenario.resolved;
+    doubts.add_all(timing_doubts(scenario, model_, timetable_.steps()));
     std::optional<io::Checkpoint> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
     go_on(std::move(last));
     start_steps_ = grain_work(model_).steps;
@@ -266,23 +268,24 @@ class Runner {
 }  // namespace
 
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
-            const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks) {
-  Runner runner(scenario, packings, report, safekeeping, history, ranks);
+            const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks, Doubts& doubts) {
+  Runner runner(scenario, packings, report, safekeeping, history, ranks, doubts);
   return dem::carry_out<true>(runner, safekeeping.part);
 }
 
-std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings) {
+std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings, Doubts& doubts) {
   constexpr double tried_seconds = 3;  // a step of the soil is many of the grains
   Model model(with_packings(scenario, packings));
   const double dt = model.time_step();
   const Timetable timetable(scenario, dt);
   const std::int64_t steps = timetable.steps();
+  doubts.add_all(timing_doubts(scenario, model, steps));
   const Mesh& mesh = model.soil().mesh();
   std::string text = fmt::format(
-      "{} nodes, {} elements of the shape {}, {} points\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, {} "
-      "outputs\n",
-      mesh.nodes.size(), mesh.elements.size(), name_of(mesh.shape), model.points().size(), dt, model.stable_time_step(),
-      steps, timetable.outputs());
+      "{} nodes, {} elements of the shape {}, {} points, {}\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, "
+      "{} outputs\n",
+      mesh.nodes.size(), mesh.elements.size(), name_of(mesh.shape), model.points().size(), extent_text(mesh), dt,
+      model.stable_time_step(), steps, timetable.outputs());
   const std::size_t grains = model.points().front()->grains();
   if (grains > 0)
     text +=
