@@ -89,6 +89,57 @@ TEST(Scenario, RefusesSupportsThatContradictEachOtherByTheLineOfTheLater) {
   EXPECT_NO_THROW(scenario(footing + load + "[[support]]\non = \"right\"\nx = 0\n"));
 }
 
+const std::vector<std::string> sand = {"soil.material=\"mohr-coulomb\"", "soil.friction_angle=30"};
+
+std::vector<std::string> with(std::vector<std::string> overrides, const std::vector<std::string>& more) {
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return overrides;
+}
+
+TEST(Scenario, DoubtsFrictionAnglesInRadians) {
+  EXPECT_EQ(doubts(footing + load, sand), Keys{});
+  EXPECT_EQ(doubts(footing + load, with(sand, {"soil.friction_angle=0.52"})), Keys{"friction"});
+  EXPECT_EQ(scenario(footing + load, with(sand, {"soil.friction_angle=0.52"})).doubts[0].sentence,
+            "a friction angle of 0.52 degrees is next to none; if radians are meant, write 29.79");
+}
+
+TEST(Scenario, RefusesInitialStressOutsideOfTheFailureSurface) {
+  const auto stress = [](const std::string& stress, const std::string& cohesion = "0") {
+    return scenario(footing + load, with(sand, {"soil.initial_stress=" + stress, "soil.cohesion=" + cohesion}));
+  };
+  // K_p is 3 at 30 degrees, and 2 c sqrt(K_p) is 34.64 kPa for a cohesion of 10 kPa.
+  EXPECT_NO_THROW(stress("[100e3, 300e3, 100e3]"));
+  EXPECT_NO_THROW(stress("[100e3, 334e3, 100e3]", "10e3"));
+  EXPECT_NO_THROW(stress("[-17e3, -17e3, -17e3]", "10e3"));
+  expect_error<DataError>([&] { stress("[100e3, 500e3, 300e3]"); },
+                          "soil.initial_stress: has 500 kPa beside 100 kPa, outside of the failure surface: a friction "
+                          "angle of 30 deg and a cohesion of 0 kPa bear 300 kPa there; give stresses closer to each "
+                          "other, or a stronger soil");
+  expect_error<DataError>([&] { stress("[100e3, 336e3, 100e3]", "10e3"); }, "bear 334.6 kPa there");
+  expect_error<DataError>([&] { stress("[-10e3, -10e3, -10e3]"); },
+                          "soil.initial_stress: has a tension of 10 kPa, and a friction angle of 30 deg and a cohesion "
+                          "of 0 kPa bear 0 kPa; compression is positive: give stresses that the soil bears, or more "
+                          "cohesion");
+  expect_error<DataError>([&] { stress("[0, 0, -18e3]", "10e3"); }, "bear 17.32 kPa");
+}
+
+TEST(Scenario, DoubtsTractionsThatPullSoilWithoutTension) {
+  const std::string pull = "[[traction]]\non = \"top\"\ny = 1000\n";
+  EXPECT_EQ(doubts(footing + pull), Keys{}) << "an elastic soil bears tension";
+  EXPECT_EQ(doubts(footing + pull, with(sand, {"soil.cohesion=1000"})), Keys{});
+  EXPECT_EQ(doubts(footing + pull, sand), Keys{"traction_pulls"});
+  EXPECT_EQ(scenario(footing + pull, sand).doubts[0].sentence,
+            "the traction on \"top\" pulls the soil by 1 kPa, and it bears 0 kPa: it is torn apart; change the sign "
+            "where a pressure is meant");
+  EXPECT_EQ(doubts(footing + "[[traction]]\non = \"right\"\nx = 10\n", sand), Keys{"traction_pulls"});
+  EXPECT_EQ(doubts(footing + "[[traction]]\non = \"left\"\nx = 10\n", sand), Keys{}) << "pushes";
+  EXPECT_EQ(doubts(footing + "[[traction]]\non = \"top\"\nx = 10\n", sand), Keys{}) << "shears";
+  EXPECT_EQ(doubts(footing + load + pull, sand), Keys{}) << "both add up to nothing";
+  const std::string grains =
+      "[contact]\nlaw = \"linear\"\nyoung_modulus = 1e9\nstiffness_ratio = 0.2\nfriction_angle = 16\n";
+  EXPECT_EQ(doubts(footing + pull + grains, {"soil.material=\"grains\""}), Keys{"traction_pulls"});
+}
+
 std::vector<std::string> timing(const std::vector<std::string>& overrides) {
   Doubts doubts;
   const std::string text = forecast(scenario(footing + load, overrides), {}, doubts);

@@ -12,6 +12,7 @@
 
 #include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
+#include "core/text/units.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -86,7 +87,10 @@ std::vector<Doubt> friction_doubts(const dem::Scenario& scenario) {
   for (const dem::Stage& stage : scenario.stages)
     for (const std::optional<double>& angle : {stage.friction, stage.plate_friction})
       if (angle) angles.push_back(*angle);
-  constexpr double degree = std::numbers::pi / 180;
+  return radian_doubts(angles);
+}
+
+std::vector<Doubt> radian_doubts(const std::vector<double>& angles) {
   for (const double angle : angles)
     if (angle > 0 && angle < std::numbers::pi / 2 * degree)
       return {{"friction",

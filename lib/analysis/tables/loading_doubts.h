@@ -14,7 +14,11 @@ namespace soilweave::analysis {
 /// a tenth from what acts there before. Not judged are ramps, and stresses that the stage before leaves open.
 std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& scenario);
 
-/// Returns "friction" if a friction angle is above 0 and below pi/2 degrees, as an angle in radians would be.
+/// Returns "friction" if one of these friction angles, rad, is above 0 and below pi/2 degrees, as an angle given in
+/// radians would be.
+std::vector<Doubt> radian_doubts(const std::vector<double>& angles);
+
+/// Returns radian_doubts() of all materials and stages.
 std::vector<Doubt> friction_doubts(const dem::Scenario& scenario);
 
 /// Returns "soft" if contacts overlap by more than a twentieth of the mean radius in the mean.

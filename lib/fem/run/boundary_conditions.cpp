@@ -6,11 +6,14 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/error.h"
+#include "dem/contact/laws/linear_adhesion.h"
 
 namespace soilweave::fem {
 namespace {
@@ -119,6 +122,42 @@ void doubt_free(const SoilSetup& soil, const std::vector<HeldNode>& held, std::v
     }
 }
 
+/// Returns the tension that the soil bears from all sides, Pa; nothing where the scenario does not tell.
+std::optional<double> tensile_strength(const ModelSetup& setup) {
+  if (setup.law) {
+    if (!setup.law->friction_angle) return std::nullopt;
+    return setup.law->cohesion / std::tan(*setup.law->friction_angle);
+  }
+  if (setup.grains.model.materials.are<dem::LinearAdhesion::Material>()) return std::nullopt;
+  return 0;
+}
+
+void doubt_pulled(const ModelSetup& setup, std::vector<Doubt>& doubts) {
+  const std::optional<double> strength = tensile_strength(setup);
+  if (!strength) return;
+  const SoilSetup& soil = setup.soil;
+  // Tractions on one edge add up, also from boundaries that overlap.
+  std::map<std::array<Index, 2>, Vec2> of_edge;
+  for (const Traction& t : soil.tractions)
+    for (const auto& edge : soil.mesh.boundary_with_edges(t.boundary).ends)
+      of_edge.try_emplace(edge, Vec2::Zero()).first->second += t.value;
+  for (const Traction& t : soil.tractions) {
+    double pull = 0, length = 0;
+    for (const auto& edge : soil.mesh.boundary_with_edges(t.boundary).ends) {
+      const Vec2 along = soil.mesh.nodes[edge[1]] - soil.mesh.nodes[edge[0]];
+      pull += of_edge.at(edge).dot(Vec2(along[1], -along[0]));  // the soil lies to the left of its boundary
+      length += along.norm();
+    }
+    // A round boundary under a constant traction has a mean of zero but for rounding.
+    if (!(pull / length > *strength + 1e-9 * t.value.norm())) continue;
+    doubts.push_back(
+        {"traction_pulls", fmt::format("the traction on \"{}\" pulls the soil by {:.4g} kPa, and it bears {:.4g} kPa: "
+                                       "it is torn apart; change the sign where a pressure is meant",
+                                       t.boundary, pull / length / 1e3, *strength / 1e3)});
+    return;
+  }
+}
+
 bool stands_still(const Support& s) {
   return s.x.value_or(0) == 0 && s.y.value_or(0) == 0 && (!s.gradient || s.gradient->isZero(0));
 }
@@ -135,6 +174,7 @@ std::vector<Doubt> loading_doubts(const ModelSetup& setup) {
   const std::vector<HeldNode> held = held_nodes(soil.mesh, soil.supports);
   std::vector<Doubt> doubts;
   doubt_carried(soil, held, doubts);
+  doubt_pulled(setup, doubts);
   if (setup.bars) return doubts;  // the chain or its guides may hold and load the soil
   doubt_free(soil, held, doubts);
   const auto zero = [](const Traction& t) { return t.value.isZero(0); };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/tables/loading_doubts.h"
 #include "core/error.h"
 #include "core/text/units.h"
 #include "dem/run/scenario.h"
@@ -96,6 +97,28 @@ Mesh take_mesh(Settings& table, Mesh mesh) {
   return mesh;
 }
 
+/// Notes a mistake if the initial stress of a Mohr-Coulomb soil lies outside of its failure surface.
+void check_initial_stress(Settings& soil, const ContinuumLaw& law) {
+  if (!(*law.friction_angle > 0)) return;  // a mistake already
+  const Vec3 pressure = -law.initial_stress;
+  const double least = pressure.minCoeff(), greatest = pressure.maxCoeff(), sine = std::sin(*law.friction_angle);
+  const double ratio = (1 + sine) / (1 - sine), tension = law.cohesion / std::tan(*law.friction_angle);
+  const double borne = ratio * least + 2 * law.cohesion * std::sqrt(ratio);
+  const double slack = 1e-6 * pressure.cwiseAbs().maxCoeff();  // of stresses on the surface, given in few digits
+  const std::string strength = fmt::format("a friction angle of {:.4g} deg and a cohesion of {:.4g} kPa",
+                                           *law.friction_angle / degree, law.cohesion / 1e3);
+  if (least < -tension - slack)
+    soil.mistake("initial_stress", fmt::format("has a tension of {:.4g} kPa, and {} bear {:.4g} kPa; compression is "
+                                               "positive: give stresses that the soil bears, or more cohesion",
+                                               -least / 1e3, strength, tension / 1e3));
+  else if (greatest > borne + slack)
+    soil.mistake(
+        "initial_stress",
+        fmt::format("has {:.4g} kPa beside {:.4g} kPa, outside of the failure surface: {} bear {:.4g} kPa there; "
+                    "give stresses closer to each other, or a stronger soil",
+                    greatest / 1e3, least / 1e3, strength, borne / 1e3));
+}
+
 ContinuumLaw read_law(Settings& soil, bool limited) {
   static constexpr Parameter young{"young_modulus", "Pa", 0, 1e13, true, "Young's modulus of the soil"};
   static constexpr Parameter poisson{"poisson_ratio",
@@ -120,6 +143,7 @@ ContinuumLaw read_law(Settings& soil, bool limited) {
   law.dilation_angle = soil.number(dilation, 0) * degree;
   if (law.dilation_angle > *law.friction_angle)
     soil.mistake("dilation_angle", "is above friction_angle: the soil would make energy");
+  check_initial_stress(soil, law);
   return law;
 }
 
@@ -279,6 +303,16 @@ std::optional<QuasiStatic> read_quasi_static(Settings& document) {
   return q;
 }
 
+/// Returns the friction angles of the soil, its grains and its contact with the geosynthetic, rad.
+std::vector<double> friction_angles(const ModelSetup& m) {
+  std::vector<double> angles;
+  if (m.law && m.law->friction_angle) angles.push_back(*m.law->friction_angle);
+  for (std::size_t k = 0; !m.law && k < m.grains.model.materials.size(); ++k)
+    angles.push_back(m.grains.model.materials.at(k).friction_angle);
+  if (m.bars) angles.push_back(m.bars->touch.friction_angle);
+  return angles;
+}
+
 }  // namespace
 
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
@@ -318,6 +352,7 @@ Scenario read_scenario(Settings& document, std::optional<Mesh> mesh) {
   document.finish();
   s.doubts = s.model.soil.mesh.doubts;
   for (Doubt& doubt : loading_doubts(s.model)) s.doubts.push_back(std::move(doubt));
+  for (Doubt& doubt : analysis::radian_doubts(friction_angles(s.model))) s.doubts.push_back(std::move(doubt));
   s.resolved = document.resolved();
   return s;
 }
