@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "analysis/measure/volume_of_interest.h"
 #include "analysis/tables/doubts.h"
+#include "analysis/tables/material_doubts.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -67,6 +69,7 @@ struct FilterExpand {
     sources.insert(sources.end(), what.sources.begin(), what.sources.end());
     const io::History past = io::extend(sources, invocation, what.resolved);
     Doubts doubts(invocation.tool);
+    doubts.add_all(analysis::material_doubts(start, what.model, what.numerics.gravity));
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
@@ -109,6 +112,7 @@ struct FilterExpand {
                   const tool::Invocation& invocation) const {
     const packing::Surrounded cell = packing::surround(reinforced.state, *what.surround, what.density);
     dem::described(cell.state, what.model);
+    const std::vector<Doubt> about = analysis::material_doubts(cell.state, what.model, what.numerics.gravity);
     Progress progress("filter-expand", invocation.quiet);
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
     std::vector<io::Source> sources = {reinforced.source, text};
@@ -119,13 +123,19 @@ struct FilterExpand {
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) {
       demand_history();
-      // Its last record tells what a finished cell missed.
-      return demand_met(io::read_history(output).back().doubts, *what.surround);
+      // Its last record tells what a finished cell missed, beside the doubts about its materials.
+      std::vector<Doubt> missed = io::read_history(output).back().doubts;
+      std::erase_if(missed, [&](const Doubt& doubt) { return std::ranges::find(about, doubt) != about.end(); });
+      return demand_met(missed, *what.surround);
     }
     packing::CompactedCell done = packing::compact_around(cell, *what.surround, what.model, what.numerics, report,
                                                           {safe.part(), interval, &signals});
+    Doubts said(invocation.tool);
+    said.add_all(about);
     // An error says by itself what was missed.
-    Doubts doubts = what.surround->missed_is_error ? Doubts() : Doubts(invocation.tool);
+    if (!what.surround->missed_is_error) said.add_all(done.missed);
+    Doubts doubts;
+    doubts.add_all(about);
     doubts.add_all(done.missed);
     if (!history.empty()) io::write_bytes(history, io::to_tsv(packing::table(done)));
     done.result.cost.output +=

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "analysis/tables/material_doubts.h"
 #include "support/assembly.h"
 
 namespace soilweave {
@@ -55,6 +56,36 @@ TEST(DoubtsOfLoading, StressThatChangesWhileAStageStrains) {
   io::Snapshot open = start;
   open.cell.periodic = {false, false, false};
   EXPECT_TRUE(analysis::jump_doubts(open, plan(triaxial)).empty());
+}
+
+TEST(DoubtsOfLoading, WeightsOfScaledDensity) {
+  io::Snapshot state = simple_cubic(2, Vec3(1, 1, 1));  // radii are 0.5
+  const auto of = [&](double density, const Vec3& gravity) {
+    for (double& m : state.grains.mass) m = density * 0.5235987755982988;
+    return only(analysis::weight_doubts(state, gravity));
+  };
+  const Vec3 down(0, 0, -9.81);
+  EXPECT_EQ(of(2650e3, Vec3::Zero()), "");
+  EXPECT_NE(of(2650e3, down).find("weigh 1e+03 times what sand of 2650 kg/m3 does: write grains.density = 2650"),
+            std::string::npos);
+  EXPECT_EQ(of(2650, down), "") << "the remedy works";
+  EXPECT_EQ(of(7850, down), "") << "steel";
+  EXPECT_NE(of(2.65, down), "") << "g/cm3";
+}
+
+TEST(DoubtsOfLoading, AdhesionAcrossWideGaps) {
+  const io::Snapshot state = simple_cubic(2, Vec3(1, 1, 1));  // radii are 0.5
+  const auto of = [&](const std::string& range) {
+    return only(analysis::range_doubts(
+        state, dem::read_scenario("[contact]\nlaw = \"linear-adhesion\"\nyoung_modulus = 1e9\nstiffness_ratio = 0.1\n"
+                                  "friction_angle = 30\nwork_of_adhesion = 0.1\nadhesion_range = " +
+                                      range + "\n" + isotropic("1"),
+                                  "test.toml", {})
+                   .model));
+  };
+  EXPECT_NE(of("0.4").find("0.8 times the grains' mean radius"), std::string::npos);
+  EXPECT_EQ(of("0.05"), "");
+  EXPECT_TRUE(analysis::range_doubts(state, plan(isotropic("1")).model).empty());
 }
 
 TEST(DoubtsOfLoading, FrictionAnglesInRadians) {

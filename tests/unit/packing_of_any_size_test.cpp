@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "analysis/tables/material_doubts.h"
 #include "core/error.h"
 #include "dem/contact/laws/hertz_mindlin.h"
 #include "dem/state/bodies.h"
@@ -196,13 +197,24 @@ TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
 }
 
 TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {
-  EXPECT_FALSE(stiffness_doubt(testing::sand(), thesis_radius));
-  EXPECT_FALSE(stiffness_doubt(testing::linear_sand(), 1e-4));
-  const auto doubt = stiffness_doubt(testing::sand(), 1e-4);
-  ASSERT_TRUE(doubt);
-  const double fit = number_after("write ", doubt->sentence);
+  // Returns the first doubt about the stiffness of these grains; "" without one.
+  const auto said = [](const dem::Model& model, const io::Snapshot& grains) {
+    const std::vector<Doubt> doubts = analysis::stiffness_doubts(grains, model);
+    return doubts.empty() ? "" : doubts.front().sentence;
+  };
+  const io::Snapshot thesis = sparse(100), small = scaled(thesis, 1e-4 / mean_radius(thesis));
+  EXPECT_EQ(said(testing::sand(), thesis), "");
+  EXPECT_EQ(said(testing::linear_sand(), small), "");
+  const std::string doubt = said(testing::sand(), small);
+  const double fit = number_after("write ", doubt);
   EXPECT_NEAR(fit, default_rotational_stiffness(1e-4), 0.01 * fit);
-  EXPECT_FALSE(stiffness_doubt(sand_with_moments(fit), 1e-4));
+  EXPECT_EQ(said(sand_with_moments(fit), small), "");
+  EXPECT_NE(said(sand_with_moments(1e6), thesis).find("rolling and twisting stiffness 1e+06 N m/rad"),
+            std::string::npos);
+  // Nodes do not rotate, so that their stiffness does not matter.
+  io::Snapshot nodes = small;
+  for (std::int32_t k = 0; k + 1 < 100; ++k) nodes.yarns.nodes.push_back({k, k + 1});
+  EXPECT_EQ(said(testing::sand(), nodes), "");
 }
 
 TEST(Doubtful, AGradingWhoseCoarseHalfHasNoGrainsIsDoubtedWithTheNumberThatHasThem) {
@@ -227,7 +239,8 @@ TEST(Doubtful, RattlersCoordinationAndCellAreSaid) {
     loose.grains.body_id.push_back(static_cast<std::int64_t>(half + i));
   }
   std::string keys;
-  for (const Doubt& doubt : doubts_about(loose, testing::sand(), std::nullopt)) keys += doubt.key + " ";
+  const Contacts contacts(default_material(1e-4), "default material");
+  for (const Doubt& doubt : doubts_about(loose, contacts, std::nullopt)) keys += doubt.key + " ";
   EXPECT_EQ(keys.find("rattlers coordination cell "), 0u) << keys;
 }
 

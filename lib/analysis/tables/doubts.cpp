@@ -15,6 +15,7 @@
 #include "analysis/measure/tessellation.h"
 #include "analysis/tables/bag.h"
 #include "analysis/tables/loading_doubts.h"
+#include "analysis/tables/material_doubts.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/contact_sweep.h"
 
@@ -197,7 +198,8 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
 
 // Doubts that input and scenario give alone, before a run and after it.
 std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario) {
-  std::vector<Doubt> doubts = friction_doubts(scenario);
+  std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
+  append(doubts, friction_doubts(scenario));
   append(doubts, jump_doubts(start, scenario));
   append(doubts, history_doubts(start, scenario));
   return doubts;

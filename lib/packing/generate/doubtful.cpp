@@ -11,14 +11,11 @@
 #include "analysis/measure/soundness.h"
 #include "analysis/measure/tessellation.h"
 #include "analysis/measure/volume_of_interest.h"
-#include "core/error.h"
+#include "analysis/tables/material_doubts.h"
 
 namespace soilweave::packing {
 namespace {
 
-// Factor beyond which a stiffness, larger or smaller than the thesis's, means another soil.
-constexpr double far_off = 10;
-constexpr double thesis_modulus = 4e9;  // thesis Table 3.1, Pa
 constexpr analysis::SoundLimits limits = analysis::made_packing;
 constexpr double most_overlap = 0.05;            // mean overlap over the mean radius
 constexpr double median_error = 0.1;             // share of the median diameter by mass
@@ -58,21 +55,6 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
 
 }  // namespace
 
-std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius) {
-  const dem::CommonMaterial m = model.materials.at(0);
-  const double fit = default_rotational_stiffness(mean_radius) * m.modulus / thesis_modulus;
-  for (const auto& [resistance, name] : {std::pair(m.rolling, "rolling"), std::pair(m.twisting, "twisting")}) {
-    if (resistance.scale != dem::Resistance::Scale::absolute || resistance.stiffness == 0) continue;
-    const double ratio = resistance.stiffness / fit;
-    if (ratio <= far_off && ratio >= 1 / far_off) continue;
-    return Doubt{"stiffness",
-                 fmt::format("{} stiffness {:.3g} N m/rad is {:.2g} times what belongs to grains of {:.3g} mm mean "
-                             "radius: write {:.3g} N m/rad, or scale = \"contact\", which is the same at any size",
-                             name, resistance.stiffness, ratio, 1e3 * mean_radius, fit)};
-  }
-  return std::nullopt;
-}
-
 std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains) {
   const double ratio = median_ratio(room, grains);
   if (std::abs(ratio - 1) <= median_error) return std::nullopt;
@@ -105,9 +87,8 @@ std::optional<Doubt> cell_doubt(const io::Snapshot& state) {
                            void_ratio, loosest, state.cell.matrix(0, 0), mean_radius(state))};
 }
 
-std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room) {
-  std::vector<Doubt> doubts;
-  if (auto doubt = stiffness_doubt(model, mean_radius(state))) doubts.push_back(*doubt);
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room) {
+  std::vector<Doubt> doubts = analysis::material_doubts(state, contacts.model, contacts.numerics.gravity);
   if (auto doubt = room ? grading_doubt(*room, state.grains.size()) : std::nullopt) doubts.push_back(*doubt);
   const analysis::Coordination c = analysis::coordination(state);
   const double rattlers = analysis::rattler_share(state, c.rattlers);

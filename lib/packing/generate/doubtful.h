@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "core/doubts.h"
-#include "dem/contact/model.h"
 #include "files/records.h"
 #include "packing/generate/standard.h"
 
 namespace soilweave::packing {
-
-/// Returns a doubt if the rolling or twisting stiffness of the first material is far from 1.26e-3 E R^3, that of the
-/// thesis's grains: over ten times or below a tenth. mean_radius: R, m.
-std::optional<Doubt> stiffness_doubt(const dem::Model& model, double mean_radius);
 
 /// Returns a doubt if the median diameter by mass of n grains is far from the curve's. A coarse tail of few, heavy
 /// grains needs many grains.
@@ -26,8 +21,8 @@ std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest);
 /// Returns a doubt if a periodic cell is so loose that it and its grains seem to have different units of length.
 std::optional<Doubt> cell_doubt(const io::Snapshot& state);
 
-/// Returns doubts about a packing at rest under an isotropic pressure: the two above, rattlers, a coordination number
-/// below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
-std::vector<Doubt> doubts_about(const io::Snapshot& state, const dem::Model& model, const std::optional<Room>& room);
+/// Returns doubts about a packing at rest under an isotropic pressure: its materials, its grading, rattlers, a
+/// coordination number below 3, the cell's width, q/p, overlap. room: curve and cell of a new packing.
+std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& contacts, const std::optional<Room>& room);
 
 }  // namespace soilweave::packing

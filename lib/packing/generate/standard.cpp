@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/text/text.h"
+#include "dem/contact/thesis_soil.h"
 #include "dem/run/scenario.h"
 #include "dem/state/bodies.h"
 #include "packing/generate/cloud.h"
@@ -17,11 +18,8 @@
 namespace soilweave::packing {
 namespace {
 
-// Mean radius of the thesis's representative volume of 1000 grains of Toyoura sand, m (Grading::toyoura at a solid
-// volume of 1.169e-7 m3 per grain).
-constexpr double thesis_radius = 2.95335e-3;
-// Thesis Table 3.1, N m/rad, and half of its last digit.
-constexpr double thesis_stiffness = 0.13, last_digit = 0.005;
+// Half of the last digit of the thesis's stiffness, N m/rad.
+constexpr double last_digit = 0.005;
 // Rate of the thesis's grains of scaled density, 1/s, at which the packings of its studies were made.
 constexpr double thesis_rate = 1;
 // Solid volume per grain, m3, of the thesis's representative volume of 1000 grains: 46.2202 x 46.1205 x 92.1203 mm at a
@@ -38,8 +36,8 @@ constexpr double narrowest = 1 / 0.495;
 
 // Returns (R/R0)^3, and exactly 1 if 0.13 N m/rad keeps its two digits.
 double cube_ratio(double mean_radius) {
-  const double ratio = std::pow(mean_radius / thesis_radius, 3);
-  return std::abs(ratio - 1) < last_digit / thesis_stiffness ? 1 : ratio;
+  const double ratio = std::pow(mean_radius / dem::thesis_radius, 3);
+  return std::abs(ratio - 1) < last_digit / dem::thesis_rotational_stiffness ? 1 : ratio;
 }
 
 }  // namespace
@@ -50,7 +48,9 @@ double mean_radius(const io::Snapshot& state) {
   return sum / static_cast<double>(state.grains.size());
 }
 
-double default_rotational_stiffness(double mean_radius) { return thesis_stiffness * cube_ratio(mean_radius); }
+double default_rotational_stiffness(double mean_radius) {
+  return dem::thesis_rotational_stiffness * cube_ratio(mean_radius);
+}
 
 double default_rate(double mean_radius) { return thesis_rate / std::cbrt(cube_ratio(mean_radius)); }
 

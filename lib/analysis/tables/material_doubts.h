@@ -1,0 +1,28 @@
+// Doubts about materials that do not belong to the grains they are given to.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/doubts.h"
+#include "dem/contact/model.h"
+#include "files/records.h"
+
+namespace soilweave::analysis {
+
+/// Returns "stiffness" for each material whose absolute rolling or twisting stiffness is far from 1.26e-3 E R^3, that
+/// of the thesis's grains: over ten times or below a tenth. R is the mean radius of the material's grains. Nodes of
+/// geotextiles do not rotate and are left out.
+std::vector<Doubt> stiffness_doubts(const io::Snapshot& state, const dem::Model& model);
+
+/// Returns "range" if contacts act across gaps of more than a tenth of the grains' mean radius.
+std::vector<Doubt> range_doubts(const io::Snapshot& state, const dem::Model& model);
+
+/// Returns "weight" if gravity acts, m/s2, on grains or nodes of a density that no such body has: grains below 500 or
+/// above 20,000 kg/m3, nodes above it.
+std::vector<Doubt> weight_doubts(const io::Snapshot& state, const Vec3& gravity);
+
+/// Returns all doubts about materials of grains in this state.
+std::vector<Doubt> material_doubts(const io::Snapshot& state, const dem::Model& model, const Vec3& gravity);
+
+}  // namespace soilweave::analysis
