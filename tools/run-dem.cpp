@@ -69,9 +69,10 @@ struct RunDem {
     const std::vector<Doubt> moved = analysis::moved_plane_doubts(start.state, state, plan);
     if (check) {
       doubts.add_all(moved);
-      io::write_bytes("-", dem::forecast(state, plan).text());
+      const dem::Forecast ahead = dem::forecast(state, plan);
+      io::write_bytes("-", ahead.text());
       doubts.add_all(dem::plate_doubts(state, plan));
-      return doubts.add_all(analysis::doubts_before(state, plan));
+      return doubts.add_all(analysis::doubts_before(state, plan, ahead.begun));
     }
     Progress progress("run-dem", invocation.quiet);
     const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };

@@ -63,6 +63,26 @@ setup() {
   [[ $stderr == "run-dem: out.h5 is finished already" ]] || show
 }
 
+@test "a run that begins at another stress than its packing has is doubted, with the cause" {
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > undrained.toml << 'TOML'
+[[stage]]
+path = "constant-volume"
+axial_strain = 0.0002
+increment = 0.0001
+TOML
+  local words="run-dem: doubt: the run begins at a mean stress of "
+  exits 0 run-dem --check packing.h5 undrained.toml --perturb 1e-4
+  [[ $stderr != *"$words"* ]] || show "such twins are fine"
+  exits 0 run-dem --check packing.h5 undrained.toml --perturb 0.01
+  [[ $stderr == *"$words"*"take a --perturb of 1e-4 or less"* ]] || show
+  exits 0 run-dem --check packing.h5 undrained.toml --set contact.young_modulus=70e9
+  [[ $stderr == *"$words"*"the packing's file has 100: the scenario has another law, stiffness or friction"* ]] || show
+  exits 0 run-dem --quiet packing.h5 undrained.toml --set contact.young_modulus=70e9 -o stiff.h5
+  [[ $stderr == *"$words"* ]] || show "wanted it after the run too"
+  exits 0 run-dem --check packing.h5 short.toml --set contact.young_modulus=70e9
+  [[ $stderr != *"$words"* ]] || show "its first stage brings it to its stress"
+}
+
 # shellcheck disable=SC2030  # each test is a shell of its own
 @test "packings whose material numbers nothing describes are refused by every tool that steps them" {
   "$PYTHON" - << 'PY'

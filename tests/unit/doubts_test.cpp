@@ -167,7 +167,7 @@ TEST(DoubtsOfRuns, InertialNumberWithTheRateThatWouldDo) {
         "confining_pressure = 1e5\naxial_strain = 0.1\nrate = " +
             rate + "\n",
         "test.toml", {});
-    return sentence_of(analysis::doubts_before(start, plan), "inertia");
+    return sentence_of(analysis::doubts_before(start, plan, start), "inertia");
   };
   const std::string said = of("0.1");
   EXPECT_NE(said.find("stage \"shear\" at 0.1 1/s: inertial number 4.4e-04"), std::string::npos) << said;

@@ -58,6 +58,46 @@ TEST(DoubtsOfLoading, StressThatChangesWhileAStageStrains) {
   EXPECT_TRUE(analysis::jump_doubts(open, plan(triaxial)).empty());
 }
 
+TEST(DoubtsOfLoading, ForcesOfAnotherLawAndGrainsThatWereMoved) {
+  const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));
+  io::Snapshot stiff = start;
+  for (double& f : stiff.contacts.normal_force) f *= 1.2;
+  const auto said = [&](const io::Snapshot& begun, const std::string& stages) {
+    return only(analysis::start_doubts(start, begun, plan(stages)));
+  };
+  const std::string undrained = strained("constant-volume", "");
+  EXPECT_EQ(said(start, undrained), "");
+  EXPECT_NE(said(stiff, undrained).find("another law, stiffness or friction"), std::string::npos);
+  EXPECT_EQ(said(stiff, isotropic("1") + undrained), "") << "the remedy works";
+  io::Snapshot moved = stiff, bare = start;
+  for (double& u : moved.contacts.overlap) u = 0.01;
+  EXPECT_NE(said(moved, undrained).find("take a --perturb of 1e-4 or less"), std::string::npos);
+  bare.contacts = {};
+  EXPECT_TRUE(analysis::start_doubts(bare, stiff, plan(undrained)).empty()) << "no stress is kept";
+}
+
+TEST(DoubtsOfLoading, NumbersWithoutTheirUnit) {
+  const io::Snapshot start = simple_cubic(4, Vec3(1, 1, 1));
+  const auto said = [&](const std::string& stages) { return only(analysis::unit_doubts(start, plan(stages))); };
+  const auto sheared = [](const std::string& strain) {
+    return "[[stage]]\npath = \"constant-volume\"\naxial_strain = " + strain + "\nincrement = 0.01\n";
+  };
+  EXPECT_NE(said(sheared("2")).find("write \"2 %\""), std::string::npos);
+  EXPECT_NE(said(sheared("-0.6")).find("write \"-0.6 %\""), std::string::npos);
+  EXPECT_EQ(said(sheared("\"2 %\"")), "") << "the remedy works";
+  EXPECT_EQ(said(sheared("0.3")), "");
+  const auto k0 = [](const std::string& stresses) {
+    return "[[stage]]\npath = \"k0\"\naxial_stress = [" + stresses + "]\n";
+  };
+  EXPECT_NE(said(isotropic("1e5") + k0("100, 200")).find("write \"100 kPa\""), std::string::npos);
+  EXPECT_NE(said(isotropic("1e5") + k0("2e5, 200")).find("from 2e+05 to 200 Pa"), std::string::npos);
+  EXPECT_EQ(said(isotropic("1e5") + k0("\"100 kPa\", 4e5, 1e4")), "") << "an unloading";
+  EXPECT_EQ(said(isotropic("1e4") + isotropic("10")), "") << "an unloading between named stresses";
+  io::Snapshot loaded = start;
+  for (double& f : loaded.contacts.normal_force) f *= 1e5;
+  EXPECT_NE(only(analysis::unit_doubts(loaded, plan(isotropic("100")))).find("write \"100 kPa\""), std::string::npos);
+}
+
 TEST(DoubtsOfLoading, WeightsOfScaledDensity) {
   io::Snapshot state = simple_cubic(2, Vec3(1, 1, 1));  // radii are 0.5
   const auto of = [&](double density, const Vec3& gravity) {

@@ -197,10 +197,13 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
 }
 
 // Doubts that input and scenario give alone, before a run and after it.
-std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario) {
+std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun) {
   std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
   append(doubts, friction_doubts(scenario));
-  append(doubts, jump_doubts(start, scenario));
+  std::vector<Doubt> jumps = start_doubts(start, begun, scenario);
+  // A later jump may follow from the stresses at the start alone.
+  append(doubts, jumps.empty() ? jump_doubts(begun, scenario) : std::move(jumps));
+  append(doubts, unit_doubts(begun, scenario));
   append(doubts, history_doubts(start, scenario));
   return doubts;
 }
@@ -296,11 +299,11 @@ double inertial_number(double rate, double diameter, double density, double pres
   return rate * diameter * std::sqrt(density / pressure);
 }
 
-std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario) {
+std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun) {
   std::vector<Doubt> doubts = cell_doubts(start);
   append(doubts, bag_doubts(start));
   append(doubts, inertia_doubts(start, scenario, planned(start, scenario)));
-  append(doubts, of_scenario(start, scenario));
+  append(doubts, of_scenario(start, scenario, begun));
   return doubts;
 }
 
@@ -315,7 +318,7 @@ std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& 
     append(doubts, compaction_doubts(*compacted));
   append(doubts, overlap_doubts(run.snapshots.back()));
   append(doubts, inertia_doubts(start, scenario, carried_out(start, scenario, run.series)));
-  append(doubts, of_scenario(start, scenario));
+  append(doubts, of_scenario(start, scenario, run.snapshots.front()));
   return doubts;
 }
 

@@ -31,12 +31,13 @@ std::vector<Doubt> volume_doubts(const io::Snapshot& state, const std::vector<Vo
 /// mean stress p in Pa.
 double inertial_number(double rate, double diameter, double density, double pressure);
 
-/// Returns doubts about a run's input for --check: cell, bag, scenario (loading_doubts.h), and "inertia", the largest
-/// inertial number of stages with a prescribed axial rate.
-std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario);
+/// Returns doubts about a run's input for --check: cell, bag, materials (material_doubts.h), scenario
+/// (loading_doubts.h), and "inertia", the largest inertial number of stages with a prescribed axial rate. begun: the
+/// state before the first step, with the forces of the scenario's law.
+std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun);
 
-/// Returns doubts about an ended run: final cell, bag and overlaps, end of the last isotropic stage, scenario,
-/// "inertia".
+/// Returns doubts about an ended run: final cell, bag and overlaps, end of the last isotropic stage, materials,
+/// scenario, "inertia". The run's first recorded state is the one before the first step.
 std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run);
 
 }  // namespace soilweave::analysis

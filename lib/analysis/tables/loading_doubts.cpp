@@ -12,6 +12,7 @@
 
 #include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
+#include "analysis/measure/volume_of_interest.h"
 #include "core/text/units.h"
 
 namespace soilweave::analysis {
@@ -22,6 +23,13 @@ constexpr double largest_jump = 0.1;
 // Largest mean overlap over the mean radius. Hertz's law holds for small ones: a thousand grains of 4 GPa have 0.0037
 // under 100 kPa and 0.015 under 1 MPa.
 constexpr double largest_overlap = 0.05;
+// Relative change of the summed overlaps above which moved grains, not another law, changed the stress. Forces grow
+// with the overlap or its power 1.5, so that a tenth of stress is at least a fifteenth of overlap.
+constexpr double largest_shift = 0.05;
+// Strain above which per cent are likelier: natural strains that shear a packing to its critical state are 0.3.
+constexpr double largest_strain = 0.5;
+// Share of a stress above which lowering it is a common unloading. kPa that are read as Pa are a thousandth.
+constexpr double least_share = 0.02;
 
 bool strains(const dem::AxisGoal& goal) { return goal.kind == dem::AxisGoal::Kind::strain && goal.value != 0; }
 
@@ -49,12 +57,116 @@ bool holds(const dem::Stage& stage, const Acting& before, int dimension, std::si
          first.value == goal(stage.path->stations() - 1, 1).value;
 }
 
+// Contacts among grains, without those of planes.
+struct AmongGrains {
+  // Love-Weber stress, Pa (2D: N/m).
+  Mat3 stress = Mat3::Zero();
+  // Sum of the overlaps, m.
+  double overlap = 0;
+  std::size_t contacts = 0;
+};
+
+AmongGrains among_grains(const io::Snapshot& state) {
+  AmongGrains sum;
+  const io::ContactsRecord& contacts = state.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts.bodies[c][1] < 0) continue;
+    sum.stress += contacts.force(c) * contacts.branch_vector[c].transpose();
+    sum.overlap += std::max(0.0, contacts.overlap[c]);
+    ++sum.contacts;
+  }
+  sum.stress /= cell_volume(state);
+  return sum;
+}
+
+// Returns whether a stage brings every axis to a given stress, which lets a packing come to rest under it.
+bool equilibrates(const dem::Stage& stage, int dimension) {
+  const dem::AxisGoals goals = stage.path->goals(0, {dimension, Mat3::Identity(), Vec3::Zero()});
+  return std::all_of(goals.begin(), goals.begin() + dimension,
+                     [](const dem::AxisGoal& goal) { return goal.kind == dem::AxisGoal::Kind::stress; });
+}
+
+// Returns the largest strain of any axis in a stage, with its sign.
+double largest_strain_of(const dem::Stage& stage, int dimension) {
+  double largest = 0;
+  const auto see = [&](double strain) {
+    if (std::abs(strain) > std::abs(largest)) largest = strain;
+  };
+  for (std::size_t station = 0; station < stage.path->stations(); ++station) {
+    see(stage.path->nominal_strain(station));
+    for (const dem::AxisGoal& goal : stage.path->goals(station, {dimension, Mat3::Identity(), Vec3::Zero()}))
+      if (strains(goal)) see(goal.value);
+  }
+  return largest;
+}
+
+std::vector<Doubt> strain_doubts(int dimension, const dem::Scenario& scenario) {
+  for (const dem::Stage& stage : scenario.stages) {
+    const double strain = largest_strain_of(stage, dimension);
+    if (std::abs(strain) <= largest_strain) continue;
+    return {
+        {"strain",
+         fmt::format(
+             "stage \"{0}\" strains an axis by {1:.4g}, which is {2:.4g} %: if {1:.4g} % is meant, write \"{1:.4g} %\"",
+             stage.name, strain, 100 * strain)}};
+  }
+  return {};
+}
+
+std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
+  const int dimension = begun.grains.dimension;
+  if (!is_periodic(begun)) return {};
+  Acting acting{cell_stress(begun), {true, true, true}};
+  std::array<bool, 3> named = {false, false, false};  // by a goal of this scenario, not by the packing
+  for (const dem::Stage& stage : scenario.stages)
+    for (std::size_t station = 0; station < stage.path->stations(); ++station) {
+      const dem::AxisGoals goals = stage.path->goals(station, acting.state(dimension, 1));
+      const dem::AxisGoals others = stage.path->goals(station, acting.state(dimension, 2));
+      for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+        double& now = acting.stress(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a));
+        const bool given = goals[a].kind == dem::AxisGoal::Kind::stress && goals[a].value == others[a].value;
+        // A scenario that names both stresses of an unloading means them.
+        const bool meant = named[a] && equilibrates(stage, dimension);
+        if (given && !meant && acting.known[a] && goals[a].value > 0 && goals[a].value < least_share * now)
+          return {{"stress-unit",
+                   fmt::format(
+                       "stage \"{0}\" lowers the stress along {1} from {2:.4g} to {3:.4g} Pa: if {3:.4g} kPa is meant, "
+                       "write \"{3:.4g} kPa\"",
+                       stage.name, "xyz"[a], now, goals[a].value)}};
+        acting.known[a] = named[a] = given;
+        if (given) now = goals[a].value;
+      }
+    }
+  return {};
+}
+
 }  // namespace
 
-std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& scenario) {
+std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& begun, const dem::Scenario& scenario) {
   const int dimension = start.grains.dimension;
-  if (!is_periodic(start)) return {};
-  Acting acting{cell_stress(start), {true, true, true}};
+  const bool periodic = is_periodic(start);
+  const AmongGrains kept = among_grains(start), now = among_grains(begun);
+  if (kept.contacts == 0 || (periodic && equilibrates(scenario.stages.front(), dimension))) return {};
+  const double before = mean(kept.stress, dimension), after = mean(now.stress, dimension);
+  const Mat3 change = now.stress - kept.stress;
+  const double largest = change.diagonal().head(dimension).cwiseAbs().maxCoeff();
+  if (!(largest > largest_jump * std::max(std::abs(before), std::abs(after)))) return {};
+  const bool moved = std::abs(now.overlap - kept.overlap) > largest_shift * kept.overlap;
+  const std::string cause =
+      moved ? "the grains do not lie where their contacts were: take a --perturb of 1e-4 or less"
+            : fmt::format(
+                  "the scenario has another law, stiffness or friction than the packing was made with: give "
+                  "that one{}",
+                  periodic ? ", or begin with a stage of path \"isotropic\"" : "");
+  return {{"jump", fmt::format("the run begins at a mean stress of {:.4g} {} among the grains, and the packing's file "
+                               "has {:.4g}: {}",
+                               after / 1e3, dimension == 3 ? "kPa" : "kN/m", before / 1e3, cause)}};
+}
+
+std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
+  const int dimension = begun.grains.dimension;
+  if (!is_periodic(begun)) return {};
+  Acting acting{cell_stress(begun), {true, true, true}};
   for (const dem::Stage& stage : scenario.stages) {
     const dem::AxisGoals first = stage.path->goals(0, acting.state(dimension, 1));
     const dem::AxisGoals last = stage.path->goals(stage.path->stations() - 1, acting.state(dimension, 1));
@@ -78,6 +190,12 @@ std::vector<Doubt> jump_doubts(const io::Snapshot& start, const dem::Scenario& s
     }
   }
   return {};
+}
+
+std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
+  std::vector<Doubt> doubts = strain_doubts(begun.grains.dimension, scenario);
+  for (Doubt& doubt : stress_unit_doubts(begun, scenario)) doubts.push_back(std::move(doubt));
+  return doubts;
 }
 
 std::vector<Doubt> friction_doubts(const dem::Scenario& scenario) {

@@ -191,6 +191,10 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   f.unbalanced_force = simulation.unbalanced_force();
   f.largest_overlap = simulation.largest_overlap();
   f.largest_station = scenario.largest_station;
+  const auto writing = std::chrono::steady_clock::now();
+  f.begun = simulation.snapshot();
+  const auto state_bytes = static_cast<double>(io::packing_bytes(f.begun));
+  const double write = Seconds(std::chrono::steady_clock::now() - writing).count();
   Walk walk(simulation, scenario, dimension);
   f.cost = tried(simulation, scenario, dimension);
   walk.learn(simulation);
@@ -210,17 +214,13 @@ Forecast forecast(const io::Snapshot& start, const Scenario& scenario) {
   f.cost.stepping *= scale;
   f.cost.contact_steps = std::llround(static_cast<double>(f.cost.contact_steps) * scale);
   f.cost.steps = std::llround(steps);
-  const auto writing = std::chrono::steady_clock::now();
-  const io::Snapshot state = simulation.snapshot();
-  const auto state_bytes = static_cast<double>(io::packing_bytes(state));
-  const double write = Seconds(std::chrono::steady_clock::now() - writing).count();
   const auto states = static_cast<double>(f.states);
   // Every state is written when recorded, read back at the end, and written once more.
   f.cost.output = 3 * states * write;
   f.least_time = f.cost.stepping * fewest / steps + f.cost.output;
   f.greatest_time = f.cost.stepping * most / steps + f.cost.output;
   f.file_bytes = states * state_bytes + 300.0 * static_cast<double>(stations);
-  f.memory_bytes = peak_memory() + (states + 1) * bytes_of(state) + f.file_bytes;
+  f.memory_bytes = peak_memory() + (states + 1) * bytes_of(f.begun) + f.file_bytes;
   return f;
 }
 

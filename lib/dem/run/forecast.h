@@ -31,6 +31,8 @@ struct Forecast {
     /// Estimate and least number of steps of the station with most steps, without their limit.
     double longest = 0, least_longest = 0;
   };
+  /// State before the first step, with the forces of the scenario's law.
+  io::Snapshot begun;
   /// Forecast of each stage.
   std::vector<OfStage> stages;
   /// Limit of the step and the step itself at the start, s.
