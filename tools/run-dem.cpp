@@ -64,6 +64,7 @@ struct RunDem {
     plan.numerics.threads = invocation.threads;
     const io::PackingFile start = io::read_state(packing);
     io::Snapshot state = dem::prepare(start.state, plan);
+    dem::demand_apart(state, plan);
     if (perturbation > 0) state = dem::perturbed(state, perturbation, invocation.seed);
     Doubts doubts(invocation.tool);
     const std::vector<Doubt> moved = analysis::moved_plane_doubts(start.state, state, plan);

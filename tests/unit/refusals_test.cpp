@@ -190,6 +190,29 @@ TEST(Doubted, PlanesThatStandElsewhereThanTheInputsOnWhichGrainsPress) {
   EXPECT_EQ(said("\"touch\""), "") << "a plane that is asked to touch";
 }
 
+TEST(Refused, FacingPlanesThatMeet) {
+  const std::string planes =
+      "[[plane]]\nname = \"bottom\"\npoint = [0, 0, -0.5]\nnormal = [0, 0, 1]\n"
+      "[[plane]]\nname = \"top\"\npoint = [0, 0, 2.5]\nnormal = [0, 0, -1]\n";
+  const auto moved = [&](const std::string& part, const std::string& along, const std::string& distance) {
+    return "[[stage]]\npath = \"drive\"\n[[stage.move]]\npart = \"" + part + "\"\nalong = [0, 0, " + along +
+           "]\ndistance = " + distance + "\nspeed = 1\n";
+  };
+  const auto demand = [&](const std::string& stages) {  // the grains are 1 m wide
+    const Scenario plan = scenario(planes + stages);
+    io::Snapshot state = grains();
+    state.planes = plan.planes;
+    demand_apart(state, plan);
+  };
+  const std::string meets = "3 m apart at the start, to a distance of 0.9 m at station 1, and the";
+  expect_error<DataError>([&] { demand(moved("top", "-1", "2.1")); }, meets);
+  expect_error<DataError>([&] { demand(moved("bottom", "1", "2.1")); }, meets);
+  expect_error<DataError>([&] { demand(moved("top", "-1", "1") + moved("bottom", "1", "1.1")); }, meets);
+  expect_error<DataError>([&] { demand(moved("top", "1", "-5")); }, "to a distance of -2 m");
+  EXPECT_NO_THROW(demand(moved("top", "-1", "1.9")));
+  EXPECT_NO_THROW(demand(moved("top", "-1", "1") + moved("top", "1", "1") + moved("top", "-1", "1.9")));
+}
+
 TEST(Refused, ZInThePlaneOfDisks) {
   io::Snapshot disks = between_plates();
   disks.grains.dimension = 2;

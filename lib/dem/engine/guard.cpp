@@ -36,6 +36,7 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
       fixed_step_(numerics.time_step.has_value()),
       largest_(2 * bodies.largest_radius()),
       range_(range),
+      planes_(!planes.all.empty()),
       dimension_(bodies.dimension) {
   // Readers check the grains themselves.
   for (int a = 0; a < dimension_ && range_ > 0; ++a) {
@@ -84,11 +85,13 @@ void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbal
   const bool loaded = squeezed || (unbalanced_force < quiet && !fixed_step_);
   throw PhysicsError(fmt::format(
       "step {}: {}, more than the {:.3g} % of guards.overlap: {}", step, deepest, 100 * limits_.overlap,
-      loaded ? fmt::format("the load is too high for grains of this stiffness{}; lower it, or raise "
-                           "contact.young_modulus",
-                           dimension_ == 2 ? ", for disks young_modulus times radius per metre of thickness" : "")
-             : fmt::format("grains move too far in a step; {}, lower the loading rate, or check the packing",
-                           lower_step())));
+      !loaded
+          ? fmt::format("grains move too far in a step; {}, lower the loading rate, or check the packing", lower_step())
+          : fmt::format(
+                "{}the load is too high for grains of this stiffness; {}lower {}, or raise contact.young_modulus{}",
+                planes_ ? "a plane is moved too far into the grains, or " : "",
+                planes_ ? "shorten the way of the plane, " : "", planes_ ? "the load" : "it",
+                dimension_ == 2 ? ", for disks young_modulus times radius per metre of thickness" : "")));
 }
 
 void Guard::room(std::int64_t step, const Cell& cell) const {

@@ -49,6 +49,8 @@ class Guard {
   double largest_;
   /// Largest gap across which contacts act, m.
   double range_;
+  /// Whether there are planes.
+  bool planes_ = false;
   /// Axes along which a grain may leave.
   std::array<bool, 3> open_{};
   /// Farthest allowed positions, m.

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "dem/loading/pace.h"
+#include "dem/loading/plate_ways.h"
 #include "dem/run/checkpoint.h"
 #include "dem/run/prepare.h"
 #include "dem/run/record.h"
@@ -366,6 +367,13 @@ io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64
     for (int a = 0; a < twin.grains.dimension; ++a)
       twin.grains.position[i][a] += fraction * twin.grains.radius[i] * symmetric_uniform(engine);
   return twin;
+}
+
+void demand_apart(const io::Snapshot& state, const Scenario& scenario) {
+  PlateWays ways(state, parts_of(scenario), scenario.numerics.limits.overlap);
+  for (const Stage& stage : scenario.stages)
+    if (const std::string why = ways.follow(*stage.path); !why.empty())
+      throw DataError(fmt::format("stage \"{}\" {}", stage.name, why));
 }
 
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,

@@ -30,6 +30,10 @@ struct Outcome {
   Cost cost;
 };
 
+/// Throws DataError for a stage that moves facing planes closer together than grains between them allow
+/// (plate_ways.h). state: as prepare() returns it.
+void demand_apart(const io::Snapshot& state, const Scenario& scenario);
+
 /// Runs all stages. The series has one row at the start and one per station.
 /// With a folder in `safekeeping`, the run goes on from what is there and ends in the same bytes.
 /// Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks, Stopped after a signal.
