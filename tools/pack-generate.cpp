@@ -160,7 +160,10 @@ struct PackGenerate {
       const io::TextFile table = io::read_text(grading, "grading");
       sources.push_back(table.source);
       curve = packing::Grading::from_tsv(table.text, grading);
-      if (const std::string lack = curve.left_out(); !lack.empty()) notes.push_back(grading + ": " + lack);
+      if (const auto doubt = packing::finest_doubt(curve))
+        about.push_back(*doubt);
+      else if (const std::string lack = curve.left_out(); !lack.empty())
+        notes.push_back(grading + ": " + lack);
     }
     if (auto doubt = coarsest ? packing::coarsest_doubt(curve, *coarsest) : std::nullopt) about.push_back(*doubt);
     if (coarsest) curve = curve.up_to(*coarsest);

@@ -217,6 +217,14 @@ TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {
   EXPECT_EQ(said(testing::sand(), nodes), "");
 }
 
+TEST(Doubtful, AGradingThatBeginsFarAboveNothing) {
+  const auto doubt = finest_doubt({{0.1e-3, 0.2e-3, 0.4e-3}, {0.4, 0.7, 1}});
+  ASSERT_TRUE(doubt);
+  EXPECT_NE(doubt->sentence.find("finer than 0.1 mm, 40 % of the mass, is left out: give the rows"), std::string::npos);
+  EXPECT_FALSE(finest_doubt({{0.05e-3, 0.1e-3, 0.4e-3}, {0.1, 0.4, 1}}));
+  EXPECT_FALSE(finest_doubt({{0.4e-3}, {1}})) << "one size";
+}
+
 TEST(Doubtful, AGradingWhoseCoarseHalfHasNoGrainsIsDoubtedWithTheNumberThatHasThem) {
   const Room wide{{{1e-3, 2e-3, 5e-3, 10e-3, 20e-3, 40e-3}, {0, 0.1, 0.3, 0.5, 0.6, 1}}, 3, {1, 1, 1}, 0.7};
   const auto doubt = grading_doubt(wide, 300);

@@ -213,6 +213,18 @@ TEST(Refused, FacingPlanesThatMeet) {
   EXPECT_NO_THROW(demand(moved("top", "-1", "1") + moved("top", "1", "1") + moved("top", "-1", "1.9")));
 }
 
+TEST(Refused, ADirectionOutOfRangeIsOneMistake) {
+  const std::string planes = "[[plane]]\nname = \"top\"\npoint = [0, 0, 0]\nnormal = [0, 0, -2]\n";
+  try {
+    scenario(planes +
+             "[[stage]]\npath = \"drive\"\n[[stage.move]]\npart = \"top\"\nalong = [0, 0, -2]\ndistance = 1\n"
+             "speed = 1\n");
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_EQ(std::string(error.what()).find("is zero"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Refused, ZInThePlaneOfDisks) {
   io::Snapshot disks = between_plates();
   disks.grains.dimension = 2;

@@ -19,6 +19,7 @@ namespace {
 constexpr analysis::SoundLimits limits = analysis::made_packing;
 constexpr double most_overlap = 0.05;            // mean overlap over the mean radius
 constexpr double median_error = 0.1;             // share of the median diameter by mass
+constexpr double most_left_out = 0.1;            // share of the mass finer than a grading's first point
 constexpr double loosest = 10;                   // void ratio of a cloud, beyond which units differ
 constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
 
@@ -67,6 +68,12 @@ std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains) {
                fmt::format("half the mass of the {} grains is finer than {:.3g} times the diameter that the grading "
                            "has there: {}",
                            grains, ratio, remedy)};
+}
+
+std::optional<Doubt> finest_doubt(const Grading& curve) {
+  if (curve.left_out().empty() || curve.finer.front() <= most_left_out) return std::nullopt;
+  return Doubt{"finest", fmt::format("{}: give the rows of the grading that are finer, down to {:.0f} % or less",
+                                     curve.left_out(), 100 * most_left_out)};
 }
 
 std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest) {
