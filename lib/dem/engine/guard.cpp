@@ -87,11 +87,11 @@ void Guard::too_deep(std::int64_t step, const std::string& deepest, double unbal
       "step {}: {}, more than the {:.3g} % of guards.overlap: {}", step, deepest, 100 * limits_.overlap,
       !loaded
           ? fmt::format("grains move too far in a step; {}, lower the loading rate, or check the packing", lower_step())
-          : fmt::format(
-                "{}the load is too high for grains of this stiffness; {}lower {}, or raise contact.young_modulus{}",
-                planes_ ? "a plane is moved too far into the grains, or " : "",
-                planes_ ? "shorten the way of the plane, " : "", planes_ ? "the load" : "it",
-                dimension_ == 2 ? ", for disks young_modulus times radius per metre of thickness" : "")));
+          : fmt::format("{}the load is too high for grains of this stiffness{}; {}lower {}, or raise "
+                        "contact.young_modulus",
+                        planes_ ? "a plane is moved too far into the grains, or " : "",
+                        dimension_ == 2 ? ", for disks young_modulus times radius per metre of thickness" : "",
+                        planes_ ? "shorten the way of the plane, " : "", planes_ ? "the load" : "it")));
 }
 
 void Guard::room(std::int64_t step, const Cell& cell) const {
