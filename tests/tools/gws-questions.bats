@@ -83,6 +83,11 @@ questions() {
 64;--stiffness: 400 N/m is less than any geotextile has (2000 N/m); did you mean "400 kN/m"?;respond --stiffness 400 --strength "40 kN/m"
 64;--strength: 40 N/m is less than any geotextile has (500 N/m); did you mean "40 kN/m"?;respond --stiffness "400 kN/m" --strength 40
 64;--surcharge: 300 Pa is less than a person standing on the bag; did you mean "300 kPa"?;respond --geotextile PP --surcharge 300
+64;--strength: tells no kind of geotextile: give --stiffness and one of;design --surcharge "300 kPa" --strength 10e3
+64;--strength: tells no kind of geotextile: give --stiffness and one of;design --surcharge "300 kPa" --strength 10e3 --failure-strain 0.1
+64;--stiffness: tells no kind of geotextile: give --stiffness and one of;design --surcharge "300 kPa" --stiffness 200e3
+0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --settlement 0.05 --safety 1.5 --failure-strain 0.02
+0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --stiffness 200e3 --strength 10e3
 64;millimetres are written "400 mm";respond --geotextile PP --width 400
 64;per cent are written "12 %";respond --geotextile PP --failure-strain 12
 64;contradict each other: 400 kN/m at 5 % are 20 kN/m;respond --stiffness "400 kN/m" --strength "80 kN/m" --failure-strain "5 %"

@@ -8,6 +8,7 @@
 #include "gws/design/design.h"
 #include "gws/design/sensitivity.h"
 #include "gws/solution/data_sheet.h"
+#include "gws/solution/root.h"
 #include "gws/solution/secant.h"
 #include "support/gws_reference.h"
 
@@ -133,6 +134,32 @@ TEST(GwsSensitivity, ADataSheetIsVariedAsItResponds) {
     const BandRow& middle = bands.rows[1];
     EXPECT_NEAR(settlement_under(bag, middle.surcharge.middle), middle.settlement, 1e-6);
   }
+}
+
+TEST(GwsDesign, AStrainAtFailureAloneLimitsTheHoops) {
+  for (const double failure_strain : {0.02, 0.1}) {
+    Case bag = test::bag_of(0, 0, failure_strain);
+    const Design design = smallest_geotextile(bag, {300e3, 0.05, 1.5}, range);
+    EXPECT_NEAR(design.geotextile.strength / design.geotextile.stiffness, failure_strain, 1e-12);
+    EXPECT_LE(design.factored.hoop_strain, bag.strength_fraction * failure_strain * (1 + 1e-9));
+    EXPECT_EQ(design.governs, failure_strain < 0.05 ? Governs::strength : Governs::settlement);
+    bag.geotextile = design.geotextile;
+    EXPECT_GE(Response(bag).last().surcharge, 450e3 * (1 - 1e-6));
+  }
+}
+
+TEST(GwsDesign, NumbersThatDescribeNoKindAreRefused) {
+  for (const Case& bag : {test::bag_of(0, 10e3, 0), test::bag_of(0, 10e3, 0.1), test::bag_of(200e3, 0, 0)})
+    EXPECT_THROW(smallest_geotextile(bag, {300e3, 1, 1}, range), DataError);
+}
+
+TEST(GwsRoot, AFunctionThatIsNotFiniteHasNoRoot) {
+  const auto close = [](double a, double b) { return std::abs(b - a) < 1e-9; };
+  const auto broken = [](double x) { return x < 0.5 ? -1 : std::nan(""); };
+  EXPECT_THROW(root_between(broken, 0, 1, -1, 1, close), DataError);
+  EXPECT_THROW(
+      root_between([](double x) { return x < 0.3 ? -1.0 : 1.0; }, 0, 1, -1, 1, [](double, double) { return false; }),
+      DataError);
 }
 
 TEST(GwsDesign, WhatNoStiffnessCarriesIsSaid) {

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
+#include "gws/solution/root.h"
 #include "gws/solution/secant.h"
 
 namespace soilweave::gws {
@@ -24,6 +24,22 @@ Geotextile of_one_kind(const Case& bag, double J) {
   Geotextile found = bag.geotextile.layers(J / bag.geotextile.stiffness);
   found.name = bag.geotextile.name;
   return found;
+}
+
+/// Returns the kind of geotextile that a design looks for. A strain at failure alone is that of a kind of any
+/// stiffness. Throws DataError if the numbers describe no kind.
+Geotextile kind_of(Geotextile given) {
+  const bool stiff = given.stiffness > 0, strong = given.strength > 0;
+  if (!stiff && !strong && given.failure_strain > 0) {
+    given.stiffness = 1;
+    given.strength = given.failure_strain;
+  } else if (stiff != strong) {
+    throw DataError(
+        fmt::format("geotextile {}: has a stiffness of {:.4g} N/m and a strength of {:.4g} N/m: a design takes both, "
+                    "whose ratio stays, or neither",
+                    given.name, given.stiffness, given.strength));
+  }
+  return given;
 }
 
 /// Returns the bag with stiffness J, loaded up to a surcharge. Its hoops have no limit but the end of their curve.
@@ -71,9 +87,8 @@ double smallest_stiffness(const Case& bag, const Demand& demand, const Stiffness
   const double f_low = f(low), f_high = f(high);
   if (f_low <= 0) return range.low;
   if (f_high > 0) return unlimited;
-  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the tolerance
   const auto close = [](double a, double b) { return std::abs(b - a) < 1e-10; };
-  return std::exp(boost::math::tools::toms748_solve(f, low, high, f_low, f_high, close, evaluations).second);
+  return std::exp(root_between(f, low, high, f_low, f_high, close).second);
 }
 
 /// Returns NaN in all columns if the bag is too soft to begin.
@@ -103,6 +118,7 @@ Design smallest_geotextile(const Case& given, const Demand& demand, const Stiffn
     throw DataError("strength_fraction: 0 leaves the geotextile nothing to hold; give a greater --strength-fraction");
   if (!(range.low > 0 && range.low < range.high))
     throw DataError("stiffness: the range must begin above 0 N/m and rise");
+  bag.geotextile = kind_of(bag.geotextile);
   bag = at_strain_reached(bag, std::nullopt);
   try_stiffness(bag, demand, range.high);
   const bool limited = bag.geotextile.strength > 0;

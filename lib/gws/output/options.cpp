@@ -67,6 +67,11 @@ std::vector<std::string> CaseOptions::mistakes(bool needs_geotextile) const {
   std::vector<std::string> wrong;
   if (needs_geotextile && geotextile.empty() && !(stiffness && (strength || failure_strain)))
     wrong.emplace_back("no geotextile: give --geotextile NAME, or --stiffness and one of --strength, --failure-strain");
+  if (!needs_geotextile && geotextile.empty() && (stiffness ? !strength && !failure_strain : strength.has_value()))
+    wrong.push_back(
+        fmt::format("--{}: tells no kind of geotextile: give --stiffness and one of --strength, --failure-strain, of "
+                    "which the ratio counts, or --failure-strain alone, or leave all out",
+                    stiffness ? "stiffness" : "strength"));
   for (const auto& [name, value] : {std::pair{"stiffness", stiffness}, std::pair{"strength", strength}})
     if (const std::string mistake = unit_mistake(name, value.value_or(0)); !mistake.empty())
       wrong.push_back(fmt::format("--{}: {}", name, mistake));

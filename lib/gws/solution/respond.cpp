@@ -5,13 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "core/error.h"
 #include "core/text/text.h"
+#include "gws/solution/root.h"
 
 namespace soilweave::gws {
 namespace {
@@ -139,9 +138,7 @@ double Response::root(double low, double high, const Value& value) const {
   // Rounding where the end was cut off can cost one end its sign.
   if (f_low == 0 || (f_low > 0) == (f_high > 0)) return std::abs(f_low) < std::abs(f_high) ? low : high;
   if (f_high == 0) return high;
-  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the last bit
-  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
-                                                        boost::math::tools::eps_tolerance<double>(), evaluations);
+  const auto [a, b] = root_between(f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>());
   return std::abs(f(a)) < std::abs(f(b)) ? a : b;
 }
 

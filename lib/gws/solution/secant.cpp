@@ -3,11 +3,10 @@
 #include "gws/solution/secant.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
+#include "gws/solution/root.h"
 
 namespace soilweave::gws {
 namespace {
@@ -33,11 +32,11 @@ Case where(const Case& bag, double wanted, const Value& value) {
     }
   };
   const double low = std::log(1e-4 * limit), high = std::log(limit);
-  if (excess(high) <= 0) return with_secant(bag, limit);
-  if (excess(low) >= 0) return with_secant(bag, std::exp(low));
-  std::uintmax_t evaluations = std::numeric_limits<std::uintmax_t>::max();  // bisection ends it at the tolerance
+  const double at_high = excess(high), at_low = excess(low);
+  if (at_high <= 0) return with_secant(bag, limit);
+  if (at_low >= 0) return with_secant(bag, std::exp(low));
   const auto close = [](double a, double b) { return std::abs(b - a) < 1e-9; };
-  return with_secant(bag, std::exp(boost::math::tools::toms748_solve(excess, low, high, close, evaluations).second));
+  return with_secant(bag, std::exp(root_between(excess, low, high, at_low, at_high, close).second));
 }
 
 double end_of(const Response& response) { return response.last().surcharge; }
