@@ -164,12 +164,12 @@ struct Design {
     std::vector<Doubt> doubts;
     if (chart) {
       const auto rows = gws::design_chart(c, demand, {from, to}, static_cast<std::size_t>(points));
-      groups.push_back({"chart", "capacity, settlement and efficiency over stiffness", gws::chart_table(rows)});
-      text = gws::aligned(gws::readable(rows));
+      groups.push_back({"chart", "capacity and settlement over stiffness", gws::chart_table(rows, c.reduction)});
+      text = gws::aligned(gws::readable(rows, c.reduction));
       doubts = read.doubts({from, to}, {});
     } else if (surcharge) {
       const gws::Design found = gws::smallest_geotextile(c, demand, {from, to});
-      groups.push_back({"design", "smallest geotextile", gws::design_table(found)});
+      groups.push_back({"design", "smallest geotextile", gws::design_table(found, c.reduction)});
       text = gws::describe(found, demand, c);
       answered.geotextile = found.geotextile;
       doubts = read.doubts({found.geotextile.stiffness}, {found.start, found.factored});

@@ -71,6 +71,32 @@ PY
   near "$(value ultimate.tsv surcharge last)" 450e3 1e-3
 }
 
+@test "design with reduction factors, then respond with the printed product and the same factors: it bears the surcharge" {
+  local factors=(--rf-creep 3 --rf-installation 1.2) demand=(--surcharge "300 kPa" --settlement 0.05 --safety 1.5)
+  gws-solve design "${demand[@]}" "${factors[@]}" --tsv > design.tsv
+  near "$(value design.tsv strength 1)" "$("$PYTHON" -c "print(3.6 * $(value design.tsv long_term_strength 1))")" 1e-9
+  exits 0 gws-solve design "${demand[@]}" "${factors[@]}"
+  # 3.6 times the 7.8887 kN/m without factors.
+  [[ $output == *"with a strength of 28.399 kN/m"*", 0.5 of the long-term strength"*"Long-term strength: 28.4 kN/m over"*"leaves 7.889 kN/m"* ]] || show
+  gws-solve respond --stiffness "$(value design.tsv stiffness 1)" --strength "$(value design.tsv strength 1)" "${factors[@]}" --tsv > ultimate.tsv
+  near "$(value ultimate.tsv surcharge last)" 450e3 1e-3
+  # A data sheet, all tensions of which are scaled by the factor that the answer names.
+  sheet() {
+    printf 'name = "sheet"\ntension_at_2 = %s\ntension_at_5 = %s\nstrength = %s\nfailure_strain = 0.2\n' \
+      "$("$PYTHON" -c "print(4e3 * $1)")" "$("$PYTHON" -c "print(9e3 * $1)")" "$("$PYTHON" -c "print(30e3 * $1)")"
+  }
+  sheet 1 > sheet.toml
+  gws-solve design --geotextile sheet.toml --strength-fraction 1 --rf-creep 2 --surcharge 300e3 --tsv > design.tsv
+  sheet "$(value design.tsv strength 1) / 30e3" > scaled.toml
+  gws-solve respond --geotextile scaled.toml --strength-fraction 1 --rf-creep 2 --tsv > ultimate.tsv
+  near "$(value ultimate.tsv surcharge last)" 300e3 1e-3
+  # A row of a chart is a product too.
+  gws-solve design --geotextile PP --surcharge 3e5 --chart "${factors[@]}" --from 232e3 --to 1160e3 --points 5 --tsv > chart.tsv
+  near "$(value chart.tsv strength last)" 158770 1e-9
+  gws-solve respond --geotextile 5PP "${factors[@]}" --tsv > 5PP.tsv
+  near "$(value chart.tsv capacity last)" "$(value 5PP.tsv surcharge last)" 1e-9
+}
+
 @test "the surcharge a bag is said to carry is the one it settles so much under" {
   gws-solve design --geotextile PP --settlement 0.05 --safety 1.5 --tsv > allowance.tsv
   gws-solve respond --geotextile PP --surcharge "$(value allowance.tsv surcharge 1)" --tsv > service.tsv

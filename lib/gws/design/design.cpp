@@ -149,7 +149,7 @@ Design smallest_geotextile(const Case& given, const Demand& demand, const Stiffn
   } else if (limited) {
     found.geotextile = of_one_kind(bag, J);
   } else {
-    found.geotextile.strength = std::max(0.0, trial.factored.hoop_tension) / bag.strength_fraction;
+    found.geotextile.strength = std::max(0.0, trial.factored.hoop_tension) / bag.usable_share();
     found.geotextile.failure_strain = found.geotextile.strength / J;
   }
   return found;

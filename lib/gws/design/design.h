@@ -41,9 +41,10 @@ struct Design {
 
 /// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J. A
 /// strength of the case's geotextile keeps its ratio to the stiffness and limits the hoops at `safety` times q, as does
-/// a strain at failure alone. Without any number (0), the strength follows from the hoop tension there. All tensions of a curve are scaled alike; the range is then of its
-/// secant at the limit, and the stiffness that is returned its secant at service. Throws TargetNotReached if the
-/// stiffest geotextile is too soft, DataError for an inadmissible demand.
+/// a strain at failure alone. Without any number (0), the strength follows from the hoop tension there. All tensions of
+/// a curve are scaled alike; the range is then of its secant at the limit, and the stiffness that is returned its
+/// secant at service. Throws TargetNotReached if the stiffest geotextile is too soft, DataError for an inadmissible
+/// demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
 /// Surcharge that a given bag carries.

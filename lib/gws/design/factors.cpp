@@ -39,7 +39,7 @@ std::optional<Soil> Factors::weakened(const Soil& given) const {
   return weak;
 }
 
-std::string conditions(const Case& bag, const Factors& factors, double unreduced, bool chosen) {
+std::string conditions(const Case& bag, const Factors& factors, bool chosen) {
   const Soil weak = factors.weakened(bag.soil).value_or(bag.soil);
   std::string text = fmt::format("Failure is counted at {:.4g} of the strength", bag.strength_fraction);
   text += chosen ? ".\n"
@@ -50,14 +50,15 @@ std::string conditions(const Case& bag, const Factors& factors, double unreduced
     text += fmt::format(
         "Long-term strength: {:.4g} kN/m over creep {:.4g}, installation {:.4g}, durability {:.4g} leaves {:.4g} kN/m; "
         "the stiffness is as given.\n",
-        unreduced / 1e3, factors.creep, factors.installation, factors.durability, bag.geotextile.strength / 1e3);
+        bag.geotextile.strength / 1e3, factors.creep, factors.installation, factors.durability,
+        bag.geotextile.strength / factors.reduction() / 1e3);
   if (factors.load != 1 || factors.soil != 1)
     text += fmt::format(
         "Against failure the surcharge is multiplied by {:.4g}, and tan phi divided by {:.4g}: M {:.4g} becomes "
         "{:.4g}.\n",
         factors.load, factors.soil, bag.soil.M, weak.M);
   // The secant of a curve is that at the strain reached, which tells nothing about the tension at failure.
-  const double tension = bag.geotextile.curve.known() ? bag.strength_fraction * bag.geotextile.strength
+  const double tension = bag.geotextile.curve.known() ? bag.usable_share() * bag.geotextile.strength
                                                       : bag.hoop_limit() * bag.geotextile.stiffness;
   const double M = weak.M;
   if (!(tension > 0)) return text;

@@ -28,7 +28,7 @@ struct Factors {
 };
 
 /// Returns the basis of an answer, one sentence a line: the fraction of the strength and its source, factors other than
-/// 1, and Matsuoka and Liu's closed form. unreduced: strength before reduction, N/m. chosen: the fraction was given.
-std::string conditions(const Case& bag, const Factors& factors, double unreduced, bool chosen);
+/// 1, and Matsuoka and Liu's closed form. chosen: the fraction was given.
+std::string conditions(const Case& bag, const Factors& factors, bool chosen);
 
 }  // namespace soilweave::gws

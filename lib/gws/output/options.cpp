@@ -142,8 +142,7 @@ std::optional<double> ReadCase::asked(const std::optional<double>& surcharge) co
 std::string ReadCase::conditions(const Case& bag) const {
   Case original = bag;
   original.soil = soil.soil;
-  const double before = bag.geotextile.strength * factors.reduction();
-  return gws::conditions(original, factors, before, chose_fraction);
+  return gws::conditions(original, factors, chose_fraction);
 }
 
 void doubt_pressure(const char* option, double pressure, std::vector<std::string>& wrong) {
@@ -163,7 +162,7 @@ ReadCase CaseOptions::read() const {
   c.lateral = read_lateral(read.sources);
   c.strength_fraction = fraction.value_or(c.strength_fraction);
   read.factors = factors;
-  c.geotextile.strength /= factors.reduction();
+  c.reduction = factors.reduction();
   read.chose_soil = !soil.empty();
   read.chose_fraction = fraction.has_value();
   c.tolerance = tolerance;

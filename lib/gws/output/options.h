@@ -72,8 +72,7 @@ struct ReadCase {
   std::string soil_line() const;
   /// Returns the surcharge that must not bring failure: the given one times the factor on load.
   std::optional<double> asked(const std::optional<double>& surcharge) const;
-  /// Returns the basis of the answer for `bag` (gws/design/factors.h). A geotextile that was found has its required
-  /// strength.
+  /// Returns the basis of the answer for `bag` (gws/design/factors.h).
   std::string conditions(const Case& bag) const;
   /// Returns the doubts about an answer (gws/solution/doubts.h).
   std::vector<Doubt> doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const;

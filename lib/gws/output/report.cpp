@@ -47,6 +47,9 @@ std::string_view governing(Governs governs) {
   return "";
 }
 
+/// Returns the name of the strength that a tension is compared with.
+std::string_view compared_strength(const Case& bag) { return bag.reduction == 1 ? "strength" : "long-term strength"; }
+
 std::string difference(double estimate, double given) {
   return given != 0 ? fmt::format("{:+.1f} %", 100 * (estimate / given - 1)) : fmt::format("{:+.3g}", estimate);
 }
@@ -219,27 +222,30 @@ std::string describe(const Design& design, const Demand& demand, const Case& bag
       "Smallest stiffness {:.5g} kN/m{} with a strength of {:.5g} kN/m{} ({}).\n"
       "At {:.6g} kPa the bag settles {:.4g} % ({:.3g} mm) with a tension of {:.4g} kN/m; at {:.4g} times that, {:.6g} "
       "kPa,\n"
-      "the tension is {:.4g} kN/m, {:.3g} of the strength, at a settlement of {:.4g} %.\n",
+      "the tension is {:.4g} kN/m, {:.3g} of the {}, at a settlement of {:.4g} %.\n",
       found.stiffness / 1e3, secant, found.strength / 1e3, scaled, governing(design.governs), demand.surcharge / 1e3,
       100 * settled, 1e3 * bag.bag.height * settled, design.service.hoop_tension / 1e3, demand.safety,
       design.factored.surcharge / 1e3, design.factored.hoop_tension / 1e3,
-      design.factored.hoop_tension / design.geotextile.strength,
+      design.factored.hoop_tension / (design.geotextile.strength / bag.reduction), compared_strength(bag),
       100 * (design.factored.settlement() - design.start.settlement()));
 }
 
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag) {
   return fmt::format(
       "Carries {:.6g} kPa within a settlement of {:.4g} % and with a safety of {:.4g}: {}.\n"
-      "There the tension of the geotextile {} is {:.4g} kN/m, {:.3g} of its strength.\n",
+      "There the tension of the geotextile {} is {:.4g} kN/m, {:.3g} of its {}.\n",
       allowance.surcharge / 1e3, 100 * settlement, safety, governing(allowance.governs), bag.geotextile.name,
-      allowance.at.hoop_tension / 1e3, allowance.at.hoop_tension / bag.geotextile.strength);
+      allowance.at.hoop_tension / 1e3, allowance.at.hoop_tension / (bag.geotextile.strength / bag.reduction),
+      compared_strength(bag));
 }
 
-io::Series design_table(const Design& design) {
+io::Series design_table(const Design& design, double reduction) {
   io::Series table;
   const double compacted = design.start.settlement();
   put(table, "stiffness", "N/m", "smallest stiffness", {design.geotextile.stiffness});
-  put(table, "strength", "N/m", "strength it needs", {design.geotextile.strength});
+  put(table, "strength", "N/m", "strength of the product it needs", {design.geotextile.strength});
+  put(table, "long_term_strength", "N/m", "strength over the reduction factors",
+      {design.geotextile.strength / reduction});
   put(table, "failure_strain", "1", "strain at failure", {design.geotextile.failure_strain});
   put(table, "surcharge", "Pa", "surcharge at service", {design.service.surcharge});
   put(table, "settlement", "1", "settlement at service, since compaction", {design.service.settlement() - compacted});
@@ -259,12 +265,14 @@ io::Series allowance_table(const Allowance& allowance) {
   return table;
 }
 
-io::Series chart_table(const std::vector<ChartRow>& rows) {
+io::Series chart_table(const std::vector<ChartRow>& rows, double reduction) {
   io::Series table;
   using R = const ChartRow&;
   put(table, "stiffness", "N/m", "stiffness of the geotextile",
       column(rows, [](R r) { return r.geotextile.stiffness; }));
   put(table, "strength", "N/m", "strength of the geotextile", column(rows, [](R r) { return r.geotextile.strength; }));
+  put(table, "long_term_strength", "N/m", "strength over the reduction factors",
+      column(rows, [=](R r) { return r.geotextile.strength / reduction; }));
   put(table, "capacity", "Pa", "ultimate surcharge", column(rows, [](R r) { return r.capacity; }));
   put(table, "settlement", "1", "settlement at the capacity", column(rows, [](R r) { return r.settlement; }));
   put(table, "hoop_strain", "1", "hoop strain at the capacity", column(rows, [](R r) { return r.hoop_strain; }));
@@ -277,11 +285,13 @@ io::Series chart_table(const std::vector<ChartRow>& rows) {
   return table;
 }
 
-io::Series readable(const std::vector<ChartRow>& rows) {
+io::Series readable(const std::vector<ChartRow>& rows, double reduction) {
   io::Series table;
   using R = const ChartRow&;
   put(table, "stiffness", "kN/m", "", column(rows, [](R r) { return r.geotextile.stiffness / 1e3; }));
   put(table, "strength", "kN/m", "", column(rows, [](R r) { return r.geotextile.strength / 1e3; }));
+  if (reduction != 1)
+    put(table, "long_term", "kN/m", "", column(rows, [=](R r) { return r.geotextile.strength / reduction / 1e3; }));
   put(table, "capacity", "kPa", "", column(rows, [](R r) { return r.capacity / 1e3; }));
   put(table, "settlement", "%", "", column(rows, [](R r) { return 100 * r.settlement; }));
   put(table, "efficiency", "1/m", "", column(rows, [](R r) { return r.capacity / r.geotextile.stiffness; }));

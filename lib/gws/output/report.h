@@ -45,12 +45,12 @@ std::string identified_soil(const Identification& found, const std::vector<BagSe
 /// Describe an answer in a paragraph.
 std::string describe(const Design& design, const Demand& demand, const Case& bag);
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag);
-/// Return tables in SI.
-io::Series design_table(const Design& design);
+/// Return tables in SI. Strengths are the product's own, and long-term ones are these over `reduction`.
+io::Series design_table(const Design& design, double reduction);
 io::Series allowance_table(const Allowance& allowance);
-io::Series chart_table(const std::vector<ChartRow>& rows);
+io::Series chart_table(const std::vector<ChartRow>& rows, double reduction);
 /// Returns the chart in kPa, kN/m and percent.
-io::Series readable(const std::vector<ChartRow>& rows);
+io::Series readable(const std::vector<ChartRow>& rows, double reduction);
 
 /// Returns one row per constant, numbered in the order of describe().
 io::Series sensitivity_table(const std::vector<Sensitivity>& rows);

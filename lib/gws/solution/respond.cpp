@@ -15,6 +15,9 @@
 namespace soilweave::gws {
 namespace {
 
+constexpr Parameter reduction_range{
+    "reduction", "1", 1, 1e6, false, "divides the strength in the long term", "below 1 it would take away safety"};
+
 /// Returns the surcharge that balances the state, with its lateral stress. Eq. 5.3 is linear in both on each straight
 /// piece of the lateral stress. LateralStress::check ensures that its left side grows faster than the lateral stress
 /// reduces it.
@@ -85,6 +88,7 @@ void check(const Case& what) {
     judge(std::min(what.geotextile.strength, what.geotextile.failure_strain), "strength and failure strain",
           tensile_strength);
   judge(what.strength_fraction, "strength_fraction", strength_fraction_range);
+  judge(what.reduction, "reduction", reduction_range);
   judge(what.tolerance, "tolerance", tolerance_range);
   if (what.initial_settlement && what.initial_surcharge)
     wrong += "compaction: give an initial settlement or an initial surcharge, not both";
@@ -93,7 +97,7 @@ void check(const Case& what) {
 }
 
 double Case::hoop_limit() const {
-  return std::min(strength_fraction * geotextile.strength / geotextile.stiffness, geotextile.failure_strain);
+  return std::min(usable_share() * geotextile.strength / geotextile.stiffness, geotextile.failure_strain);
 }
 
 Response::Response(const Case& what)

@@ -75,6 +75,8 @@ struct Case {
   LateralStress lateral;
   /// Fraction of the strength at which the bag fails (thesis section 5.4).
   double strength_fraction = 0.5;
+  /// Factor that divides the strength in the long term. The geotextile has the strength before reduction.
+  double reduction = 1;
   /// Relative error of surcharge and settlement.
   double tolerance = 1e-6;
   /// Axial strain of compaction before the response, 1.
@@ -84,7 +86,9 @@ struct Case {
   /// Surcharge at which to end, Pa, even below the capacity.
   std::optional<double> until;
 
-  /// Returns the hoop strain at the end: strength_fraction times strength over stiffness, or the lesser failure strain.
+  /// Returns the share of the strength before reduction at which the bag fails.
+  double usable_share() const { return strength_fraction / reduction; }
+  /// Returns the hoop strain at the end: usable_share() times strength over stiffness, or the lesser failure strain.
   double hoop_limit() const;
 };
 

@@ -51,7 +51,7 @@ Case to_its_limit(Case bag) {
 }  // namespace
 
 double limit_strain(const Case& bag) {
-  return std::min(bag.geotextile.curve.strain_at(bag.strength_fraction * bag.geotextile.strength),
+  return std::min(bag.geotextile.curve.strain_at(bag.usable_share() * bag.geotextile.strength),
                   bag.geotextile.failure_strain);
 }
 
