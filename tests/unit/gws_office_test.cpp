@@ -117,6 +117,54 @@ TEST(GwsFactors, AWeakerSoilCarriesLessAndSettlesAtServiceAsBefore) {
   EXPECT_GT(weaker.geotextile.strength, strong.geotextile.strength);
 }
 
+/// Returns Toyoura sand, and soils estimated from a loose, a medium and a dense sand.
+std::vector<Soil> soils_of_an_office() {
+  return {Soil{}, estimated({30, 2, 20e6, 0.8, 1e5}), estimated({34, 5, 40e6, 0.7, 1e5}),
+          estimated({38, 5, 60e6, 0.6, 1e5})};
+}
+
+TEST(GwsFactors, AGreaterFactorOnTheSoilCarriesLess) {
+  for (const Soil& soil : soils_of_an_office()) {
+    Case bag = test::bag_of("PP");
+    bag.soil = soil;
+    double capacity = Response(bag).last().surcharge;
+    for (const double factor : {1.001, 1.1, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6}) {
+      Factors factors;
+      factors.soil = factor;
+      bag.soil = *factors.weakened(soil);
+      const Response response(bag);
+      EXPECT_EQ(response.end(), End::strength) << factor;
+      EXPECT_LT(response.last().surcharge, capacity) << factor;
+      capacity = response.last().surcharge;
+    }
+  }
+}
+
+TEST(GwsFactors, TheObliquityFallsInProportionAtEqualStrain) {
+  Factors factors;
+  factors.soil = 1.5;
+  const Soil soil, weak = *factors.weakened(soil);
+  for (const double strain : {0.0, 1.0, 10.0}) {
+    const auto obliquity = [strain](const Soil& s) {
+      return failure_obliquity(s, 100e3) - s.kappa / (strain + s.lambda) + s.xi;
+    };
+    EXPECT_NEAR(obliquity(weak) / obliquity(soil), weak.M / soil.M, 1e-12);
+  }
+}
+
+TEST(GwsFactors, AFactorThatLeavesTheSoilNoStateIsNamed) {
+  for (const Soil& soil : soils_of_an_office()) {
+    Factors factors;
+    factors.soil = 4;
+    try {
+      factors.weakened(soil);
+      ADD_FAILURE() << "a factor of 4 is taken";
+    } catch (const DataError& error) {
+      EXPECT_NE(std::string(error.what()).find("--factor-soil: 4 lowers M from "), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(GwsEstimate, TheSoilHasTheStrengthAndStiffnessItIsEstimatedFrom) {
   Triaxial test{38, 8, 40e6, 0.6, 1e5};
   const Soil soil = estimated(test);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
 #include "gws/solution/matsuoka_liu.h"
+#include "gws/solution/path.h"
 
 namespace soilweave::gws {
 namespace {
@@ -20,6 +22,15 @@ constexpr Parameter creep_range = factor_range("rf_creep", "divides the strength
                     durability_range = factor_range("rf_durability", "divides the strength: durability"),
                     load_range = factor_range("factor_load", "multiplies the surcharge, against failure"),
                     soil_range = factor_range("factor_soil", "divides tan phi, against failure");
+
+/// Returns why the soil's path ends below a hundred times its first mean stress; none: it goes on. The stiffness of the
+/// geotextile, here 1 MN/m, hardly counts there.
+End early_end(const Soil& soil) {
+  Path path(soil, soil.young_modulus(1e6), tolerance_range.high);
+  while (path.last() < std::log(100 * soil.p_0) && path.advance()) {
+  }
+  return path.end();
+}
 
 }  // namespace
 
@@ -36,6 +47,14 @@ std::optional<Soil> Factors::weakened(const Soil& given) const {
   Soil weak = given;
   const double sine = std::sin(std::atan(std::tan(friction_angle(given.M)) / soil));
   weak.M = 6 * sine / (3 - sine);
+  const double ratio = weak.M / given.M;
+  weak.kappa *= ratio;
+  weak.xi *= ratio;
+  if (const End end = early_end(weak); end != End::none && early_end(given) == End::none)
+    throw DataError(fmt::format(
+        "--factor-soil: {:.4g} lowers M from {:.4g} to {:.4g}, which leaves the soil no state at low stress "
+        "({}); give a smaller factor",
+        soil, given.M, weak.M, reason(end)));
   return weak;
 }
 

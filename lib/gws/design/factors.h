@@ -22,8 +22,9 @@ struct Factors {
   void declare(tool::Table& table);
   /// Returns the factor that divides the strength.
   double reduction() const { return creep * installation * durability; }
-  /// Returns the soil with tan phi divided by the factor; none if that is 1. sin phi = 3 M/(6 + M). The failure line is
-  /// lowered as a whole.
+  /// Returns the soil with tan phi divided by the factor; none if that is 1. sin phi = 3 M/(6 + M). M, kappa and
+  /// xi are lowered alike, so that q/p at equal strain falls in proportion to the strength. The dilatancy line stays.
+  /// Throws DataError if the factor leaves the soil no state at low stress.
   std::optional<Soil> weakened(const Soil& soil) const;
 };
 

@@ -185,6 +185,19 @@ Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io:
   return test;
 }
 
+void judge_dilation(Settings& table, const Triaxial& test) {
+  const Soil toyoura;  // whose n gives p_c, as in estimated()
+  const auto p_c = std::ranges::find(constants(), &Soil::p_c, &Constant::field);
+  const double at_failure = obliquity(test.friction_angle), p = 3 * test.pressure / (3 - at_failure);
+  const double above_M = at_failure * (1 - std::pow(p / p_c->parameter.high, toyoura.n));
+  const double most = std::asin(3 * above_M / (6 + above_M)) / degree;
+  if (test.dilation_angle > most && test.dilation_angle < test.friction_angle)
+    table.mistake(table.has("triaxial") ? "triaxial" : "dilation_angle",
+                  fmt::format("a dilation angle of {:.4g} deg is too near to the friction angle of {:.4g} deg: q/p at "
+                              "failure would be M at no pressure of a test; take at most {:.1f} deg",
+                              test.dilation_angle, test.friction_angle, std::floor(10 * most) / 10));
+}
+
 std::string marked(const Triaxial& test) {
   return fmt::format(
       "estimated from phi {:.3g} deg, psi {:.3g} deg, E50 {:.4g} MPa under {:.4g} kPa, e {:.3g}{}: no bags of it were "

@@ -43,6 +43,9 @@ Soil estimated(const Triaxial& test);
 /// no drained test has, and for curves whose strength, dilation or stiffness no soil has.
 Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources);
 
+/// Adds a mistake to [estimate] if the dilation angle is so near to the friction angle that p_c leaves its range.
+void judge_dilation(Settings& table, const Triaxial& test);
+
 /// Returns the phrase that marks such a soil in answers.
 std::string marked(const Triaxial& test);
 

@@ -156,6 +156,7 @@ SoilFile read_soil(Settings& document, const NamedFiles& files) {
   if (is_estimate) {
     Settings at = document.table("estimate");
     const Triaxial test = read_estimate(at, files, file.sources);
+    if (!document.table("failure_line").has("p_c")) judge_dilation(at, test);
     file.soil = estimated(test);
     file.estimated = marked(test);
   }
