@@ -23,14 +23,16 @@ from study.errors import suggestion
 from study.files import put
 
 KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": float, "surcharge": "Pa", "settlement": "1", "geotextile": (str, dict), "bag": dict,
-        "factors": dict, "test": list}
-OPTIONAL = ("factors", "packing_void_ratio")
+        "factors": dict, "strength_fraction": "1", "test": list}
+OPTIONAL = ("factors", "packing_void_ratio", "strength_fraction")
 BAG = {"width": "m", "height": "m"}
 # Sizes of a bag (m) and surcharges (Pa) of the solution (bag_extent, surcharge_range), less what is smaller or greater than any bag has.
 EXTENT, SURCHARGE = (0.01, 100), (1e3, 1e7)
 # Heights over width like that of the bags of grains that were run (lib/gws/solution/doubts.cpp).
 SHAPE = (0.1, 0.4)
 FACTORS = ("creep", "installation", "durability", "load", "soil")
+# Share of the strength at which bags of discrete elements fail (thesis section 5.4), since their nodes are coarse: the default of gws-solve.
+SHARE = 0.5
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
@@ -66,12 +68,23 @@ class Inputs:
         """The product of the reduction factors of the geotextile's strength."""
         return math.prod(self.values["factors"].get(name, 1) for name in FACTORS[:3])
 
+    @property
+    def strength_fraction(self):
+        """The share of the reduced strength at which the bag fails.
+
+        Of the product's own strength it leaves the share of coarse nodes or the reduced strength, whichever is less: both count once,
+        and no greater factor gives a greater share.
+        """
+        return self.values.get("strength_fraction", min(1.0, SHARE * self.reduction))
+
 
 def _judge(path, values):
     """Raises StudyError for values of own.toml that are out of range."""
     for key, value in values["factors"].items():
         if value < 1:
             raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
+    if not 0 < values.get("strength_fraction", 1) <= 1:
+        raise StudyError(f"{path}: strength_fraction = {values['strength_fraction']:g}: write a share of the strength, above 0 and at most 1")
     if not 0 < values["settlement"] < 0.3:
         raise StudyError(f"{path}: settlement = {values['settlement']:g}: write a fraction of the height below 0.3, as 0.05 for 5 %")
     for key in ("void_ratio", "packing_void_ratio"):
@@ -226,8 +239,8 @@ def write(own, out):
         "TABLES": " ".join(str(t.table) for t in tests + predictions), "PRESSURE": own.tests[0].megapascals, "FIRST": own.tests[0].name,
         "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"], "SETTLEMENT": v["settlement"],
         "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}",
-        "REDUCED": " ".join([*(["--strength-fraction 1"] if own.reduction > 1 else []), *(
-            f"--rf-{name} {factors[name]:g}" for name in FACTORS[:3] if name in factors)]),
+        "REDUCED": " ".join([f"--strength-fraction {own.strength_fraction!r}", *(
+            f"--rf-{name} {factors[name]!r}" for name in FACTORS[:3] if name in factors)]),
         "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
         "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))

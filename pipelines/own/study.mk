@@ -120,7 +120,7 @@ $(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/g
 	@$(call own_fit,$(filter-out $*,$(OWN_BAGS))); \
 	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || : > $@
 
-# (e) The bag of own.toml, with the long-term strength of its geotextile; where it is reduced, all of it counts.
+# (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells.
 own_case = --soil $(OWNO)/$(1).toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
 $(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)

@@ -95,7 +95,6 @@ def measure(study, own, folder, bands, bags):
         designs = [folder(f"design_{soil}")(name, unit)[0] for soil in ("soil", *(f"soil_{k}" for k in bags))]
         study.measure(f"needed_{name}", designs[0], unit)
         study.measure(f"needed_{name}_high", lambda d=designs: d[0] * numpy.exp(DEVIATE * jackknife(numpy.log(d[1:]))), unit)
-    study.measure("needed_sheet", own.reduction * study.measures["needed_strength_high"].value, "kN/m")
     study.measure("settlement_of_design", folder("design_soil")("settlement", "%")[0], "%")
     peaks = {seed: twins(folder(f"check_{seed}")) for seed in (1, 2)}
     study.measure("peak", Mean.of([peak for some in peaks.values() for peak in some]), "1")
@@ -147,7 +146,8 @@ def build(arguments):
     identified = (study.out / "identified.txt").read_text(encoding="utf-8")
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
     study.tell(void_ratio=own.values["void_ratio"], packing_void_ratio=own.values["packing_void_ratio"], lost=len(STIFFNESSES) - len(bags), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
-               short=bands.end < own.values["settlement"], borrowed=borrowed(identified, own), reduction=f"{own.reduction:.3g}", calibration=said, rising=rising,
+               short=bands.end < own.values["settlement"], borrowed=borrowed(identified, own), reduction=f"{own.reduction:.3g}", share=f"{own.strength_fraction / own.reduction:.3g}", fraction=f"{own.strength_fraction:.3g}",
+               share_from="own.toml" if "strength_fraction" in own.values else "grains" if own.strength_fraction < 1 else "factors", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
                fabric=f"{own.fabric.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["inputs", "bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1"]), soil_factor=own.values["factors"].get("soil", 1),
                load_factor=own.values["factors"].get("load", 1))

@@ -32,7 +32,7 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     assert "--predict '" in made and made.count("--test '") == 2
     failure = Table.read(tmp_path / "out/failure.tsv")
     assert failure("obliquity_at_failure", "1") == pytest.approx([1.6526, 1.5953], rel=1e-4)
-    assert "OWN_REDUCED := --strength-fraction 1 --rf-creep 2 --rf-installation 1.2 --rf-durability 1.1\n" in made
+    assert "OWN_REDUCED := --strength-fraction 1.0 --rf-creep 2.0 --rf-installation 1.2 --rf-durability 1.1\n" in made
     assert 'strength = "31754.0 N/m"' in (tmp_path / "out/geotextile.toml").read_text()
     # The page of one geotextile: yarns 5 mm apart carry the stiffness.
     assert "yarn_tension = [145.0]" in (tmp_path / "out/geotextile_1.toml").read_text()
@@ -72,6 +72,8 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     ("creep = 2.0", "creep = inf", "factors.creep = inf: write a number above 0"),
     ('surcharge = "200 kPa"', 'surcharge = "1e400 kPa"', "write a number above 0 with its unit"),
     ("creep = 2.0", "creep = 0.5", "factors.creep = 0.5: a factor is 1 or more"),
+    ("settlement = 0.05", "settlement = 0.05\nstrength_fraction = 1.5", "strength_fraction = 1.5: write a share of the strength"),
+    ("settlement = 0.05", "settlement = 0.05\nstrength_fraction = 0", "strength_fraction = 0"),
     ("creep = 2.0", "crep = 2.0", "factors.crep is unknown; did you mean 'creep'?"),
     ('"engineering"', '"enginering"', "test 1: strains = \"enginering\"; did you mean 'engineering'?"),
     ('confining_pressure = "100 kPa"', 'confining_pressure = "300 kPa"', "correct the one that is wrong"),
@@ -128,6 +130,19 @@ def test_strengths_that_do_not_fall_take_the_exponent_of_toyoura_sand():
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(page, "failures", lambda _, points=points: (points, []))
             assert page.borrowed(identified, own) == [failure_line, "dilatancy line"]
+
+
+def test_no_greater_factor_leaves_a_greater_share_of_the_strength(soil, tmp_path):
+    text, shares = soil.read_text(), []
+    for creep in (1.0, 1.0001, 1.05, 1.5, 1.9999, 2.0, 2.0001, 3.0, 100.0):
+        soil.write_text(text.replace("creep = 2.0, installation = 1.2, durability = 1.1", f"creep = {creep}"))
+        own = inputs.read(soil, CATALOGUE)
+        shares.append(own.strength_fraction / own.reduction)
+        inputs.write(own, tmp_path / "out")
+        assert f"--strength-fraction {min(1.0, 0.5 * creep)!r} --rf-creep {creep!r}\n" in (tmp_path / "out/inputs.mk").read_text()
+    assert shares == pytest.approx([0.5] * 6 + [1 / 2.0001, 1 / 3, 0.01]) and all(b <= a * (1 + 1e-12) for a, b in zip(shares, shares[1:], strict=False))
+    soil.write_text(text.replace("settlement = 0.05", "settlement = 0.05\nstrength_fraction = 0.8"))
+    assert inputs.read(soil, CATALOGUE).strength_fraction == 0.8
 
 
 def make(soil, out, tools, *goals):
@@ -299,12 +314,22 @@ def test_the_page_says_what_the_bag_carries_and_where_its_geotextile_ends(out):
     study = out(0.1)
     low, high = (study.measures[f"carried_{end}"].value for end in ("low", "high"))
     assert study.measures["carried"].value == pytest.approx(500, rel=1e-4) and low < 450 < 550 < high
-    assert study.measures["needed_sheet"].value == pytest.approx(2.64 * 5) and study.measures["packings_apart"].value == 0
+    assert study.measures["needed_strength_high"].value == pytest.approx(5) and study.measures["packings_apart"].value == 0
     # The report of the identification names no line at all.
     assert "stiffness of Toyoura sand had to stand for this soil's." in study.headline
     assert "at 5.00 % settlement." in study.headline.replace("\xa0", " ") and all(any(doubt in text for text in study.remarks) for doubt in ("it is extrapolated", "many rattlers"))
     study.write()
     assert (study.out / "page.html").exists()
+
+
+@pytest.mark.parametrize(("old", "new", "said"), [
+    ("creep = 2.0", "creep = 2.0", "Failure is counted at 0.379 of the strength of the data sheet. That is what reduction factors of 2.64 in all leave."),
+    ("creep = 2.0", "creep = 1.0", "Failure is counted at 0.5 of the strength of the data sheet. In the thesis's discrete elements"),
+    ("settlement = 0.05", 'settlement = 0.05\nstrength_fraction = "66 %"', "Failure is counted at 0.25 of the strength of the data sheet. That is the strength_fraction")])
+def test_the_page_says_which_share_of_the_strength_counts_and_why(out, soil, monkeypatch, old, new, said):
+    monkeypatch.setattr(page, "draw", lambda *_: None)
+    soil.write_text(soil.read_text().replace(old, new))
+    assert any(said in text.replace("\xa0", " ") for text in out(0.1).remarks)
 
 
 def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monkeypatch):
