@@ -247,7 +247,7 @@ TEST(Doubtful, RattlersCoordinationAndCellAreSaid) {
     loose.grains.body_id.push_back(static_cast<std::int64_t>(half + i));
   }
   std::string keys;
-  const Contacts contacts(default_material(1e-4), "default material");
+  const Contacts contacts(default_material(mean_radius(loose)), "default material");
   for (const Doubt& doubt : doubts_about(loose, contacts, std::nullopt)) keys += doubt.key + " ";
   EXPECT_EQ(keys.find("rattlers coordination cell "), 0u) << keys;
 }
