@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/tables/tables.h"
@@ -113,13 +114,16 @@ struct FemDem {
     doubts.add_all(plan.doubts);
     if (check) return io::write_bytes("-", fem::forecast(plan, states, doubts));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
-    const ProgressReport report = [&](double done, const std::string& detail) { progress.update(done, detail); };
+    bool begun = false;
+    const ProgressReport report = [&](double done, const std::string& detail) {
+      if (!std::exchange(begun, true)) progress.note("fem-dem: the mesh is " + fem::extent_text(plan.model.soil.mesh));
+      progress.update(done, detail);
+    };
     const io::History history = io::with_doubts(io::extend(sources, invocation, plan.resolved), doubts);
     const StopSignals signals;
     std::optional<io::SafeOutput> safe;
     if (ranks.first()) safe.emplace(output, history, invocation);
     if (ranks.told(std::int64_t{safe && safe->finished(progress)}) != 0) return;
-    progress.note("fem-dem: the mesh is " + fem::extent_text(plan.model.soil.mesh));
     const fem::Outcome outcome =
         fem::run(plan, states, report, {safe ? safe->part() : nullptr, interval, &signals}, history, ranks, doubts);
     if (!safe) return;

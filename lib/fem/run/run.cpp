@@ -85,6 +85,7 @@ class Runner {
   }
 
   Outcome run() {
+    tell();
     if (!going_on_) note();
     while (done_ < timetable_.outputs()) {
       if (resting_) {
