@@ -73,6 +73,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
 
 @test "a mesh in mm is told by its extent and by a run that is too short for it" {
   exits 0 fem-dem --check elastic.toml
+  # shellcheck disable=SC2154  # set by exits
   [[ $output == *" points, 0.6 m by 0.3 m"* && $stderr != *doubt* ]] || show
   exits 0 fem-dem elastic.toml --set time.duration=0.001 -o short.h5
   [[ $stderr == *"fem-dem: the mesh is 0.6 m by 0.3 m"* ]] || show
@@ -152,7 +153,6 @@ mesh() {
   fem-dem --table series plain.h5 > plain.tsv
   for file in groups clockwise; do
     exits 0 fem-dem --quiet square.toml --mesh $file.msh -o $file.h5
-    # shellcheck disable=SC2154  # set by exits
     [[ $file == groups || $stderr == "fem-dem: doubt: clockwise.msh: 1 of 2 elements, element 3 the first, are clockwise: turned round" ]] ||
       show "not said"
     fem-dem --table series $file.h5 > $file.tsv
