@@ -109,18 +109,22 @@ TEST(Run, PlatesKeepTheirFrictionUntilAStageGivesThemAnother) {
     state.contacts = {};
     return state;
   }();
-  const auto stress = [](const io::Snapshot& start, const std::string& text) {
+  // Between plates the series has no stress of a cell, so that places of grains tell runs apart.
+  const auto moved = [](const io::Snapshot& start, const std::string& text) {
     const Scenario plan = scenario(text);
-    return last(run(prepare(start, plan), plan, {}).file, "stress_xx");
+    const Outcome outcome = run(prepare(start, plan), plan, {});
+    double sum = 0;
+    for (const Vec3& place : outcome.file.snapshots.back().grains.position) sum += place.norm();
+    return sum;
   };
-  const double smooth = stress(packing, plates + held("plate_friction_angle = 0\n") + squeezed(""));
-  EXPECT_EQ(stress(packing, plates + held("plate_friction_angle = 0\n") + squeezed("friction_angle = 29\n")), smooth);
-  EXPECT_NE(stress(packing, plates + held("") + squeezed("")), smooth);
+  const double smooth = moved(packing, plates + held("plate_friction_angle = 0\n") + squeezed(""));
+  EXPECT_EQ(moved(packing, plates + held("plate_friction_angle = 0\n") + squeezed("friction_angle = 29\n")), smooth);
+  EXPECT_NE(moved(packing, plates + held("") + squeezed("")), smooth);
   // Planes of the input obey too.
   io::Snapshot inherited = packing;
   inherited.planes = prepare(packing, scenario(plates + held(""))).planes;
   const std::string bare = plates.substr(0, plates.find("[[plane]]")) + "[equilibrium]\nunbalanced_force = 0.1\n";
-  EXPECT_NE(stress(inherited, bare + squeezed("plate_friction_angle = 0\n")), stress(inherited, bare + squeezed("")));
+  EXPECT_NE(moved(inherited, bare + squeezed("plate_friction_angle = 0\n")), moved(inherited, bare + squeezed("")));
 }
 
 TEST(Run, RecordsStrainsThatCountFromTheStartOfTheirStage) {
