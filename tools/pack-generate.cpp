@@ -30,8 +30,8 @@ constexpr Parameter radius_parameter{"mean_radius", "m", 0, 1e3, true, "mean rad
 constexpr Parameter cloud_parameter{
     "cloud_void_ratio", "1", 1, 1e3, false, "void ratio of the initial cloud", "grains placed at random jam below it"};
 constexpr Parameter aspect_parameter{"aspect", "1", 0.1, 10, false, "height of the cell over its width"};
-constexpr Parameter dimension_parameter{
-    "dimension", "1", 2, 3, false, "3: spheres; 2: disks with spheres' contacts per metre; stress scales with E r"};
+constexpr Parameter dimension_parameter{"dimension", "1",   2,
+                                        3,           false, "3: spheres; 2: disks, whose stress scales with E r"};
 constexpr Parameter coarsest_parameter{"coarsest", "m", 0, 1e3, true, "coarser grains of the grading are left out"};
 constexpr Parameter density_parameter{
     "density", "kg/m3", 0, 1e12, true, "density of the grains, scaling included [2650e3, or a packing file's own]"};
