@@ -11,7 +11,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <ranges>
 #include <set>
 
 #include "analysis/measure/parts.h"
@@ -109,9 +108,9 @@ std::int32_t copies_along(const io::Snapshot& state, const std::vector<Part>& pa
   const std::int32_t first = *ids.begin(), last = *ids.rbegin();
   for (std::int32_t n = 2; n <= last; ++n) {
     if (first / n + last / n != n - 1) continue;
-    const auto [left, right] =
-        std::ranges::minmax(ids | std::views::transform([n](std::int32_t id) { return id % n; }));
-    if (left + right == n - 1 && are_columns(n, state, part)) return n;
+    std::set<std::int32_t> columns;
+    for (const std::int32_t id : ids) columns.insert(id % n);
+    if (*columns.begin() + *columns.rbegin() == n - 1 && are_columns(n, state, part)) return n;
   }
   return 0;
 }
