@@ -65,6 +65,13 @@ fails() {
   fails other_bytes series.tsv series.tsv
 }
 
+@test "a refusal is tested in a folder where no other test writes" {
+  refuses 64 run-dem "--keys yaml" --keys yaml
+  cd "$BATS_TEST_DIRNAME"
+  fails refuses 64 run-dem "--keys yaml" --keys yaml
+  [[ $output == "refuses needs a folder below $BATS_TEST_TMPDIR, not $BATS_TEST_DIRNAME"* ]] || show "wanted the folder"
+}
+
 @test "a test that hangs is stopped and named, what a check skips is listed" {
   {
     echo "setup() { BATS_TEST_DIRNAME=$BATS_TEST_DIRNAME; load $BATS_TEST_DIRNAME/common; }"

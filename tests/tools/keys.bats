@@ -57,6 +57,7 @@ END
 }
 
 @test "a form of the keys that is none is refused" {
+  cd "$BATS_TEST_TMPDIR"
   refuses 64 run-dem "--keys yaml: give text, json or no word" --keys yaml
   [[ $(run-dem --keys yaml 2>&1 | wc -l) == 1 ]]
 }
