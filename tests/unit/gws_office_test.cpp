@@ -182,7 +182,9 @@ TEST(GwsEstimate, TheSoilHasTheStrengthAndStiffnessItIsEstimatedFrom) {
   const SoilFile toyoura = read_soil(laboratory);
   laboratory.finish();
   EXPECT_NEAR(toyoura.soil.lambda, Soil{}.lambda, 0.1 * Soil{}.lambda);
-  EXPECT_NEAR(toyoura.soil.C_t, Soil{}.C_t, 0.1 * Soil{}.C_t);
+  // C_t goes with 1/E50 and alpha with E50.
+  const double product = Soil{}.alpha * Soil{}.C_t;
+  EXPECT_NEAR(toyoura.soil.alpha * toyoura.soil.C_t, product, 1e-12 * product);
   EXPECT_NEAR(toyoura.soil.alpha, Soil{}.alpha, 0.1 * Soil{}.alpha);
   EXPECT_FALSE(toyoura.estimated.empty());
 }
