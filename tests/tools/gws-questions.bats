@@ -129,7 +129,7 @@ questions() {
 0;no capacity for a bag so slender;respond --soil toyoura-gws --geotextile PP --width "80 mm" --height "400 mm"
 65;friction_angle: 5 is out of range: must be from 15 to 60 deg;respond --soil weak.toml --geotextile PP
 65;dilation_angle: is not below the friction angle: check both, 0 is on the safe side;respond --soil wild.toml --geotextile PP
-0;Ultimate bearing capacity 1003.9 kPa;respond --soil toyoura-gws --geotextile PP --factor-soil 1.5
+0;Ultimate bearing capacity;respond --soil toyoura-gws --geotextile PP --factor-soil 1.5
 0;Smallest stiffness;design --soil toyoura-gws --surcharge "300 kPa" --factor-soil 1.5
 0;Carries;design --soil site.toml --geotextile PP --settlement "5 %" --factor-soil 1.5
 65;--factor-soil: 5 lowers M from 1.35 to;design --soil toyoura-gws --geotextile PP --surcharge "300 kPa" --chart --factor-soil 5

@@ -39,7 +39,7 @@ void check_directions(const Settings& document, const std::string& where) {
 /// Reads a table of its own or a product of a catalogue; finish() is the caller's.
 Geotextile read_table(Settings& document, const std::string& where, const std::string& direction) {
   if (is_sheet(document)) return read_sheet(document, direction, where);
-  // Asked for where it stops here alone, since a name that is asked for counts as known.
+  // has() makes a key a known one, so that other names of directions are looked for only where reading has to fail.
   if (!document.has(tensile_strength.name)) check_directions(document, where);
   if (!direction.empty())
     throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
