@@ -1,4 +1,4 @@
-// Takes single contacts from record to record.
+// Takes single contacts from record to record, and tells nodes from grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/records.h"
 
@@ -21,6 +21,13 @@ void ContactsRecord::append(const ContactsRecord& from, std::size_t c) {
   rolling_moment.push_back(from.rolling_moment[c]), twisting_moment.push_back(from.twisting_moment[c]);
   sliding.push_back(from.sliding[c]);
   append_own(from, c);
+}
+
+std::vector<bool> nodes(const Snapshot& state) {
+  std::vector<bool> node(state.grains.size(), false);
+  for (const auto& ends : state.yarns.nodes)
+    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
+  return node;
 }
 
 }  // namespace soilweave::io

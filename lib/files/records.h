@@ -118,6 +118,9 @@ struct Snapshot {
   YarnsRecord yarns;
 };
 
+/// Returns for each grain whether it is a node of a geotextile, the end of a yarn.
+std::vector<bool> nodes(const Snapshot& state);
+
 /// A column, with a value per recorded state.
 struct Column {
   std::string name, unit, long_name;

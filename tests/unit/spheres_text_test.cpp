@@ -253,7 +253,7 @@ TEST_F(Spheres, LeaveOutNodesAndTellWhatATextLacks) {
   const ExportedSpheres text = export_spheres(state, "state");
   EXPECT_EQ(text.text, "1 1 1 0.5\n");
   EXPECT_EQ(text.left_out,
-            "2 nodes and 1 yarns of geotextiles, 1 planes, the cell, which is tilted or not periodic along all axes");
+            "2 nodes and 1 yarn of geotextiles, 1 plane, the cell, which is tilted or not periodic along all axes");
   state.yarns.nodes = {{0, 1}, {1, 2}};
   expect_error<DataError>([&] { export_spheres(state, "state"); },
                           "state: holds nodes of geotextiles alone, which are no grains");

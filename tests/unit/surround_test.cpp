@@ -77,7 +77,7 @@ TEST(Surround, PutsTheGrainsBackThatWereCutAwayWithoutOverlap) {
   const io::Snapshot one = bag();
   const Surrounded cell = surround(one, around(), 0);
   EXPECT_TRUE(cell.cut_away);
-  const std::vector<bool> node = analysis::nodes(one);
+  const std::vector<bool> node = io::nodes(one);
   const auto soil = static_cast<std::size_t>(std::count(node.begin(), node.end(), false));
   const auto filled = static_cast<std::size_t>(std::count(cell.fill.begin(), cell.fill.end(), true));
   EXPECT_EQ(soil + filled, 4 * volume().grains.size()) << "all soil of the block is in the cell, once";
@@ -120,7 +120,7 @@ TEST(Surround, LayersAreTheFacesOfABagWithFreeEdges) {
   const io::YarnsRecord& yarns = cell.state.yarns;
   EXPECT_EQ(yarns.size(), 2U * 2 * 12 * 13);
   EXPECT_TRUE(std::all_of(yarns.family.begin(), yarns.family.end(), [](std::int32_t f) { return f == 0; }));
-  const std::vector<bool> node = analysis::nodes(cell.state);
+  const std::vector<bool> node = io::nodes(cell.state);
   EXPECT_EQ(std::count(node.begin(), node.end(), true), 2 * 13 * 13) << "no node of the sides is left";
   std::set<std::int32_t> fabrics(yarns.fabric.begin(), yarns.fabric.end());
   EXPECT_EQ(fabrics.size(), 2U);

@@ -78,7 +78,7 @@ StressForceFabric stress_force_fabric(const io::Snapshot& state, const Fabric& f
 }
 
 Coordination coordination(const io::Snapshot& state) {
-  std::vector<bool> grains = nodes(state);
+  std::vector<bool> grains = io::nodes(state);
   grains.flip();
   return coordination(state, grains);
 }

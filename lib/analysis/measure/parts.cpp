@@ -7,15 +7,8 @@
 
 namespace soilweave::analysis {
 
-std::vector<bool> nodes(const io::Snapshot& state) {
-  std::vector<bool> node(state.grains.size(), false);
-  for (const auto& ends : state.yarns.nodes)
-    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
-  return node;
-}
-
 std::vector<Part> parts(const io::Snapshot& state) {
-  const std::vector<bool> node = nodes(state);
+  const std::vector<bool> node = io::nodes(state);
   const auto of_copy = [&](std::size_t i) { return state.grains.copy_id[i] >= 0; };
   bool copies = false;
   for (std::size_t i = 0; i < node.size(); ++i) copies = copies || (!node[i] && of_copy(i));

@@ -13,8 +13,6 @@ namespace soilweave::analysis {
 /// Parts, numbered as in the column `part` of tables and pictures.
 enum class Part : std::uint8_t { soil = 0, fill = 1, node = 2 };
 
-/// Returns for each grain whether it is a geotextile node.
-std::vector<bool> nodes(const io::Snapshot& state);
 /// Returns the part of each body. Copies (copy_id >= 0) are reinforced soil, the rest fill. Without copies all is soil.
 /// A node is an end of a yarn.
 std::vector<Part> parts(const io::Snapshot& state);

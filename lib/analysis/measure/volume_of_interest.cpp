@@ -123,7 +123,7 @@ Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high) {
       {},
       {}};
   const ImageInBox image(state, low, high);
-  const std::vector<bool> node = nodes(state);
+  const std::vector<bool> node = io::nodes(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
     if (node[i]) continue;
     if (const std::optional<Vec3i> inside = image.of(i)) {

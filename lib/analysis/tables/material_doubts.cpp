@@ -33,7 +33,7 @@ struct Bodies {
 
 // Returns the sums over nodes or over soil, of one material or, below 0, of all.
 Bodies bodies(const io::Snapshot& state, bool of_nodes, std::int32_t material = -1) {
-  const std::vector<bool> node = nodes(state);
+  const std::vector<bool> node = io::nodes(state);
   const io::GrainsRecord& g = state.grains;
   Bodies sum;
   for (std::size_t i = 0; i < g.size(); ++i) {

@@ -24,9 +24,7 @@ double widest_between(const io::Snapshot& state, const std::vector<bool>& node, 
 PlateWays::PlateWays(const io::Snapshot& state, std::vector<RigPart> parts, double overlap)
     : parts_(std::move(parts)), overlap_(overlap), displacement_(state.planes.point.size(), Vec3::Zero()) {
   const std::vector<Plane> planes = Planes(state.planes).all;
-  std::vector<bool> node(state.grains.size(), false);
-  for (const auto& ends : state.yarns.nodes)
-    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
+  const std::vector<bool> node = io::nodes(state);
   for (std::size_t q = 0; q < planes.size(); ++q)
     for (std::size_t p = 0; p < q; ++p) {
       const double distance = (planes[q].point - planes[p].point).dot(planes[p].normal);

@@ -97,13 +97,6 @@ void demand_recorded(const io::Snapshot& packing, const Scenario& scenario) {
                                 lost, known.empty() ? ", which no stage here has: leave the list out" : ""));
 }
 
-std::vector<bool> nodes_of(const io::Snapshot& state) {
-  std::vector<bool> node(state.grains.size(), false);
-  for (const auto& ends : state.yarns.nodes)
-    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
-  return node;
-}
-
 Plane plane_of(const io::Snapshot& state, std::size_t k) {
   return {state.planes.point[k], state.planes.normal[k].normalized(), Vec3::Zero(), 0,
           static_cast<Partners>(state.planes.partners[k])};
@@ -111,7 +104,7 @@ Plane plane_of(const io::Snapshot& state, std::size_t k) {
 
 // Moves planes until they just touch the outermost grain they meet.
 void put_in_touch(io::Snapshot& state, const Scenario& scenario) {
-  const std::vector<bool> node = nodes_of(state);
+  const std::vector<bool> node = io::nodes(state);
   for (const std::size_t k : scenario.touching) {
     const Plane plane = plane_of(state, k);
     double lowest = std::numeric_limits<double>::infinity();
@@ -137,7 +130,7 @@ std::string name_of(std::size_t plane, const Scenario& scenario) {
 // Throws DataError for a plane of the scenario that stands inside the grains it loads. Plates may press a little at the
 // start; planes without a name as deep as contacts may be.
 void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
-  const std::vector<bool> node = nodes_of(state);
+  const std::vector<bool> node = io::nodes(state);
   for (std::size_t k = 0; k < scenario.planes.point.size(); ++k) {
     const std::string name = name_of(k, scenario);
     const double allowed = name.front() == '"' ? deepest_start : scenario.numerics.limits.overlap;
@@ -254,7 +247,7 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
 }
 
 void set_density(io::Snapshot& state, double density) {
-  const std::vector<bool> node = nodes_of(state);
+  const std::vector<bool> node = io::nodes(state);
   for (std::size_t i = 0; i < state.grains.size(); ++i)
     if (!node[i]) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
 }

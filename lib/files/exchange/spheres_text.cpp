@@ -299,20 +299,16 @@ bool upright(const Snapshot& state) {
   return state.cell.periodic == std::array<bool, 3>{true, true, !disks} && state.cell.matrix.isDiagonal(0.0);
 }
 
-/// Returns for each grain whether it is a node of a geotextile.
-std::vector<bool> nodes_of_yarns(const Snapshot& state) {
-  std::vector<bool> node(state.grains.size(), false);
-  for (const auto& ends : state.yarns.nodes)
-    for (const std::int32_t n : ends) node[static_cast<std::size_t>(n)] = true;
-  return node;
-}
-
 /// Returns what a text of the grains alone lacks.
 std::string left_out_of_text(const Snapshot& state, std::size_t nodes) {
   std::vector<std::string> all;
-  if (nodes > 0) all.push_back(fmt::format("{} nodes and {} yarns of geotextiles", nodes, state.yarns.size()));
-  if (!state.planes.point.empty()) all.push_back(fmt::format("{} planes", state.planes.point.size()));
-  if (state.contacts.size() > 0) all.push_back(fmt::format("{} contacts", state.contacts.size()));
+  const auto counted = [](std::size_t n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  if (nodes > 0)
+    all.push_back(counted(nodes, "node") + " and " + counted(state.yarns.size(), "yarn") + " of geotextiles");
+  if (!state.planes.point.empty()) all.push_back(counted(state.planes.point.size(), "plane"));
+  if (state.contacts.size() > 0) all.push_back(counted(state.contacts.size(), "contact"));
   const std::array<bool, 3>& periodic = state.cell.periodic;
   if (!upright(state) && (periodic[0] || periodic[1] || (state.grains.dimension == 3 && periodic[2])))
     all.emplace_back("the cell, which is tilted or not periodic along all axes");
@@ -361,7 +357,7 @@ ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresO
 
 ExportedSpheres export_spheres(const Snapshot& state, const std::string& where) {
   const bool disks = state.grains.dimension == 2;
-  const std::vector<bool> node = nodes_of_yarns(state);
+  const std::vector<bool> node = io::nodes(state);
   const auto nodes = static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
   if (nodes > 0 && nodes == node.size())
     throw DataError(where + ": holds nodes of geotextiles alone, which are no grains: name a file with grains");

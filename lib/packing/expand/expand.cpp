@@ -65,7 +65,7 @@ class Grower {
         kept_(last ? Archive(std::move(last->numbers), keeper_.part().last().string()) : Archive()),
         simulation_(last ? dem::Simulation(last->state, model, numerics, kept_)
                          : dem::Simulation(start, model, numerics)),
-        node_(analysis::nodes(start)) {
+        node_(io::nodes(start)) {
     const double r = *std::max_element(start.grains.radius.begin(), start.grains.radius.end());
     const double u = growth.negligible * r;
     least_force_ = 2.0 / 3.0 * dem::make_contact_sweep(model)->stiffness(r, u, 1, 3).normal * u;
@@ -341,7 +341,7 @@ Growth Growth::read(Settings& table) {
 Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numerics& numerics, const Growth& growth,
            const ProgressReport& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
-  held.clamps = {numbers_of(analysis::nodes(start))};
+  held.clamps = {numbers_of(io::nodes(start))};
   // Yarns whose nodes stand still have no tension. Radii grow by work that no boundary does, and rattlers fly. Damping
   // removes the energy that the balance then lacks.
   held.limits.energy_error = std::numeric_limits<double>::infinity();

@@ -38,7 +38,7 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
 }  // namespace
 
 bool is_cut_from(const io::Snapshot& reinforced, const io::Snapshot& block) {
-  const std::vector<bool> node = analysis::nodes(reinforced);
+  const std::vector<bool> node = io::nodes(reinforced);
   double growth = 0;
   for (std::size_t i = 0; i < node.size(); ++i) {
     if (node[i]) continue;
@@ -54,7 +54,7 @@ bool is_cut_from(const io::Snapshot& reinforced, const io::Snapshot& block) {
 }
 
 Origin origin(const io::Snapshot& reinforced, const io::Snapshot& block) {
-  const std::vector<bool> node = analysis::nodes(reinforced);
+  const std::vector<bool> node = io::nodes(reinforced);
   Origin from;
   from.taken.assign(block.grains.size(), false);
   from.cut = is_cut_from(reinforced, block);
@@ -70,7 +70,7 @@ Origin origin(const io::Snapshot& reinforced, const io::Snapshot& block) {
 
 io::Snapshot between_faces(const io::Snapshot& bag, const std::vector<bool>& keep) {
   const std::size_t n = bag.grains.size();
-  const std::vector<bool> node = analysis::nodes(bag);
+  const std::vector<bool> node = io::nodes(bag);
   std::vector<std::size_t> parent(n);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   std::vector<bool> on_face(n, false);
@@ -112,7 +112,7 @@ Vec3 extent(const io::Snapshot& state) {
 }
 
 Inside::Inside(const io::Snapshot& reinforced) {
-  const std::vector<bool> node = analysis::nodes(reinforced);
+  const std::vector<bool> node = io::nodes(reinforced);
   const io::YarnsRecord& yarns = reinforced.yarns;
   const std::vector<Vec3>& x = reinforced.grains.position;
   for (std::size_t i = 0; i < node.size(); ++i) {

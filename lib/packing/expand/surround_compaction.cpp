@@ -117,7 +117,7 @@ std::string Shape::text() const {
 }
 
 Shape shape(const io::Snapshot& state, const std::vector<bool>& fill) {
-  const std::vector<bool> node = analysis::nodes(state);
+  const std::vector<bool> node = io::nodes(state);
   const std::vector<Mat3> dyads = analysis::grain_dyads(state);
   const std::vector<double> cells = analysis::power_cell_volumes(state);
   std::vector<bool> soil(fill.size());
