@@ -283,9 +283,10 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
   std::vector<Doubt> doubts;
   // Most grains are beyond a sheet within soil, which is no bag.
   if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
-    doubts.push_back({"outside", fmt::format("{} of {} grains are outside the bag: they bear nothing of it, and soil "
-                                             "stresses and void ratio count them; a finer mesh holds them",
-                                             out, soil)});
+    doubts.push_back(
+        {"outside", fmt::format("{} of {} grains are beyond the geotextile: they bear nothing of it, and soil "
+                                "stresses and void ratio count them; a finer mesh holds them",
+                                out, soil)});
   if (const double z = coordination(state, those(part, Part::soil)).all; z < loosest_bag)
     doubts.push_back(
         {"preload",
