@@ -8,6 +8,7 @@ import pathlib
 import re
 import tomllib
 
+import numpy
 from own.keys import table_of
 from study import StudyError
 from study.errors import suggestion
@@ -41,13 +42,25 @@ def sheet(comment, name, **values):
     return "\n".join([f"# {comment}", f'name = "{name}"', *lines]) + "\n"
 
 
+def _strain_at(side, tension):
+    """Returns the strain of a direction at a tension, linearly between the points of its sheet."""
+    points = sorted([(0.0, 0.0), *((side[key], strain) for key, strain in STRAINS.items() if key in side), (side["strength"], side["failure_strain"])])
+    return float(numpy.interp(tension, *zip(*points, strict=True)))
+
+
 def _lesser(path, machine, cross):
-    """Returns the lesser value of each point, as gws-solve does. Raises StudyError where one direction lacks a point."""
+    """Returns the lesser tension of each point, and the greater strain of both at the lesser strength, so that no direction is stiffer or stronger.
+
+    Raises StudyError where one direction lacks a point.
+    """
     for key in POINTS:
         if (key in machine) != (key in cross):
             without, other = ("cross", "machine") if key in machine else ("machine", "cross")
             raise StudyError(f"{path}: geotextile.{without} has no {key}, which geotextile.{other} has: give it, or leave out one direction")
-    return {key: min(machine[key], cross[key]) for key in POINTS if key in machine}
+    lesser = {key: min(machine[key], cross[key]) for key in POINTS if key in machine}
+    if {"strength", "failure_strain"} <= lesser.keys():
+        lesser["failure_strain"] = max(_strain_at(side, lesser["strength"]) for side in (machine, cross))
+    return lesser
 
 
 def _points(path, given, direction):
@@ -92,7 +105,7 @@ def _judge(path, values):
 def _open(path, name):
     """Returns the content of a TOML file beside own.toml, or of the catalogue of geotextiles."""
     try:
-        return tomllib.loads(name.read_text(encoding="utf-8"))
+        return tomllib.loads(name.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise StudyError(f"{path}: geotextile: {name}: cannot be read: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:

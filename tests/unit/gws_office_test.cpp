@@ -13,6 +13,7 @@
 #include "gws/solution/matsuoka_liu.h"
 #include "gws/solution/secant.h"
 #include "support/gws_reference.h"
+#include "support/same_state.h"
 
 namespace soilweave::gws {
 namespace {
@@ -86,16 +87,25 @@ TEST(GwsDataSheet, TheSecantIsThatOfTheStrainReached) {
   for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GT(points[i].settlement(), points[i - 1].settlement());
 }
 
-TEST(GwsDataSheet, TheLesserOfBothDirectionsCountsUnlessOneIsChosen) {
-  const std::string text =
-      "name = \"x\"\n[machine]\ntension_at_2 = \"20 kN/m\"\nstrength = \"100 kN/m\"\nfailure_strain = \"10 %\"\n"
-      "[cross]\ntension_at_2 = \"25 kN/m\"\nstrength = \"60 kN/m\"\nfailure_strain = \"12 %\"\n";
+TEST(GwsDataSheet, BothDirectionsAreNeitherStifferNorStrongerThanOneUnlessOneIsChosen) {
+  const auto sheet = [](const std::string& cross_strength) {
+    return "name = \"x\"\n[machine]\ntension_at_2 = \"20 kN/m\"\nstrength = \"100 kN/m\"\nfailure_strain = \"10 %\"\n"
+           "[cross]\ntension_at_2 = \"25 kN/m\"\nfailure_strain = \"12 %\"\nstrength = \"" +
+           cross_strength + "\"\n";
+  };
+  const std::string text = sheet("60 kN/m");
   const Geotextile least = read_geotextile(text, "x.toml"), cross = read_geotextile(text, "x.toml", "cross");
   EXPECT_DOUBLE_EQ(least.strength, 60e3);
-  EXPECT_DOUBLE_EQ(least.failure_strain, 0.10);
+  EXPECT_DOUBLE_EQ(least.failure_strain, 0.12) << "the softer direction is stretched farther by the lesser strength";
   EXPECT_DOUBLE_EQ(least.curve.tension_at(0.02), 20e3);
   EXPECT_DOUBLE_EQ(cross.curve.tension_at(0.02), 25e3);
   EXPECT_DOUBLE_EQ(cross.layers(3).curve.tension_at(0.02), 75e3);
+  for (double strain = 0.01; strain < 0.13; strain += 0.01)
+    EXPECT_LE(
+        least.curve.tension_at(strain),
+        std::min(read_geotextile(text, "x.toml", "machine").curve.tension_at(strain), cross.curve.tension_at(strain)));
+  expect_error<DataError>([&] { read_geotextile(sheet("24 kN/m"), "x.toml"); },
+                          "x.toml: [cross]: 24 kN/m at a strain of 12 %");
 }
 
 TEST(GwsFactors, AWeakerSoilCarriesLessAndSettlesAtServiceAsBefore) {

@@ -35,7 +35,9 @@ DataSheet read_direction(Settings& at) {
           value(at, failure_strain_range)};
 }
 
-/// The lesser of both directions, point by point.
+/// Returns a sheet that is neither stiffer nor stronger than one of the directions: the lesser tension at each strain,
+/// and at the lesser strength the greater strain. Throws DataError where a direction lacks a point or contradicts
+/// itself.
 DataSheet lesser(const DataSheet& machine, const DataSheet& cross, const std::string& where) {
   const auto least = [&](const std::optional<double>& a, const std::optional<double>& b, const char* key) {
     if (a.has_value() != b.has_value())
@@ -43,9 +45,15 @@ DataSheet lesser(const DataSheet& machine, const DataSheet& cross, const std::st
                                   a ? "cross" : "machine", key, a ? "machine" : "cross", a ? "machine" : "cross"));
     return a ? std::optional<double>(std::min(*a, *b)) : std::nullopt;
   };
-  return {least(machine.at_2, cross.at_2, "tension_at_2"), least(machine.at_5, cross.at_5, "tension_at_5"),
-          least(machine.strength, cross.strength, "strength"),
-          least(machine.failure_strain, cross.failure_strain, "failure_strain")};
+  DataSheet both{least(machine.at_2, cross.at_2, "tension_at_2"), least(machine.at_5, cross.at_5, "tension_at_5"),
+                 least(machine.strength, cross.strength, "strength"),
+                 least(machine.failure_strain, cross.failure_strain, "failure_strain")};
+  if (!both.strength || !both.failure_strain) return both;
+  const auto strain_of = [&](const DataSheet& one, const char* name) {
+    return of_sheet("", one, fmt::format("{}: [{}]", where, name)).curve.strain_at(*both.strength);
+  };
+  both.failure_strain = std::max(strain_of(machine, "machine"), strain_of(cross, "cross"));
+  return both;
 }
 
 }  // namespace

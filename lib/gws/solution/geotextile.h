@@ -57,7 +57,7 @@ std::vector<std::string> geotextile_names();
 
 /// Returns a geotextile by name ("PP"), multiple ("3PP", "0.5PP": thesis Fig. 5.15), TOML file (a path with "/" or
 /// ".toml") or catalogue entry ("FILE.toml:NAME", with tables [[product]], of which only this one is judged).
-/// "@machine" or "@cross" after it chooses a direction of a data sheet; default: the lesser value of both. Throws
+/// "@machine" or "@cross" after it chooses a direction of a data sheet; default: the softer and weaker of both. Throws
 /// DataError that names the nearest known one.
 Geotextile find_geotextile(const std::string& name);
 
