@@ -8,6 +8,9 @@ $(error PROFILE=$(PROFILE): choose quick or thesis)
 endif
 OUT := out
 BIN := $(B)/bin
+ifneq ($(words $(OUT)) $(words $(BIN)),1 1)
+$(error OUT=$(OUT) BIN=$(BIN): make cannot use a folder with blanks in its path)
+endif
 # Debian's own interpreter has the packages that the studies use; the package study is what they share.
 PYTHON ?= /usr/bin/python3
 # -P: the folder of study.py does not hide the package of that name.
@@ -25,7 +28,7 @@ $(OUT)/profile: always
 
 # Puts what a recipe prints into a file that appears whole. The name beside it is the writing shell's own, since a make that
 # was killed may leave writers behind while the next one is at work.
-whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { rm -f $(1).$$$$; false; }
+whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { status=$$?; rm -f $(1).$$$$; (exit $$status); }
 
 include $(sort $(wildcard pipelines/*/study.mk))
 

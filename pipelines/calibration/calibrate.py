@@ -43,6 +43,8 @@ def _errors(text):
     try:
         pairs = [part.split("=") for part in text.split(",")]
         sizes = _share(text) if "=" not in text else {name: float(value) for name, value in pairs}
+        if "=" in text and len(sizes) < len(pairs):
+            raise argparse.ArgumentTypeError(f'"{text}": a name is there twice; leave one of them out')
     except ValueError as error:
         raise argparse.ArgumentTypeError(f'"{text}": write a share, as 0.05 or 5 %, or NAME=NUMBER,NAME=NUMBER') from error
     if not all(0 < size < math.inf for size in (sizes.values() if isinstance(sizes, dict) else [sizes])):
@@ -74,6 +76,14 @@ def _whole(least):
     return read
 
 
+def _strains(text):
+    """Returns the strains in % of "0.2,1", as they are written."""
+    found = text.split(",")
+    for one in found:
+        _number(0)(one)
+    return found
+
+
 def parse(words):
     """Returns the options of a command line. Raises Failure for wrong ones."""
     p = Parser(prog="calibrate.sh", description=__doc__.replace("\n\n", " "), allow_abbrev=False)
@@ -97,7 +107,7 @@ def parse(words):
     p.add_argument("--effective-size", type=_number(0), default=12, metavar="X", help="sample size that ends the rounds; 0: all are made [12]")
     p.add_argument("--rate", default="scenario", help="1/s of the loading; try: the fastest that the response no longer depends on")
     p.add_argument("--bases", default="", help="of the first round's Halton sequence")
-    p.add_argument("--at", default="", metavar="%,%...", help="strains at which densities are also given")
+    p.add_argument("--at", type=_strains, default=[], metavar="%,%...", help="strains at which densities are also given")
     given = p.parse_args(words)
     if given.error is not None and given.variance is not None:
         p.error("--error and --variance both say how exact the tests are: give one of them")
@@ -209,7 +219,7 @@ class Calibration:
             words += ["--covariance", "component", "--variance" if self.given.variance else "--error", ",".join(f"{sizes[n]!r}" for n in names)]
         else:
             words += ["--covariance", "largest", "--error", repr(sizes)]
-        return words + [word for at in self.given.at.split(",") if at and test.kind != "greatest" for word in ("--at", at)]
+        return words + [word for at in self.given.at if test.kind != "greatest" for word in ("--at", at)]
 
     def assimilate(self, name):
         """Weighs the sets of a round by all tests, one after the other, into NAME_posterior.h5; returns the effective sample size.
@@ -256,16 +266,18 @@ class Calibration:
 def main(words):
     """Calibrates as a command line says; returns 1 where the effective sample size that was asked for is not reached."""
     given = parse(words)
+    # A posterior that is there in the end belongs to these tests, although status 1 is also that of errors.
+    (given.folder / "posterior.h5").unlink(missing_ok=True)
     case = Calibration(given)
     name, size = case.rounds()
-    for ending in ("h5", "txt"):
-        shutil.copyfile(case.folder / f"{name}_posterior.{ending}", case.folder / f"posterior.{ending}")
+    shutil.copyfile(case.folder / f"{name}_posterior.txt", case.folder / "posterior.txt")
     predicted.write(case, name)
     met = size >= given.effective_size
     said = f"effective sample size {size:.3g} after {name.removeprefix('round')} of {given.rounds} rounds"
     said += "" if met else f", below the {given.effective_size:g} asked for: means and intervals are coarse; give more --rounds or --samples"
     words = [said, case.rate_words]
     put(case.folder / "said.txt", "".join(f"{line}\n" for line in [*words, *case.said]))
+    put(case.folder / "posterior.h5", (case.folder / f"{name}_posterior.h5").read_bytes())
     print(f"calibrate: {case.folder}: {'; '.join(words)}", file=sys.stdout if met else sys.stderr)
     return 0 if met else 1
 

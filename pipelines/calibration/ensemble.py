@@ -53,7 +53,7 @@ def read_rows(path):
                 if len(found) != 1:
                     fail(f"{len(found)} columns named {short} or {long} where one belongs; columns are separated by tabs")
                 given = re.search(r"\[(.*)\]", cells[found[0]])
-                if given and unit != "1" and given[1] != unit:
+                if given and given[1] != unit:
                     fail(f"{header[found[0]]} is in {given[1]}: give it in {unit}")
                 places += found
             continue

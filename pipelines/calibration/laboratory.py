@@ -99,7 +99,7 @@ class Curve:
 
 def pressure(text):
     """Returns a pressure such as "100 kPa" in Pa. Raises StudyError for what is none, or is not above 0."""
-    match = re.fullmatch(r"\s*([0-9.]+(?:e[-+]?[0-9]+)?)\s*(\S+)\s*", str(text))
+    match = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\S+)\s*", str(text))
     try:
         value = float(match[1]) * factor(match[2], "Pa") if match else 0
     except ValueError:

@@ -19,6 +19,8 @@ AXIAL, VOLUMETRIC, VOLUMETRIC_BEYOND_AXIAL = (-5, 100), 30, 2
 FRICTION, APART, APART_PER_DECADE, IMPOSSIBLY_APART = (22, 55), 5, 7, 20
 # Differences of the stress ratio and the volumetric strain (%) that are no scatter of a measurement.
 CLEAR_RATIO, CLEAR_VOLUME = 0.3, 0.25
+# Stress ratio up to which shearing has hardly begun, and the axial strain (%) that seating leaves there.
+BEGUN, CLEAR_AXIAL = 1.1, 0.5
 # Expansion before the greatest contraction, over that contraction and in %, which is no scatter either.
 EXPANSION, LEAST_EXPANSION = 0.01, 0.1
 # Pore pressure, over the confining pressure, that may vary in a drained test.
@@ -115,6 +117,11 @@ def doubts(curve):
         said.append(f"{name} has no unit and is taken for a fraction; write [%] or [1]")
     if not curve.volumetric.any():
         said.append("the volumetric strain is 0 in all rows, as in an undrained test: give a drained one, or the strain")
+    begun = int(rows[0]) if curve.ratio[rows[0]] < BEGUN else 0
+    for name, value, clear in (("axial", curve.axial[begun], CLEAR_AXIAL), ("volumetric", curve.volumetric[begun], CLEAR_VOLUME)):
+        if curve.ratio[begun] < BEGUN and abs(value) > clear:
+            said.append(f"the {name} strain is {value:.3g} % in row {begun + 1}, where axial over radial stress is still {curve.ratio[begun]:.4g}: strains "
+                        "count from the end of the isotropic compression; subtract what was there before")
     most = int(curve.volumetric.argmax())
     contraction, expansion = curve.volumetric[most], -curve.volumetric[:most + 1].min()
     if contraction == abs(curve.volumetric).max() and expansion > max(LEAST_EXPANSION, EXPANSION * contraction):

@@ -99,7 +99,7 @@ def write(case, name):
     put(case.folder / "misfits.tsv", write_table(misfits))
     if panels:
         put(case.folder / "predicted.svg", figures.svg(curves.figure(panels, columns=len(names))))
-    subprocess.run([f"{os.environ['BIN']}/plot", "posterior", case.folder / "posterior.h5", "--force", "--quiet", "-o",
+    subprocess.run([f"{os.environ['BIN']}/plot", "posterior", case.folder / f"{name}_posterior.h5", "--force", "--quiet", "-o",
                     case.folder / "posterior.svg"], check=True)
 
 

@@ -13,8 +13,8 @@ UNITS = {name: unit for name, _, unit in PARAMETERS}
 def read(path):
     """Returns the [[parameter]] tables of a prior. Raises StudyError for parameters that the runs do not take, lack or have in another unit."""
     try:
-        with open(path, "rb") as file:
-            ranges = tomllib.load(file).get("parameter", [])
+        with open(path, encoding="utf-8-sig") as file:
+            ranges = tomllib.loads(file.read()).get("parameter", [])
     except OSError as error:
         raise StudyError(f"{path}: cannot be read: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -27,7 +27,7 @@ def read(path):
             raise StudyError(f"{path}: no run depends on a parameter named {name!r}{suggestion(name, UNITS)}")
         if names.count(name) > 1:
             raise StudyError(f"{path}: {name} is there twice; leave one of them out")
-        if UNITS[name] != "1" and one.get("unit", "1") != UNITS[name]:
+        if one.get("unit", "1") != UNITS[name]:
             raise StudyError(f"{path}: {name} is in {one.get('unit', '1')!r}; give it in {UNITS[name]!r}")
     for name in UNITS:
         if name not in names:

@@ -26,6 +26,11 @@ def seconds_of(text):
     return int(match[1]), int(match[2]), float(match[3])
 
 
+def seconds_at_once(each, count, cores):
+    """Returns the seconds of `count` runs on one core each."""
+    return each * -(-count // cores)
+
+
 def main(own, out, given):
     """Prints the hours of each part and their sum, on given.cores cores."""
     command = [f"{os.environ['BIN']}/run-dem", "--check", f"{out}/packing_1.h5", SCENARIO, "--set", f"stage.1.axial_strain={given.until}e-2"]
@@ -34,10 +39,12 @@ def main(own, out, given):
     tests = given.samples * given.rounds * len(own.tests) * steps / rate
     # Large bags leave the caches: a body's step takes some 1.4 times as long.
     bag = STEPS[given.profile] * BODIES[given.profile] / (rate * bodies) * 1.4
-    bags = len(STIFFNESSES) * bag + 2 * FILLING * bag
+    # A bag has one thread, and is filled before it is compressed.
+    bags = seconds_at_once(bag, len(STIFFNESSES), given.cores) + seconds_at_once(FILLING * bag, 2, given.cores)
+    tests /= given.cores
     for words, seconds in ((f"calibration, at most {given.rounds} rounds of {given.samples} sets", tests),
                            (f"{len(STIFFNESSES)} bags, and filling two", bags), ("all", tests + bags)):
-        print(f"{words}: {seconds / 3600 / given.cores:.2g} h on {given.cores} cores")
+        print(f"{words}: {seconds / 3600:.2g} h on {given.cores} {'core' if given.cores == 1 else 'cores'}")
 
 
 if __name__ == "__main__":

@@ -40,6 +40,8 @@ STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
 WHOLE = 0.5
 # Constant and exponent of Toyoura's failure line (thesis Table 5.2), and the greatest p_c (Pa) that the solution takes.
 M, EXPONENT, GREATEST_P_C = 1.35, 0.0723, 1e12
+# Steepest failure line of a soil: q/p of dense sand falls with an exponent of 0.12 where its angle falls by 12 deg over a decade (plausible.APART).
+STEEPEST = 0.2
 
 
 @dataclasses.dataclass
@@ -120,7 +122,7 @@ def read(path, catalogue="data/geotextiles", until=1e3):
     """
     path = pathlib.Path(path)
     try:
-        given = tomllib.loads(path.read_text(encoding="utf-8"))
+        given = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise StudyError(f"{path}: cannot be read: {error.strerror}; begin with a copy of data/own/example/own.toml") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -132,6 +134,8 @@ def read(path, catalogue="data/geotextiles", until=1e3):
     _judge(path, values)
     grading = Table.read(path.parent / values["grading"])
     sizes, finer = grading("diameter", "mm"), grading("finer_by_mass", "1")
+    if not len(grading):
+        raise StudyError(f"{grading.where}: holds no rows below its header")
     if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
         raise StudyError(f"{grading.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
     if not values["test"]:
@@ -158,7 +162,9 @@ def doubts(own):
     rows, _ = failures(own.curves)
     if len({sigma for sigma, _ in rows}) > 1 and not falls(rows):
         points = " and ".join(f"{eta:.3g} at {sigma:g} kPa" for sigma, eta in sorted(rows))
-        said.append(f"{own.path}: q/p at failure, {points}, does not fall with the pressure, so that the tests give no failure line: one with Toyoura "
+        slope = numpy.polyfit(*_at_failure(rows), 1)[0]
+        how = f"falls with an exponent of {-slope:.2g}, where soils have less than {STEEPEST:g}" if slope <= -STEEPEST else "does not fall with the pressure"
+        said.append(f"{own.path}: q/p at failure, {points}, {how}, so that the tests give no failure line: one with Toyoura "
                     "sand's exponent through their mean stands for it; check their stresses, or give tests at other pressures")
     bag = own.values["bag"]
     if not SHAPE[0] <= bag["height"] / bag["width"] <= SHAPE[1]:
@@ -179,7 +185,7 @@ def falls(rows):
         return False
     p, eta = _at_failure(rows)
     slope, intercept = numpy.polyfit(p, eta, 1)
-    return bool(slope < 0 and (intercept - math.log(M)) / -slope < math.log(GREATEST_P_C))
+    return bool(-STEEPEST < slope < 0 and (intercept - math.log(M)) / -slope < math.log(GREATEST_P_C))
 
 
 def failure_options(rows, path):

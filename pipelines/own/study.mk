@@ -8,7 +8,12 @@ own_plain = $(shell printf %s '$(subst ','\'',$(SOIL))' | LC_ALL=C tr -d 'A-Za-z
 ifneq ($(words $(SOIL)) $(own_plain),1 )
 $(error SOIL=$(SOIL): make cannot use a folder with blanks, quotes or signs such as $$ in its path: write it relative, or rename the folder to letters, digits, _ and -)
 endif
-OWNO := $(OUT)/own/$(notdir $(patsubst %/,%,$(SOIL)))
+OWN_NAME := $(notdir $(patsubst %/,%,$(SOIL)))
+ifeq ($(filter-out . ..,$(OWN_NAME)),)
+$(error SOIL=$(SOIL): the results take the name of the folder; write its name, without . or .. or // at the end)
+endif
+# Full-size results have a folder of their own, so that no quick run, nor an own-check, takes their place.
+OWNO := $(OUT)/own/$(OWN_NAME)$(if $(filter thesis,$(PROFILE)),/thesis)
 # Grains of the representative volume, its mean radius (the thesis's sand's, m), and sets, rounds and effective size of the calibration.
 OWN_GRAINS_quick := 500
 OWN_GRAINS_thesis := 1000
@@ -44,13 +49,14 @@ OWN_PY := $(STUDY_PY) $(OWN)
 OWN_CAL := $(OWNO)/calibration
 
 .PHONY: own own-check
-own: $(OWNO)/page.html ## your soil, your bag: make own SOIL=FOLDER with own.toml (example: data/own/example)
+own: ## your soil, your bag: make own SOIL=FOLDER with own.toml (example: data/own/example)
+	+@$(AGAIN) $(OWNO)/page.html
 own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make own SOIL=FOLDER will take
 	@BIN=$(BIN) $(OWN_PY)/forecast.py $(SOIL) $(OWNO) --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --until $(OWN_UNTIL) \
 	  --profile $(PROFILE) --cores $(shell nproc)
 
 # Only where it is asked for: own.toml is read before anything is made, and what is wrong in it ends make with its line.
-ifneq ($(filter own own-check $(OWNO)/%,$(MAKECMDGOALS)),)
+ifneq ($(filter own-check $(OWNO)/%,$(MAKECMDGOALS)),)
 OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) --until $(OWN_UNTIL) 2>&1)
 $(if $(OWN_WRONG),$(error $(OWN_WRONG)))
 $(shell cat $(OWNO)/inputs.said >&2)
@@ -74,7 +80,7 @@ $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 # (a) A status of 1 says that the effective size is not reached; the page tells it.
 $(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --stations $(OWN_STATIONS) --error $(OWN_ERROR) \
-	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 ]
+	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 -a -e $@ ]
 $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_BAGS)) $(call whole,$@)
 $(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
@@ -105,20 +111,23 @@ $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 
 # (d) From all bags, and from all but one each, which tells what one bag is worth. Where the others do not determine the constants, the
-# files of that part are empty, and the page says so.
-own_part = || { cat $(@:.tsv=.said) >&2; [ $* != soil ] && : > $@; }
+# files of that part are empty, and the page says so. The status is then 1 or 65; a tool that was killed or could not write has others.
+own_empty = { status=$$?; [ $$status = 65 -o $$status = 1 ] && : > $@ || (exit $$status); }
+own_part = || { status=$$?; cat $(@:.tsv=.said) >&2; [ $* != soil ] || exit $$status; (exit $$status) || $(own_empty); }
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
 own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
 # All constants at once; line by line, where the paths do not determine all that come from them.
-own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path && \
-  ! grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path || fit=thesis; rm -f $@.path
+own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path; status=$$?; \
+  ! grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path || fit=thesis; rm -f $@.path; \
+  case $$status in 0) ;; 1 | 65) fit=thesis ;; *) exit $$status ;; esac
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
-	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt; \
+	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; \
+	  status=$$?; cat $(OWNO)/identified.said >&2; [ $$status = 0 ] || exit $$status; \
 	  $(call own_identify,$(OWN_BAGS)) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
 $(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@$(call own_fit,$(filter-out $*,$(OWN_BAGS))); \
-	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || : > $@
+	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || $(own_empty)
 
 # (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells.
 own_case = --soil $(OWNO)/$(1).toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """The page of a soil and a bag of one's own: what the bag carries and what its geotextile must be, with their uncertainty."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import math
 import pathlib
 import re
 
 import numpy
 from calibration import predicted
+from calibration.ensemble import PARAMETERS
 from own.inputs import STIFFNESSES, failures, falls, read
 from study import Drawn, Folder, Mean, NotMade, Series, Study, StudyError, figures, main, panel
+from study.words import quantity, spell
 
 HERE = pathlib.Path(__file__).parent
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives.
@@ -18,10 +21,12 @@ LINES = {"compression_line": "compression line", "failure_line": "failure line",
 COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
-def jackknife(values):
-    """Returns the standard deviation of an estimate from its values with one bag left out each (Efron & Tibshirani 1993, Eq. 11.5)."""
-    values = numpy.asarray(values)
-    return float(numpy.sqrt((len(values) - 1) * numpy.mean((values - values.mean())**2)))
+def jackknife(values, bags=len(STIFFNESSES)):
+    """Returns the standard deviation of an estimate from its values with one bag left out each (Efron & Tibshirani 1993, Eq. 11.5).
+
+    bags: the number of bags. Where some of them cannot be left out, the variance of the other values stands for that of all.
+    """
+    return float(numpy.sqrt((bags - 1)**2 / bags * numpy.var(values, ddof=1)))
 
 
 def combined(median, low, high, left_out):
@@ -107,6 +112,11 @@ def twins(table):
     return [float(table.rows(ids == i)("stress_ratio", "1").max()) for i in numpy.unique(ids)]
 
 
+def distinct(draws):
+    """Returns how many of the sets that the bags were given are different ones: a posterior of few sets gives one to several bags."""
+    return len(set(zip(*(draws(name, unit) for name, _, unit in PARAMETERS), strict=True)))
+
+
 def draw(study, own, folder, bands):
     """The answer, the chart, the bags and the tests."""
     settlements = numpy.linspace(0, bands.end, 30)[1:]
@@ -137,6 +147,7 @@ def draw(study, own, folder, bands):
 def build(arguments):
     """Reads the tables in the folder OUT and writes what the bag carries, how that was reached and what it rests on."""
     study = Study.of(HERE, arguments)
+    study.first_screen = math.inf  # the soil's name and the number of its tests are the user's
     own = read(pathlib.Path(arguments.soil) / "own.toml")
     folder = Folder(study.out)
     bags = whole_parts(study.out)
@@ -144,12 +155,12 @@ def build(arguments):
     measure(study, own, folder, bands, bags)
     said = [line for line in (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("doubt: ")]
     identified = (study.out / "identified.txt").read_text(encoding="utf-8")
-    rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1]
-    study.tell(void_ratio=own.values["void_ratio"], packing_void_ratio=own.values["packing_void_ratio"], lost=len(STIFFNESSES) - len(bags), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
+    rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1].split()
+    study.tell(void_ratio=own.values["void_ratio"], packing_void_ratio=own.values["packing_void_ratio"], lost=len(STIFFNESSES) - len(bags), left=len(bags), sets=distinct(folder("draws")), name=own.values["name"], surcharge=f"{own.values['surcharge'] / 1e3:g}", asked=f"{100 * own.values['settlement']:g}",
                short=bands.end < own.values["settlement"], borrowed=borrowed(identified, own), reduction=f"{own.reduction:.3g}", share=f"{own.strength_fraction / own.reduction:.3g}", fraction=f"{own.strength_fraction:.3g}",
                share_from="own.toml" if "strength_fraction" in own.values else "grains" if own.strength_fraction < 1 else "factors", calibration=said, rising=rising,
                pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], beyond=reach(folder("design_soil"), own.values["settlement"]) > 1e-6,
-               fabric=f"{own.fabric.stiffness / 1e3:.3g} kN/m", doubts=doubts(study.out, ["inputs", "bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1"]), soil_factor=own.values["factors"].get("soil", 1),
+               fabric=quantity(spell(own.fabric.stiffness / 1e3), "kN/m"), folder=arguments.soil, doubts=doubts(study.out, ["inputs", "identified", "bands_soil", "design_soil"]), loose=doubts(study.out, ["packing_1", "packing_2"]), soil_factor=own.values["factors"].get("soil", 1),
                load_factor=own.values["factors"].get("load", 1))
     draw(study, own, folder, bands)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")

@@ -89,6 +89,7 @@ class Study:
         self.measures, self.groups, self.checks = {}, [Group("Measured and published values", judged)], []
         self._figures, self._drawings, self._kept, self._reasons = {}, {}, [], {}
         self._texts, self._folder, self._values, self.pageless = None, None, {}, False
+        self.first_screen = FIRST_SCREEN
 
     @classmethod
     def of(cls, folder, arguments, judged=True, digits=6):
@@ -357,8 +358,8 @@ class Study:
         if not (self.lead and self.headline and self._figures):
             raise StudyError(f"{self.name}: a page opens with a lead, a headline and a figure; set study.lead and study.headline")
         words = len(re.sub(r"<[^>]*>", " ", f"{self.lead} {self.headline} {score}").split())
-        if words > FIRST_SCREEN:
-            raise StudyError(f"{self.name}: lead, headline and score have {words} words; {FIRST_SCREEN} are what a first screen holds")
+        if words > self.first_screen:
+            raise StudyError(f"{self.name}: lead, headline and score have {words} words; {self.first_screen} are what a first screen holds")
 
     def write_tables(self):
         """Writes the measurements, the published values beside them, and the figures: all files except the page."""

@@ -50,6 +50,10 @@ calibrate() {
   sed 's/"friction_angle"/"sliding_damping"/' "$ROOT/pipelines/own/prior.toml" > prior.toml
   exits 65 calibrate --prior prior.toml
   [[ $stderr == "calibrate: prior.toml: no run depends on a parameter named 'sliding_damping'; known: young_modulus, "* ]] || show
+  exits 64 calibrate --error stress_ratio=0.2,stress_ratio=0.3
+  [[ $stderr == *'"stress_ratio=0.2,stress_ratio=0.3": a name is there twice; leave one of them out'* ]] || show
+  exits 64 calibrate --at 0.2,x
+  [[ $stderr == *'argument --at: "x": give a number of at least 0'* ]] || show
   exits 64 calibrate --error 0.1 --variance stress_ratio=0.1
   [[ $stderr == "calibrate: --error and --variance both say how exact the tests are: give one of them; --help tells the options" ]] || show
 }
