@@ -104,8 +104,8 @@ TEST(GwsDataSheet, BothDirectionsAreNeitherStifferNorStrongerThanOneUnlessOneIsC
     EXPECT_LE(
         least.curve.tension_at(strain),
         std::min(read_geotextile(text, "x.toml", "machine").curve.tension_at(strain), cross.curve.tension_at(strain)));
-  expect_error<DataError>([&] { read_geotextile(sheet("24 kN/m"), "x.toml"); },
-                          "x.toml: [cross]: 24 kN/m at a strain of 12 %");
+  io::test::expect_error<DataError>([&] { read_geotextile(sheet("24 kN/m"), "x.toml"); },
+                                    "x.toml: [cross]: 24 kN/m at a strain of 12 %");
 }
 
 TEST(GwsFactors, AWeakerSoilCarriesLessAndSettlesAtServiceAsBefore) {
