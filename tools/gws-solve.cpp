@@ -75,7 +75,7 @@ struct Respond {
     }
     text += read.conditions(c);
     output.put(groups, groups.size() - 1, text, read.sources, read.scenario, invocation,
-               read.doubts({c.geotextile.stiffness}, {response.start(), response.last()}));
+               read.response_doubts({c.geotextile.stiffness}, {response.start(), response.last()}));
     gws::demand_reached(response, asked);
   }
 };

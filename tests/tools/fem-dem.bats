@@ -71,6 +71,14 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
     END { exit !(w > 0 && e < 0.01 * w && e > -0.01 * w) }' <<< "$output"
 }
 
+@test "a rolling stiffness of grains of another size is doubted" {
+  exits 0 fem-dem --check grains.toml disks.h5
+  # shellcheck disable=SC2154  # set by exits
+  [[ $stderr != *"rolling stiffness"* ]] || show
+  exits 0 fem-dem --check grains.toml disks.h5 --set contact.rolling.stiffness=1e4 --set contact.rolling.limit=0.2
+  [[ $stderr == *"fem-dem: doubt: rolling stiffness 1e+04 N m/rad is "*" times what belongs to grains of "*" mean radius: write "* ]] || show
+}
+
 @test "a mesh in mm is told by its extent and by a run that is too short for it" {
   exits 0 fem-dem --check elastic.toml
   # shellcheck disable=SC2154  # set by exits

@@ -364,6 +364,16 @@ fraction of the geotextile's strength" ]] || show
   complains 64 gws-solve "respond: the verb comes first: 'gws-solve respond ...'" --quiet respond
 }
 
+@test "a response doubts the settlements of a weakened soil, a design has the soil's own" {
+  local verb=(respond --surcharge '300 kPa')
+  exits 0 gws-solve "${verb[@]}" --soil toyoura-gws --geotextile PP
+  [[ $stderr != *factor-soil* ]] || show
+  exits 0 gws-solve "${verb[@]}" --soil toyoura-gws --geotextile PP --factor-soil 1.25
+  [[ $stderr == "gws-solve respond: doubt: --factor-soil counts against failure alone, "*"leave it out for settlements, or use design" ]] || show
+  exits 0 gws-solve design --surcharge '300 kPa' --soil toyoura-gws --geotextile PP --factor-soil 1.25
+  [[ $stderr != *factor-soil* ]] || show
+}
+
 @test "a soil that nobody chose and constants beyond their data are said, in the file too" {
   exits 0 gws-solve respond --geotextile PP -o out.h5
   [[ $stderr == "gws-solve respond: doubt: the soil is toyoura-gws, since none was chosen: give --soil"* ]] || show

@@ -135,6 +135,16 @@ std::vector<Doubt> ReadCase::doubts(const std::vector<double>& stiffnesses, cons
   return all;
 }
 
+std::vector<Doubt> ReadCase::response_doubts(const std::vector<double>& stiffnesses,
+                                             const std::vector<Point>& states) const {
+  std::vector<Doubt> all = doubts(stiffnesses, states);
+  if (factors.soil != 1)
+    all.push_back({"weakened",
+                   "--factor-soil counts against failure alone, but settlements here are those of the weakened soil, "
+                   "which may be smaller than the soil's own: leave it out for settlements, or use design"});
+  return all;
+}
+
 std::optional<double> ReadCase::asked(const std::optional<double>& surcharge) const {
   return surcharge ? std::optional<double>(*surcharge * factors.load) : std::nullopt;
 }

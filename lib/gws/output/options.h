@@ -76,6 +76,9 @@ struct ReadCase {
   std::string conditions(const Case& bag) const;
   /// Returns the doubts about an answer (gws/solution/doubts.h).
   std::vector<Doubt> doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const;
+  /// Returns the doubts about a response: those of doubts(), and "weakened" where a factor on the soil changes its
+  /// settlements.
+  std::vector<Doubt> response_doubts(const std::vector<double>& stiffnesses, const std::vector<Point>& states) const;
 };
 
 /// Options of a bag.
