@@ -20,7 +20,7 @@ from study.errors import suggestion
 from study.files import put
 
 from . import ensemble, plausible, predicted, prior, rate
-from .laboratory import KINDS, OF_A_RUN, PEAK, Test, curve, distinct_names, greatest, left_out, observed, pressure
+from .laboratory import KINDS, OF_A_RUN, PEAK, Test, as_it_stands, curve, distinct_names, greatest, left_out, observed, pressure
 
 HERE = pathlib.Path(__file__).parent
 SCENARIOS = {"hm": HERE / "hertz-mindlin.toml", "cl": HERE / "linear.toml"}
@@ -113,8 +113,8 @@ def parse(words):
         p.error("--error and --variance both say how exact the tests are: give one of them")
     if isinstance(given.variance, float):
         p.error("--variance: write NAME=NUMBER,NAME=NUMBER; a share is an --error")
-    if given.rate not in ("scenario", "try") and not re.fullmatch(r"\d+\.?\d*(e-?\d+)?|\.\d+", given.rate):
-        p.error(f'--rate "{given.rate}": write a number in 1/s, or try')
+    if given.rate not in ("scenario", "try") and not (re.fullmatch(r"\d+\.?\d*(e-?\d+)?|\.\d+", given.rate) and float(given.rate) > 0):
+        p.error(f'--rate "{given.rate}": write a number in 1/s above 0, or try')
     given.error = given.error if given.error is not None or given.variance else 0.05
     given.tests = [_test(p, one, given.packing) for one in given.test]
     given.predictions = [_test(p, one, given.packing) for one in given.predict]
@@ -159,17 +159,22 @@ class Calibration:
         """Writes what a test is compared at into TEST.tsv; tables without stations go to the filter as they are."""
         self.observed[test.name], self.until[test.name] = test.table, f"{self.given.until:g}"
         if test.kind == "greatest":
-            greatest(test)
+            # The filter counts stations by the first column, which is the pressure whatever the table begins with.
+            self._write(test, {"confining_pressure [kPa]": [test.pressure / 1e3], f"{PEAK} [1]": [greatest(test)]})
             return
-        if test.kind == "natural" and self.given.stations == 0 and all(map(found.table.has, ("strain_axial", *self.observables(test)))):
+        if self.given.stations == 0 and as_it_stands(found, self.observables(test)):
             return
-        columns = observed(found, self.given.until, self.given.stations)
+        columns = observed(found, self.given.until, self.given.stations, self.observables(test))
         self.said += filter(None, [left_out(found)])
+        self._write(test, columns)
+        # The run goes on to the next station of its own, so that nothing is extrapolated.
+        self.until[test.name] = f"{(int(10 * columns['strain_axial [%]'][-1]) + 1) / 10:g}"
+
+    def _write(self, test, columns):
+        """Writes what a test is compared at into TEST.tsv."""
         self.observed[test.name] = self.folder / f"{test.name}.tsv"
         rows = zip(*columns.values(), strict=True)
         put(self.observed[test.name], "\n".join(["\t".join(columns), *("\t".join(f"{x:.9g}" for x in row) for row in rows)]) + "\n")
-        # The run goes on to the next station of its own, so that nothing is extrapolated.
-        self.until[test.name] = f"{(int(10 * columns['strain_axial [%]'][-1]) + 1) / 10:g}"
 
     def observables(self, test):
         """Returns the names of what a test is compared by: those with an error, or without errors by name the usual ones."""
@@ -269,6 +274,7 @@ def main(words):
     # A posterior that is there in the end belongs to these tests, although status 1 is also that of errors.
     (given.folder / "posterior.h5").unlink(missing_ok=True)
     case = Calibration(given)
+    predicted.clear(case.folder)
     name, size = case.rounds()
     shutil.copyfile(case.folder / f"{name}_posterior.txt", case.folder / "posterior.txt")
     predicted.write(case, name)

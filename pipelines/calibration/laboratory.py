@@ -13,8 +13,8 @@ from . import plausible
 # Columns by what they may be called, each with its unit here.
 AXIAL, VOLUMETRIC = ("strain_axial", "axial_strain"), ("strain_volumetric", "volumetric_strain")
 # The greatest stress ratio of a test, where there is no curve, and the columns of a run that an observable is the mean of.
-PEAK = "stress_ratio_peak"
-OF_A_RUN = {PEAK: "stress_ratio", "strain_radial": "strain_xx,strain_yy"}
+PEAK, RADIAL = "stress_ratio_peak", "strain_radial"
+OF_A_RUN = {PEAK: "stress_ratio", RADIAL: "strain_xx,strain_yy"}
 KINDS = ("engineering", "natural", "greatest")
 LEAST_STATIONS = 3
 # Confining pressures (Pa) between which tests are made, and by how much the lateral stress of their rows and its median may differ.
@@ -187,10 +187,19 @@ def left_out(found):
     return f"{found.test.name}: {count} of {len(found.axial)} rows are left out, since the axial strain does not rise there (unloading)" if count else ""
 
 
-def observed(found, until, stations):
+def as_it_stands(found, names):
+    """Returns whether the filter can read a curve from its table: natural strains in percent, all columns there, strains that increase."""
+    table = found.table
+    units = (("%",) if name.startswith("strain") else ("1", "-", "") for name in ("strain_axial", *names))
+    return found.test.kind == "natural" and bool((numpy.diff(found.axial) > 0).all()) and all(
+        table.has(name) and table.unit(name) in some for name, some in zip(("strain_axial", *names), units, strict=True))
+
+
+def observed(found, until, stations, names=()):
     """Returns the columns of a curve at `stations` rows near evenly spaced natural axial strains, at most `until` percent.
 
-    stations: 0 keeps all rows whose axial strain increases. Raises StudyError where less than LEAST_STATIONS are left.
+    stations: 0 keeps all rows whose axial strain increases. names: columns that are observed; of the radial strain only where it is one.
+    Raises StudyError where less than LEAST_STATIONS are left.
     """
     rising = found.rising & (found.axial <= until + 1e-9)
     if rising.sum() < LEAST_STATIONS:
@@ -200,7 +209,10 @@ def observed(found, until, stations):
     if stations:
         wanted = found.axial[rows[-1]] * numpy.arange(1, stations + 1) / stations
         rows = numpy.unique([rows[abs(found.axial[rows] - at).argmin()] for at in wanted])
-    return {"strain_axial [%]": found.axial[rows], "stress_ratio [1]": found.ratio[rows], "strain_volumetric [%]": found.volumetric[rows]}
+    columns = {"strain_axial [%]": found.axial[rows], "stress_ratio [1]": found.ratio[rows], "strain_volumetric [%]": found.volumetric[rows]}
+    if RADIAL in names and found.table.has(RADIAL):
+        columns[f"{RADIAL} [%]"] = _strain(found.table, (RADIAL,), found.test)[rows]
+    return columns
 
 
 def greatest(test):
@@ -210,4 +222,6 @@ def greatest(test):
         if not plausible.NO_STRENGTH <= value <= plausible.GREATEST_RATIO:
             raise StudyError(f"{test.table}: row {row}: {PEAK} is {value:.4g}; axial over radial stress at failure lies between "
                              f"{plausible.NO_STRENGTH} and {plausible.GREATEST_RATIO}: correct it")
-    return values
+    if len(values) != 1:
+        raise StudyError(f"{test.table}: has {len(values)} rows of {PEAK}, of which a test has one: give each test a table of its own")
+    return values[0]

@@ -69,6 +69,12 @@ def with_weight(sets, weight_of):
     return "\n".join([head, *(row for row in rows if weight_of.get(float(row.split("\t")[0]), 0) > least)]) + "\n"
 
 
+def clear(folder):
+    """Removes the curves of an earlier calibration in a folder, whose tests may have been others."""
+    for path in [*folder.glob("predicted_*.tsv"), folder / "predicted.svg"]:
+        path.unlink(missing_ok=True)
+
+
 def write(case, name):
     """Writes parameters.tsv, predicted_TEST.tsv, misfits.tsv, predicted.svg and posterior.svg of a calibration's last round."""
     steps, runs = (Table.read(case.folder / f"{name}_{table}.tsv") for table in ("steps", "runs"))
@@ -81,13 +87,13 @@ def write(case, name):
     put(heavy, with_weight(sets, weight_of))
     for test in case.given.predictions:
         case.predict(test, heavy)
-    panels, misfits = [], {"test": [], **{f"{n} [{'%' if 'strain' in n else '1'}]": [] for n in OBSERVED}}
+    panels, beside, misfits = [], 1, {"test": [], **{f"{n} [{'%' if 'strain' in n else '1'}]": [] for n in OBSERVED}}
     for test in case.tests + case.given.predictions:
         table = Table.read(case.folder / f"{test.name}_curves.tsv")
         names = [n for n in OBSERVED if table.has(n)]
         if test.kind == "greatest" or not names:
             continue
-        columns = band(table, weight_of, names)
+        columns, beside = band(table, weight_of, names), max(beside, len(names))
         path = case.folder / f"predicted_{test.name}.tsv"
         put(path, write_table(columns))
         panels += draw(path, test, names, "" if test in case.tests else ", predicted")
@@ -98,7 +104,7 @@ def write(case, name):
             misfits[f"{n} [{unit}]"].append(None if off is None else float(numpy.sqrt(numpy.mean(off**2))))
     put(case.folder / "misfits.tsv", write_table(misfits))
     if panels:
-        put(case.folder / "predicted.svg", figures.svg(curves.figure(panels, columns=len(names))))
+        put(case.folder / "predicted.svg", figures.svg(curves.figure(panels, columns=beside)))
     subprocess.run([f"{os.environ['BIN']}/plot", "posterior", case.folder / f"{name}_posterior.h5", "--force", "--quiet", "-o",
                     case.folder / "posterior.svg"], check=True)
 

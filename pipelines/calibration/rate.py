@@ -54,9 +54,9 @@ def _curves(case, test, rate):
 def difference(one, other):
     """Returns the greatest root mean square, over observables, of the difference of two curves over the error of the test."""
     curves, steps = one
-    names = [name for name, unit in (("stress_ratio", "1"), ("strain_radial", "%"), ("strain_volumetric", "%")) if curves.has(name)]
-    return max(float(numpy.sqrt(numpy.mean(((curves[name] - other[0][name]) / steps(f"{name}_error", "%" if "strain" in name else "1"))**2)))
-               for name in names)
+    units = {name: unit for name, unit in (("stress_ratio", "1"), ("strain_radial", "%"), ("strain_volumetric", "%")) if curves.has(name)}
+    return max(float(numpy.sqrt(numpy.mean(((curves(name, unit) - other[0](name, unit)) / steps(f"{name}_error", unit))**2)))
+               for name, unit in units.items())
 
 
 def chosen(case):
@@ -71,6 +71,8 @@ def chosen(case):
         rate = next((stage["rate"] for stage in tomllib.load(file).get("stage", []) if "rate" in stage), None)
     if test is None or rate is None:
         raise Failure(64, "calibrate: --rate try needs a test with a curve, and a scenario with a rate; give the rate as a number")
+    if not isinstance(rate, int | float):
+        raise Failure(65, f"calibrate: {case.given.scenario}: the rate is {rate!r}; for --rate try write it as a number in 1/s, without its unit")
     fast = _curves(case, test, rate)
     for _ in range(HALVINGS):
         if fast is None:

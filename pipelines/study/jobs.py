@@ -75,8 +75,9 @@ def _by_slurm(folder, jobs, count):
 
     def runs(seconds):
         time.sleep(min(seconds, float(os.environ.get("SLURM_POLL", "10"))))
-        queue = ["squeue", "--noheader", "--job", job, "--format", "%i"]
-        return bool(subprocess.run(queue, capture_output=True, check=False).stdout.strip())
+        asked = subprocess.run(["squeue", "--noheader", "--job", job, "--format", "%i"], capture_output=True, text=True, check=False)
+        # A job that ended a while ago is not known any more; where Slurm does not answer, nobody knows that it has ended.
+        return bool(asked.stdout.strip()) or (asked.returncode != 0 and "Invalid job id" not in asked.stderr)
     return runs
 
 

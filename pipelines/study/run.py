@@ -398,6 +398,9 @@ def main(build, **options):
         parser.add_argument(f"--{name}", **how)
     arguments = parser.parse_args()
     try:
+        if arguments.kept and not pathlib.Path(arguments.out).is_dir():
+            name = pathlib.Path(arguments.out).parent.name
+            raise StudyError(f"{arguments.out}: nothing is kept of {name} yet; make PROFILE=thesis {name}, then {name}-keep")
         study = build(arguments)
         if arguments.kept:
             study.write_tables()

@@ -1,6 +1,5 @@
 """Numbers as text in sentences."""
 # SPDX-License-Identifier: GPL-3.0-or-later
-import math
 import re
 
 # A no-break space keeps a number and its unit on one line.
@@ -11,7 +10,8 @@ def spell(value, digits=3):
     """Returns a finite number to so many significant digits, without an exponent from 1e-4 to 1e7: 1730, 4.54, −0.0121."""
     if value == 0:
         return "0"
-    power = math.floor(math.log10(abs(value)))
+    # Rounding may reach the next power of ten.
+    power = int(f"{value:.{digits - 1}e}".split("e")[1])
     if not -5 < power < 7:
         mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
         return f"{mantissa}e{int(exponent):+d}".replace("-", "−")

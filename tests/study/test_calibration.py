@@ -7,7 +7,7 @@ import numpy
 import pytest
 from calibration import calibrate, plausible, predicted, prior, rate
 from calibration.laboratory import Test as Triaxial
-from calibration.laboratory import curve, greatest, left_out, observed, pressure
+from calibration.laboratory import as_it_stands, curve, greatest, left_out, observed, pressure
 from study import StudyError, Table
 from study.command import Failure
 
@@ -127,6 +127,27 @@ def test_tests_of_one_soil_have_like_strengths_and_other_rows(tmp_path):
     path.write_text("stress_ratio_peak [1]\n0.7\n")
     with pytest.raises(StudyError, match="row 1: stress_ratio_peak is 0.7"):
         greatest(Triaxial(path, 1e5, "greatest", ""))
+    for rows in ("", "4.2\n4.1\n"):
+        path.write_text("stress_ratio_peak [1]\n" + rows)
+        with pytest.raises(StudyError, match=f"has {rows.count('.')} rows of stress_ratio_peak, of which a test has one"):
+            greatest(Triaxial(path, 1e5, "greatest", ""))
+
+
+NATURAL_HEAD = "strain_axial [%]\tstrain_volumetric [%]\tstress_ratio [1]\tstrain_radial [%]\n"
+NATURAL = [(0.5, 0.1, 2, -0.2), (1, 0.2, 3, -0.4), (2, 0.1, 3.5, -0.95)]
+
+
+@pytest.mark.parametrize(("head", "rows", "kind", "reads"), [
+    (NATURAL_HEAD, NATURAL, "natural", True), (NATURAL_HEAD, NATURAL, "engineering", False),
+    (NATURAL_HEAD.replace("%", "1"), [(a / 100, v / 100, q, r / 100) for a, v, q, r in NATURAL], "natural", False),
+    (NATURAL_HEAD, [*NATURAL[:2], (0.8, 0.2, 2, -0.3), *NATURAL[2:]], "natural", False),
+    (NATURAL_HEAD.replace("strain_axial", "axial_strain"), NATURAL, "natural", False)])
+def test_the_filter_reads_tables_in_per_cent_alone_and_others_are_written_for_it(tmp_path, head, rows, kind, reads):
+    found = triaxial(tmp_path / "t.tsv", rows, head, kind)
+    assert as_it_stands(found, ["stress_ratio", "strain_radial"]) == reads
+    columns = observed(found, 6, 0, ["stress_ratio", "strain_radial"])
+    natural = [row[3] if kind == "natural" else -100 * numpy.log(1 - row[3] / 100) for row in NATURAL]
+    assert columns["strain_radial [%]"] == pytest.approx(natural) and "strain_radial [%]" not in observed(found, 6, 0)
 
 
 @pytest.mark.parametrize(("old", "new", "said"), [
@@ -163,6 +184,15 @@ def test_a_posterior_predicts_with_its_weights(tmp_path):
     curves, other = Table.read(path), Table.read(path).replace("stress_ratio", [2.2, 3.2, 4.2, 5.2])
     steps = Table([["0.1"]] * 4, {"stress_ratio_error": "1"}, "steps")
     assert rate.difference((curves, steps), (other, steps)) == pytest.approx(2)
+    radial = [Table([[value]], {name: "%"}, "r") for name, value in (("strain_radial", "-0.4"), ("strain_radial", "-0.1"), ("strain_radial_error", "0.1"))]
+    assert rate.difference((radial[0], radial[2]), (radial[1], radial[2])) == pytest.approx(3)
+
+
+def test_curves_of_other_tests_leave_the_folder(tmp_path):
+    for name in ("predicted_a_100kPa.tsv", "predicted.svg", "round1_sets.tsv"):
+        (tmp_path / name).write_text("old")
+    predicted.clear(tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["round1_sets.tsv"]
 
 
 def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
@@ -177,6 +207,10 @@ def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
     scenario.write_text("max_rate = 1\n")
     with pytest.raises(Failure, match='0 lines begin with "rate ="'):
         rate.chosen(case)
+    scenario.write_text('[[stage]]\nrate = "10 %/s"\n')
+    case.given.rate, case.tests = "try", [types.SimpleNamespace(kind="natural")]
+    with pytest.raises(Failure, match="write it as a number in 1/s"):
+        rate.chosen(case)
 
 
 @pytest.mark.parametrize(("words", "status", "said"), [
@@ -185,7 +219,8 @@ def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
     ("--test t.tsv 1kPa natural p --error 0", 64, "errors are numbers above 0"), ("--test t.tsv 1kPa natural p --error nan", 64, "numbers above 0"),
     ("--test t.tsv 1kPa natural p --error 5", 64, "write 5 per cent as 0.05"), ("--test t.tsv 1kPa natural p --error 500%", 64, "a share is at most 1"),
     ("--test t.tsv 1kPa natural p --variance stress_ratio=inf", 64, "numbers above 0"), ("--test t.tsv 1kPa natural p --until nan", 64, "above 0 in %"), ("--test t.tsv 1kPa natural p --rounds 0", 64, "whole number of at least 1"),
-    ("--test t.tsv 1kPa natural p --variance 0.1", 64, "a share is an --error"), ("--test t.tsv 1kPa natural p --rate x", 64, "write a number in 1/s")])
+    ("--test t.tsv 1kPa natural p --variance 0.1", 64, "a share is an --error"), ("--test t.tsv 1kPa natural p --rate x", 64, "write a number in 1/s"),
+    ("--test t.tsv 1kPa natural p --rate 0", 64, "write a number in 1/s above 0")])
 def test_wrong_options_are_one_line(words, status, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(Failure) as failure:

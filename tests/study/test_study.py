@@ -215,6 +215,13 @@ def test_a_study_writes_tables_figures_and_page_and_the_same_bytes_again(tmp_pat
     assert card["score"]["met"] == card["score"]["total"] == 1 and 'id="card_example_stress' in card["figure"]
 
 
+def test_a_study_of_which_nothing_is_kept_says_what_keeps_it(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["study.py", str(tmp_path / "ch9/kept"), "--kept"])
+    with pytest.raises(SystemExit, match="65"):
+        main(lambda _: None)
+    assert "nothing is kept of ch9 yet; make PROFILE=thesis ch9, then ch9-keep" in capsys.readouterr().err
+
+
 def test_statements_have_tables_of_their_own_and_kept_runs_no_page(tmp_path):
     (tmp_path / "statements.tsv").write_text("name\trelation\tpublished\ttolerance\tunit\tsource\tdescription\n"
                                              "peak\tat least\t1\t\tkPa\tthesis\tstress rises\n")
@@ -308,7 +315,8 @@ def test_numbers_in_sentences_come_from_measures(tmp_path):
 
 
 @pytest.mark.parametrize(("value", "digits", "text"), [
-    (0, 3, "0"), (4.539, 3, "4.54"), (123456, 2, "120000"), (-0.00012, 2, "−0.00012"), (2.5e-9, 2, "2.5e−9"), (3e8, 1, "3e+8")])
+    (0, 3, "0"), (4.539, 3, "4.54"), (123456, 2, "120000"), (-0.00012, 2, "−0.00012"), (2.5e-9, 2, "2.5e−9"), (3e8, 1, "3e+8"),
+    (9.996, 3, "10.0"), (-0.9996, 3, "−1.00"), (99.96, 3, "100")])
 def test_numbers_are_spelt_to_significant_digits(value, digits, text):
     assert spell(value, digits) == text
 

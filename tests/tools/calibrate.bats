@@ -34,6 +34,16 @@ calibrate() {
   [[ $output != *"  run  "* && $output == *"after 1 of 2 rounds; loading rate"* ]] || show "finished runs were made again, or rounds after the size"
 }
 
+@test "a test without a curve is its greatest stress ratio alone, weighed and predicted, whatever columns it has" {
+  pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
+  printf 'stress_ratio_peak [1]\n2.5\n' > alone.tsv
+  printf 'stress_ratio_peak [1]\tconfining_pressure [kPa]\n2.4\t300\n' > other.tsv
+  exits 0 "$ROOT/pipelines/calibrate.sh" --prior "$ROOT/pipelines/ch2/prior_quick_hm.toml" --packing packing.h5 --test low.tsv "100 kPa" engineering \
+    --test alone.tsv "200 kPa" greatest --predict other.tsv "300 kPa" greatest --until 0.4 --samples 3 --rounds 1 --effective-size 0 case
+  [[ $(value case/alone_200kPa_curves.tsv stress_ratio_peak_observed 1) == 2.5 ]] || show "$(cat case/alone_200kPa_curves.tsv)"
+  [[ $(value case/other_300kPa_curves.tsv confining_pressure 1) == 300 && -s case/posterior.h5 ]] || show "$(ls case)"
+}
+
 @test "what is wrong with a test is one line, before anything runs" {
   touch packing.h5
   sed -i 's/^0.4.*/0.4\t0.1\t-140/' high.tsv

@@ -56,6 +56,7 @@ setup() {
   complains 64 plot "'stresspath' is no kind of plot; did you mean 'stress-path'?" stresspath run.h5 -o a.svg
   complains 64 plot "a.gif: is no picture that plot can write; end it in .svg, .png, .pdf" stress-path run.h5 -o a.gif
   complains 64 plot "--stage first: give a number from 0, last or all" stress-path run.h5 --stage first -o a.svg
+  complains 64 plot "--stage ²: give a number from 0, last or all" stress-path run.h5 --stage ² -o a.svg
   complains 65 plot "run.h5: has none of the rows asked for" stress-path run.h5 --stage 7 -o a.svg
   complains 65 plot "run.h5: has none of the rows asked for" rose run.h5 --stage 7 -o a.svg
   complains 64 plot "--beside: rose draws no test data; leave it out" rose run.h5 --beside test.tsv -o a.svg
@@ -95,4 +96,8 @@ setup() {
   ln -s "$BIN/homogenize" there/bin
   cp -r "$BATS_TEST_DIRNAME/../../pipelines/study" there/share/soilweave/python/study
   exits 0 env PATH=/usr/bin:/bin there/bin/plot e-log-p run.h5 -o there/e.svg
+  # A link to plot in a folder of one's own finds the tools beside what it leads to.
+  mkdir home
+  ln -s "$PWD/there/bin/plot" home/plot
+  exits 0 env PATH=/usr/bin:/bin home/plot e-log-p run.h5 -o home/e.svg
 }
