@@ -40,7 +40,8 @@ C3_FILL_THREADS ?= $(C3_THREADS)
 ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,000 grains)
 
 .PRECIOUS: $(C3O)/%.h5
-$(C3O)/rv.h5: $(BIN)/pack-generate
+# Its seed hangs on the profile.
+$(C3O)/rv.h5: $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
 	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(C3_SEED) --threads 1 --quiet --force -o $@

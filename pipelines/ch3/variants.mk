@@ -41,7 +41,7 @@ ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep what the variants o
 	  $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; done | $(C3V_PY) merge $$kept $(call whole,$$kept))
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
-$(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate
+$(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
 	@seed=$$($(C3V_PY) seed $*) && $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $${seed/#-/$(C3_SEED)} --threads 1 \
 	  --quiet --force -o $@

@@ -137,7 +137,7 @@ def measure_volumes(study, runs):
     def kept(cell):
         return abs(cell["e_inside"][cell.whole] - cell["e_inside"][0]).max()
     study.measure("inside_keeps", lambda: kept(runs.cell("layered", MIDDLING)), "1")
-    for form, zone in (("wrapped", lambda away: away > 2 / 3), ("layered", lambda away: away < 0.51)):
+    for form, zone in (("wrapped", lambda away: away > 0.61), ("layered", lambda away: away < 0.51)):
         study.measure(f"e_end_{form}", lambda f=form: runs.cell(f, MIDDLING).last("e_inside") / runs.cell(f, MIDDLING).last("e"), "1")
         study.measure(f"bands_{form}", lambda f=form, z=zone: banded(runs.folder(f"bands_{f}_{MIDDLING}_greatest"), z), "1")
 

@@ -16,12 +16,14 @@ C5_DESIGN := $(addprefix $(C5O)/,chart.tsv sensitivity.txt bands.tsv bands.txt i
 ch5: $(C5O)/page.html ## geotextile-wrapped soil: seven bags of grains, and the analytical solution beside them
 ch5-solution: $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) ## the tables of the analytical solution alone
 
-$(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
+# The curves and constants that gws-solve knows by name.
+C5_CATALOGUE := $(wildcard data/geotextiles/*.toml data/soils/*.toml)
+$(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(C5_CATALOGUE)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $* --points 100 --tsv $(call whole,$@)
 
 # % is GEOTEXTILE_PRESSUREkPa.
-$(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(wildcard data/geotextiles/*.toml data/soils/*.toml)
+$(C5_TRIAXIAL): $(C5O)/triaxial_%.tsv: $(BIN)/gws-solve $(C5_CATALOGUE)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $(word 1,$(subst _, ,$*)) --lateral-stress "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa" \
 	  --points 100 --tsv $(call whole,$@)
@@ -41,15 +43,15 @@ $(C5O)/soil.toml: $(BIN)/gws-solve $(C5_DEM) $(C5_FAILURE)
 
 # Bands: the identified constants and their scatter; the chart: geotextiles like PP, a service surcharge of 300 kPa.
 C5_BANDS = $(BIN)/gws-solve respond --geotextile PP --soil $(C5O)/soil.toml --samples 1000 --points 50
-$(C5O)/bands.tsv: $(BIN)/gws-solve $(C5O)/soil.toml
+$(C5O)/bands.tsv: $(BIN)/gws-solve $(C5O)/soil.toml $(C5_CATALOGUE)
 	@$(C5_BANDS) --tsv $(call whole,$@)
-$(C5O)/bands.txt: $(BIN)/gws-solve $(C5O)/soil.toml
+$(C5O)/bands.txt: $(BIN)/gws-solve $(C5O)/soil.toml $(C5_CATALOGUE)
 	@$(C5_BANDS) | sed -n '/draws/p' | tail -n +2 $(call whole,$@)
-$(C5O)/chart.tsv: $(BIN)/gws-solve
+$(C5O)/chart.tsv: $(BIN)/gws-solve $(C5_CATALOGUE)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve design --geotextile PP --soil toyoura-gws --surcharge 300e3 --settlement 0.06 --safety 1.5 --chart --from 30e3 --to 1160e3 \
 	  --points 60 --tsv $(call whole,$@)
-$(C5O)/sensitivity.txt: $(BIN)/gws-solve
+$(C5O)/sensitivity.txt: $(BIN)/gws-solve $(C5_CATALOGUE)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --geotextile PP --soil toyoura-gws --sensitivity $(call whole,$@)
 
@@ -107,9 +109,9 @@ $(C5O)/own_soil.toml: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
 	@$(C5_OWN) --toml $(call whole,$@)
 C5_OWN_SOLUTIONS := $(patsubst $(C5O)/%,$(C5O)/own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
 
-$(C5_UNIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_uniaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml
+$(C5_UNIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_uniaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml $(C5_CATALOGUE)
 	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $* --points 40 --tsv --quiet $(call whole,$@)
-$(C5_TRIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_triaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml
+$(C5_TRIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_triaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml $(C5_CATALOGUE)
 	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $(c5_geotextile) --lateral-stress $(c5_pressure) --points 40 --tsv --quiet \
 	  $(call whole,$@)
 

@@ -15,6 +15,7 @@ from matplotlib import pyplot
 from renaming import demand_columns
 from study import NotMade, Series, Study, StudyError, Table, figures, read_statements
 from study.quantities import QUANTITIES
+from study.tables import read_words
 
 SI = {"mm": "m", "cm": "m", "kPa": "Pa", "%": "1"}
 
@@ -313,3 +314,13 @@ def test_a_series_of_another_unit_is_refused(tmp_path):
 def test_a_span_of_equal_values_is_one_value():
     row = "slope of the path in p and q up to the first break, PE"
     assert " to " not in chapter.span(row, bags=["bag"]) and " to " in chapter.span(row, digits=4)
+
+
+def test_the_page_says_that_bags_of_other_volumes_were_loaded_otherwise():
+    kept, words = HERE / "kept", (HERE / "words.toml").read_text()
+    judged = {row["description"]: row["measured"] for _, row in read_words(kept / "comparison.tsv")[1]}
+    for name in ("bulging_thesis", "seeds_thesis"):
+        rows = [row for _, row in read_words(kept / f"{name}.tsv")[1]]
+        if any(row["bag"] != judged[row["description"]] for row in rows):
+            assert '"bag" differs from the run that is judged above' in words
+            assert "way_unbalanced_force" in (kept / "uc_PE.txt").read_text() and "way_unbalanced_force" not in (kept / f"{name}.txt").read_text()

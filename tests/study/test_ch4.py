@@ -193,3 +193,14 @@ def test_of_kept_runs_those_that_there_are_are_measured(folder):
     pyplot.close("all")
     assert measures["peak_wrapped_PP"].value == pytest.approx(24) and measures["lateral_held"].value is not None
     assert "not among the kept runs" in measures["peak_layered_PP"].reason and "not among the kept runs" in measures["gap_grows"].reason
+
+
+def test_bands_are_looked_for_where_their_sentences_say():
+    said = {s.name: s.description for s in read_statements(HERE / "statements.tsv")}
+    assert "outer two fifths" in said["bands_wrapped"] and "inner half" in said["bands_layered"]
+    for name, form, classes in (("bands_wrapped", "wrapped", slice(6, 10)), ("bands_layered", "layered", slice(0, 5))):
+        bands = Table.read(HERE / "kept" / f"bands_{form}_PP_greatest.tsv")
+        grains, sheared = bands("grains", "1"), bands("sheared", "1")
+        share = (sheared[classes].sum() / sheared.sum()) / (grains[classes].sum() / grains.sum())
+        measured = next(line.split("\t")[4] for line in (HERE / "kept/comparison.tsv").read_text().splitlines() if line.startswith(said[name]))
+        assert float(measured) == pytest.approx(share, rel=1e-3)
