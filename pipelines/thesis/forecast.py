@@ -95,7 +95,7 @@ class Machine:
         done = subprocess.run([self.tools / tool, *map(str, words)], capture_output=True, text=True, check=False)
         if done.returncode:
             raise StudyError(f"{tool}: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else done.returncode}")
-        return done.stdout + done.stderr
+        return done.stdout
 
     def at_once(self, tool, *words):
         """Runs a command once on every core at the same time, and returns what each run prints."""

@@ -36,6 +36,18 @@ def test_all_files_of_the_repository_are_known():
     assert {("ch3", "uc_PE"), ("ch4", "wrapped"), ("ch5", "uc_5PP"), ("ch5", "cell_5PP_100kPa")} <= names
 
 
+def test_notes_of_a_tool_are_no_part_of_what_it_prints(tmp_path):
+    for words, status_ in (("echo table; echo 'tool: the text leaves out 3 contacts' >&2", 0), ("echo 'tool: no room' >&2; exit 74", 74)):
+        (tmp_path / "tool").write_text(f"#!/bin/sh\n{words}\n")
+        (tmp_path / "tool").chmod(0o755)
+        machine = forecast.Machine(tmp_path, tmp_path / "trials", 1)
+        if status_ == 0:
+            assert machine.run("tool") == "table\n"
+        else:
+            with pytest.raises(StudyError, match="tool: no room"):
+                machine.run("tool")
+
+
 def test_a_rate_gives_back_the_steps_that_it_was_made_of():
     rate = forecast.rate_of(CHECK)
     assert rate.step(1000, 2000) == pytest.approx(1 / 5000) and rate.link * 2000 == pytest.approx(0.8 / 5000)
