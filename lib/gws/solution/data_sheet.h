@@ -26,7 +26,8 @@ bool is_sheet(const Settings& table);
 
 /// Reads tension_at_2, tension_at_5, strength and failure_strain, at the top or in [machine] and [cross]. direction:
 /// "machine", "cross", or empty for a curve that is neither stiffer nor stronger than one of them, since the solution
-/// knows one tension for both: the lesser tension at each strain, the lesser strength, and the greater strain there. Throws DataError for a direction that is missing. Other mistakes go to the document.
+/// knows one tension for both: the lesser tension at each strain, the lesser strength, and the greater strain there.
+/// Throws DataError for a direction that is missing. Other mistakes go to the document.
 Geotextile read_sheet(Settings& table, const std::string& direction, const std::string& where);
 
 }  // namespace soilweave::gws
