@@ -54,10 +54,11 @@ mentions() {
 }
 
 # refuses STATUS TOOL WORDS ARGUMENTS...: demands what mentions() does, and that nothing was written: no standard
-# output, and the same files with the same bytes in this folder, where no test beside this one may write.
+# output, and the same files with the same bytes in this folder, where neither bats nor a test beside this one may
+# write.
 refuses() {
   local before
-  [[ $PWD/ == "$BATS_TEST_TMPDIR"/* ]] || { show "refuses needs a folder below $BATS_TEST_TMPDIR, not $PWD"; return 1; }
+  [[ $PWD == "$BATS_TEST_TMPDIR"/?* ]] || { show "refuses needs a folder below $BATS_TEST_TMPDIR, not $PWD"; return 1; }
   before=$(here)
   mentions "$@" || return
   [[ -z $output ]] || { show "wanted nothing on standard output"; return 1; }

@@ -57,7 +57,8 @@ END
 }
 
 @test "a form of the keys that is none is refused" {
-  cd "$BATS_TEST_TMPDIR"
+  mkdir "$BATS_TEST_TMPDIR/here"
+  cd "$BATS_TEST_TMPDIR/here"
   refuses 64 run-dem "--keys yaml: give text, json or no word" --keys yaml
   [[ $(run-dem --keys yaml 2>&1 | wc -l) == 1 ]]
 }
