@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ namespace {
 Scenario scenario(double unbalanced_force, double strain) {
   return read_scenario(
       "[contact]\nlaw = \"hertz-mindlin\"\nyoung_modulus = \"4 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 29\n"
-      "[[geotextile]]\nyarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n"
+      "[contact.rolling]\nstiffness = 0.13\nlimit = \"none\"\n[contact.twisting]\nstiffness = 0.13\nlimit = "
+      "\"none\"\n[[geotextile]]\nyarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n"
       "[equilibrium]\nunbalanced_force = " +
           std::to_string(unbalanced_force) +
           "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[[stage]]\npath = \"triaxial\"\nreset_strain = true\n"
@@ -115,8 +117,10 @@ TEST(SheetInSand, AnyPlaneBearsTheStressOfTheCell) {
   }
 }
 
-// Four of 300 grains are nodes. Twins, whose grains are moved by a hundredth of a radius, differ from each other as
-// much as packings with and without a slack sheet.
+// Four of 300 grains are nodes. Twins differ in that their grains are moved by a hundredth of a radius. Student's t of
+// the difference between packings with and without a slack sheet stays within its 95 % of 14 degrees of freedom.
+// Rotations of nodes are blocked, so that the sheet strengthens soil whose grains roll freely (by 5 %); these resist
+// rolling.
 TEST(SheetInSand, ASlackSheetAnswersAsSoil) {
   const Scenario plan = scenario(1e-3, 0.02);
   const auto ratio = [&](const io::Snapshot& start) {
@@ -126,16 +130,20 @@ TEST(SheetInSand, ASlackSheetAnswersAsSoil) {
   io::Snapshot alone = sheet;
   alone.yarns = {};
   std::vector<double> twins, with_slack;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     twins.push_back(ratio(perturbed(alone, 1e-2, seed)));
     with_slack.push_back(ratio(perturbed(sheet, 1e-2, seed)));
   }
-  const auto mean = [](const std::vector<double>& v) { return (v[0] + v[1] + v[2]) / 3; };
-  std::vector<double> all = twins;
-  all.insert(all.end(), with_slack.begin(), with_slack.end());
-  const auto [least, most] = std::ranges::minmax(all);
-  EXPECT_LT(std::abs(mean(with_slack) - mean(twins)), most - least);
-  EXPECT_LT(most - least, 0.15 * mean(twins));
+  const auto n = static_cast<double>(twins.size());
+  const auto mean = [&](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) / n; };
+  const auto squares = [&](const std::vector<double>& v) {
+    return std::accumulate(v.begin(), v.end(), 0.0,
+                           [m = mean(v)](double sum, double x) { return sum + (x - m) * (x - m); });
+  };
+  const double scatter = std::sqrt((squares(twins) + squares(with_slack)) / (2 * n - 2));
+  EXPECT_LT(std::abs(mean(with_slack) - mean(twins)), 2.145 * scatter * std::sqrt(2 / n));
+  EXPECT_LT(scatter, 0.05 * mean(twins));
+  RecordProperty("difference_percent", std::to_string(100 * (mean(with_slack) / mean(twins) - 1)));
 }
 
 TEST(SheetInSand, HasTheSameBitsOnAnyNumberOfThreads) {
