@@ -150,6 +150,8 @@ class Calibration:
         for test in self.tests + given.predictions:
             self._prepare(test, curves.get(test.name))
         self._check_errors()
+        # A posterior that is there in the end belongs to these tests, although status 1 is also that of errors.
+        predicted.clear(self.folder)
         for line in self.said:
             print(f"calibrate: {line}", file=sys.stderr, flush=True)
         self.scenario = given.scenario
@@ -271,10 +273,7 @@ class Calibration:
 def main(words):
     """Calibrates as a command line says; returns 1 where the effective sample size that was asked for is not reached."""
     given = parse(words)
-    # A posterior that is there in the end belongs to these tests, although status 1 is also that of errors.
-    (given.folder / "posterior.h5").unlink(missing_ok=True)
     case = Calibration(given)
-    predicted.clear(case.folder)
     name, size = case.rounds()
     shutil.copyfile(case.folder / f"{name}_posterior.txt", case.folder / "posterior.txt")
     predicted.write(case, name)

@@ -70,8 +70,8 @@ def with_weight(sets, weight_of):
 
 
 def clear(folder):
-    """Removes the curves of an earlier calibration in a folder, whose tests may have been others."""
-    for path in [*folder.glob("predicted_*.tsv"), folder / "predicted.svg"]:
+    """Removes the posterior and curves of an earlier calibration in a folder, whose tests may have been others."""
+    for path in [*folder.glob("predicted_*.tsv"), folder / "predicted.svg", folder / "posterior.h5"]:
         path.unlink(missing_ok=True)
 
 

@@ -189,7 +189,7 @@ def test_a_posterior_predicts_with_its_weights(tmp_path):
 
 
 def test_curves_of_other_tests_leave_the_folder(tmp_path):
-    for name in ("predicted_a_100kPa.tsv", "predicted.svg", "round1_sets.tsv"):
+    for name in ("predicted_a_100kPa.tsv", "predicted.svg", "posterior.h5", "round1_sets.tsv"):
         (tmp_path / name).write_text("old")
     predicted.clear(tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["round1_sets.tsv"]
