@@ -37,7 +37,7 @@ def main(own, out, given):
     """Prints the hours of each part and their sum, on given.cores cores."""
     command = [f"{os.environ['BIN']}/run-dem", "--check", f"{out}/packing_1.h5", SCENARIO, "--set", f"stage.1.axial_strain={given.until}e-2"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    steps, bodies, rate = seconds_of(done.stdout + done.stderr)
+    steps, bodies, rate = seconds_of(done.stdout)
     tests = given.samples * given.rounds * len(own.tests) * steps / rate
     bag = STEPS[given.profile] * BODIES[given.profile] / (rate * bodies) * SLOWER[given.profile]
     # A bag has one thread, and is filled before it is compressed.
