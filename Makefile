@@ -480,6 +480,10 @@ crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, li
 	@BIN=$(CURDIR)/$(B)/bin JOBS=$(JOBS) bash tests/crosscheck/packings.sh
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/truth.sh
 
+.PHONY: crosscheck-band
+crosscheck-band: $(TOOLS) ## ten hidden soils through make own: how often its band holds what their bags carry (an hour)
+	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/band.sh
+
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 # Versions of clang-format differ in details of the layout; one decides.
 LAYOUT := 14

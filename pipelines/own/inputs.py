@@ -248,7 +248,7 @@ def write(own, out):
         "REDUCED": " ".join([f"--strength-fraction {own.strength_fraction!r}", *(
             f"--rf-{name} {factors[name]!r}" for name in FACTORS[:3] if name in factors)]),
         "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
-        "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "RISING": " ".join(rising)}
+        "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "SAME": STIFFNESSES.index(1) + 1, "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
 
 

@@ -82,7 +82,7 @@ $(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --stations $(OWN_STATIONS) --error $(OWN_ERROR) \
 	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 -a -e $@ ]
 $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
-	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_BAGS)) $(call whole,$@)
+	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_OTHERS)) $(call whole,$@)
 $(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py heaviest $(OWN_CAL) $(OWN_TWINS) $(call whole,$@)
 # Twins of both volumes with the heaviest set, in the first test: what chance is worth. % is the seed.
@@ -94,55 +94,71 @@ $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 	@$(BIN)/pf-weight assimilate $(OWNO)/heaviest.tsv $(OWN_CAL)/$(OWN_FIRST).tsv --prior $(OWN_PRIOR) --runs '$(OWNO)/check_$*/runs/{id:06}/series.h5' \
 	  --where stage=1 --station strain_axial --observe stress_ratio --error 1 --quiet --tsv --table curves $(call whole,$@)
 
-# (c) Two bags, filled with the heaviest set; each geotextile has a bag, of the two in turn, and a set of the posterior.
+# (c) Bags are filled with the heaviest set. Four of one packing and this set tell how the load hangs on the stiffness, with nothing else
+# between them. Further ones have the asked stiffness, a set of the posterior each, and both packings in turn: what soil and packing are worth.
+OWN_OTHERS := 1 2 3 4
 own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
 $(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
 	@contact=$(call own_contact,$(OWNO)/heaviest.tsv,0) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
 	  --force --history $(@:.h5=.tsv) -o $@
-own_bag = $(OWNO)/bag_$(if $(filter 1 3 5 7,$*),1,2).h5
-.SECONDEXPANSION:
-$(OWNO)/uc_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
+# $(call own_compress,SETS,ROW,GEOTEXTILE): the bag that is named first, with these contact parameters
+own_compress = contact=$(call own_contact,$(1),$(2)) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
+  --set stage.1.strain=$(OWN_STRAIN) --set record.strains=[$(OWN_STRAIN)] --set stage.1.plate_friction_angle=0 \
+  --set geotextile.0.curve=$(3) --threads 1 --quiet --resume --force -o $@
+$(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/heaviest.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@contact=$(call own_contact,$(OWNO)/draws.tsv,$$(($* - 1))) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
-	  --set stage.1.strain=$(OWN_STRAIN) --set record.strains=[$(OWN_STRAIN)] --set stage.1.plate_friction_angle=0 \
-	  --set geotextile.0.curve=$(OWNO)/geotextile_$*.toml --threads 1 --quiet --resume --force -o $@
+	@$(call own_compress,$(OWNO)/heaviest.tsv,0,$(OWNO)/geotextile_$*.toml)
+own_bag = $(OWNO)/bag_$(if $(filter 1 3,$*),2,1).h5
+.SECONDEXPANSION:
+$(OWNO)/other_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_$$(OWN_SAME).toml $(C3)/uc.toml $(BIN)/run-dem
+	@echo '  run   $@'
+	@$(call own_compress,$(OWNO)/draws.tsv,$$(($* - 1)),$(OWNO)/geotextile_$(OWN_SAME).toml)
+$(OWNO)/other_%.tsv: $(OWNO)/other_%.h5 $(BIN)/homogenize
+	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 
-# (d) From all bags, and from all but one each, which tells what one bag is worth. Where the others do not determine the constants, the
-# files of that part are empty, and the page says so. The status is then 1 or 65; a tool that was killed or could not write has others.
-own_empty = { status=$$?; [ $$status = 65 -o $$status = 1 ] && : > $@ || (exit $$status); }
-own_part = || { status=$$?; cat $(@:.tsv=.said) >&2; [ $* != soil ] || exit $$status; (exit $$status) || $(own_empty); }
+# (d) From the bags of one soil.
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
-own_identify = $(BIN)/gws-solve identify $(1:%=$(OWNO)/uc_%.h5) $(1:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
+own_identify = $(BIN)/gws-solve identify $(OWN_RUNS) $(OWN_BAGS:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
-# All constants at once; line by line, where the paths do not determine all that come from them.
-own_fit = fit=path; $(call own_identify,$(1)) --toml --quiet > $@.path; status=$$?; \
+# All constants at once; line by line, where the paths do not determine all that come from them. The status is then 1 or 65; a tool that
+# was killed or could not write has others.
+own_fit = fit=path; $(own_identify) --toml --quiet > $@.path; status=$$?; \
   ! grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path || fit=thesis; rm -f $@.path; \
   case $$status in 0) ;; 1 | 65) fit=thesis ;; *) exit $$status ;; esac
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
-	@$(call own_fit,$(OWN_BAGS)); $(call own_identify,$(OWN_BAGS)) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; \
+	@$(own_fit); $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; \
 	  status=$$?; cat $(OWNO)/identified.said >&2; [ $$status = 0 ] || exit $$status; \
-	  $(call own_identify,$(OWN_BAGS)) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
-$(OWNO)/soil_%.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
-	@$(call own_fit,$(filter-out $*,$(OWN_BAGS))); \
-	  $(call own_identify,$(filter-out $*,$(OWN_BAGS))) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@) || $(own_empty)
+	  $(own_identify) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
 
-# (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells.
-own_case = --soil $(OWNO)/$(1).toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
-$(OWNO)/bands_%.tsv: $(OWNO)/%.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve respond $(call own_case,$*) --samples $(OWN_DRAWS) --points 40 --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
-$(OWNO)/design_%.tsv: $(OWNO)/%.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve design $(call own_case,$*) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --tsv 2> $(@:.tsv=.said) $(call whole,$@) $(own_part)
-$(OWNO)/chart.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve design $(call own_case,soil) $(OWN_PARTIAL) --surcharge $(OWN_SURCHARGE) --settlement $(OWN_SETTLEMENT) --chart \
-	  --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') --tsv $(call whole,$@)
+# (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells, and a bag like those of grains. What these
+# carry over what the model gives for such a bag is a factor on the model's answers (transfer.py).
+own_case = --soil $(OWNO)/soil.toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
+own_said = 2> $(@:.tsv=.said) $(call whole,$@) || { status=$$?; cat $(@:.tsv=.said) >&2; exit $$status; }
+$(OWNO)/bands.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
+	@$(BIN)/gws-solve respond $(own_case) --samples $(OWN_DRAWS) --points 40 --tsv $(own_said)
+$(OWNO)/of_grains.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
+	@$(BIN)/gws-solve respond --soil $< --geotextile $(OWNO)/geotextile_$(OWN_SAME).toml --points 400 --tsv $(own_said)
+OWN_ASKED = $(OWN_RUNS:.h5=.tsv) $(OWN_OTHERS:%=$(OWNO)/other_%.tsv)
+# The surcharges of the design: in the middle, and at the low end of the band.
+$(OWNO)/loads: $$(OWN_ASKED) $(OWNO)/bands.tsv $(OWNO)/of_grains.tsv $(OWN)/transfer.py
+	@$(OWN_PY)/transfer.py $(OWNO) $(OWN_SURCHARGE) $(OWN_SETTLEMENT) $(call whole,$@)
+own_design = $(BIN)/gws-solve design $(own_case) $(OWN_PARTIAL) --settlement $(OWN_SETTLEMENT) --tsv --surcharge
+$(OWNO)/design.tsv: $(OWNO)/loads $(BIN)/gws-solve
+	@read -r middle high < $< && $(own_design) $$middle $(own_said)
+# Where no geotextile is enough at the low end, the file is empty, and the page says so.
+$(OWNO)/design_high.tsv: $(OWNO)/loads $(BIN)/gws-solve
+	@read -r middle high < $< && $(own_design) $$high 2> $(@:.tsv=.said) $(call whole,$@) || \
+	  { status=$$?; cat $(@:.tsv=.said) >&2; [ $$status = 65 -o $$status = 1 ] && : > $@ || exit $$status; }
+$(OWNO)/chart.tsv: $(OWNO)/loads $(BIN)/gws-solve
+	@read -r middle high < $< && $(own_design) $$middle --chart --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') \
+	  --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') $(call whole,$@)
 
 # (f)
-OWN_SOILS = soil $(OWN_BAGS:%=soil_%)
-OWN_LEFT = $(foreach soil,$(OWN_SOILS),$(OWNO)/bands_$(soil).tsv $(OWNO)/design_$(soil).tsv) $(OWN_BAGS:%=$(OWNO)/uc_%.tsv) $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
+OWN_LEFT = $(OWN_ASKED) $(OWNO)/design.tsv $(OWNO)/design_high.tsv $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
 $(OWNO)/provenance.txt: $(OWNO)/uc_1.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
-$(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWNO)/own.toml $(OWNO)/inputs.mk $(OWN)/study.py $(OWN)/words.toml $(STUDY)
+$(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWNO)/own.toml $(OWNO)/inputs.mk $(OWN)/study.py $(OWN)/transfer.py $(OWN)/words.toml $(STUDY)
 	@$(STUDY_PY) $(OWN)/study.py $(OWNO) --profile $(PROFILE) --soil $(SOIL)

@@ -25,13 +25,13 @@ def test_a_calibration_that_ends_in_an_error_leaves_no_posterior_of_other_tests(
     assert not (cal / "posterior.h5").exists()
 
 
-def test_a_tool_that_is_killed_is_no_bag_that_constants_hang_on(soil, tmp_path, tools):
+def test_a_tool_that_is_killed_is_no_design_that_no_geotextile_meets(soil, tmp_path, tools):
     out = tmp_path / "out"
     make(soil.parent, out, tools, out / "own/soil/packing_1.h5")
-    for name in ("run-dem", "homogenize", "filter-expand", "to-vtk"):
-        tool(tools, name, "exit 70")
     own = out / "own/soil"
-    tool(tools, "gws-solve", "case \"$*\" in *--toml*) echo 'name = \"x\"' ;; identify*) echo report ;; *) kill -9 $$ ;; esac")
-    (own / "soil_3.toml").write_text('name = "own"\n')
-    called, said = make(soil.parent, out, tools, "-o", own / "soil_3.toml", own / "bands_soil_3.tsv")
-    assert not (own / "bands_soil_3.tsv").exists(), (called, said)
+    (own / "loads").write_text("1e5 2e5\n")
+    high = own / "design_high.tsv"
+    for end, left in (("kill -9 $$", False), ("exit 74", False), ("exit 1", True)):
+        tool(tools, "gws-solve", end)
+        make(soil.parent, out, tools, "-o", own / "loads", high)
+        assert high.exists() == left, end
