@@ -123,11 +123,12 @@ $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
 own_identify = $(BIN)/gws-solve identify $(OWN_RUNS) $(OWN_BAGS:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
-# All constants at once; line by line, where the paths do not determine all that come from them. The status is then 1 or 65; a tool that
-# was killed or could not write has others.
-own_fit = fit=path; $(own_identify) --toml --quiet > $@.path; status=$$?; \
-  ! grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path || fit=thesis; rm -f $@.path; \
-  case $$status in 0) ;; 1 | 65) fit=thesis ;; *) exit $$status ;; esac
+# All constants at once; where the paths do not determine all that come from them, line by line; where that has no solution, those that the
+# paths determine, with Toyoura sand's for the others. The status is then 1 or 65; a tool that was killed or could not write has others.
+own_try = $(own_identify) --fit $(1) --toml --quiet > $@.$(1); $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) rm -f $@.$(1); exit $$$(1) ;; esac
+own_fit = $(call own_try,path); fit=path; \
+  if [ $$path != 0 ] || grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path; then \
+    $(call own_try,thesis); [ $$thesis != 0 -a $$path = 0 ] || fit=thesis; fi; rm -f $@.path $@.thesis
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@$(own_fit); $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; \
 	  status=$$?; cat $(OWNO)/identified.said >&2; [ $$status = 0 ] || exit $$status; \
