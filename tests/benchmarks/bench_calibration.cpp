@@ -41,7 +41,7 @@ void triaxial_test(benchmark::State& state, const std::string& contact) {
           "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 2e5\naxial_strain = 0.01\nincrement = 0.001\n"
           "rate = 0.1\nmax_rate = 1\nreset_strain = true\n",
       "benchmark", {});
-  const io::Snapshot packing = dem::prepare(testing::packed(scenario.model, 1e4, 1000), scenario);
+  const io::Snapshot packing = dem::prepare(support::packed(scenario.model, 1e4, 1000), scenario);
   for (auto _ : state) benchmark::DoNotOptimize(dem::run(packing, scenario, {}));
   state.counters["runs_per_hour"] =
       benchmark::Counter(360 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);

@@ -14,8 +14,8 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::linear_sand;
-using testing::sand;
+using support::linear_sand;
+using support::sand;
 
 constexpr double time_step = 1e-7;  // s; far below the stable one, so that the grains stay in place
 constexpr std::size_t base = 1000;
@@ -27,15 +27,15 @@ const io::Snapshot& assembly(std::size_t grains, const Model& model) {
   const std::pair key(model.materials.law(), grains);
   const auto known = made.find(key);
   if (known != made.end()) return known->second;
-  constexpr double slippery = 5 * testing::degree;
+  constexpr double slippery = 5 * support::degree;
   io::Snapshot state =
       grains > base ? packing::tile(assembly(base, model), {1, 1, static_cast<int>(grains / base)}, {true, true, true})
-                    : testing::packed(with_friction(model, slippery), 1e5, grains);
+                    : support::packed(with_friction(model, slippery), 1e5, grains);
   return made.emplace(key, std::move(state)).first->second;
 }
 
 /// Data of the loops, after one sweep.
-struct Loops : testing::EngineParts {
+struct Loops : support::EngineParts {
   Loops(std::size_t grains, const Model& model) : EngineParts(assembly(grains, model), make_contact_sweep(model)) {
     motion.set_out(cell, Vec3::Zero(), 0.2, time_step, bodies);
     act(0);
@@ -58,7 +58,7 @@ void contact_sweep(benchmark::State& state, const Model& model) {
   tell(state, "contact", static_cast<double>(loops.sums.contacts));
 }
 
-Model without_moments() { return {std::vector<HertzMindlin::Material>{{4e9, 0.33, 29 * testing::degree, {}, {}, {}}}}; }
+Model without_moments() { return {std::vector<HertzMindlin::Material>{{4e9, 0.33, 29 * support::degree, {}, {}, {}}}}; }
 
 void neighbour_search(benchmark::State& state) {
   Loops loops(grains_of(state), sand());

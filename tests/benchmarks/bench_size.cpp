@@ -23,9 +23,9 @@ constexpr int settling = 40;  // steps in which the grains come to rest under th
 
 // Returns dense grains at rest under 0.1 MPa, made once.
 const io::Snapshot& dense(const Model& model, std::size_t grains) {
-  constexpr double slippery = 5 * testing::degree;
-  static const io::Snapshot spheres = testing::packed(with_friction(testing::sand(), slippery), 1e5, base);
-  static const io::Snapshot few = testing::packed(with_friction(testing::linear_sand(), slippery), 1e5, 400);
+  constexpr double slippery = 5 * support::degree;
+  static const io::Snapshot spheres = support::packed(with_friction(support::sand(), slippery), 1e5, base);
+  static const io::Snapshot few = support::packed(with_friction(support::linear_sand(), slippery), 1e5, 400);
   return model.materials.law() == "hertz-mindlin" && grains == base ? spheres : few;
 }
 
@@ -58,9 +58,9 @@ void advance(Simulation& simulation, Servo& servo) {
 
 void size_of_system(benchmark::State& state) {
   const auto grains = static_cast<std::size_t>(state.range(0));
-  auto start = std::make_unique<io::Snapshot>(copies(dense(testing::sand(), base), grains / base));
+  auto start = std::make_unique<io::Snapshot>(copies(dense(support::sand(), base), grains / base));
   const double before = resident();
-  Simulation simulation(*start, testing::sand(), {});
+  Simulation simulation(*start, support::sand(), {});
   Servo servo;
   for (int k = 0; k < settling; ++k) advance(simulation, servo);
   const double held = resident() - before;
@@ -79,7 +79,7 @@ void small_systems(benchmark::State& state) {
   const auto threads = static_cast<int>(state.range(0));
   std::vector<Simulation> all;
   for (int k = 0; k < systems; ++k)
-    all.emplace_back(dense(testing::linear_sand(), 400), testing::linear_sand(), Numerics{});
+    all.emplace_back(dense(support::linear_sand(), 400), support::linear_sand(), Numerics{});
   std::vector<Servo> servos(systems);
   for (auto _ : state) {
     const auto began = std::chrono::steady_clock::now();

@@ -8,7 +8,7 @@
 namespace soilweave {
 namespace {
 
-TEST(LongRun, OfAThousandGrainsAtRestDriftsByRoundingAlone) { testing::expect_no_drift(1000, 1'000'000); }
+TEST(LongRun, OfAThousandGrainsAtRestDriftsByRoundingAlone) { support::expect_no_drift(1000, 1'000'000); }
 
 }  // namespace
 }  // namespace soilweave

@@ -9,7 +9,7 @@
 #include "packing/generate/generate.h"
 #include "packing/generate/grading.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
@@ -39,4 +39,4 @@ inline io::Snapshot packed(const dem::Model& model, double pressure, std::size_t
   return state;
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

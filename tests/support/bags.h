@@ -5,7 +5,7 @@
 #include "packing/container/shapes/cushion.h"
 #include "packing/container/shapes/pillow.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 /// Returns flat faces 400 mm wide with sides of 100 mm arcs in between: the hoop of the empty bag of 400 by 100 mm.
 inline packing::Pillow inextensible() {
@@ -22,4 +22,4 @@ inline packing::Cushion straight(double corner_radius) {
   return bag;
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

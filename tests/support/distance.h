@@ -5,7 +5,7 @@
 
 #include "core/tensor.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 /// Returns the squared distance of two points, m2.
 inline double squared_distance(const Vec3& a, const Vec3& b) {
@@ -14,4 +14,4 @@ inline double squared_distance(const Vec3& a, const Vec3& b) {
   return x * x + y * y + z * z;
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

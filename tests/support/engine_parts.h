@@ -8,7 +8,7 @@
 #include "dem/engine/step_passes.h"
 #include "dem/sweep/neighbours.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 struct EngineParts {
   EngineParts(const io::Snapshot& state, std::unique_ptr<dem::ContactSweep> sweep_with, int threads = 1,
@@ -47,4 +47,4 @@ bool same_bits(const Rows& a, const Rows& b) {
          std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;  // an empty vector has no address
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

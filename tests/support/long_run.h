@@ -11,7 +11,7 @@
 #include "support/assemblies.h"
 #include "support/worse.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 inline Vec3 momentum(const io::GrainsRecord& grains) {
   Vec3 sum = Vec3::Zero();
@@ -71,4 +71,4 @@ inline void expect_no_drift(std::size_t grains, std::int64_t steps) {
   ::testing::Test::RecordProperty("relative_energy_drift", fmt::format("{:.2e}", largest_drift / stored));
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

@@ -7,7 +7,7 @@
 
 #include "dem/run/scenario.h"
 
-namespace soilweave::testing {
+namespace soilweave::support {
 
 /// The contacts of thesis Table 3.1, as sand() has them (assemblies.h).
 inline const std::string sand_toml =
@@ -19,4 +19,4 @@ inline dem::Scenario scenario(const std::string& stages, const std::string& befo
   return dem::read_scenario(before + sand_toml + stages, "test.toml", {});
 }
 
-}  // namespace soilweave::testing
+}  // namespace soilweave::support

@@ -26,8 +26,8 @@ namespace {
 using std::numbers::pi;
 
 TEST(Tile, CopiesCarryContactsAndMemoryAcrossTheirFaces) {
-  const dem::Model model = testing::sand();
-  const io::Snapshot one = testing::packed(model, 1e5);
+  const dem::Model model = support::sand();
+  const io::Snapshot one = support::packed(model, 1e5);
   const std::array<int, 3> copies = {2, 3, 1};
   const io::Snapshot block = tile(one, copies, {true, true, true});
   const std::size_t n = one.grains.size(), all = 6;
@@ -85,7 +85,7 @@ TEST(Tile, CopiesAreNumberedAlongXThenYThenZAndTheirContactsReachFromGrainToGrai
 }
 
 TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
-  const io::Snapshot one = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot one = support::packed(support::sand(), 1e5);
   const io::Snapshot closed = tile(one, {2, 2, 2}, {true, true, true}), open = tile(one, {2, 2, 2});
   std::size_t inside = 0;
   for (const Vec3i& image : closed.contacts.image) inside += image.isZero();
@@ -95,8 +95,8 @@ TEST(Tile, OpenBlocksLoseOnlyTheContactsThroughTheirOutside) {
 
 TEST(Bag, DepthAndVolumeAgree) {
   EXPECT_NEAR(Pillow().volume(), 0.0150, 1e-6) << "parameters of the reference";
-  const Pillow round, flatter = testing::inextensible();
-  const Cushion sharp = testing::straight(0), rounded = testing::straight(0.03);
+  const Pillow round, flatter = support::inextensible();
+  const Cushion sharp = support::straight(0), rounded = support::straight(0.03);
   for (const Container* bag : std::initializer_list<const Container*>{&round, &flatter, &sharp, &rounded}) {
     std::mt19937_64 engine(1);
     const Vec3 high = bag->high();
@@ -122,14 +122,14 @@ TEST(Bag, DepthAndVolumeAgree) {
 }
 
 TEST(Cushion, IsWhatItsTwoSectionsShareLessItsCorners) {
-  const double reach = testing::straight(0).reach();
-  EXPECT_NEAR(testing::straight(0).depth(Vec3(reach, reach, 0)), 0, 1e-15);
-  EXPECT_NEAR(testing::straight(0).depth(Vec3(0.2, -0.2, 0.04)), 0, 1e-15);
-  EXPECT_NEAR(testing::straight(0).depth(Vec3(-reach - 0.003, reach + 0.004, 0)), -0.005, 1e-15);
+  const double reach = support::straight(0).reach();
+  EXPECT_NEAR(support::straight(0).depth(Vec3(reach, reach, 0)), 0, 1e-15);
+  EXPECT_NEAR(support::straight(0).depth(Vec3(0.2, -0.2, 0.04)), 0, 1e-15);
+  EXPECT_NEAR(support::straight(0).depth(Vec3(-reach - 0.003, reach + 0.004, 0)), -0.005, 1e-15);
   const double corner = reach - 0.02 + 0.02 * std::sqrt(0.5);
-  EXPECT_NEAR(testing::straight(0.02).depth(Vec3(corner, -corner, 0)), 0, 1e-15);
-  EXPECT_NEAR(testing::straight(0.02).depth(Vec3(corner - 0.003, 0.003 - corner, 0)), 0.003 * std::sqrt(2), 1e-15);
-  for (const Cushion& bag : {testing::straight(0), testing::straight(0.02)}) {
+  EXPECT_NEAR(support::straight(0.02).depth(Vec3(corner, -corner, 0)), 0, 1e-15);
+  EXPECT_NEAR(support::straight(0.02).depth(Vec3(corner - 0.003, 0.003 - corner, 0)), 0.003 * std::sqrt(2), 1e-15);
+  for (const Cushion& bag : {support::straight(0), support::straight(0.02)}) {
     std::vector<Vec3> surface;
     const int n = 200;
     for (int k = 0; k <= n; ++k)
@@ -148,7 +148,7 @@ TEST(Cushion, IsWhatItsTwoSectionsShareLessItsCorners) {
       const double x = share(engine), y = share(engine), z = share(engine);
       const Vec3 point(0.18 + 0.05 * x, 0.18 + 0.05 * y, 0.06 * z);
       double nearest = 1;
-      for (const Vec3& s : surface) nearest = std::min(nearest, testing::squared_distance(point, s));
+      for (const Vec3& s : surface) nearest = std::min(nearest, support::squared_distance(point, s));
       nearest = std::sqrt(nearest);
       const double depth = bag.depth(point);
       EXPECT_NEAR(std::abs(depth), nearest, 5e-4) << "by points of its surface half a millimetre apart";
@@ -161,7 +161,7 @@ TEST(Cushion, IsWhatItsTwoSectionsShareLessItsCorners) {
 }
 
 TEST(Pillow, SidesFlatterThanHalfCirclesMeetTheFacesAtAnEdge) {
-  const Pillow bag = testing::inextensible();
+  const Pillow bag = support::inextensible();
   EXPECT_NEAR(2 * bag.side_radius * std::asin(bag.half_height / bag.side_radius), 0.1, 1e-5) << "arc of a side";
   const Vec3 edge(0.2, 0.05, 0.04);
   EXPECT_NEAR(bag.depth(edge), 0, 1e-15);
@@ -182,7 +182,7 @@ const std::string small_bag =
     materials;
 
 TEST(Plan, RefusesWhatCannotBeFilled) {
-  const io::Snapshot one = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot one = support::packed(support::sand(), 1e5);
   const std::string size = "width = \"374 mm\"\nhalf_height = \"40 mm\"\n";
   const std::string pillow = "[container]\nshape = \"pillow\"\n" + size,
                     cushion = "[container]\nshape = \"cushion\"\n" + size;
@@ -212,7 +212,7 @@ TEST(Plan, RefusesWhatCannotBeFilled) {
 
 TEST(Plan, ScalesARepresentativeVolumeAtEqualStrainsAndStresses) {
   // At twice the lengths, masses and moments are eightfold and forces fourfold. Factors of two are exact.
-  io::Snapshot one = testing::packed(testing::sand(), 1e5);
+  io::Snapshot one = support::packed(support::sand(), 1e5);
   for (Vec3& v : one.grains.velocity) v = Vec3(1, 2, 3);
   const auto in_box = [&](const std::string& half, const std::string& scale) {
     return assemble(one, read_plan("[container]\nshape = \"box\"\nlow = [-" + half + ", -" + half + ", -" + half +
@@ -276,7 +276,7 @@ TEST(Plan, AimsAtTheContainerWithOrWithoutStretching) {
 // An enlarged representative volume keeps its density and, at equal strains, its stresses: the force of a contact is
 // still Hertz's for its overlap, 4/3 E* sqrt(R*) overlap^1.5.
 TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
-  const io::Snapshot small = testing::packed(testing::sand(), 1e5, 60);
+  const io::Snapshot small = support::packed(support::sand(), 1e5, 60);
   const double density = small.grains.mass[0] / dem::grain_volume(3, small.grains.radius[0]);
   const double E_star = 4e9 / (2 * (1 - 0.33 * 0.33));
   const std::string box = "[container]\nshape = \"box\"\nlow = [-0.03, -0.03, -0.03]\nhigh = [0.03, 0.03, 0.03]\n";
@@ -292,7 +292,7 @@ TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
                    b = g.radius[static_cast<std::size_t>(large.contacts.bodies[c][1])];
       const double force = 4.0 / 3.0 * E_star * std::sqrt(a * b / (a + b)) * std::pow(large.contacts.overlap[c], 1.5);
       EXPECT_NEAR(large.contacts.normal_force[c], force, 1e-6 * force) << scale;
-      EXPECT_LT(large.contacts.shear_force[c].norm(), std::tan(29 * testing::degree) * force * (1 + 1e-6)) << scale;
+      EXPECT_LT(large.contacts.shear_force[c].norm(), std::tan(29 * support::degree) * force * (1 + 1e-6)) << scale;
     }
   }
 }
@@ -300,7 +300,7 @@ TEST(Plan, AScaledVolumeIsOfTheSameMaterial) {
 TEST(Plan, SoilBeginsWhereTheNodesOnTheSurfaceEnd) {
   const std::vector<std::string> offset = {"geotextile_mesh.node_radius=0.002", "geotextile_mesh.offset=0.0005"};
   const Plan plan = read_plan(small_bag, "plan", offset);
-  const io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
+  const io::Snapshot state = assemble(support::packed(support::sand(), 1e5), plan);
   double least = 1;
   int nodes = 0;
   for (std::size_t i = 0; i < state.grains.size(); ++i) {
@@ -328,7 +328,7 @@ io::Snapshot mirrored(io::Snapshot state) {
 
 TEST(Bag, MirroredBagsMoveAsMirrorImages) {
   const Plan plan = read_plan(small_bag, "plan", {});
-  io::Snapshot state = assemble(testing::packed(testing::sand(), 1e5), plan);
+  io::Snapshot state = assemble(support::packed(support::sand(), 1e5), plan);
   ASSERT_GT(state.grains.size(), 300U);
   state.contacts = {};
   for (auto* rows : {&state.grains.velocity, &state.grains.angular_velocity})

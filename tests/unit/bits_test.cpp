@@ -17,7 +17,7 @@ void append(std::string& bytes, const std::vector<T>& values) {
 // Returns the SHA-256 of a sheared packing: grains, contacts and what the contacts remember.
 std::string digest(const Model& model, int dimension) {
   const std::size_t grains = 150;
-  Simulation simulation(testing::packed(model, 1e5, grains, dimension), model, {});
+  Simulation simulation(support::packed(model, 1e5, grains, dimension), model, {});
   Mat3 gradient = Mat3::Zero();
   gradient.diagonal() = Vec3(0.05, -0.1, dimension == 3 ? 0.05 : 0);
   gradient(0, 1) = 0.02;
@@ -38,9 +38,9 @@ std::string digest(const Model& model, int dimension) {
 // The digests were found on x86-64-v3. AVX-512, PORTABLE=1 and `make other-processor` have to give them, too. They
 // change only with a change of the physics or of the order of sums, which its commit has to name.
 TEST(Bits, AreTheSameOnEveryProcessor) {
-  EXPECT_EQ(digest(testing::sand(), 3), "f01e3ed168a7de62abb56076a68133321c37c3150e8e2dfc170a89841c9c552b");
-  EXPECT_EQ(digest(testing::linear_sand(), 3), "60aa71660be5dcc9f3b2f7ae45a3fc93fca6e0ff5f9f3817ca935ead678954c0");
-  EXPECT_EQ(digest(testing::sand(), 2), "e2a441a3e2d67df0fe05a70294d8e390956d570bd03253180a7a68e4501524a2");
+  EXPECT_EQ(digest(support::sand(), 3), "f01e3ed168a7de62abb56076a68133321c37c3150e8e2dfc170a89841c9c552b");
+  EXPECT_EQ(digest(support::linear_sand(), 3), "60aa71660be5dcc9f3b2f7ae45a3fc93fca6e0ff5f9f3817ca935ead678954c0");
+  EXPECT_EQ(digest(support::sand(), 2), "e2a441a3e2d67df0fe05a70294d8e390956d570bd03253180a7a68e4501524a2");
 }
 
 }  // namespace

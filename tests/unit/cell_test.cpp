@@ -48,7 +48,7 @@ TEST(Simulation, TurnsAGrainAboutXAndThenAboutY) {
   io::Snapshot state =
       test::scene({{0.01, 2650, Vec3(0.1, 0.1, 0.1), Vec3::Zero(), Vec3(a / (steps * dt), 0, 0)}}, false);
   const auto turned = [&](const io::Snapshot& from) {
-    Simulation s(from, testing::sand(), test::undamped(dt));
+    Simulation s(from, support::sand(), test::undamped(dt));
     for (int k = 0; k < steps; ++k) s.step();
     return s.snapshot();
   };
@@ -62,9 +62,9 @@ TEST(Simulation, TurnsAGrainAboutXAndThenAboutY) {
 
 // Disks are per metre: how thick a cell is said to be changes no area, stress or void ratio, and is kept.
 TEST(Disks, NothingDependsOnTheThicknessOfTheirCell) {
-  io::Snapshot thin = testing::packed(testing::linear_sand(), 1e3, 60, 2), thick = thin;
+  io::Snapshot thin = support::packed(support::linear_sand(), 1e3, 60, 2), thick = thin;
   thin.cell.matrix(2, 2) = 1, thick.cell.matrix(2, 2) = 3;
-  Simulation one(thin, testing::linear_sand(), {}), three(thick, testing::linear_sand(), {});
+  Simulation one(thin, support::linear_sand(), {}), three(thick, support::linear_sand(), {});
   Mat3 gradient = Mat3::Zero();
   gradient(0, 0) = 0.1, gradient(1, 1) = -0.2;
   for (Simulation* s : {&one, &three}) {

@@ -234,7 +234,7 @@ TEST(Energies, TheDashpotTakesWhatRestitutionLeaves) {
 // The mass of a grain that grows at constant density follows its radius: cubed for spheres, squared for disks.
 TEST(Energies, MassOfScaledGrainsFollowsTheirVolume) {
   for (const int dimension : {3, 2}) {
-    Simulation s(testing::packed(testing::sand(), 1e5, 60, dimension), testing::sand(), {});
+    Simulation s(support::packed(support::sand(), 1e5, 60, dimension), support::sand(), {});
     const double before = s.mass(), solids = s.solid_volume();
     s.scale_radii(1.0005);
     EXPECT_NEAR(s.mass() / before, std::pow(1.0005, dimension), 1e-12);

@@ -21,12 +21,12 @@ constexpr double step = 0x1p-12;        // s
 constexpr double grain_step = 0x1p-16;  // s
 
 const io::Snapshot& disks() {
-  static const io::Snapshot packing = testing::packed(testing::linear_sand(), 1e4, 40, 2);
+  static const io::Snapshot packing = support::packed(support::linear_sand(), 1e4, 40, 2);
   return packing;
 }
 
 Grains grains(bool fixed_step = true) {
-  Grains g{testing::linear_sand(), {}, 0};
+  Grains g{support::linear_sand(), {}, 0};
   if (fixed_step) g.numerics.time_step = grain_step;
   return g;
 }
@@ -51,7 +51,7 @@ TEST(Model, OneElementIsItsPackingLoadedAloneBitForBit) {
 
   // run-dem holds its largest rate all the way, since the goal lies a hair beyond.
   dem::Scenario scenario;
-  scenario.model = testing::linear_sand();
+  scenario.model = support::linear_sand();
   scenario.numerics = grains().numerics;
   scenario.tolerances = {0.9, 0.999};
   scenario.largest_station = 100000;
@@ -91,7 +91,7 @@ io::ContactsRecord normals_at(const std::vector<double>& degrees) {
   io::ContactsRecord contacts;
   for (const double d : degrees) {
     contacts.bodies.push_back({0, 1});
-    contacts.normal.emplace_back(std::cos(d * testing::degree), std::sin(d * testing::degree), 0);
+    contacts.normal.emplace_back(std::cos(d * support::degree), std::sin(d * support::degree), 0);
   }
   return contacts;
 }
@@ -107,7 +107,7 @@ TEST(Rve, AnisotropyIsTwiceTheSecondHarmonicOfTheContactNormals) {
   std::vector<double> drawn;
   double owed = 0;
   for (int k = 0; k < 3600; ++k) {
-    owed += 10 * (1 + 0.4 * std::cos(2 * (0.1 * k - 25) * testing::degree));
+    owed += 10 * (1 + 0.4 * std::cos(2 * (0.1 * k - 25) * support::degree));
     for (; owed >= 1; owed -= 1) drawn.push_back(0.1 * k);
   }
   EXPECT_NEAR(anisotropy(normals_at(drawn)), 0.4, 1e-3) << "one in 36,000 too many or too few";
@@ -289,7 +289,7 @@ TEST(Model, RefusesWhatCannotWork) {
   setup.packings.push_back(disks());
   io::test::expect_error<DataError>([&] { Model model(setup); }, "2 packings are given for 4 points");
   setup = pulled(1);
-  setup.packings = {testing::packed(testing::linear_sand(), 1e4, 60, 3)};
+  setup.packings = {support::packed(support::linear_sand(), 1e4, 60, 3)};
   io::test::expect_error<DataError>([&] { Model model(setup); }, "needs disks");
   setup = pulled(1);
   for (double& radius : setup.packings[0].grains.radius) radius *= 0.5;

@@ -68,7 +68,7 @@ TEST(Geotextile, CanBeMeshedFaceByFace) {
 }
 
 TEST(Geotextile, FacesOfAnInextensibleBagAreAsWideAsTheEmptyOne) {
-  const Pillow bag = testing::inextensible();
+  const Pillow bag = support::inextensible();
   double hoop = 0;
   const Fabric fabric = wrap(bag, {91, 91, 20}, 0.0025, false);
   for (const Fabric::Yarn& yarn : fabric.yarns) {
@@ -86,7 +86,7 @@ TEST(Geotextile, FacesOfAnInextensibleBagAreAsWideAsTheEmptyOne) {
 TEST(Geotextile, WrapsACushionFaceByFace) {
   for (const double corner_radius : {0.0, 0.02})
     for (const double outside : {0.0, 0.0025}) {
-      const Cushion bag = testing::straight(corner_radius);
+      const Cushion bag = support::straight(corner_radius);
       const Fabric fabric = wrap(bag, {91, 91, 20}, outside, false);
       EXPECT_EQ(fabric.yarns.size(), 47684U);
       for (const Vec3& x : fabric.nodes) EXPECT_NEAR(bag.depth(x), -outside, 1e-12);
@@ -103,7 +103,7 @@ TEST(Geotextile, WrapsACushionFaceByFace) {
 }
 
 TEST(Geotextile, IsMirroredBitByBit) {
-  for (const Fabric& fabric : {wrap(Pillow(), {9, 9, 4}, 0.0025), wrap(testing::straight(0.02), {9, 9, 4}, 0.0025)}) {
+  for (const Fabric& fabric : {wrap(Pillow(), {9, 9, 4}, 0.0025), wrap(support::straight(0.02), {9, 9, 4}, 0.0025)}) {
     const auto less = [](const Vec3& a, const Vec3& b) {
       return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
     };

@@ -17,7 +17,7 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::scenario;
+using support::scenario;
 
 std::unique_ptr<Path> path(const std::string& name, const std::string& keys) {
   Settings table = Settings::parse(keys, "test.toml");
@@ -29,7 +29,7 @@ std::unique_ptr<Path> path(const std::string& name, const std::string& keys) {
 PathState under(int dimension, const Vec3& stress) { return {dimension, stress.asDiagonal(), Vec3::Zero()}; }
 
 TEST(Servo, HasNotSettledAboveItsStressNorBelowIt) {
-  const Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  const Simulation s(support::packed(support::sand(), 1e5), support::sand(), {});
   Tolerances tolerances;
   tolerances.unbalanced_force = 1;
   const auto settled = [&](double share, int axis) {
@@ -50,7 +50,7 @@ TEST(Servo, HasNotSettledAboveItsStressNorBelowIt) {
 
 TEST(Run, LowersAStressToItsGoal) {
   const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 5e4\n");
-  const io::RunFile file = run(prepare(testing::packed(plan.model, 1e5), plan), plan, {}).file;
+  const io::RunFile file = run(prepare(support::packed(plan.model, 1e5), plan), plan, {}).file;
   for (const char* stress : {"stress_xx", "stress_yy", "stress_zz"})
     EXPECT_NEAR(file.series.at(stress).values.back(), 5e4, 1e-3 * 5e4);
 }
@@ -186,8 +186,8 @@ TEST(Path, ConstantVolumeHasNoVolumetricStrainInEitherDimension) {
 }
 
 TEST(Path, ConstantVolumeKeepsTheVoidRatioOfDisks) {
-  const Model model = testing::linear_sand();
-  Simulation s(testing::packed(model, 1e3, 60, 2), model, {});
+  const Model model = support::linear_sand();
+  Simulation s(support::packed(model, 1e3, 60, 2), model, {});
   s.set_reference();
   const double before = s.void_ratio();
   const auto undrained = path("constant-volume", "axial_strain = 0.01\nincrement = 0.01\nrate = 5\n");
@@ -218,14 +218,14 @@ double steps_of(const io::Snapshot& start, const std::string& stage, const std::
 }
 
 TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   const auto shear = [](double strain, double increment, double rate) {
     return fmt::format(
         "path = \"free\"\nparts = {}\n[stage.x]\nstrain = 0\n[stage.y]\nstrain = {}\nmax_rate = {}\n"
         "[stage.z]\nstrain = {}\nmax_rate = {}\n",
         std::lround(strain / increment), -0.1 * strain, rate, strain, rate);
   };
-  const double dt = Simulation(start, testing::sand(), {}).time_step();
+  const double dt = Simulation(start, support::sand(), {}).time_step();
   const Forecast::OfStage slow = stage_of(start, shear(0.02, 0.02, 0.05));
   EXPECT_NEAR(slow.steps - slow.waiting, 0.02 / (0.05 * dt), 1e-9 * slow.steps) << "the slowest axis rules";
   const double one = steps_of(start, shear(0.02, 0.02, 0.1)), rest = one - 0.02 / (0.1 * dt);
@@ -243,8 +243,8 @@ TEST(Forecast, CountsTheStepsOfStrainsAtTheirRates) {
 }
 
 TEST(Forecast, CountsTheStepsOfAStressByTheStiffness) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
-  const Simulation s(start, testing::sand(), {});
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
+  const Simulation s(start, support::sand(), {});
   const double dt = s.time_step(), k = s.measures().axial_stiffness.minCoeff();
   ASSERT_GT(k, 1.1e6);
   const auto loaded = [&](double rate) {
@@ -256,7 +256,7 @@ TEST(Forecast, CountsTheStepsOfAStressByTheStiffness) {
 
 // Two hundred timed steps stand for all.
 TEST(Forecast, ItsTimeIsThatOfTheStepsTriedForAllOfThem) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   const Scenario plan = scenario(
       "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.1\nincrement = 0.01\nrate = 0.01\n"
       "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[record]\nsnapshots = \"stations\"\n");

@@ -48,27 +48,27 @@ void run(Simulation& simulation, int steps) {
 TEST(Guard, NamesTheGrainThatIsNoNumber) {
   io::Snapshot state = two_grains();
   state.grains.velocity[1].y() = std::numeric_limits<double>::quiet_NaN();
-  Simulation s(state, testing::sand(), {});
+  Simulation s(state, support::sand(), {});
   io::test::expect_error<PhysicsError>([&] { run(s, 1); }, "step 1: grain 1 has a position that is not a number");
   state = two_grains();
   state.grains.angular_velocity[0].z() = std::numeric_limits<double>::infinity();
-  Simulation spinning(state, testing::sand(), {});
+  Simulation spinning(state, support::sand(), {});
   io::test::expect_error<PhysicsError>([&] { run(spinning, 1); }, "step 1: grain 0 has a spin that is not a number");
 }
 
 TEST(Guard, StopsAtAnOverlapBeyondItsLimit) {
   io::Snapshot state = two_grains();
   state.grains.velocity[1].x() = -100;
-  Simulation s(state, testing::sand(), fixed(1.2e-5));
+  Simulation s(state, support::sand(), fixed(1.2e-5));
   io::test::expect_error<PhysicsError>([&] { run(s, 10); }, "grains 0 and 1 overlap by 0.0009 m, 90 % of the radius");
   Numerics deep = fixed(1.2e-5);
   deep.limits.overlap = 0.95;
-  Simulation soft(state, testing::sand(), deep);
+  Simulation soft(state, support::sand(), deep);
   EXPECT_NO_THROW(run(soft, 2));
 }
 
 TEST(Guard, StopsWhereAGrainSpansHalfTheCell) {
-  Simulation s(two_grains(), testing::sand(), fixed(1e-3));
+  Simulation s(two_grains(), support::sand(), fixed(1e-3));
   Mat3 gradient = Mat3::Zero();
   gradient(2, 2) = -10;
   s.set_velocity_gradient(gradient);
@@ -86,23 +86,23 @@ TEST(Guard, StopsAGrainThatEscapesBetweenPlanes) {
   state.planes.velocity = {Vec3::Zero()};
   state.planes.material_id = {0};
   state.grains.velocity[1].x() = 1;
-  Simulation s(state, testing::sand(), fixed(1e-5));
+  Simulation s(state, support::sand(), fixed(1e-5));
   io::test::expect_error<PhysicsError>([&] { run(s, 10'000); }, "grain 1 has gone to x = ");
   // It is twice the extent away, 8.5 mm from the plane and a grain, and at most one check later.
   EXPECT_NEAR(s.time(), 2 * 10.5e-3, 256 * 1e-5);
   state.planes = {};
-  Simulation free(state, testing::sand(), fixed(1e-5));
+  Simulation free(state, support::sand(), fixed(1e-5));
   EXPECT_NO_THROW(run(free, 3000));
 }
 
 Model smooth_linear() {
-  Model model = testing::linear_sand();
+  Model model = support::linear_sand();
   for (auto& m : model.materials.of<Linear::Material>()) m.rolling = m.twisting = {};
   return model;
 }
 
 Model bouncing_sand() {
-  Model model = testing::sand();
+  Model model = support::sand();
   for (auto& m : model.materials.of<HertzMindlin::Material>()) {
     m.rolling = m.twisting = {};
     m.restitution = 0.7;
@@ -126,11 +126,11 @@ void compress(Simulation& simulation, int dimension, double pressure, int steps)
 // undamped grain that rattles between its neighbours has impacts of two or three steps and may gain a little at each.
 // At three times the limit a guard stops the run within a few dozen steps.
 TEST(Guard, TheStabilityLimitKeepsAMargin) {
-  for (const Model& model : {testing::sand(), bouncing_sand(), testing::linear_sand(), smooth_linear()})
+  for (const Model& model : {support::sand(), bouncing_sand(), support::linear_sand(), smooth_linear()})
     for (const int dimension : {3, 2}) {
       // Disks have N/m, and overlaps as small as those of the spheres.
       const double pressure = dimension == 3 ? 1e5 : 5e3;
-      const io::Snapshot start = testing::packed(model, pressure, 100, dimension);
+      const io::Snapshot start = support::packed(model, pressure, 100, dimension);
       const double limit = Simulation(start, model, {}).stability_limit();
       for (const double damping : {0.0, 0.2}) {
         Numerics stable, unstable = fixed(3 * limit);

@@ -39,7 +39,7 @@ Bodies in_motion(const io::Snapshot& state) {
 
 TEST(Homogeneous, FieldIsFoundAgainAndTakesNoMomentum) {
   for (const int dimension : {3, 2}) {
-    Bodies bodies = in_motion(testing::packed(testing::sand(), 1e5, 120, dimension));
+    Bodies bodies = in_motion(support::packed(support::sand(), 1e5, 120, dimension));
     const HomogeneousField field(bodies, {true, true, true}, std::vector<bool>(bodies.size(), false));
     Mat3 laid;
     laid << 0.3, -0.2, 0.1, 0.5, 0.4, -0.6, 0.2, 0.7, -0.9;
@@ -55,7 +55,7 @@ TEST(Homogeneous, FieldIsFoundAgainAndTakesNoMomentum) {
 }
 
 TEST(Homogeneous, FieldDoesNotVaryAlongPeriodicAxesNorMoveWhatIsHeld) {
-  Bodies bodies = in_motion(testing::packed(testing::sand(), 1e5, 120));
+  Bodies bodies = in_motion(support::packed(support::sand(), 1e5, 120));
   std::vector<bool> held(bodies.size(), false);
   held[5] = held[17] = true;
   const HomogeneousField field(bodies, {false, true, true}, held);
@@ -199,16 +199,16 @@ TEST(Homogeneous, GoesOnInAWayAndInAWaitToTheSameBitsOnAnyThreads) {
 }
 
 TEST(MassScaling, GrainsOfAnySizeBearTheSameStepAndWeighWhatTheyDid) {
-  io::GrainsRecord grains = testing::packed(testing::sand(), 1e5, 120).grains;
+  io::GrainsRecord grains = support::packed(support::sand(), 1e5, 120).grains;
   const auto total = [&] { return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0); };
   const double before = total();
-  equalise_steps(testing::sand(), grains);
+  equalise_steps(support::sand(), grains);
   EXPECT_NEAR(total(), before, 1e-12 * before);
   // Hertz: k = 2 E* sqrt(R* d) is proportional to the radius if the overlap is.
   for (std::size_t i = 0; i < grains.size(); ++i)
     EXPECT_NEAR(grains.mass[i] / grains.radius[i], grains.mass[0] / grains.radius[0], 1e-9 * before);
   const std::vector<double> once = grains.mass;
-  equalise_steps(testing::sand(), grains);
+  equalise_steps(support::sand(), grains);
   for (std::size_t i = 0; i < grains.size(); ++i) EXPECT_NEAR(grains.mass[i], once[i], 1e-12 * once[i]);
 }
 

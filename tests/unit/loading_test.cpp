@@ -17,12 +17,12 @@ namespace soilweave::dem {
 namespace {
 
 Scenario scenario(const std::string& stages, const std::vector<std::string>& overrides = {}) {
-  return read_scenario(testing::sand_toml + stages, "test.toml", overrides);
+  return read_scenario(support::sand_toml + stages, "test.toml", overrides);
 }
 
 io::RunFile loaded(const std::string& stages) {
   const Scenario plan = scenario(stages);
-  return run(prepare(testing::packed(plan.model, 1e5), plan), plan, {}).file;
+  return run(prepare(support::packed(plan.model, 1e5), plan), plan, {}).file;
 }
 
 double last(const io::RunFile& run, std::string_view column) { return run.series.at(column).values.back(); }
@@ -104,7 +104,7 @@ TEST(Run, PlatesKeepTheirFrictionUntilAStageGivesThemAnother) {
   const auto held = [](const std::string& keys) { return "[[stage]]\npath = \"free\"\n" + keys; };
   const auto squeezed = [&](const std::string& keys) { return held(keys) + "[stage.x]\nstrain = 0.002\n"; };
   const io::Snapshot packing = [] {
-    io::Snapshot state = testing::packed(testing::sand(), 1e5);
+    io::Snapshot state = support::packed(support::sand(), 1e5);
     state.cell.periodic[2] = false;
     state.contacts = {};
     return state;
@@ -139,7 +139,7 @@ TEST(Run, RecordsStrainsThatCountFromTheStartOfTheirStage) {
 TEST(Run, SaysWhatHasNotArrived) {
   const auto complains = [](const std::string& stages, const std::string& words) {
     const Scenario plan = scenario("[equilibrium]\nsteps = 200\n" + stages);
-    io::Snapshot packing = testing::packed(plan.model, 1e5);
+    io::Snapshot packing = support::packed(plan.model, 1e5);
     if (!plan.planes.point.empty()) packing.cell.periodic[2] = false;
     try {
       run(prepare(packing, plan), plan, {});
@@ -213,7 +213,7 @@ TEST(Prepare, KeepsContactsWithPlanesOnlyWherePlanesAreParallel) {
     return "[[plane]]\npoint = [0, 0, -1]\nnormal = " + normal + "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n";
   };
   const Scenario upright = scenario(between("[0, 0, 1]")), leaning = scenario(between("[0, 0.1, 1]"));
-  io::Snapshot packing = testing::packed(upright.model, 1e5);
+  io::Snapshot packing = support::packed(upright.model, 1e5);
   packing.planes = upright.planes;
   const std::size_t pairs = packing.contacts.size();
   // The last contact is with the plane.
@@ -228,7 +228,7 @@ TEST(Run, SaysWhichStationCannotBeReached) {
   const Scenario plan =
       scenario("[equilibrium]\nsteps = 50\n[[stage]]\nname = \"far\"\npath = \"isotropic\"\npressure = 1e6\n");
   try {
-    run(prepare(testing::packed(plan.model, 1e5), plan), plan, {});
+    run(prepare(support::packed(plan.model, 1e5), plan), plan, {});
     FAIL() << "reached";
   } catch (const TargetNotReached& e) {
     EXPECT_NE(std::string(e.what()).find("stage \"far\", station 1: not settled after 50 steps"), std::string::npos)
@@ -241,7 +241,7 @@ TEST(Run, SaysWhenOnlyTheKineticEnergyKeepsItFromRest) {
     return scenario("[equilibrium]\nunbalanced_force = 0.1\nkinetic_energy = " + energy +
                     "\nsteps = " + std::to_string(steps) + "\n[[stage]]\npath = \"isotropic\"\npressure = 1e5\n");
   };
-  const io::Snapshot packing = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot packing = support::packed(support::sand(), 1e5);
   const auto ran = [&packing](const Scenario& s) { return run(prepare(packing, s), s, {}).cost; };
   const Cost soon = ran(plan("1", 20000)), late = ran(plan("1e-12", 20000));
   EXPECT_EQ(soon.waiting_for_energy, 0);
@@ -259,7 +259,7 @@ TEST(Run, SaysWhenOnlyTheKineticEnergyKeepsItFromRest) {
 }
 
 TEST(Run, TwinsDifferByTheSeedAndByNoMoreThanAsked) {
-  const io::Snapshot packing = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot packing = support::packed(support::sand(), 1e5);
   const io::Snapshot one = perturbed(packing, 1e-6, 1), again = perturbed(packing, 1e-6, 1),
                      two = perturbed(packing, 1e-6, 2);
   double largest = 0;
@@ -289,7 +289,7 @@ TEST(Scenario, OverridesReplaceValuesBeforeTheyAreChecked) {
   const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n",
                                  {"numerics.damping=0.35", "stage.0.pressure=2e5", "contact.friction_angle=20"});
   EXPECT_EQ(plan.numerics.damping, 0.35);
-  EXPECT_NEAR(friction(plan.model), 20 * testing::degree, 1e-12);
+  EXPECT_NEAR(friction(plan.model), 20 * support::degree, 1e-12);
 }
 
 TEST(Scenario, NoLimitAndALimitOfZeroAreDifferentThings) {
@@ -304,7 +304,7 @@ TEST(Scenario, NoLimitAndALimitOfZeroAreDifferentThings) {
 
 TEST(Prepare, RefusesMaterialsTheScenarioLacks) {
   const Scenario plan = scenario("[[stage]]\npath = \"isotropic\"\npressure = 1e5\n");
-  io::Snapshot packing = testing::packed(plan.model, 1e5);
+  io::Snapshot packing = support::packed(plan.model, 1e5);
   packing.grains.material_id[3] = 2;
   EXPECT_THROW(prepare(packing, plan), DataError);
 }

@@ -83,7 +83,7 @@ TEST(Motion, NoGrainGainsMoreThanTheBoundAndOneGainsAllOfIt) {
   const Sphere low = free_sphere(Vec3(0, 0, 5));
   Sphere high = low;
   high.radius = 1.5 * R, high.position.z() += 2.49 * R;
-  testing::EngineParts parts(scene({low, high}, false), make_contact_sweep(linear(0.5)));
+  support::EngineParts parts(scene({low, high}, false), make_contact_sweep(linear(0.5)));
   parts.act(0);
   const double force = norm(V3<double>{parts.bodies.force(0)[0], parts.bodies.force(0)[1], parts.bodies.force(0)[2]});
   ASSERT_GT(force, 1);
@@ -147,7 +147,7 @@ TEST(Motion, ShearForcesTurnAboutTheNormalByTheMeanSpin) {
 // Only strained axes slow down; stresses are held as fast as ever.
 TEST(Servo, APaceIsThatOfTheStrainedAxesAlone) {
   const auto rates = [](double pace) {
-    Simulation s(testing::packed(testing::sand(), 1e5, 60), testing::sand(), {});
+    Simulation s(support::packed(support::sand(), 1e5, 60), support::sand(), {});
     Servo servo;
     const AxisGoal up{AxisGoal::Kind::stress, 1.1e5, 1}, strained{AxisGoal::Kind::strain, 0.1, 0.1};
     servo.drive({up, up, strained}, 3, s, pace);

@@ -36,7 +36,7 @@ std::set<Key> near_by(const Bodies& bodies, const Cell& cell, const std::vector<
       const Vec3 back = vector_of(bodies.grains[i].position) - vector_of(bodies.grains[j].position);
       const double touching = reaches[i] + reaches[j];
       for (const auto& [shift, offset] : images)
-        if (testing::squared_distance(shift, back) < touching * touching)
+        if (support::squared_distance(shift, back) < touching * touching)
           found.emplace(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), offset);
     }
   return found;
@@ -63,7 +63,7 @@ std::set<Key> listed(const Contacts& contacts) {
 // Grains that fly through one another in a deforming cell; one of ten is fast.
 struct Flight {
   explicit Flight(int dimension)
-      : state(testing::packed(testing::sand(), 1e5, 60, dimension)),
+      : state(support::packed(support::sand(), 1e5, 60, dimension)),
         bodies(state.grains),
         cell(state.cell, dimension),
         neighbours(bodies.largest_radius()),

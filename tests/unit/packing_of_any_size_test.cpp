@@ -37,7 +37,7 @@ io::Snapshot scaled(io::Snapshot state, double factor) {
 
 dem::Model sand_with_moments(double stiffness) {
   const dem::Resistance moment{stiffness, dem::Resistance::Scale::absolute, {}, dem::Resistance::Arm::mean_radius};
-  return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, 29 * testing::degree, {}, moment, moment}}};
+  return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, 29 * support::degree, {}, moment, moment}}};
 }
 
 // Returns the message of the error of this type that `work` throws; "" without one.
@@ -96,7 +96,7 @@ TEST(StepBound, CountsMomentsOfContactsStillToCome) {
   EXPECT_DOUBLE_EQ(bound.rotation, std::sqrt(2 * 0.4 * smallest.mass * std::pow(smallest.radius, 2) / 130));
   EXPECT_LT(bound.rotation, 0.1 * bound.translation);
   EXPECT_DOUBLE_EQ(dem::Simulation(state, model, {}).time_step(), 0.8 * bound.rotation);
-  const dem::StepBound thesis = dem::bound_to_come(*dem::make_contact_sweep(testing::sand()), bodies, smallest);
+  const dem::StepBound thesis = dem::bound_to_come(*dem::make_contact_sweep(support::sand()), bodies, smallest);
   EXPECT_GT(thesis.rotation, thesis.translation);  // its packings keep their steps
   Recipe recipe;
   recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2;
@@ -104,21 +104,21 @@ TEST(StepBound, CountsMomentsOfContactsStillToCome) {
 }
 
 TEST(Ahead, ExpectsTheOverlapThatAPackingHas) {
-  const io::Snapshot state = testing::packed(testing::sand(), 1e6, 100);
+  const io::Snapshot state = support::packed(support::sand(), 1e6, 100);
   double mean = 0;
   for (const double u : state.contacts.overlap) mean += u / static_cast<double>(state.contacts.size());
-  const double r = mean_radius(state), expected = expected_overlap(testing::sand(), r, 1e6, 3);
+  const double r = mean_radius(state), expected = expected_overlap(support::sand(), r, 1e6, 3);
   EXPECT_NEAR(mean / r, expected, 0.3 * expected);
-  EXPECT_NEAR(pressure_at_overlap(testing::sand(), r, expected, 3), 1e6, 1e3);
+  EXPECT_NEAR(pressure_at_overlap(support::sand(), r, expected, 3), 1e6, 1e3);
 }
 
 TEST(Ahead, RefusesAPressureThatPushesGrainsThroughEachOtherAndNamesOneThatDoesNot) {
   Recipe recipe;
   recipe.pressure = 1e9, recipe.tolerances.unbalanced_force = 1e-2;
-  const std::string said = message_of<DataError>([&] { compact(sparse(60), testing::sand(), {}, recipe); });
+  const std::string said = message_of<DataError>([&] { compact(sparse(60), support::sand(), {}, recipe); });
   recipe.pressure = number_after("lower the pressure to ", said);
   EXPECT_LT(recipe.pressure, 2e8);
-  EXPECT_NO_THROW(compact(sparse(60), testing::sand(), {}, recipe));
+  EXPECT_NO_THROW(compact(sparse(60), support::sand(), {}, recipe));
 }
 
 TEST(Ahead, RefusesACloudThatDoesNotCloseAndNamesRateAndDensityThatCloseIt) {
@@ -126,7 +126,7 @@ TEST(Ahead, RefusesACloudThatDoesNotCloseAndNamesRateAndDensityThatCloseIt) {
   for (double& m : light.grains.mass) m *= 1e-9;
   Recipe recipe;
   recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2, recipe.max_rate = 0.1;
-  const auto work = [&] { compact(light, testing::sand(), {}, recipe); };
+  const auto work = [&] { compact(light, support::sand(), {}, recipe); };
   const std::string said = message_of<DataError>(work);
   const double rate = number_after("raise the rate to ", said), density = number_after("scale the density by ", said);
   for (double& m : light.grains.mass) m *= density;
@@ -165,7 +165,7 @@ TEST(Compact, NamesTheVoidRatiosInReachAndTheyAre) {
   Recipe recipe;
   recipe.pressure = 1e5;
   recipe.void_ratio = 1.5;
-  const auto work = [&] { return compact(sparse(80), testing::sand(), {}, recipe); };
+  const auto work = [&] { return compact(sparse(80), support::sand(), {}, recipe); };
   const double loosest = number_after("ask for at most ", message_of<TargetNotReached>(work));
   recipe.void_ratio = 0.2;
   const double densest = number_after("ask for one from ", message_of<TargetNotReached>(work));
@@ -184,14 +184,14 @@ TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
   recipe.pressure = 1e5;
   recipe.void_ratio = 0.72, recipe.void_ratio_tolerance = 2e-5;
   recipe.most_attempts = 1;
-  const Result once = compact(sparse(80), testing::sand(), {}, recipe);
+  const Result once = compact(sparse(80), support::sand(), {}, recipe);
   ASSERT_TRUE(once.unheld);
   EXPECT_NEAR(number_after("at last at ", *once.unheld), once.void_ratio, 1e-4);
   recipe.most_attempts = 12;
-  const Result often = compact(sparse(80), testing::sand(), {}, recipe);
+  const Result often = compact(sparse(80), support::sand(), {}, recipe);
   EXPECT_GT(often.cost.steps, once.cost.steps);
   EXPECT_LT(std::abs(often.void_ratio - 0.72), std::abs(once.void_ratio - 0.72));
-  const dem::Simulation s(often.state, testing::sand(), {});
+  const dem::Simulation s(often.state, support::sand(), {});
   EXPECT_LE(s.unbalanced_force(), 1e-3);
   EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 2e2);
 }
@@ -203,9 +203,9 @@ TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {
     return doubts.empty() ? "" : doubts.front().sentence;
   };
   const io::Snapshot thesis = sparse(100), small = scaled(thesis, 1e-4 / mean_radius(thesis));
-  EXPECT_EQ(said(testing::sand(), thesis), "");
-  EXPECT_EQ(said(testing::linear_sand(), small), "");
-  const std::string doubt = said(testing::sand(), small);
+  EXPECT_EQ(said(support::sand(), thesis), "");
+  EXPECT_EQ(said(support::linear_sand(), small), "");
+  const std::string doubt = said(support::sand(), small);
   const double fit = number_after("write ", doubt);
   EXPECT_NEAR(fit, default_rotational_stiffness(1e-4), 0.01 * fit);
   EXPECT_EQ(said(sand_with_moments(fit), small), "");
@@ -214,7 +214,7 @@ TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {
   // Nodes do not rotate, so that their stiffness does not matter.
   io::Snapshot nodes = small;
   for (std::int32_t k = 0; k + 1 < 100; ++k) nodes.yarns.nodes.push_back({k, k + 1});
-  EXPECT_EQ(said(testing::sand(), nodes), "");
+  EXPECT_EQ(said(support::sand(), nodes), "");
 }
 
 TEST(Doubtful, AGradingThatBeginsFarAboveNothing) {
@@ -234,7 +234,7 @@ TEST(Doubtful, AGradingWhoseCoarseHalfHasNoGrainsIsDoubtedWithTheNumberThatHasTh
 }
 
 TEST(Doubtful, RattlersCoordinationAndCellAreSaid) {
-  const io::Snapshot small = testing::packed(testing::sand(), 1e3, 60);
+  const io::Snapshot small = support::packed(support::sand(), 1e3, 60);
   io::Snapshot loose = small;
   const std::size_t half = small.grains.size();
   loose.cell.matrix.col(2) *= 2;

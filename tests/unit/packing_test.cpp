@@ -163,9 +163,9 @@ double share_side_by_side(const io::GrainsRecord& g) {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
     std::size_t nearest = i == 0 ? 1 : 0;
-    double least = testing::squared_distance(g.position[nearest], g.position[i]);
+    double least = support::squared_distance(g.position[nearest], g.position[i]);
     for (std::size_t j = 0; j < g.size(); ++j) {
-      const double here = testing::squared_distance(g.position[j], g.position[i]);
+      const double here = support::squared_distance(g.position[j], g.position[i]);
       if (j != i && here < least) nearest = j, least = here;
     }
     sum += (i < nearest ? nearest - i : i - nearest) <= 50 ? 1 : 0;
@@ -225,19 +225,19 @@ TEST(Compact, HoldsVoidRatioAndPressureAtFullFriction) {
   Recipe recipe;
   recipe.pressure = 1e5;
   recipe.void_ratio = 0.70;
-  const Result result = compact(loose(3), testing::sand(), {}, recipe);
-  const dem::Simulation s(result.state, testing::sand(), {});
+  const Result result = compact(loose(3), support::sand(), {}, recipe);
+  const dem::Simulation s(result.state, support::sand(), {});
   EXPECT_NEAR(s.void_ratio(), 0.70, 0.002);
   EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 1e2);
   EXPECT_LE(s.unbalanced_force(), 1e-3);
-  EXPECT_LT(result.friction_angle, 29 * testing::degree);
+  EXPECT_LT(result.friction_angle, 29 * support::degree);
   EXPECT_EQ(s.strain(), Vec3(Vec3::Zero()));
 }
 
 TEST(Compact, MakesDisksByTheSamePath) {
   Recipe recipe;
   recipe.pressure = 1e3;
-  const dem::Model model = testing::linear_sand();
+  const dem::Model model = support::linear_sand();
   const double loosest = compact(loose(2), model, {}, recipe).void_ratio;
   recipe.void_ratio = loosest - 0.01;
   EXPECT_NEAR(compact(loose(2), model, {}, recipe).void_ratio, loosest - 0.01, 0.002);
@@ -250,7 +250,7 @@ TEST(Compact, SaysWhyAVoidRatioCannotBeReached) {
        {std::pair(1.2, "at the full friction angle"), std::pair(0.3, "without friction")}) {
     recipe.void_ratio = target;
     try {
-      compact(loose(3), testing::sand(), {}, recipe);
+      compact(loose(3), support::sand(), {}, recipe);
       FAIL() << target << " was reached";
     } catch (const TargetNotReached& e) {
       EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();

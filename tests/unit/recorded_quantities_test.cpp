@@ -53,8 +53,8 @@ TEST(Recorded, RattlersCountInTheCoordinationNumberAloneThatSaysSo) {
 // 2/3 of the difference.
 TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   for (const int dimension : {2, 3}) {
-    const Model model = testing::linear_sand();
-    Simulation s(testing::packed(model, 1e3, 60, dimension), model, {});
+    const Model model = support::linear_sand();
+    Simulation s(support::packed(model, 1e3, 60, dimension), model, {});
     s.set_reference();
     Mat3 gradient = Mat3::Zero();
     gradient(dimension - 1, dimension - 1) = -1;
@@ -121,7 +121,7 @@ TEST(Recorded, DragTakesOfMotionAndOfRotationAlike) {
 }
 
 TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
-  Simulation s(testing::packed(testing::sand(), 1e5, 60), testing::sand(), {});
+  Simulation s(support::packed(support::sand(), 1e5, 60), support::sand(), {});
   Mat3 gradient = Mat3::Zero();
   gradient(0, 2) = 0.5;
   s.set_velocity_gradient(gradient);
@@ -148,15 +148,15 @@ TEST(Recorded, AFastGrainShortensTheStep) {
 
 // The cost of a run includes its part before a stop.
 TEST(Recorded, APriceGoesOnFromWhatIsKept) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
-  Simulation before(start, testing::sand(), {});
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
+  Simulation before(start, support::sand(), {});
   for (int k = 0; k < 100; ++k) before.step();
   ASSERT_GT(before.step_times().looked_at, 0);
   CostClock clock, again;
   Archive kept;
   clock.archive(before, 0, kept);
   Archive given(kept.numbers(), "memory");
-  const Simulation after(start, testing::sand(), {});
+  const Simulation after(start, support::sand(), {});
   again.archive(after, 0, given);
   const Cost cost = again.cost(after, 0);
   EXPECT_EQ(cost.times.looked_at, before.step_times().looked_at);

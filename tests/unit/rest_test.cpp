@@ -17,7 +17,7 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::scenario;
+using support::scenario;
 
 const std::string triaxial =
     "[[stage]]\npath = \"triaxial\"\nconfining_pressure = 1e5\naxial_strain = 0.04\nincrement = 0.01\nrate = 0.1\n";
@@ -30,7 +30,7 @@ Arrival sheared(double rate, double pressure) {
 
 // A wait is ln(U/limit) e-folds of 0.45 inertial times d sqrt(rho/p), U = 0.43 I^0.6, times 1.7, for a damping of 0.5.
 TEST(RestEstimate, CountsInertialTimesInACell) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   const Scenario plan = scenario(triaxial, "[numerics]\ndamping = 0.5\n[equilibrium]\nunbalanced_force = 1e-4\n");
   const Simulation s(start, plan.model, plan.numerics);
   const RestEstimate rest(s, plan);
@@ -51,8 +51,8 @@ TEST(RestEstimate, CountsInertialTimesInACell) {
 // The tried steps tell that the time step falls with the pressure to the power 1/6, as for Hertz's contacts.
 TEST(RestEstimate, LearnsHowTheTimeStepFallsWithThePressure) {
   const Scenario plan = scenario(triaxial);
-  const Simulation soft(testing::packed(testing::sand(), 1e5, 60), plan.model, plan.numerics);
-  const Simulation stiff(testing::packed(testing::sand(), 1e6, 60), plan.model, plan.numerics);
+  const Simulation soft(support::packed(support::sand(), 1e5, 60), plan.model, plan.numerics);
+  const Simulation stiff(support::packed(support::sand(), 1e6, 60), plan.model, plan.numerics);
   RestEstimate rest(soft, plan);
   EXPECT_EQ(rest.step_share(sheared(0.1, 1e6)), 1) << "nothing learnt";
   rest.learn(soft);
@@ -65,9 +65,9 @@ TEST(RestEstimate, LearnsHowTheTimeStepFallsWithThePressure) {
 // Grains between plates under a drag of 2 half: the energy left of the field falls at twice the rate
 // half - sqrt(half^2 - w^2), w half of the affine swing.
 TEST(RestEstimate, TakesTheSlowestSwingUnderADrag) {
-  io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   start.cell.periodic = {false, false, false};
-  const Simulation s(start, testing::sand(), {});
+  const Simulation s(start, support::sand(), {});
   const double w = 0.5 * slowest_swing(s), half = 2 * w, slow = half - std::sqrt(half * half - w * w);
   ASSERT_GT(w, 0);
   const auto waits = [&](const char* energy, const char* keys) {
@@ -85,7 +85,7 @@ double steps_taken(const io::Snapshot& start, const Scenario& plan) {
 }
 
 TEST(Forecast, TellsARangeThatHoldsTheStepsOfTheRun) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5, 100);
+  const io::Snapshot start = support::packed(support::sand(), 1e5, 100);
   for (const char* rate : {"0.1", "1"})
     for (const char* damping : {"0.2", "0.7"}) {
       const Scenario plan =
@@ -106,7 +106,7 @@ TEST(Forecast, TellsARangeThatHoldsTheStepsOfTheRun) {
 
 // Strains at constant volume come after a stress of a hundred times the present one.
 TEST(Forecast, TakesThePressureOfTheStageBeforeForStrainsAlone) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e3, 100);
+  const io::Snapshot start = support::packed(support::sand(), 1e3, 100);
   const Scenario plan = scenario(
       "[[stage]]\npath = \"isotropic\"\npressure = 1e5\n[[stage]]\npath = \"constant-volume\"\naxial_strain = 0.01\n"
       "increment = 0.005\nrate = 0.1\n");

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Model bouncing_sand() {
-  Model model = testing::sand();
+  Model model = support::sand();
   auto& material = model.materials.of<HertzMindlin::Material>()[0];
   material.restitution = 0.7;
   return model;
@@ -32,7 +32,7 @@ Model bouncing_sand() {
 
 // A simulation with motion of every kind: straining, shearing, gravity, moving planes, grains that roll and part.
 struct Moving {
-  explicit Moving(const Model& m, int dimension) : model(m), start(testing::packed(m, 1e5, 130, dimension)) {
+  explicit Moving(const Model& m, int dimension) : model(m), start(support::packed(m, 1e5, 130, dimension)) {
     start.cell.periodic[0] = false;
     const Vec3 slanted = dimension == 3 ? Vec3(1, 0.02, 0.01) : Vec3(1, 0.02, 0);
     start.planes.point = {Vec3(-4e-3, 0, 0)};
@@ -69,7 +69,7 @@ void expect_same(const Simulation& a, const Simulation& b) {
 }
 
 TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
-  for (const Model& model : {testing::sand(), testing::linear_sand(), bouncing_sand()})
+  for (const Model& model : {support::sand(), support::linear_sand(), bouncing_sand()})
     for (const int dimension : {3, 2}) {
       const Moving moving(model, dimension);
       Simulation whole(moving.start, model, moving.numerics);
@@ -88,7 +88,7 @@ TEST(Resume, GoesOnFromAnyStepToTheSameBits) {
 }
 
 TEST(Resume, OfAGrainInACornerKeepsAllItsPlanes) {
-  Moving moving(testing::sand(), 3);
+  Moving moving(support::sand(), 3);
   io::Snapshot& start = moving.start;
   // Two grains are far from each other, one of them in the corner.
   const auto by_sum = [](const Vec3& a, const Vec3& b) { return a.sum() < b.sum(); };
@@ -168,7 +168,7 @@ class PartTest : public ::testing::Test {
   ~PartTest() override { fs::remove_all(folder_); }
 
   static io::Checkpoint checkpoint(std::int64_t step) {
-    static const io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
+    static const io::Snapshot state = support::packed(support::sand(), 1e5, 20);
     io::Checkpoint m{state, {}, {{"number", {static_cast<double>(step)}}}};
     m.state.step = step;
     m.series.columns = {{"step", "1", "steps", {0, static_cast<double>(step)}}};
@@ -296,7 +296,7 @@ TEST_F(PartTest, CountsTheStepsOfAStationFromItsOwnBeginning) {
         "test", {});
   };
   const Scenario free = plan(100000);
-  const io::Snapshot start = prepare(testing::packed(free.model, 1e5, 60), free);
+  const io::Snapshot start = prepare(support::packed(free.model, 1e5, 60), free);
   const Outcome whole = run(start, free, {});
   const std::vector<double>& step = whole.file.series.at("step").values;
   ASSERT_EQ(step.size(), 3U);
@@ -319,9 +319,9 @@ TEST_F(PartTest, CountsTheStepsOfAStationFromItsOwnBeginning) {
 }
 
 TEST(Resume, GoesOnAtTheStepAndTimeOfItsState) {
-  io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
+  io::Snapshot state = support::packed(support::sand(), 1e5, 20);
   state.step = 500, state.time = 0.25;
-  Simulation s(state, testing::sand(), {});
+  Simulation s(state, support::sand(), {});
   const double dt = s.time_step();
   for (int k = 0; k < 3; ++k) s.step();
   EXPECT_EQ(s.steps(), 503);
@@ -329,7 +329,7 @@ TEST(Resume, GoesOnAtTheStepAndTimeOfItsState) {
   EXPECT_NEAR(s.time(), 0.25 + 3 * dt, 1e-15);
 }
 
-TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { testing::expect_no_drift(100, 10'000); }
+TEST(LongRun, OfAPackingAtRestDriftsByRoundingAlone) { support::expect_no_drift(100, 10'000); }
 
 }  // namespace
 }  // namespace soilweave::dem

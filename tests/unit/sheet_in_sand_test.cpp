@@ -33,7 +33,7 @@ Scenario scenario(double unbalanced_force, double strain) {
 }
 
 const io::Snapshot& sand() {
-  static const io::Snapshot packing = testing::packed(testing::sand(2 * testing::degree), 1e5, 300);
+  static const io::Snapshot packing = support::packed(support::sand(2 * support::degree), 1e5, 300);
   return packing;
 }
 

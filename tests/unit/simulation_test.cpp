@@ -40,7 +40,7 @@ Mat3 shearing() {
 
 // Returns 2100 grains, three chunks: copies of 700 along x, perturbed so that no two move alike.
 io::Snapshot several_chunks() {
-  io::Snapshot all = packing::tile(testing::packed(testing::sand(), 1e5, 700), {3, 1, 1}, {true, true, true});
+  io::Snapshot all = packing::tile(support::packed(support::sand(), 1e5, 700), {3, 1, 1}, {true, true, true});
   io::GrainsRecord& g = all.grains;
   for (std::size_t i = 0; i < g.size(); ++i)
     g.position[i][static_cast<int>(i % 3)] += 1e-5 * g.copy_id[i] * g.radius[i];
@@ -51,13 +51,13 @@ TEST(Simulation, GivesTheSameBitsOnAnyNumberOfThreads) {
   const io::Snapshot start = several_chunks();
   Numerics many;
   many.threads = 3;
-  Simulation one(start, testing::sand(), {}), three(start, testing::sand(), many);
+  Simulation one(start, support::sand(), {}), three(start, support::sand(), many);
   for (Simulation* s : {&one, &three}) s->set_velocity_gradient(shearing());
   for (int k = 0; k < 200; ++k) one.step(), three.step();
   expect_same_state(one.snapshot(), three.snapshot());
   EXPECT_EQ(one.measures().stress, three.measures().stress);
   many.threads = 16;
-  Simulation sixteen(start, testing::sand(), many);
+  Simulation sixteen(start, support::sand(), many);
   sixteen.set_velocity_gradient(shearing());
   for (int k = 0; k < 200; ++k) sixteen.step();
   expect_same_state(one.snapshot(), sixteen.snapshot());
@@ -67,8 +67,8 @@ TEST(Simulation, GivesTheSameBitsOnAnyNumberOfThreads) {
 constexpr int between_looks = 32;
 
 TEST(Simulation, GoesOnFromASnapshotBitByBit) {
-  for (const Model& model : {testing::sand(), testing::linear_sand()}) {
-    Simulation whole(testing::packed(model, 1e5), model, {});
+  for (const Model& model : {support::sand(), support::linear_sand()}) {
+    Simulation whole(support::packed(model, 1e5), model, {});
     whole.set_velocity_gradient(shearing());
     for (int k = 0; k < 10 * between_looks; ++k) whole.step();
     Simulation resumed(whole.snapshot(), model, {});
@@ -83,10 +83,10 @@ TEST(Simulation, GoesOnFromASnapshotBitByBit) {
 // another list than a new one: with several chunks of grains, and contacts at other places in their blocks, sums must
 // still be equal.
 TEST(Simulation, GoesOnFromASnapshotBitByBitWithSeveralChunks) {
-  Simulation whole(several_chunks(), testing::sand(), {});
+  Simulation whole(several_chunks(), support::sand(), {});
   whole.set_velocity_gradient(shearing());
   for (int k = 0; k < 3 * between_looks; ++k) whole.step();
-  Simulation resumed(whole.snapshot(), testing::sand(), {});
+  Simulation resumed(whole.snapshot(), support::sand(), {});
   for (int k = 0; k < 400; ++k) whole.step(), resumed.step();
   expect_same_state(whole.snapshot(), resumed.snapshot());
   EXPECT_EQ(whole.measures().stress, resumed.measures().stress);
@@ -94,12 +94,12 @@ TEST(Simulation, GoesOnFromASnapshotBitByBitWithSeveralChunks) {
 }
 
 TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5);
-  const auto material = testing::sand().materials.of<HertzMindlin::Material>()[0];
+  const io::Snapshot start = support::packed(support::sand(), 1e5);
+  const auto material = support::sand().materials.of<HertzMindlin::Material>()[0];
   io::Snapshot mixed = start;
   for (std::size_t i = 0; i < mixed.grains.size(); ++i)
     mixed.grains.material_id[i] = static_cast<int>((7 * i + i / 5) % 3);
-  Simulation one(start, testing::sand(), {});
+  Simulation one(start, support::sand(), {});
   Simulation three(mixed, {std::vector<HertzMindlin::Material>{material, material, material}}, {});
   auto slippery = material;
   slippery.friction_angle = 0.1;
@@ -132,7 +132,7 @@ TEST(Simulation, LanesOfSeveralMaterialsAnswerLikeOne) {
 }
 
 TEST(Simulation, TurnsAGrainByItsSpin) {
-  io::Snapshot state = testing::packed(testing::sand(), 1e5, 20);
+  io::Snapshot state = support::packed(support::sand(), 1e5, 20);
   state.contacts = {};
   state.cell.matrix *= 10;
   for (Vec3& x : state.grains.position) x *= 10;
@@ -141,7 +141,7 @@ TEST(Simulation, TurnsAGrainByItsSpin) {
   for (Vec4& q : state.grains.orientation) q = Vec4(1, 0, 0, 0);
   Numerics fixed;
   fixed.time_step = 1e-4;
-  Simulation s(state, testing::sand(), fixed);
+  Simulation s(state, support::sand(), fixed);
   for (int k = 0; k < 2000; ++k) s.step();
   const double half = 0.5 * spin.norm() * s.time();
   const Vec3 axis = std::sin(half) * spin.normalized();
@@ -154,7 +154,7 @@ TEST(Simulation, TurnsAGrainByItsSpin) {
 
 // The disk turns by more than a full turn, from its initial angle.
 TEST(Simulation, TurnsADiskByItsSpin) {
-  io::Snapshot state = testing::packed(testing::sand(), 1e5, 20, 2);
+  io::Snapshot state = support::packed(support::sand(), 1e5, 20, 2);
   state.contacts = {};
   state.cell.matrix.topLeftCorner<2, 2>() *= 10;
   for (Vec3& x : state.grains.position) x *= 10;
@@ -162,20 +162,20 @@ TEST(Simulation, TurnsADiskByItsSpin) {
   for (Vec4& q : state.grains.orientation) q = Vec4(std::cos(0.3), 0, 0, std::sin(0.3));
   Numerics fixed;
   fixed.time_step = 1e-4;
-  Simulation s(state, testing::sand(), fixed);
+  Simulation s(state, support::sand(), fixed);
   for (int k = 0; k < 2000; ++k) s.step();
   const double half = 0.3 - 20 * s.time();
   for (const Vec4& q : s.snapshot().grains.orientation)
     EXPECT_LT((q - Vec4(std::cos(half), 0, 0, std::sin(half))).norm(), 1e-12);
   const io::Snapshot turned = s.snapshot();
-  EXPECT_LT((Simulation(turned, testing::sand(), fixed).snapshot().grains.orientation[0] - turned.grains.orientation[0])
+  EXPECT_LT((Simulation(turned, support::sand(), fixed).snapshot().grains.orientation[0] - turned.grains.orientation[0])
                 .norm(),
             1e-15);
 }
 
 TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
-  for (const Model& model : {testing::sand(), testing::linear_sand()}) {
-    Simulation s(testing::packed(model, 2e5), model, {});
+  for (const Model& model : {support::sand(), support::linear_sand()}) {
+    Simulation s(support::packed(model, 2e5), model, {});
     s.set_reference();
     Servo servo;
     const AxisGoal lateral{AxisGoal::Kind::stress, 2e5, 1.0};
@@ -201,7 +201,7 @@ TEST(Simulation, ClosesTheEnergyBalanceOfATriaxialTest) {
 // Without friction the elastic energy is a potential of the positions, so the work of a small affine stretch is its
 // change.
 TEST(Simulation, StressIsTheDerivativeOfTheElasticEnergy) {
-  const io::Snapshot start = testing::packed(testing::sand(0), 1e5);
+  const io::Snapshot start = support::packed(support::sand(0), 1e5);
   const auto energy_and_stress = [&](double strain, int axis) {
     io::Snapshot moved = start;
     Mat3 stretch = Mat3::Identity();
@@ -210,7 +210,7 @@ TEST(Simulation, StressIsTheDerivativeOfTheElasticEnergy) {
     for (Vec3& v : moved.grains.velocity) v.setZero();
     moved.cell.matrix = (stretch * moved.cell.matrix).eval();
     moved.contacts = {};
-    const Simulation s(moved, testing::sand(0), {});
+    const Simulation s(moved, support::sand(0), {});
     return std::pair(s.energies()["elastic_normal"], s.measures().stress(axis, axis));
   };
   for (int axis = 0; axis < 3; ++axis) {
@@ -223,7 +223,7 @@ TEST(Simulation, StressIsTheDerivativeOfTheElasticEnergy) {
 TEST(Simulation, KeepsMomentumWithoutDamping) {
   Numerics free;
   free.damping = 0;
-  Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), free);
+  Simulation s(support::packed(support::sand(), 1e5), support::sand(), free);
   for (int k = 0; k < 500; ++k) s.step();
   const io::Snapshot end = s.snapshot();
   Vec3 momentum = Vec3::Zero();
@@ -232,14 +232,14 @@ TEST(Simulation, KeepsMomentumWithoutDamping) {
     momentum += end.grains.mass[i] * end.grains.velocity[i];
     size += end.grains.mass[i] * end.grains.velocity[i].norm();
   }
-  const io::Snapshot start = testing::packed(testing::sand(), 1e5);
+  const io::Snapshot start = support::packed(support::sand(), 1e5);
   for (std::size_t i = 0; i < start.grains.size(); ++i) momentum -= start.grains.mass[i] * start.grains.velocity[i];
   EXPECT_LT(momentum.norm(), 1e-9 * size);
 }
 
 TEST(Simulation, RigidRotationOfTheCellStrainsNothing) {
-  io::Snapshot start = testing::packed(testing::sand(), 1e5);
-  const Simulation before(start, testing::sand(), {});
+  io::Snapshot start = support::packed(support::sand(), 1e5);
+  const Simulation before(start, support::sand(), {});
   const Mat3 stress = before.measures().stress;
   const double angle = 0.7;
   Mat3 turn = Mat3::Identity();
@@ -248,12 +248,12 @@ TEST(Simulation, RigidRotationOfTheCellStrainsNothing) {
                       &start.contacts.normal, &start.contacts.shear_force, &start.contacts.rolling_moment})
     for (Vec3& v : *field) v = (turn * v).eval();
   start.cell.matrix = (turn * start.cell.matrix).eval();
-  const Simulation after(start, testing::sand(), {});
+  const Simulation after(start, support::sand(), {});
   EXPECT_LT((after.measures().stress - turn * stress * turn.transpose()).norm(), 1e-9 * stress.norm());
 }
 
 TEST(Simulation, DisksStayInTheirPlane) {
-  Simulation s(testing::packed(testing::linear_sand(), 1e3, 200, 2), testing::linear_sand(), {});
+  Simulation s(support::packed(support::linear_sand(), 1e3, 200, 2), support::linear_sand(), {});
   Mat3 gradient = Mat3::Zero();
   gradient(0, 0) = 0.05, gradient(1, 1) = -0.05;
   s.set_velocity_gradient(gradient);
@@ -269,7 +269,7 @@ TEST(Simulation, DisksStayInTheirPlane) {
 }
 
 TEST(Simulation, StopsWhenGrainsPassThroughEachOther) {
-  Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  Simulation s(support::packed(support::sand(), 1e5), support::sand(), {});
   Mat3 crush = -50 * Mat3::Identity();
   s.set_velocity_gradient(crush);
   try {
@@ -281,7 +281,7 @@ TEST(Simulation, StopsWhenGrainsPassThroughEachOther) {
 }
 
 TEST(Simulation, TellsTheMotionOfWhatIsActedOnFromFreeFlight) {
-  io::Snapshot state = testing::packed(testing::sand(), 1e5);
+  io::Snapshot state = support::packed(support::sand(), 1e5);
   std::vector<int> contacts(state.grains.size(), 0);
   for (const auto& [a, b] : state.contacts.bodies)
     ++contacts[static_cast<std::size_t>(a)], ++contacts[static_cast<std::size_t>(b)];
@@ -289,17 +289,17 @@ TEST(Simulation, TellsTheMotionOfWhatIsActedOnFromFreeFlight) {
   const auto held = static_cast<std::size_t>(std::max_element(contacts.begin(), contacts.end()) - contacts.begin());
   ASSERT_LT(floating, contacts.size());
   state.grains.velocity[floating] = state.grains.velocity[held] = Vec3::Zero();
-  const Simulation before(state, testing::sand(), {});
+  const Simulation before(state, support::sand(), {});
   state.grains.velocity[floating] = Vec3(1e-3, 0, 0);
-  const Simulation flying(state, testing::sand(), {});
+  const Simulation flying(state, support::sand(), {});
   EXPECT_GT(flying.kinetic_energy(), before.kinetic_energy());
   EXPECT_EQ(flying.kinetic_energy_of_acted_on(), before.kinetic_energy_of_acted_on());
   state.grains.velocity[held] = Vec3(1e-3, 0, 0);
-  EXPECT_GT(Simulation(state, testing::sand(), {}).kinetic_energy_of_acted_on(), before.kinetic_energy_of_acted_on());
+  EXPECT_GT(Simulation(state, support::sand(), {}).kinetic_energy_of_acted_on(), before.kinetic_energy_of_acted_on());
 }
 
 TEST(Simulation, ScaledRadiiKeepDensityAndCountTheWork) {
-  Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  Simulation s(support::packed(support::sand(), 1e5), support::sand(), {});
   const double solids = s.solid_volume(), stress = s.measures().stress(0, 0);
   s.scale_radii(1.0005);
   EXPECT_NEAR(s.solid_volume() / solids, std::pow(1.0005, 3), 1e-12);
@@ -309,8 +309,8 @@ TEST(Simulation, ScaledRadiiKeepDensityAndCountTheWork) {
 }
 
 TEST(Servo, HoldsStressesAndVolume) {
-  const Model model = testing::sand();
-  Simulation s(testing::packed(model, 1e5), model, {});
+  const Model model = support::sand();
+  Simulation s(support::packed(model, 1e5), model, {});
   Servo servo;
   const AxisGoals goals{AxisGoal{AxisGoal::Kind::stress, 1.2e5, 1}, AxisGoal{AxisGoal::Kind::stress, 1.0e5, 1},
                         AxisGoal{AxisGoal::Kind::stress, 1.4e5, 1}};
@@ -328,7 +328,7 @@ TEST(Servo, HoldsStressesAndVolume) {
 // The servo's own period is 126 steps (control.cpp) for any number of grains, and four of them reach a doubled
 // pressure. The strain rate of an axis grows by error/mass; damping cuts it where it already points to the goal.
 TEST(Servo, OfInertiaAcceleratesTheCellByErrorOverMass) {
-  Simulation s(testing::packed(testing::sand(), 1e5), testing::sand(), {});
+  Simulation s(support::packed(support::sand(), 1e5), support::sand(), {});
   Servo servo({ServoRule::Kind::inertia, 0.25});
   const double goal = s.measures().stress(0, 0) + 1e4;
   const AxisGoal up{AxisGoal::Kind::stress, goal, 1}, still{AxisGoal::Kind::strain, 0, 1};
@@ -345,7 +345,7 @@ TEST(Servo, OfInertiaAcceleratesTheCellByErrorOverMass) {
 
 TEST(Servo, NeedsNoMoreStepsForMoreGrains) {
   for (const std::size_t grains : {125U, 1000U}) {
-    Simulation s(testing::packed(testing::sand(), 1e5, grains), testing::sand(), {});
+    Simulation s(support::packed(support::sand(), 1e5, grains), support::sand(), {});
     Servo servo;
     const AxisGoal goal{AxisGoal::Kind::stress, 2e5, 1};
     int steps = 0;

@@ -11,10 +11,10 @@ namespace soilweave::dem {
 namespace {
 
 TEST(Spin, LeavesAUnitQuaternionHoweverFast) {
-  io::Snapshot start = testing::packed(testing::sand(), 1e5, 60);
+  io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   Numerics numerics;
   numerics.damping = 0;
-  const double dt = Simulation(start, testing::sand(), numerics).time_step();
+  const double dt = Simulation(start, support::sand(), numerics).time_step();
   // Angles per step, rad; every grain of a pass spins at another one, slow ones beside fast ones.
   constexpr double paces[] = {0, 1e-3, 0.05, 0.077, 0.08, 0.18, 1, 3, 100, 1e6};
   start.contacts = {};
@@ -25,7 +25,7 @@ TEST(Spin, LeavesAUnitQuaternionHoweverFast) {
     start.grains.radius[i] *= 0.5;
     start.grains.angular_velocity[i] = paces[i % 10] / dt * Vec3(0.6, 0, 0.8);
   }
-  Simulation simulation(start, testing::sand(), numerics);
+  Simulation simulation(start, support::sand(), numerics);
   for (int k = 0; k < 50; ++k) simulation.step();
   const io::Snapshot state = simulation.snapshot();
   EXPECT_NO_THROW(io::check(state, "spinning"));

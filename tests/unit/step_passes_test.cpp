@@ -20,7 +20,7 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::same_bits;
+using support::same_bits;
 using Reached = std::vector<std::vector<std::uint32_t>>;
 
 // Returns chunks, each of which reaches some of the higher ones.
@@ -82,8 +82,8 @@ double fastest(const Bodies& bodies) {
 }
 
 // Several chunks of grains in a cell that is compressed and sheared.
-struct Stepper : testing::EngineParts {
-  explicit Stepper(int threads) : EngineParts(state(), make_contact_sweep(testing::sand()), threads) {
+struct Stepper : support::EngineParts {
+  explicit Stepper(int threads) : EngineParts(state(), make_contact_sweep(support::sand()), threads) {
     Mat3 gradient = Vec3(-0.5, 0.3, -0.8).asDiagonal();
     gradient(0, 1) = 0.4;
     cell.set_velocity_gradient(gradient);
@@ -91,7 +91,7 @@ struct Stepper : testing::EngineParts {
   }
   static const io::Snapshot& state() {
     static const io::Snapshot tiled =
-        packing::tile(testing::packed(testing::sand(), 1e5, 400), {2, 2, 3}, {true, true, true});
+        packing::tile(support::packed(support::sand(), 1e5, 400), {2, 2, 3}, {true, true, true});
     return tiled;
   }
   // Returns whether the grains moved within the sweep.

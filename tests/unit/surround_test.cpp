@@ -36,7 +36,7 @@ friction_angle = 21
 )";
 
 const io::Snapshot& volume() {
-  static const io::Snapshot one = testing::packed(testing::sand(), 1e4, 60);
+  static const io::Snapshot one = support::packed(support::sand(), 1e4, 60);
   return one;
 }
 
@@ -162,7 +162,7 @@ TEST(Surround, RefusesWhatCannotBeSurrounded) {
 TEST(Surround, WhatIsApartStandsWhileTheCellStrains) {
   const io::Snapshot cloud = packing::cloud({0.003, 0.003, 0.003}, 40, {1, 1, 1}, 3, 2650, 1);
   const auto moved = [&](const std::vector<std::int32_t>& apart) {
-    dem::Simulation simulation(cloud, testing::sand(), {});
+    dem::Simulation simulation(cloud, support::sand(), {});
     Mat3 before = Mat3::Zero();
     for (const double rate : {1e-3, 2e-3}) {
       simulation.set_velocity_gradient(-rate * Mat3::Identity());
@@ -179,7 +179,7 @@ TEST(Surround, WhatIsApartStandsWhileTheCellStrains) {
 TEST(Surround, WhatIsHeldStandsWhateverItsVelocity) {
   io::Snapshot cloud = packing::cloud({0.003, 0.003, 0.003}, 40, {1, 1, 1}, 3, 2650, 1);
   for (Vec3& velocity : cloud.grains.velocity) velocity = Vec3(1e-3, 0, 0);
-  dem::Simulation simulation(cloud, testing::sand(), {});
+  dem::Simulation simulation(cloud, support::sand(), {});
   simulation.set_velocity_gradient(-1e-3 * Mat3::Identity());
   for (int k = 0; k < 20; ++k) {
     hold({1}, simulation);
@@ -216,7 +216,7 @@ TEST(Surround, LowersTheFrictionOfItsOwnMaterialAlone) {
   const dem::Model lowered = dem::with_friction(three, 0.01, {2});
   EXPECT_EQ(dem::friction(lowered, {2}), 0.01);
   EXPECT_EQ(dem::friction(lowered, {0, 1}), dem::friction(three));
-  EXPECT_NEAR(dem::friction(three, {2}), 35 * testing::degree, 1e-12);
+  EXPECT_NEAR(dem::friction(three, {2}), 35 * support::degree, 1e-12);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace soilweave::dem {
 namespace {
 
-using testing::same_bits;
+using support::same_bits;
 
 // The sweep of eight from the same source as for AVX-512, lowered to the baseline (Makefile).
 struct Width {
@@ -28,7 +28,7 @@ constexpr Width of_four{make_contact_sweep_of_four, grain_motion_of_four};
 constexpr Width of_eight{make_contact_sweep_of_eight, grain_motion_of_eight};
 
 // Grains in a shearing cell, stepped by hand.
-struct Stepper : testing::EngineParts {
+struct Stepper : support::EngineParts {
   Stepper(const io::Snapshot& state, const Model& model, const Width& width)
       : EngineParts(state, width.sweep(model), 1, width.motion()) {
     cell.set_velocity_gradient(bodies.dimension == 3 ? Mat3(Vec3(-0.2, 0.1, -0.3).asDiagonal()) : shearing());
@@ -107,19 +107,19 @@ void expect_same_bits(const Model& model, const io::Snapshot& state, bool with_p
 
 TEST(SweepWidth, GivesTheSameBits) {
   // The numbers of grains are no multiples of eight or four.
-  expect_same_bits(testing::sand(), testing::packed(testing::sand(), 1e5, 303));
-  expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 301));
-  expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 302, 2));
+  expect_same_bits(support::sand(), support::packed(support::sand(), 1e5, 303));
+  expect_same_bits(support::linear_sand(), support::packed(support::linear_sand(), 1e5, 301));
+  expect_same_bits(support::linear_sand(), support::packed(support::linear_sand(), 1e5, 302, 2));
 }
 
 TEST(SweepWidth, GivesTheSameBitsWithAPlane) {
-  expect_same_bits(testing::sand(), testing::packed(testing::sand(), 1e5, 303), true);
-  expect_same_bits(testing::linear_sand(), testing::packed(testing::linear_sand(), 1e5, 302, 2), true);
+  expect_same_bits(support::sand(), support::packed(support::sand(), 1e5, 303), true);
+  expect_same_bits(support::linear_sand(), support::packed(support::linear_sand(), 1e5, 302, 2), true);
 }
 
 TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
-  auto rough = testing::sand().materials.of<HertzMindlin::Material>()[0];
-  io::Snapshot state = testing::packed(testing::sand(), 1e5, 300);
+  auto rough = support::sand().materials.of<HertzMindlin::Material>()[0];
+  io::Snapshot state = support::packed(support::sand(), 1e5, 300);
   for (std::size_t i = 0; i < state.grains.size(); ++i) state.grains.material_id[i] = static_cast<int>(i % 3);
   auto smooth = rough, lossy = rough;
   smooth.friction_angle = 0.1, lossy.restitution = 0.5;
@@ -128,17 +128,17 @@ TEST(SweepWidth, GivesTheSameBitsWithSeveralMaterialsAndDamping) {
 
 TEST(SweepWidth, GivesTheSameBitsAcrossGaps) {
   LinearAdhesion::Material moist;
-  static_cast<Linear::Material&>(moist) = testing::linear_sand().materials.of<Linear::Material>()[0];
+  static_cast<Linear::Material&>(moist) = support::linear_sand().materials.of<Linear::Material>()[0];
   moist.work_of_adhesion = 0.1, moist.adhesion_range = 1e-4;
   const Model model{std::vector<LinearAdhesion::Material>{moist}};
-  expect_same_bits(model, testing::packed(testing::linear_sand(), 1e5, 301), true);
-  expect_same_bits(model, testing::packed(testing::linear_sand(), 1e5, 302, 2));
+  expect_same_bits(model, support::packed(support::linear_sand(), 1e5, 301), true);
+  expect_same_bits(model, support::packed(support::linear_sand(), 1e5, 302, 2));
 }
 
 TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
-  for (const Model& model : {testing::sand(), testing::linear_sand()})
+  for (const Model& model : {support::sand(), support::linear_sand()})
     for (const int dimension : {2, 3}) {
-      Stepper stepper(testing::packed(model, 1e5, 300, dimension), model, of_four);
+      Stepper stepper(support::packed(model, 1e5, 300, dimension), model, of_four);
       for (int k = 0; k < 20; ++k) stepper.step(1e-5);
       Vec3 with_step;
       stepper.act(1e-5, false, &with_step);
@@ -163,11 +163,11 @@ TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {
 // Shear forces are numbers in the plane and vectors in space, rotated to the third order of a pair's motion in a step.
 TEST(SweepInThePlane, GivesTheNumbersOfTheSweepInSpace) {
   constexpr double rounding = 1e-9;
-  auto lossy = testing::sand().materials.of<HertzMindlin::Material>()[0];
+  auto lossy = support::sand().materials.of<HertzMindlin::Material>()[0];
   lossy.restitution = 0.5;
   for (const Model& model :
-       {testing::sand(), testing::linear_sand(), Model{std::vector<HertzMindlin::Material>{lossy}}}) {
-    const io::Snapshot state = testing::packed(model, 1e5, 300, 2);
+       {support::sand(), support::linear_sand(), Model{std::vector<HertzMindlin::Material>{lossy}}}) {
+    const io::Snapshot state = support::packed(model, 1e5, 300, 2);
     Stepper plane(state, model, of_four), space(state, model, of_four);
     space.lift();
     double slid = 0;
