@@ -110,6 +110,18 @@ X := $(B)/extended$(if $(NARROW),/narrow)
 headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
+# The sanitizers' tree compiles several sources as one: those of a folder of lib/ (FOLDERS), and ten unit tests (TENS). Half of
+# the time of a single source goes into the precompiled header and into templates that its neighbours need too. Sources of one
+# folder must have unlike names, which clang-tidy needs as well (TIDY_GROUPS). SINGLE sources have flags of their own,
+# objects that extensions or MPI replace, or need of VTK.
+ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
+SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
+SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
+  lib/display/paraview.cpp
+JOINED := $(if $(SANITIZE),$(filter-out $(SINGLE),$(LIB)))
+FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
+TENS := $(if $(SANITIZE),$(patsubst %,$(B)/obj/tests/unit/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,unit)))))
+LIB_OBJECTS := $(call object,$(filter-out $(JOINED),$(LIB))) $(FOLDERS)
 # plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
@@ -122,10 +134,10 @@ tools: all
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
 # Compiles, and keeps beside the object what the compiler warned of, for lint. The argument is the rest of the command.
-compile = $(CXX) $(COLLECT) $(1) 2> $@.warnings; status=$$?; cat $@.warnings >&2; exit $$status
+compile = $(CXX) $(1) 2> $@.warnings; status=$$?; cat $@.warnings >&2; exit $$status
 
-# A check compiles everything, faster where GCC does not collect garbage below 512 MB. Other builds need less memory instead.
-check: export COLLECT := $(if $(CLANG),,--param=ggc-min-heapsize=524288)
+# Takes a file's new version, unless it is as it was.
+keep_new = cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
 
 # $(B)/flags changes only when the compiler's command line does; every object depends on it.
 FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
@@ -154,35 +166,46 @@ print_list = printf '%s\n' $(foreach h,$(2),$(or $(patsubst lib/%,%,$(filter lib
   END { print "\#define SOILWEAVE_" toupper(list) " " all }'
 $(LISTS:%=$(B)/lists/%.h): $(B)/lists/%.h: always
 	@mkdir -p $(@D)
-	@$(call print_list,$*,$(call headers_of,$*)) > $@.new; cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
+	@$(call print_list,$*,$(call headers_of,$*)) > $@.new; $(keep_new)
 
 $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@mkdir -p $(@D)
 	@echo '  c++   $<'
 	@$(call compile,$(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
+# Helpers of several unit tests have one name, so each test gets a namespace of its own within its unnamed one.
+$(FOLDERS:.o=.cpp): $(B)/obj/%/folder.cpp: always
+	@mkdir -p $(@D)
+	@printf '#include "%s"\n' $(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f)) > $@.new; $(keep_new)
+$(TENS:.o=.cpp): $(B)/obj/tests/unit/tests_%.cpp: always
+	@mkdir -p $(@D)
+	@for test in $$(printf '%s\n' $(call tests_of,unit) | tail -n +$* | head -n 10); do \
+	  name=$$(basename $$test .cpp); echo "#line 1 \"$$test\""; \
+	  sed "s/^namespace {\$$/namespace { namespace $$name {/; s,^}  // namespace\$$,} }," $$test; done > $@.new; $(keep_new)
+$(FOLDERS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
+	@echo '  c++   $(<:$(B)/obj/%=%)'
+	@$(call compile,-iquote . $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
+
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(call object,lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp): private CXXFLAGS += -frounding-math \
-  $(if $(SANITIZE),-fno-sanitize=undefined)
+$(call object,$(ROUNDED)): private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 # Sources without long loops compile under the sanitizers without optimisation, in two thirds of the time. A precompiled header
 # holds for one level of optimisation.
-COLD := $(if $(SANITIZE),$(call object,$(filter lib/store/% lib/files/% lib/display/% lib/core/cli/% lib/core/text/% lib/gws/output/% \
-  lib/dem/run/% lib/fem/run/%,$(LIB))))
+COLD := $(if $(SANITIZE),$(filter $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/text/% gws/output/% dem/run/% \
+  fem/run/%),$(LIB_OBJECTS)))
 $(COLD): $(B)/precompiled/cold.h.gch
 $(COLD): private PRECOMPILED := $(B)/precompiled/cold.h
 $(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += -O0
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
 # GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds the sources.
-# A precompiled header would bring its own optimisation back.
-UNPACKED := $(call object,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
-  lib/display/display.cpp lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp)
+# A precompiled header would bring its own optimisation back. The sanitizers' -O1 puts no numbers together.
+UNPACKED := $(if $(SANITIZE),,$(call object,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
+  lib/display/display.cpp lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp))
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
-HOT := $(X)/obj/lib/dem/sweep/contact_sweep.o $(call object,lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp \
-  lib/dem/contact/contacts.cpp)
+HOT := $(X)/obj/lib/dem/sweep/contact_sweep.o $(call object,$(SWEPT))
 # The loops over contacts and grains once more, eight at a time, for processors with AVX-512; vector_width.cpp beside them
 # chooses. Inline functions of these objects must stay their own: the linker would hand them to all.
 WIDE := lib/dem/sweep/contact_sweep lib/dem/sweep/grain_motion
@@ -211,8 +234,8 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
 # Files that objects take in whole (core/embedded.h).
-$(call object,lib/display/show_script.cpp): lib/display/show.py
-$(call object,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
+$(call object,lib/display/show_script.cpp) $(filter %/display/folder.o,$(FOLDERS)): lib/display/show.py
+$(call object,lib/packing/generate/grading.cpp) $(filter %/generate/folder.o,$(FOLDERS)): data/gradings/toyoura.tsv
 $(call object,$(LISTING)) $(EIGHT) $(LOWERED): private CPPFLAGS += -I$(B)
 $(call object,$(LISTING)) $(EIGHT) $(LOWERED): | $(LISTS:%=$(B)/lists/%.h)
 # The check of the processor must run on any x86-64.
@@ -221,7 +244,8 @@ $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/
 	@echo '  c++   $< (any processor)'
 	@$(call compile,$(CPPFLAGS) $(subst $(ARCHITECTURE),$(if $(X86),-march=x86-64),$(CXXFLAGS)) -c $< -o $@)
 # Tests need not be fast, but must compile fast; bench times the library.
-TEST_OBJECTS := $(call object,$(foreach t,$(TESTED),$(call tests_of,$(t))) $(SUPPORT) $(TEST_MAIN))
+UNIT_OBJECTS := $(or $(TENS),$(call object,$(call tests_of,unit)))
+TEST_OBJECTS := $(UNIT_OBJECTS) $(call object,$(foreach t,$(filter-out unit,$(TESTED)),$(call tests_of,$(t))) $(SUPPORT) $(TEST_MAIN))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
 $(TEST_OBJECTS): $(if $(NO_PCH),,$(PRECOMPILED_TESTS).gch)
 $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
@@ -232,7 +256,7 @@ $(B)/sources: always
 	@mkdir -p $(@D)
 	@printf '%s\n' $(LIB) | cmp -s - $@ || printf '%s\n' $(LIB) > $@
 
-$(B)/libsoilweave.a: $(call object,$(LIB)) $(EIGHT) $(B)/sources
+$(B)/libsoilweave.a: $(LIB_OBJECTS) $(EIGHT) $(B)/sources
 	@echo '  ar    $@'
 	@rm -f $@ && ar rcsD $@ $(filter %.o,$^)
 
@@ -274,7 +298,7 @@ $(LISTS:%=$(X)/lists/%.h): $(X)/lists/%.h: always
 	$(if $(MISPLACED),$(error $(MISPLACED): is in none of $(LISTS:%=%/) of EXTENSIONS; move it into the one that it belongs to))
 	@mkdir -p $(@D)
 	@$(call print_list,$*,$(call headers_of,$*) $(sort $(wildcard $(EXTENSIONS)/$*/*.h))) > $@.new; \
-	  cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
+	  $(keep_new)
 $(X)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch) | $(LISTS:%=$(X)/lists/%.h)
 	@mkdir -p $(@D)
 	@echo '  c++   $< (extended)'
@@ -296,7 +320,7 @@ test-extensions: extended ## a law, a path, energy terms, a container and a tabl
 	@BIN=$(CURDIR)/$(X)/bin OMP_NUM_THREADS=1 bats tests/extension/extension.bats
 
 define test_program
-$(B)/tests/$(1): $(call object,$(call tests_of,$(1)) $(SUPPORT) $(TEST_MAIN)) $(if $(filter unit,$(1)),$(LOWERED)) $(B)/libsoilweave.a
+$(B)/tests/$(1): $(if $(filter unit,$(1)),$(UNIT_OBJECTS) $(LOWERED),$(call object,$(call tests_of,$(1)))) $(call object,$(SUPPORT) $(TEST_MAIN)) $(B)/libsoilweave.a
 	@mkdir -p $$(@D)
 	@echo '  link  $$@'
 	@$$(CXX) $$(CXXFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $$(LDLIBS) -lgtest -o $$@
@@ -314,7 +338,7 @@ $(B)/tests/fuzz/%: tests/fuzz/target.cpp $(call object,$(SUPPORT)) $(B)/libsoilw
 	@echo '  link  $@'
 	@$(CXX) $(CPPFLAGS) -Itests -DREADER=$* $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $^ $(LDLIBS) -o $@
 
--include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(EIGHT) $(LOWERED))
+-include $(patsubst %.o,%.d,$(call object,$(SOURCES)) $(FOLDERS) $(TENS) $(EIGHT) $(LOWERED))
 
 .PHONY: programs
 programs: $(TOOLS) $(TEST_PROGRAMS)
@@ -540,7 +564,10 @@ $(B)/headers/%.alone: % $(B)/flags | $(LISTS:%=$(B)/lists/%.h)
 warnings:
 	@found=0; for tree in build build/sanitize; do for source in $(SOURCES); do \
 	  for log in $$tree/obj/$${source%.cpp}{,.avx512,.eight}.o.warnings; do \
-	    if [ -s $$log ] && [ $$log -nt $$source ]; then cat $$log >&2; found=1; fi; done; done; done; exit $$found
+	    if [ -s $$log ] && [ $$log -nt $$source ]; then cat $$log >&2; found=1; fi; done; done; done; \
+	for log in $$(find build/sanitize/obj -name '*.o.warnings' -size +0 2> /dev/null | grep -E '/(folder|tests_[0-9]+)\.o\.'); do \
+	  sources=$$(sed -nE 's/^#(include|line 1) "(.*\.cpp)"$$/\2/p' $${log%.o.warnings}.cpp); \
+	  [ -n "$$(find $$sources -newer $$log)" ] || { cat $$log >&2; found=1; }; done; exit $$found
 
 # Workflows of hosted machines have to be YAML whose jobs each have steps.
 build/lint/workflows: $(wildcard .github/workflows/*.yml)
