@@ -168,6 +168,26 @@ TEST(GwsDesign, WhatNoStiffnessCarriesIsSaid) {
   EXPECT_THROW(smallest_geotextile(nothing_yet(), {300e3, 0.1, 0.5}, range), DataError);
 }
 
+TEST(GwsDesign, ASoilWithoutStatesUnderTheStiffestGeotextileHasItsSmallestOne) {
+  // A soil of grains: its response ends at 116 kPa under 2 MN/m, and goes on without end under 1 MN/m.
+  Case bag = nothing_yet();
+  Soil& soil = bag.soil;
+  soil.C_t = 0.833, soil.p_0 = 5574, soil.n = 0.064264, soil.p_c = 94226;
+  soil.kappa = 0.71884, soil.lambda = 0.97434, soil.xi = -0.13805, soil.alpha = 16.96e6, soil.beta = 0.79063;
+  const auto settlement = [&](double stiffness) {
+    Case loaded = bag;
+    loaded.geotextile.stiffness = stiffness;
+    loaded.geotextile.strength = loaded.geotextile.failure_strain = 1e9;
+    loaded.until = 313e3;
+    const Response response(loaded);
+    return response.failed() ? 1 : response.last().settlement();
+  };
+  ASSERT_EQ(settlement(2e6), 1);
+  const Design design = smallest_geotextile(bag, {313e3, 0.05, 1}, range);
+  EXPECT_NEAR(settlement(design.geotextile.stiffness), 0.05, 1e-5);
+  EXPECT_GT(settlement(0.99 * design.geotextile.stiffness), 0.05);
+}
+
 TEST(GwsDesign, AChartIsTheResponsesOfItsBags) {
   const auto rows = design_chart(test::bag_of("PP"), {300e3, 0.06, 2}, {232e3, 5 * 232e3}, 5);
   ASSERT_EQ(rows.size(), 5u);

@@ -16,6 +16,7 @@ namespace soilweave::gws {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr int tried_stiffnesses = 50;  // over the range, in equal ratios
 constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the geotextile of one kind with stiffness J: all tensions in proportion. J of a curve is the secant at the
@@ -72,23 +73,35 @@ Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   return {!service.failed(), !factored.failed(), service.start(), service.last(), factored.last(), serving.geotextile};
 }
 
-/// Returns the smallest J of the range with excess(trial) <= 0, since excess falls with J. Infinite if even the
-/// stiffest exceeds 0.
+/// Returns the smallest J of the range with excess(trial) <= 0. Infinite if no J has it.
+///
+/// Excess falls with J as far as the solution goes. Under a very stiff geotextile some soils have no state at the
+/// surcharge, so that the range is searched from its soft end.
 template <class Excess>
 double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
+  bool begun = false;
   const auto f = [&](double x) {
     try {
-      return excess(try_stiffness(bag, demand, std::exp(x)));
+      const Trial trial = try_stiffness(bag, demand, std::exp(x));
+      begun = true;
+      return excess(trial);
     } catch (const DataError&) {
-      return 1.0;  // too soft to begin; an impossible demand has thrown on the stiffest before
+      return 1.0;  // no state to begin with
     }
   };
   const double low = std::log(range.low), high = std::log(range.high);
-  const double f_low = f(low), f_high = f(high);
-  if (f_low <= 0) return range.low;
-  if (f_high > 0) return unlimited;
-  const auto close = [](double a, double b) { return std::abs(b - a) < 1e-10; };
-  return std::exp(root_between(f, low, high, f_low, f_high, close).second);
+  double before = low, f_before = f(low);
+  if (f_before <= 0) return range.low;
+  for (int i = 1; i <= tried_stiffnesses; ++i) {
+    const double x = i == tried_stiffnesses ? high : low + (high - low) * i / tried_stiffnesses, f_x = f(x);
+    if (f_x <= 0) {
+      const auto close = [](double a, double b) { return std::abs(b - a) < 1e-10; };
+      return std::exp(root_between(f, before, x, f_before, f_x, close).second);
+    }
+    before = x, f_before = f_x;
+  }
+  if (!begun) try_stiffness(bag, demand, range.high);  // throws, since the demand is impossible
+  return unlimited;
 }
 
 /// Returns NaN in all columns if the bag is too soft to begin.
@@ -120,7 +133,6 @@ Design smallest_geotextile(const Case& given, const Demand& demand, const Stiffn
     throw DataError("stiffness: the range must begin above 0 N/m and rise");
   bag.geotextile = kind_of(bag.geotextile);
   bag = at_strain_reached(bag, std::nullopt);
-  try_stiffness(bag, demand, range.high);
   const bool limited = bag.geotextile.strength > 0;
   const double limit = limited ? bag.hoop_limit() : unlimited, too_soft = 1;
   const double for_settlement = smallest_stiffness(bag, demand, range, [&](const Trial& t) {
