@@ -147,12 +147,13 @@ OWN_ASKED = $(OWN_RUNS:.h5=.tsv) $(OWN_OTHERS:%=$(OWNO)/other_%.tsv)
 $(OWNO)/loads: $$(OWN_ASKED) $(OWNO)/bands.tsv $(OWNO)/of_grains.tsv $(OWN)/transfer.py
 	@$(OWN_PY)/transfer.py $(OWNO) $(OWN_SURCHARGE) $(OWN_SETTLEMENT) $(call whole,$@)
 own_design = $(BIN)/gws-solve design $(own_case) $(OWN_PARTIAL) --settlement $(OWN_SETTLEMENT) --tsv --surcharge
+# Where no geotextile is enough, the file is empty, and the page says so. The status is then 1 or 65.
+own_designed = 2> $(@:.tsv=.said) $(call whole,$@) || \
+  { status=$$?; cat $(@:.tsv=.said) >&2; [ $$status = 65 -o $$status = 1 ] && : > $@ || exit $$status; }
 $(OWNO)/design.tsv: $(OWNO)/loads $(BIN)/gws-solve
-	@read -r middle high < $< && $(own_design) $$middle $(own_said)
-# Where no geotextile is enough at the low end, the file is empty, and the page says so.
+	@read -r middle high < $< && $(own_design) $$middle $(own_designed)
 $(OWNO)/design_high.tsv: $(OWNO)/loads $(BIN)/gws-solve
-	@read -r middle high < $< && $(own_design) $$high 2> $(@:.tsv=.said) $(call whole,$@) || \
-	  { status=$$?; cat $(@:.tsv=.said) >&2; [ $$status = 65 -o $$status = 1 ] && : > $@ || exit $$status; }
+	@read -r middle high < $< && $(own_design) $$high $(own_designed)
 $(OWNO)/chart.tsv: $(OWNO)/loads $(BIN)/gws-solve
 	@read -r middle high < $< && $(own_design) $$middle --chart --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') \
 	  --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') $(call whole,$@)

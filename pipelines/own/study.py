@@ -19,11 +19,6 @@ LINES = {"compression_line": "compression line", "failure_line": "failure line",
          "dilatancy_line": "dilatancy line", "stiffness": "stiffness"}
 
 
-def reach(table, settlement):
-    """Returns by how much a table of a design goes beyond the asked settlement, for the sentence on what governs."""
-    return table("settlement", "%")[0] - 100 * settlement
-
-
 def doubts(out, names):
     """Returns what the tools doubted when they made some files, each once, without the tool's name."""
     said = []
@@ -52,19 +47,19 @@ def measure(study, own, folder, transfer):
     loads = transfer.compared(at)[0]
     study.measure("bags_apart", 100 * numpy.std(numpy.log(loads), ddof=1), "%")
     for name in ("stiffness", "strength"):
-        study.measure(f"needed_{name}", folder("design")(name, "kN/m")[0], "kN/m")
-        study.measure(f"needed_{name}_high", lambda name=name: high_end(folder)(name, "kN/m")[0], "kN/m")
-    study.measure("settlement_of_design", folder("design")("settlement", "%")[0], "%")
+        study.measure(f"needed_{name}", lambda name=name: designed(folder, "design")(name, "kN/m")[0], "kN/m")
+        study.measure(f"needed_{name}_high", lambda name=name: designed(folder, "design_high")(name, "kN/m")[0], "kN/m")
+    study.measure("settlement_of_design", lambda: designed(folder, "design")("settlement", "%")[0], "%")
     peaks = {seed: twins(folder(f"check_{seed}")) for seed in (1, 2)}
     study.measure("peak", Mean.of([peak for some in peaks.values() for peak in some]), "1")
     study.measure("packings_apart", 100 * abs(numpy.mean(peaks[2]) / numpy.mean(peaks[1]) - 1), "%")
 
 
-def high_end(folder):
-    """Returns the design for the low end of the band. Raises NotMade where no geotextile is enough there."""
-    if not (folder.path / "design_high.tsv").stat().st_size:
-        raise NotMade("no geotextile is enough at the low end of the band")
-    return folder("design_high")
+def designed(folder, name):
+    """Returns the table of a design. Raises NotMade where no geotextile is enough."""
+    if not (folder.path / f"{name}.tsv").stat().st_size:
+        raise NotMade("no geotextile is enough")
+    return folder(name)
 
 
 def twins(table):
@@ -125,11 +120,12 @@ def build(arguments):
         name=values["name"], void_ratio=values["void_ratio"], packing_void_ratio=values["packing_void_ratio"],
         pressures=[f"{t.pressure / 1e3:g}" for t in own.tests], calibration=said, rising=rising, borrowed=borrowed(identified, own),
         surcharge=f"{values['surcharge'] / 1e3:g}", asked=f"{100 * values['settlement']:g}", short=transfer.end < values["settlement"],
-        fabric=quantity(spell(own.fabric.stiffness / 1e3), "kN/m"), enough=study.measures["needed_strength_high"].value is not None,
+        fabric=quantity(spell(own.fabric.stiffness / 1e3), "kN/m"), designed=study.measures["needed_strength"].value is not None,
+        enough=study.measures["needed_strength_high"].value is not None,
         reduction=f"{own.reduction:.3g}", share=f"{own.strength_fraction / own.reduction:.3g}", fraction=f"{own.strength_fraction:.3g}",
         share_from="own.toml" if "strength_fraction" in values else "grains" if own.strength_fraction < 1 else "factors",
         soil_factor=values["factors"].get("soil", 1), load_factor=values["factors"].get("load", 1),
-        beyond=reach(folder("design"), values["settlement"]) > 1e-6, bags=1 + len(OTHERS), sets=distinct(folder("draws")),
+        bags=1 + len(OTHERS), sets=distinct(folder("draws")),
         simulated=f"{100 * transfer.simulated:.3g}", beyond_simulated=at > 100 * transfer.simulated + 1e-6, folder=arguments.soil,
         doubts=doubts(study.out, ["inputs", "identified", "bands", "design"]), loose=doubts(study.out, ["packing_1", "packing_2"]))
     draw(study, own, folder, transfer)
