@@ -42,10 +42,10 @@ def main(own, out, given):
     tests = given.samples * given.rounds * len(own.tests) * steps / rate
     bag = STEPS[given.profile] * BODIES[given.profile] / (rate * bodies) * SLOWER[given.profile]
     # A bag has one thread, and is filled before it is compressed.
-    bags = seconds_at_once(bag, len(STIFFNESSES) + len(OTHERS), given.cores) + seconds_at_once(FILLING * bag, 2, given.cores)
+    bags = seconds_at_once(bag, len(STIFFNESSES) + len(OTHERS), given.cores) + seconds_at_once(FILLING * bag, 1 + len(OTHERS), given.cores)
     tests /= given.cores
     for words, seconds in ((f"calibration, at most {given.rounds} rounds of {given.samples} sets", tests),
-                           (f"{len(STIFFNESSES) + len(OTHERS)} bags, and filling two", bags), ("all", tests + bags)):
+                           (f"{len(STIFFNESSES) + len(OTHERS)} bags, and filling {1 + len(OTHERS)}", bags), ("all", tests + bags)):
         print(f"{words}: {seconds / 3600:.2g} h on {given.cores} {'core' if given.cores == 1 else 'cores'}")
 
 

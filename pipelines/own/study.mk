@@ -71,7 +71,7 @@ $(OWN_CAL)/settings: always $(OWNO)/inputs.mk
 $(OWNO)/loading: always $(OWNO)/inputs.mk
 	@$(call remember,$(subst $$,,$(subst ',,$(OWN_BAG) $(OWN_LOAD))) $(OWN_SCALE) $(OWN_STRAIN))
 
-# (b) % is the seed of a representative volume; the bags are cut from both.
+# (b) % is the seed of a representative volume; each bag of (c) is cut from one of them.
 $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 	@echo '  pack  $@'
 	@$(BIN)/pack-generate --grading $(OWNO)/grading.tsv --grains $(OWN_GRAINS) --void-ratio $(OWN_VOID_RATIO) --pressure 1e3 --seed $* \
@@ -95,7 +95,7 @@ $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 	  --where stage=1 --station strain_axial --observe stress_ratio --error 1 --quiet --tsv --table curves $(call whole,$@)
 
 # (c) Bags are filled with the heaviest set. Four of one packing and this set tell how the load hangs on the stiffness, with nothing else
-# between them. Further ones have the asked stiffness, a set of the posterior each, and both packings in turn: what soil and packing are worth.
+# between them. Further ones have the asked stiffness and each a set of the posterior and a packing of its own: what soil and packing are worth.
 OWN_OTHERS := 1 2 3 4
 own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
 $(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
@@ -109,7 +109,7 @@ own_compress = contact=$(call own_contact,$(1),$(2)) && $(BIN)/run-dem $< $(C3)/
 $(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/heaviest.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call own_compress,$(OWNO)/heaviest.tsv,0,$(OWNO)/geotextile_$*.toml)
-own_bag = $(OWNO)/bag_$(if $(filter 1 3,$*),2,1).h5
+own_bag = $(OWNO)/bag_$(word $*,2 3 4 5).h5
 .SECONDEXPANSION:
 $(OWNO)/other_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_$$(OWN_SAME).toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'

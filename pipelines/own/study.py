@@ -9,7 +9,7 @@ import numpy
 from calibration import predicted
 from calibration.ensemble import PARAMETERS
 from own.inputs import STIFFNESSES, failures, falls, read
-from own.transfer import COMPRESSION, OTHERS, SAME, Transfer
+from own.transfer import OTHERS, Transfer
 from study import Drawn, Folder, Mean, NotMade, Series, Study, figures, main, panel
 from study.words import quantity, spell
 
@@ -17,6 +17,7 @@ HERE = pathlib.Path(__file__).parent
 # Lines of the wrapped soil as gws-solve identify names them, and in words.
 LINES = {"compression_line": "compression line", "failure_line": "failure line", "near_failure_line": "near-failure line",
          "dilatancy_line": "dilatancy line", "stiffness": "stiffness"}
+COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
 def doubts(out, names):
@@ -127,7 +128,7 @@ def build(arguments):
         soil_factor=values["factors"].get("soil", 1), load_factor=values["factors"].get("load", 1),
         bags=1 + len(OTHERS), sets=distinct(folder("draws")),
         simulated=f"{100 * transfer.simulated:.3g}", beyond_simulated=at > 100 * transfer.simulated + 1e-6, folder=arguments.soil,
-        doubts=doubts(study.out, ["inputs", "identified", "bands", "design"]), loose=doubts(study.out, ["packing_1", "packing_2"]))
+        doubts=doubts(study.out, ["inputs", "identified", "bands", "design"]), loose=doubts(study.out, [f"packing_{k}" for k in range(1, 2 + len(OTHERS))]))
     draw(study, own, folder, transfer)
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
     study.text("Identified contact parameters", study.out / "calibration/posterior.txt")

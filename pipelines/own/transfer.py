@@ -9,18 +9,17 @@ import numpy
 from own.inputs import STIFFNESSES
 from study import NotMade, StudyError, Table
 
-# The bag with the asked stiffness among those of one soil, and the further bags with it, each with a set of the posterior.
+# The bag with the asked stiffness among those of one soil, and the further bags with it, each with a set of the posterior and a packing.
 SAME, OTHERS = STIFFNESSES.index(1) + 1, (1, 2, 3, 4)
-COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives. Student's deviates of 80 % for 1, 2, ... degrees of freedom.
 DEVIATE, OF_SOLVE = 1.2816, 1.9600
 STUDENT = (3.0777, 1.8856, 1.6377, 1.5332, 1.4759)
 
 
 def bags(out):
-    """Returns the loading tables of the bags with the asked stiffness, each with the compression alone."""
+    """Returns the loading tables of the bags with the asked stiffness, from the end of the preload on."""
     tables = [Table.read(out / f"{name}.tsv") for name in (f"uc_{SAME}", *(f"other_{k}" for k in OTHERS))]
-    return [table.rows(table("stage", "1") == COMPRESSION) for table in tables]
+    return [table.rows(table("strain_axial", "1") > -1e-9) for table in tables]
 
 
 def scatter(loads):
