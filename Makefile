@@ -23,11 +23,13 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
 CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),g++,$(CXX)))
-CLANG := $(findstring clang,$(shell $(CXX) --version 2>/dev/null))
+# Every call of make starts one shell for the compiler's name, its processor and this one.
+COMPILER := $(shell $(CXX) --version 2>/dev/null; echo target=$$($(CXX) -dumpmachine 2>/dev/null) here=$$(uname -m))
+CLANG := $(findstring clang,$(COMPILER))
 VARIANT := $(if $(SANITIZE),sanitize,$(if $(COVERAGE),coverage,$(if $(FUZZ),fuzz,$(if $(PORTABLE),portable,$(if $(NO_PCH),plain)))))
-MACHINE := $(firstword $(subst -, ,$(shell $(CXX) -dumpmachine 2>/dev/null)))
+MACHINE := $(firstword $(subst -, ,$(patsubst target=%,%,$(filter target=%,$(COMPILER)))))
 X86 := $(filter x86_64,$(MACHINE))
-B := $(subst $() ,/,$(strip build $(filter-out $(shell uname -m),$(MACHINE)) $(VARIANT)))
+B := $(subst $() ,/,$(strip build $(filter-out $(patsubst here=%,%,$(filter here=%,$(COMPILER))),$(MACHINE)) $(VARIANT)))
 
 # ---- Flags ----------------------------------------------------------------------------------------------------------
 # -ffp-contract=off: a fused multiply-add in one place and not in another would give other bits (core/simd/lanes.h).
@@ -52,15 +54,19 @@ PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
 CLANG_ONLY := -DBOOST_MATH_DISABLE_FLOAT128
 system = $(patsubst -I%,-isystem %,$(1))
 
-CPPFLAGS += -Ilib -isystem /usr/include/eigen3 $(call system,$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
+# The first use of a flag of the packages asks pkg-config and keeps the answer: each object and each program has these flags.
+PACKAGE_CPPFLAGS = $(eval PACKAGE_CPPFLAGS := $$(call system,$$(shell pkg-config --cflags $$(PACKAGES) 2>/dev/null)))$(PACKAGE_CPPFLAGS)
+PACKAGE_LIBS = $(eval PACKAGE_LIBS := $$(shell pkg-config --libs $$(PACKAGES) 2>/dev/null))$(PACKAGE_LIBS)
+CPPFLAGS += -Ilib -isystem /usr/include/eigen3 $(PACKAGE_CPPFLAGS)
 ARCHITECTURE := $(if $(X86),-march=x86-64-v3)
 CXXFLAGS += -std=c++20 $(ARCHITECTURE) -ffp-contract=off -fopenmp $(OPTIMISE_$(VARIANT)) $(WARNINGS)
 CPPFLAGS += $(if $(CLANG),$(CLANG_ONLY))
-LDLIBS += $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) -lmpfr -lgmp -pthread
+LDLIBS += $(PACKAGE_LIBS) -lmpfr -lgmp -pthread
 
 # VTK has no pkg-config file. Its newest version in VTK_PREFIX is used; VTK=9.3 chooses another.
 VTK_PREFIX ?= /usr
-VTK := $(or $(VTK),$(shell ls -d $(VTK_PREFIX)/include/vtk-[0-9]* 2>/dev/null | sed 's,.*/vtk-,,' | sort -V | tail -n 1))
+VTK_FOUND := $(patsubst $(VTK_PREFIX)/include/vtk-%,%,$(wildcard $(VTK_PREFIX)/include/vtk-[0-9]*))
+VTK := $(or $(VTK),$(if $(word 2,$(VTK_FOUND)),$(shell printf '%s\n' $(VTK_FOUND) | sort -V | tail -n 1),$(VTK_FOUND)))
 VTK_CPPFLAGS := -isystem $(VTK_PREFIX)/include/vtk-$(VTK)
 VTK_LIBS := $(patsubst %,-lvtk%-$(VTK),IOXML IOXMLParser IOCore CommonExecutionModel CommonDataModel CommonTransforms \
   CommonMisc CommonMath CommonCore sys)
@@ -79,7 +85,8 @@ remedy_g++ := run: make deps
 remedy_clang++ := run: apt-get install clang libomp-dev
 
 # ---- Sources --------------------------------------------------------------------------------------------------------
-LIB_ALL := $(sort $(shell find lib -name '*.cpp'))
+FOUND := $(sort $(shell find lib tests -name '*.cpp' -o -name '*.h'))
+LIB_ALL := $(filter lib/%.cpp,$(FOUND))
 VTK_ONLY := lib/display/vtk.cpp lib/files/exchange/triangles_vtk.cpp
 MPI_ONLY := lib/fem/model/ranks_mpi.cpp
 LIB := $(filter-out $(VTK_ONLY) $(MPI_ONLY),$(LIB_ALL))
@@ -91,7 +98,7 @@ BENCH := $(sort $(wildcard tests/benchmarks/bench_*.cpp))
 SUPPORT := $(sort $(wildcard tests/support/*.cpp))
 TEST_MAIN := tests/main.cpp
 SOURCES := $(LIB_ALL) $(TOOL) $(foreach t,$(TESTED),$(call tests_of,$(t))) $(BENCH) $(SUPPORT) $(TEST_MAIN)
-HEADERS := $(sort $(shell find lib tests -name '*.h'))
+HEADERS := $(filter %.h,$(FOUND))
 SCRIPTS := $(sort $(wildcard .ci/run tests/*.sh tests/crosscheck/*.sh tests/benchmarks/*.sh tests/soak/*.sh tests/fuzz/*.sh pipelines/*.sh pipelines/*/*.sh \
   tests/tools/*.bash tests/tools/*.bats tests/extension/*.bats))
 
@@ -140,7 +147,7 @@ compile = $(CXX) $(1) 2> $@.warnings; status=$$?; cat $@.warnings >&2; exit $$st
 keep_new = cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
 
 # $(B)/flags changes only when the compiler's command line does; every object depends on it.
-FLAGS := $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
+FLAGS = $(strip $(CXX) $(CPPFLAGS) $(CXXFLAGS))
 $(B)/flags: always
 	@$(foreach m,$(strip $(missing)),echo 'make: $m is not installed; $(or $(remedy_$m),run: make deps)' >&2; exit 1;)
 	@mkdir -p $(@D)

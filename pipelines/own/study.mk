@@ -4,7 +4,7 @@
 OWN := pipelines/own
 SOIL ?= data/own/example
 # The folder's name is part of the names of targets and of the words of recipes.
-own_plain = $(shell printf %s '$(subst ','\'',$(SOIL))' | LC_ALL=C tr -d 'A-Za-z0-9_./+,@\200-\377-')
+own_plain = $(if $(filter-out data/own/example,$(SOIL)),$(shell printf %s '$(subst ','\'',$(SOIL))' | LC_ALL=C tr -d 'A-Za-z0-9_./+,@\200-\377-'))
 ifneq ($(words $(SOIL)) $(own_plain),1 )
 $(error SOIL=$(SOIL): make cannot use a folder with blanks, quotes or signs such as $$ in its path: write it relative, or rename the folder to letters, digits, _ and -)
 endif

@@ -6,7 +6,7 @@ QS := pipelines/quickstart
 QSO := $(OUT)/quickstart
 # Two packings of a thousand grains may differ in strength by more than the tolerances, but means of six do not.
 QS_SEEDS_quick := 1 2 3 4 5 6
-QS_SEEDS_thesis := $(shell seq 1 16)
+QS_SEEDS_thesis := 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
 QS_SEEDS := $(QS_SEEDS_$(PROFILE))
 QS_PRESSURES := 0.2 0.5 1.0
 QS_LAB := $(sort $(wildcard data/laboratory/toyoura_drained_triaxial_*.tsv))
