@@ -5,6 +5,9 @@ bats_require_minimum_version 1.5.0
 
 BIN=$(cd "${BIN:-${BASH_SOURCE[0]%/*}/../../build/bin}" && pwd)
 export BIN PATH="$BIN:$PATH" LC_ALL=C.UTF-8
+# Threads that wait for each other sleep: tests take more threads than there are cores, beside other tests, and would take most of
+# their time to wait for one that does not run.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 # Debian's own interpreter has the HDF5 and VTK modules that the tests use.
 export PYTHON=${PYTHON:-/usr/bin/python3}
 
@@ -65,8 +68,10 @@ refuses() {
   [[ $before == "$(here)" ]] || show "the folder changed: $(diff <(echo "$before") <(here))"
 }
 
+# here: prints the files of this folder with their inode, size, and the times of their last changes: any byte that is written changes
+# them, and a refusal need not read every file twice.
 here() {
-  find -L . -type f -exec sha256sum {} + | sort -k 2
+  find -L . -type f -printf '%p %i %s %T@ %C@\n' | sort
 }
 
 # same_bytes ONE OTHER: demands equal files that are not empty; the other may be a process substitution.
@@ -164,7 +169,7 @@ every_tool() {
 family_of() {
   local file line child
   for file in /proc/[0-9]*/stat; do
-    line=$(cat "$file" 2>/dev/null) || continue
+    { read -r line < "$file"; } 2> /dev/null || continue
     child=${line%% *}
     # Behind the name, which is in brackets: the state and the parent.
     [[ ${line##*) } == ?" $1 "* ]] || continue

@@ -107,7 +107,8 @@ fails() {
   printf '// Volume of a sphere, m3. What follows\n// Of is a continuation.\nint a = 1'"'"'000;  // "Of" in quotes\nauto b = "// Of";\n' > sound.h
   printf '"""Returns it."""\nx = "# Of"  # value of x\n' > sound.py
   printf '# Sets it.\n# Of is a continuation.\nx = "y"  # m\n' > sound.toml
-  exits 0 python3 "$check" sound.h sound.py sound.toml
+  exits 0 "$PYTHON" "$check" sound.h sound.py sound.toml
+  local file refused=(whole.h after.cpp whole.toml whole.py after.mk script.sh script.py sourced.bash docstring.py)
   for opening in 'Of a sphere, m3.' 'Those of a chunk.' 'That of the next one.' 'What is left.' 'The same in m.' 'Whose it is.'; do
     printf 'int a;\n\n/// %s\n' "$opening" > whole.h
     printf 'int a = 0;  // %s\n' "$opening" > after.cpp
@@ -116,15 +117,16 @@ fails() {
     printf '#!/bin/bash\n# %s\n' "$opening" | tee script.sh > script.py
     printf '# shellcheck shell=bash\n# %s\n' "$opening" > sourced.bash
     printf 'def x():\n    """%s"""\n' "$opening" > docstring.py
-    local file
-    for file in whole.h after.cpp whole.toml whole.py after.mk script.sh script.py sourced.bash docstring.py; do
-      exits 1 python3 "$check" sound.h "$file"
-      # shellcheck disable=SC2154  # stderr is set by exits
-      [[ $stderr == "$file:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted the place and the opening"
+    exits 1 "$PYTHON" "$check" sound.h "${refused[@]}"
+    # shellcheck disable=SC2154  # stderr_lines is set by exits
+    [[ ${#stderr_lines[@]} -eq ${#refused[@]} ]] || show "wanted a line for each file"
+    for file in "${!refused[@]}"; do
+      [[ ${stderr_lines[file]} == "${refused[file]}:"*" opens with "*"begin with the subject: $opening" ]] || show "wanted ${refused[file]} and the opening"
     done
   done
   printf '// Volumes of\n// grains. SPDX-License-Identifier: GPL-3.0-or-later\n' > glued.h
-  exits 1 python3 "$check" glued.h
+  exits 1 "$PYTHON" "$check" glued.h
+  # shellcheck disable=SC2154  # stderr is set by exits
   [[ $stderr == "glued.h:2: the licence continues a sentence; put it on a line of its own" ]] || show "wanted the line"
 }
 
@@ -132,12 +134,11 @@ fails() {
   local check=$BATS_TEST_DIRNAME/../headers.py
   mkdir lib tests tools
   printf '#include <algorithm>\n\n#include <fmt/format.h>\n\nint a = std::max(1, 2);\nauto b = fmt::format("std::sort");\n' > lib/a.cpp
-  exits 0 python3 "$check"
+  exits 0 "$PYTHON" "$check"
   printf 'int a = std::max(1, 2);\n' > tools/b.cpp
   printf 'auto b = fmt::format("");\n' > tests/c.cpp
   printf '#include <Eigen/Core>\n\ndouble d = Eigen::Matrix3d::Identity().determinant();\n' > lib/d.cpp
-  exits 1 python3 "$check"
-  # shellcheck disable=SC2154  # stderr is set by exits
+  exits 1 "$PYTHON" "$check"
   [[ $stderr == *"tools/b.cpp: uses std::max and does not include <algorithm>"* ]] || show "wanted the name"
   [[ $stderr == *"tests/c.cpp: uses fmt and does not include <fmt/format.h>"* ]] || show "wanted the library"
   [[ $stderr == *"lib/d.cpp: uses .determinant() and does not include <Eigen/LU>"* ]] || show "wanted the member"
