@@ -1,15 +1,12 @@
 """One style for all figures: colours that colour-blind readers can distinguish, units on every axis, reproducible bytes."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import functools
 import io
 import re
 
-import matplotlib
 import numpy
 
-matplotlib.use("svg")
-from matplotlib import pyplot, transforms  # noqa: E402  (the backend has to be chosen before)
-
-from .errors import StudyError  # noqa: E402
+from .errors import StudyError
 
 # Okabe and Ito's colours (2008), which stay apart for readers with any of the usual colour deficiencies.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GREY = "#0072b2", "#d55e00", "#009e73", "#a3263f", "#8f5b8c", "#56b4e9", "#667080"
@@ -37,8 +34,17 @@ _STYLE = {
     "figure.facecolor": "white",
     "figure.constrained_layout.use": True,
 }
-matplotlib.rcParams.update(_STYLE)
 _LABEL = re.compile(r".*\(.+\)$|.*\[.+\]$")
+
+
+@functools.cache
+def pyplot():
+    """Returns matplotlib's pyplot with this style. Its import takes most of a second, which programs spare that draw nothing."""
+    import matplotlib
+    matplotlib.use("svg")
+    from matplotlib import pyplot as module  # the backend has to be chosen before
+    matplotlib.rcParams.update(_STYLE)
+    return module
 
 
 def panels(columns, rows=1, width=None, height=4.4):
@@ -47,7 +53,7 @@ def panels(columns, rows=1, width=None, height=4.4):
     width, height: in inches; without a width 6 for one column, which a narrow page does not cut apart, and 9 for more.
     """
     width = width or (6.0 if columns == 1 else 9.0)
-    figure, axes = pyplot.subplots(rows, columns, figsize=(width, height), squeeze=False)
+    figure, axes = pyplot().subplots(rows, columns, figsize=(width, height), squeeze=False)
     return figure, list(axes.flat)
 
 
@@ -68,14 +74,14 @@ def points(axes, x, y, colour, name=None):
 def svg(figure):
     """Returns the figure as SVG text, equal for equal figures, and closes it."""
     text = _saved(figure)
-    pyplot.close(figure)
+    pyplot().close(figure)
     return text
 
 
 def png(figure, path):
     """Writes the figure as a PNG file, for pictures of more marks than a drawing should have, and closes it."""
     figure.savefig(path, format="png", dpi=110, bbox_inches="tight", metadata={"Software": None})
-    pyplot.close(figure)
+    pyplot().close(figure)
 
 
 def panes(figure):
@@ -85,6 +91,7 @@ def panes(figure):
     """
     if figure.legends or figure._suptitle is not None or len(figure.axes) < 2:  # pylint: disable=protected-access
         return [_saved(figure)]
+    from matplotlib import transforms
     figure.draw_without_rendering()
     groups = _groups(figure)
     # In inches, since saving changes how many dots there are to one.

@@ -162,7 +162,7 @@ def trimmed(pictures):
 
 def compose(pictures, titles, greatest):
     """Returns a figure: the bags beside each other, and the scales of both colours."""
-    figure = matplotlib.pyplot.figure(figsize=(13.2, 3.55), layout="constrained")
+    figure = figures.pyplot().figure(figsize=(13.2, 3.55), layout="constrained")
     axes = figure.subplots(1, len(pictures))
     for a, picture, title in zip(axes, pictures, titles, strict=True):
         a.imshow(picture)
@@ -187,7 +187,7 @@ def main():
                 for (k, _, _), fabric in zip(chosen, fabrics, strict=True)]
     figure = compose(trimmed(pictures), [f"{words}, {strain:.0f} %" for _, strain, words in chosen], greatest)
     content = io.BytesIO()
-    matplotlib.pyplot.switch_backend("agg")
+    figures.pyplot().switch_backend("agg")
     figure.savefig(content, format=pathlib.Path(target).suffix[1:], dpi=150, bbox_inches="tight", pad_inches=0.05,
                    pil_kwargs={"quality": 88} if target.endswith(".jpg") else {})
     pathlib.Path(target).write_bytes(content.getvalue())
