@@ -8,8 +8,7 @@ import re
 import subprocess
 import sys
 
-from own.inputs import STIFFNESSES, read
-from own.transfer import OTHERS
+from own.inputs import OTHERS, STIFFNESSES, read
 from study import StudyError
 
 SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"

@@ -36,6 +36,8 @@ SHARE = 0.5
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
+# The bag among these that has the asked stiffness, and the further bags with it, each of a packing and a set of the posterior of its own.
+SAME, OTHERS = STIFFNESSES.index(1) + 1, (1, 2, 3, 4)
 # Strain up to which the yarns of these bags are whole: identification ends at the first broken one.
 WHOLE = 0.5
 # Constant and exponent of Toyoura's failure line (thesis Table 5.2), and the greatest p_c (Pa) that the solution takes.
@@ -248,7 +250,8 @@ def write(own, out):
         "REDUCED": " ".join([f"--strength-fraction {own.strength_fraction!r}", *(
             f"--rf-{name} {factors[name]!r}" for name in FACTORS[:3] if name in factors)]),
         "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
-        "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "SAME": STIFFNESSES.index(1) + 1, "RISING": " ".join(rising)}
+        "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "SAME": SAME,
+        "OTHERS": " ".join(map(str, OTHERS)), "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))
 
 

@@ -85,7 +85,7 @@ $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_OTHERS)) $(call whole,$@)
 $(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py heaviest $(OWN_CAL) $(OWN_TWINS) $(call whole,$@)
-# Twins of both volumes with the heaviest set, in the first test: what chance is worth. % is the seed.
+# Twins of two volumes with the heaviest set, in the first test: what chance is worth. % is the seed.
 $(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5
 	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 pipelines/calibration/hertz-mindlin.toml \
 	  $(OWN_PRESSURE) $(OWN_UNTIL)
@@ -96,7 +96,6 @@ $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 
 # (c) Bags are filled with the heaviest set. Four of one packing and this set tell how the load hangs on the stiffness, with nothing else
 # between them. Further ones have the asked stiffness and each a set of the posterior and a packing of its own: what soil and packing are worth.
-OWN_OTHERS := 1 2 3 4
 own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
 $(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
@@ -109,15 +108,17 @@ own_compress = contact=$(call own_contact,$(1),$(2)) && $(BIN)/run-dem $< $(C3)/
 $(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/heaviest.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call own_compress,$(OWNO)/heaviest.tsv,0,$(OWNO)/geotextile_$*.toml)
-own_bag = $(OWNO)/bag_$(word $*,2 3 4 5).h5
+# The first bag is of packing 1, the first further one of packing 2.
+own_bag = $(OWNO)/bag_$(words 1 $(wordlist 1,$*,$(OWN_OTHERS))).h5
 .SECONDEXPANSION:
 $(OWNO)/other_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_$$(OWN_SAME).toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call own_compress,$(OWNO)/draws.tsv,$$(($* - 1)),$(OWNO)/geotextile_$(OWN_SAME).toml)
-$(OWNO)/other_%.tsv: $(OWNO)/other_%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
+own_loading = $(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
-	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
+	@$(own_loading)
+$(OWNO)/other_%.tsv: $(OWNO)/other_%.h5 $(BIN)/homogenize
+	@$(own_loading)
 
 # (d) From the bags of one soil.
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
@@ -125,14 +126,15 @@ own_identify = $(BIN)/gws-solve identify $(OWN_RUNS) $(OWN_BAGS:%=--geotextile $
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
 # All constants at once; where the paths do not determine all that come from them, line by line; where that has no solution, those that the
 # paths determine, with Toyoura sand's for the others. The status is then 1 or 65; a tool that was killed or could not write has others.
-own_try = $(own_identify) --fit $(1) --toml --quiet > $@.$(1); $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) rm -f $@.$(1); exit $$$(1) ;; esac
+# Doubts of the fit that is taken are told once.
+own_try = $(own_identify) --fit $(1) --toml --quiet > $@.$(1) 2> $@.said; $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) cat $@.said >&2; exit $$$(1) ;; esac
 own_fit = $(call own_try,path); fit=path; \
   if [ $$path != 0 ] || grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path; then \
-    $(call own_try,thesis); [ $$thesis != 0 -a $$path = 0 ] || fit=thesis; fi; rm -f $@.path $@.thesis
+    $(call own_try,thesis); [ $$thesis != 0 -a $$path = 0 ] || fit=thesis; fi
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
-	@$(own_fit); $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; \
-	  status=$$?; cat $(OWNO)/identified.said >&2; [ $$status = 0 ] || exit $$status; \
-	  $(own_identify) --fit $$fit --toml --quiet | $(OWN_NAMED) $(call whole,$@)
+	@trap 'rm -f $@.path $@.thesis $@.said' EXIT; $(own_fit); \
+	  $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; status=$$?; cat $(OWNO)/identified.said >&2; \
+	  [ $$status = 0 ] || exit $$status; $(OWN_NAMED) $@.$$fit $(call whole,$@)
 
 # (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells, and a bag like those of grains. What these
 # carry over what the model gives for such a bag is a factor on the model's answers (transfer.py).

@@ -8,8 +8,8 @@ import re
 import numpy
 from calibration import predicted
 from calibration.ensemble import PARAMETERS
-from own.inputs import STIFFNESSES, failures, falls, read
-from own.transfer import OTHERS, Transfer
+from own.inputs import OTHERS, STIFFNESSES, failures, falls, read
+from own.transfer import Transfer
 from study import Drawn, Folder, Mean, NotMade, Series, Study, figures, main, panel
 from study.words import quantity, spell
 
@@ -40,13 +40,12 @@ def measure(study, own, folder, transfer):
     """Measures the capacity of the bag, the demands on its geotextile, and their basis."""
     asked = own.values["settlement"]
     at = min(asked, transfer.end)
-    for k, name in enumerate(("carried", "carried_low", "carried_high")):
-        study.measure(name, lambda k=k: transfer.at(at)[k], "kPa")
+    for name, value in zip(("carried", "carried_low", "carried_high"), transfer.at(at), strict=True):
+        study.measure(name, value, "kPa")
     study.measure("at", 100 * at, "%")
     study.measure("by_model", transfer.model(at)[0], "kPa")
-    study.measure("factor", lambda: transfer.factor(at), "1")
-    loads = transfer.compared(at)[0]
-    study.measure("bags_apart", 100 * numpy.std(numpy.log(loads), ddof=1), "%")
+    study.measure("factor", transfer.factor(at), "1")
+    study.measure("bags_apart", 100 * numpy.std(numpy.log(transfer.compared(at)[0]), ddof=1), "%")
     for name in ("stiffness", "strength"):
         study.measure(f"needed_{name}", lambda name=name: designed(folder, "design")(name, "kN/m")[0], "kN/m")
         study.measure(f"needed_{name}_high", lambda name=name: designed(folder, "design_high")(name, "kN/m")[0], "kN/m")
@@ -92,6 +91,7 @@ def draw(study, own, folder, transfer):
     for a in (left, right):
         a.legend()
     study.figure("answer", figure)
+
     def drawn(name, label, colour):
         run = folder(name)
         return Drawn(label, Series(run.rows(run("stage", "1") == COMPRESSION)), colour)

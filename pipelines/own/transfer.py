@@ -6,11 +6,9 @@ import pathlib
 import sys
 
 import numpy
-from own.inputs import STIFFNESSES
-from study import NotMade, StudyError, Table
+from own.inputs import OTHERS, SAME
+from study import StudyError, Table
 
-# The bag with the asked stiffness among those of one soil, and the further bags with it, each with a set of the posterior and a packing.
-SAME, OTHERS = STIFFNESSES.index(1) + 1, (1, 2, 3, 4)
 # Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives. Student's deviates of 80 % for 1, 2, ... degrees of freedom.
 DEVIATE, OF_SOLVE = 1.2816, 1.9600
 STUDENT = (3.0777, 1.8856, 1.6377, 1.5332, 1.4759)
@@ -56,17 +54,19 @@ class Transfer:
         return tuple(_at(self.asked, settlement, "settlement", "surcharge" + end) for end in ("", "_low", "_high"))
 
     def factor(self, settlement):
-        """Returns by what factor the bags of grains carry more than the model (their geometric mean), at a settlement."""
+        """Returns by what factor the bags of grains (their geometric mean) carry more than the model. Raises StudyError where one carries nothing."""
         loads, model = self.compared(settlement)
         if not min(*loads, model) > 0:
-            raise NotMade("a bag of grains carries nothing there")
+            raise StudyError(f"a bag of grains carries nothing at a settlement of {settlement:.3g}: no factor on the model can be told; see the "
+                             "bags' tables uc_*.tsv and other_*.tsv")
         return float(numpy.exp(numpy.mean(numpy.log(loads))) / model)
 
     def spread(self, settlement):
-        """Returns the half width of the middle 80 % of the logarithm of the load."""
+        """Returns the half width of the middle 80 % of the logarithm of the load. Raises StudyError where a draw carries nothing."""
         _, low, high = self.model(settlement)
         if not low > 0:
-            raise NotMade("it is not above 0 in all draws")
+            raise StudyError(f"the surcharge is not above 0 in all draws of the constants at a settlement of {settlement:.3g}: no range can be told; "
+                             "compress the bags farther (OWN_STRAIN), or make them larger (PROFILE=thesis)")
         within = (numpy.log(high) - numpy.log(low)) / (2 * OF_SOLVE)
         return float(numpy.hypot(DEVIATE * within, scatter(self.compared(settlement)[0])))
 
@@ -95,5 +95,5 @@ if __name__ == "__main__":
     given = parser.parse_args()
     try:
         print(*(f"{load:.7g}" for load in loads_of_design(Transfer.of(given.out), given.surcharge, given.settlement)))
-    except (StudyError, NotMade) as error:
+    except StudyError as error:
         sys.exit(f"own: {error}")
