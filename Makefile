@@ -512,7 +512,7 @@ crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, li
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/truth.sh
 
 .PHONY: crosscheck-band
-crosscheck-band: $(TOOLS) ## ten hidden soils through make own: how often its band holds what their bags carry (an hour)
+crosscheck-band: $(TOOLS) ## ten hidden soils through make own: how often its range holds what their bags carry (hours)
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/band.sh
 
 # ---- Habits ---------------------------------------------------------------------------------------------------------
