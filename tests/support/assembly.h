@@ -95,12 +95,13 @@ inline io::Snapshot random_cell(int n, int dimension = 3, unsigned seed = 1) {
   s.cell.matrix << side, 0.3 * side, 0.1 * side, 0, side, -0.2 * side, 0, 0, side;
   if (dimension == 2) s.cell.matrix << side, 0.3 * side, 0, 0, side, 0, 0, 0, 1;
   s.cell.periodic[2] = dimension == 3;
+  const Mat3 inverse = s.cell.matrix.inverse();
   for (int tries = 0; static_cast<int>(s.grains.size()) < n && tries < 200000; ++tries) {
     Vec3 reduced(any(random), any(random), dimension == 3 ? any(random) : 0);
     const double radius = 0.25 + 0.2 * any(random);
     bool free = true;
     for (std::size_t i = 0; free && i < s.grains.size(); ++i) {
-      Vec3 apart = s.cell.matrix.inverse() * s.grains.position[i] - reduced;
+      Vec3 apart = inverse * s.grains.position[i] - reduced;
       for (int a = 0; a < dimension; ++a) apart[a] -= std::round(apart[a]);
       free = (s.cell.matrix * apart).norm() > radius + s.grains.radius[i];
     }
