@@ -22,7 +22,8 @@ MAKEFLAGS += --no-builtin-rules
 PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
-CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),g++,$(CXX)))
+# The sanitizers' tree is clang's where clang is: it compiles that in three fifths of GCC's time, and a check sees two compilers.
+CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),$(if $(SANITIZE),$(if $(shell command -v clang++),clang++,g++),g++),$(CXX)))
 # Every call of make starts one shell for the compiler's name, its processor and this one.
 COMPILER := $(shell $(CXX) --version 2>/dev/null; echo target=$$($(CXX) -dumpmachine 2>/dev/null) here=$$(uname -m))
 CLANG := $(findstring clang,$(COMPILER))
@@ -117,18 +118,20 @@ X := $(B)/extended$(if $(NARROW),/narrow)
 headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
-# The sanitizers' tree compiles several sources as one: those of a folder of lib/ (FOLDERS), and ten unit tests (TENS). Half of
-# the time of a single source goes into the precompiled header and into templates that its neighbours need too. Sources of one
-# folder must have unlike names, which clang-tidy needs as well (TIDY_GROUPS). SINGLE sources have flags of their own,
-# objects that extensions or MPI replace, or need of VTK.
+# Sources of a folder of lib/ are compiled as one (FOLDERS), because most of the time of a single source goes into the precompiled
+# header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
+# well (TIDY_GROUPS). SINGLE sources have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain
+# and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
-JOINED := $(if $(SANITIZE),$(filter-out $(SINGLE),$(LIB)))
+JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
 FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
 TENS := $(if $(SANITIZE),$(patsubst %,$(B)/obj/tests/unit/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,unit)))))
 LIB_OBJECTS := $(call object,$(filter-out $(JOINED),$(LIB))) $(FOLDERS)
+# The objects that hold these sources, joined or not.
+objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/$(dir $s)folder.o,$(call object,$s))))
 # plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
@@ -206,7 +209,7 @@ $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
 # GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds the sources.
 # A precompiled header would bring its own optimisation back. The sanitizers' -O1 puts no numbers together.
-UNPACKED := $(if $(SANITIZE),,$(call object,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
+UNPACKED := $(if $(SANITIZE),,$(call objects_of,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
   lib/display/display.cpp lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp))
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
@@ -241,8 +244,8 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
 # Files that objects take in whole (core/embedded.h).
-$(call object,lib/display/show_script.cpp) $(filter %/display/folder.o,$(FOLDERS)): lib/display/show.py
-$(call object,lib/packing/generate/grading.cpp) $(filter %/generate/folder.o,$(FOLDERS)): data/gradings/toyoura.tsv
+$(call objects_of,lib/display/show_script.cpp): lib/display/show.py
+$(call objects_of,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
 $(call object,$(LISTING)) $(EIGHT) $(LOWERED): private CPPFLAGS += -I$(B)
 $(call object,$(LISTING)) $(EIGHT) $(LOWERED): | $(LISTS:%=$(B)/lists/%.h)
 # The check of the processor must run on any x86-64.
@@ -356,7 +359,7 @@ programs: $(TOOLS) $(TEST_PROGRAMS)
 # ---- Dependencies ---------------------------------------------------------------------------------------------------
 DEBIAN := g++ make pkg-config libeigen3-dev libcgal-dev libhdf5-dev libcli11-dev libtomlplusplus-dev libfmt-dev \
   libboost-math-dev libgsl-dev libssl-dev libgtest-dev libbenchmark-dev libvtk9-dev python3-vtk9 python3-h5py \
-  python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang-format clang-tidy shellcheck gcovr man-db groff-base locales
+  python3-numpy python3-matplotlib python3-jinja2 python3-pytest python3-yaml hdf5-tools bats parallel clang clang-format clang-tidy libomp-dev shellcheck gcovr man-db groff-base locales
 
 .PHONY: deps
 deps: ## install the Debian packages that are missing (as root or through sudo; else print the line to run)
@@ -398,10 +401,11 @@ SKIPPED := $(CURDIR)/build/skipped
 check: export SOILWEAVE_SKIPPED := $(SKIPPED)
 skip = { echo "== $(1): skipped: $(3)"; printf '%s\t%s\t%s\n' '$(1)' '$(2)' '$(3)' >> "$${SOILWEAVE_SKIPPED:-/dev/null}"; }
 
-# One process per core takes small shares of the tests, so that all cores end together.
+# One process per core takes small shares of the tests, so that all cores end together. Threads of a test that wait sleep, because
+# they outnumber the cores.
 SHARES = $(shell echo $$((8 * $(JOBS))))
 run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(SHARES) - 1)) | \
-  GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} $(EMULATOR) "$$t" --gtest_brief=1; done
+  OMP_WAIT_POLICY=passive GTEST_TOTAL_SHARDS=$(SHARES) parallel --will-cite --jobs $(JOBS) GTEST_SHARD_INDEX={} $(EMULATOR) "$$t" --gtest_brief=1; done
 
 # A check runs the unit tests once, under the sanitizers, and the property tests once, without, because compiling them twice would
 # take as long as all the tools. Unit tests call every contact law, so that the sanitizers see those.
@@ -572,7 +576,7 @@ warnings:
 	@found=0; for tree in build build/sanitize; do for source in $(SOURCES); do \
 	  for log in $$tree/obj/$${source%.cpp}{,.avx512,.eight}.o.warnings; do \
 	    if [ -s $$log ] && [ $$log -nt $$source ]; then cat $$log >&2; found=1; fi; done; done; done; \
-	for log in $$(find build/sanitize/obj -name '*.o.warnings' -size +0 2> /dev/null | grep -E '/(folder|tests_[0-9]+)\.o\.'); do \
+	for log in $$(find build/obj build/sanitize/obj -name '*.o.warnings' -size +0 2> /dev/null | grep -E '/(folder|tests_[0-9]+)\.o\.'); do \
 	  sources=$$(sed -nE 's/^#(include|line 1) "(.*\.cpp)"$$/\2/p' $${log%.o.warnings}.cpp); \
 	  [ -n "$$(find $$sources -newer $$log)" ] || { cat $$log >&2; found=1; }; done; exit $$found
 
