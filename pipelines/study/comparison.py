@@ -124,6 +124,8 @@ def compare(statements, measures):
         (value, spread), published = measure.within(s.name, s.unit), float(s.published)
         difference = value - published
         met = RELATIONS[s.relation](difference, float(s.tolerance or 0))
+        if abs(difference) < 1e-9 * abs(published):  # rounding, which would be printed as a difference of -1.8e-15
+            difference = 0.0
         deviation = "" if spread is None else f" ± {spread:.2g}"
         relative = f" ({100 * difference / published:+.1f} %)" if s.relation == "within" and published != 0 else ""
         verdicts.append(Verdict(s, f"{value:.4g}{deviation}", f"{difference:+.3g}{relative}", bool(met)))
