@@ -35,6 +35,7 @@ include $(sort $(wildcard pipelines/*/study.mk))
 # Studies in KEEPING keep what their thesis-size runs leave for readers who have not the hours: tables, each run's history, and what is
 # compared and drawn of them. Kept run by run, as they end; compared and drawn anew whenever that changes, without the runs. NAME-keep
 # depends on the tables of what has ended, NAME-compare on what compares them; ENDED_NAME are the runs that have ended.
+# BESIDE_NAME are further options of what compares.
 .PHONY: $(KEEPING:%=%-keep) $(KEEPING:%=%-compare)
 $(KEEPING:%=%-keep): %-keep: $(BIN)/to-vtk
 	@$(if $(filter thesis,$(PROFILE)),,$(error $@: of PROFILE=thesis only))mkdir -p pipelines/$*/kept
@@ -42,7 +43,7 @@ $(KEEPING:%=%-keep): %-keep: $(BIN)/to-vtk
 	@for run in $(ENDED_$*); do $(BIN)/to-vtk --history $(OUT)/$*/$$run.h5 $(call whole,pipelines/$*/kept/$$run.txt) && echo "  keep  $$run" || exit; done
 	@$(MAKE) --no-print-directory $*-compare
 $(KEEPING:%=%-compare): %-compare: $(STUDY)
-	@$(STUDY_PY) pipelines/$*/study.py pipelines/$*/kept --kept
+	@$(STUDY_PY) pipelines/$*/study.py pipelines/$*/kept --kept $(BESIDE_$*)
 
 .PHONY: report
 report: $(OUT)/report.html ## collect the pages of all studies in out/report.html

@@ -98,27 +98,42 @@ $(patsubst %,$(C5O)/%.tsv,$(filter %_10kPa,$(C5_CELLS))): $(C5O)/cell_%_10kPa.ts
 	@mkdir -p $(@D)
 	@cp $< $@
 
-# Constants and lines that are identified from these bags, and the solution with these constants.
-C5_OWN_LINES := $(foreach t,constants compression_line near_failure_line dilatancy_line stiffness,$(C5O)/own_$(t).tsv)
-C5_OWN = $(BIN)/gws-solve identify $(C5_UC) --failure $(C5_FAILURE) --fit thesis --difference backward --quiet
-$(C5_OWN_LINES): $(C5O)/own_%.tsv: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
-	@$(C5_OWN) --tsv --table $* $(call whole,$@)
-$(C5O)/own_identified.txt: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
-	@$(C5_OWN) | sed 's|$(C5O)/uc_||g; s|\.h5||g' $(call whole,$@)
-$(C5O)/own_soil.toml: $(BIN)/gws-solve $(C5_UC) $(C5_FAILURE)
-	@$(C5_OWN) --toml $(call whole,$@)
-C5_OWN_SOLUTIONS := $(patsubst $(C5O)/%,$(C5O)/own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
-
-$(C5_UNIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_uniaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml $(C5_CATALOGUE)
-	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $* --points 40 --tsv --quiet $(call whole,$@)
-$(C5_TRIAXIAL:$(C5O)/%=$(C5O)/own_%): $(C5O)/own_triaxial_%.tsv: $(BIN)/gws-solve $(C5O)/own_soil.toml $(C5_CATALOGUE)
-	@$(BIN)/gws-solve respond --soil $(C5O)/own_soil.toml --geotextile $(c5_geotextile) --lateral-stress $(c5_pressure) --points 40 --tsv --quiet \
-	  $(call whole,$@)
+# Constants and lines that are identified from these bags, and the solution with these constants: of the runs, and of what is kept of
+# them, since seven full-size bags are seldom compressed in one sitting. The argument is the folder of the bags' tables.
+C5_OWN_NAMES := own_constants own_compression_line own_near_failure_line own_dilatancy_line own_stiffness
+C5_SOLVED := $(patsubst $(C5O)/%.tsv,own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
+define c5_own
+C5_BAGS_$(1) := $(C5_GEOTEXTILES:%=$(1)/uc_%.tsv)
+C5_OWN_$(1) = $$(BIN)/gws-solve identify $$(C5_BAGS_$(1)) $(C5_GEOTEXTILES:%=--geotextile %) --failure $$(C5_FAILURE) --fit thesis --difference backward --quiet
+$(C5_OWN_NAMES:%=$(1)/%.tsv): $(1)/own_%.tsv: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+	@$$(C5_OWN_$(1)) --tsv --table $$* $$(call whole,$$@)
+$(1)/own_identified.txt: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+	@$$(C5_OWN_$(1)) | sed 's|$(1)/uc_||g; s|\.tsv||g' $$(call whole,$$@)
+$(1)/own_soil.toml: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+	@$$(C5_OWN_$(1)) --toml $$(call whole,$$@)
+$(C5_UNIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_uniaxial_%.tsv: $$(BIN)/gws-solve $(1)/own_soil.toml $$(C5_CATALOGUE)
+	@$$(BIN)/gws-solve respond --soil $(1)/own_soil.toml --geotextile $$* --points 40 --tsv --quiet $$(call whole,$$@)
+$(C5_TRIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_triaxial_%.tsv: $$(BIN)/gws-solve $(1)/own_soil.toml $$(C5_CATALOGUE)
+	@$$(BIN)/gws-solve respond --soil $(1)/own_soil.toml --geotextile $$(c5_geotextile) --lateral-stress $$(c5_pressure) --points 40 --tsv --quiet \
+	  $$(call whole,$$@)
+endef
+$(foreach f,$(C5O) $(C5)/kept,$(eval $(call c5_own,$(f))))
+# Chapters 3 and 4 keep the bags and the cells that are their own.
+C5_KEPT_BAGS := $(foreach g,$(C5_OF_C3_thesis),$(C5)/kept/uc_$g.tsv $(C5)/kept/uc_$g.txt)
+C5_KEPT_CELLS := $(foreach g,PE PP 5PP,$(C5)/kept/cell_$g_10kPa.tsv $(C5)/kept/cell_$g_10kPa.txt)
+$(C5_KEPT_BAGS): $(C5)/kept/%: $(C3)/kept/%
+	@mkdir -p $(@D) && cp $< $@
+.SECONDEXPANSION:
+$(C5_KEPT_CELLS): $(C5)/kept/cell_%: $(C4)/kept/wrapped_$$(subst _10kPa,,$$*)
+	@mkdir -p $(@D) && cp $< $@
+# The lines of the runs, and of what is kept, once there are all seven bags.
+C5_OWN_TABLES := $(C5_OWN_NAMES:%=$(C5O)/%.tsv) $(C5_SOLVED:%=$(C5O)/%.tsv)
+C5_KEPT_OWN := $(if $(filter-out $(C5_KEPT_BAGS) $(wildcard $(C5)/kept/uc_*.tsv),$(C5_BAGS_$(C5)/kept)),,$(patsubst %,$(C5)/kept/%.tsv,$(C5_OWN_NAMES) $(C5_SOLVED)))
 
 $(C5O)/provenance.txt: $(C5O)/uc_PP.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
-C5_OF_RUNS := $(C5_UC:%.h5=%.tsv) $(C5O)/volumes_PP.tsv $(C5_CELLS:%=$(C5O)/%.tsv) $(C5_OWN_LINES) $(C5_OWN_SOLUTIONS)
+C5_OF_RUNS := $(C5_UC:%.h5=%.tsv) $(C5O)/volumes_PP.tsv $(C5_CELLS:%=$(C5O)/%.tsv) $(C5_OWN_TABLES)
 C5_PY := $(wildcard $(C5)/*.py $(C5)/*.tsv) $(C5)/words.toml $(C3)/bag.py $(C3)/compression.py $(C4)/cells.py \
   $(wildcard data/geotextiles/P?.toml) $(C5_DEM)
 $(C5O)/page.html: $(C5)/study.py $(C5_PY) $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) $(C5_OF_RUNS) $(C5O)/own_identified.txt \
@@ -126,9 +141,8 @@ $(C5O)/page.html: $(C5)/study.py $(C5_PY) $(STUDY) $(C5_UNIAXIAL) $(C5_TRIAXIAL)
 	@$(STUDY_PY) $< $(C5O) --profile $(PROFILE)
 
 KEEPING += ch5
+BESIDE_ch5 := --solutions $(C5O)
 ENDED_ch5 := $(patsubst $(C5O)/%.h5,%,$(wildcard $(C5_UC) $(C5_PRESSED:%=$(C5O)/%.h5)))
-# Lines and solutions are those of all seven bags.
-C5_OF_ENDED := $(filter $(ENDED_ch5:%=$(C5O)/%.tsv),$(C5_OF_RUNS)) $(if $(filter uc_PP,$(ENDED_ch5)),$(C5O)/volumes_PP.tsv) \
-  $(if $(filter-out $(wildcard $(C5_UC)),$(C5_UC)),,$(C5_OWN_LINES) $(C5_OWN_SOLUTIONS))
+C5_OF_ENDED := $(filter $(ENDED_ch5:%=$(C5O)/%.tsv),$(C5_OF_RUNS)) $(if $(filter uc_PP,$(ENDED_ch5)),$(C5O)/volumes_PP.tsv)
 ch5-keep: $(C5_OF_ENDED) ## keep what the thesis-size runs of ch5 that have ended leave (PROFILE=thesis)
-ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) ## compare and draw anew what is kept of ch5
+ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_KEPT_BAGS) $(C5_KEPT_CELLS) $(C5_KEPT_OWN) ## compare and draw anew what is kept of ch5
