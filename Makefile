@@ -118,7 +118,7 @@ X := $(B)/extended$(if $(NARROW),/narrow)
 headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1))/*.h))
 
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
-# Sources of a folder of lib/ are compiled as one (FOLDERS), because most of the time of a single source goes into the precompiled
+# Sources of a folder of lib/ are compiled as one (FOLDERS), because nearly half of the time of a single source goes into the precompiled
 # header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
 # well (TIDY_GROUPS). SINGLE sources have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain
 # and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
