@@ -1,4 +1,5 @@
-// Eight contacts and grains at a time give the bits of four; sweeps in the plane give the numbers of sweeps in space.
+// Eight contacts and grains at a time give the bits of four, and so do other lists of distant pairs.
+// Sweeps in the plane give the numbers of sweeps in space.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -98,6 +99,7 @@ void expect_same_bits(const Model& model, const io::Snapshot& state, bool with_p
   EXPECT_TRUE(same_bits(four.bodies.loads, eight.bodies.loads));
   EXPECT_EQ(std::memcmp(&four.sums, &eight.sums, sizeof four.sums), 0);
   EXPECT_EQ(four.sweep->stiffen(four.scene(), four.contacts), eight.sweep->stiffen(eight.scene(), eight.contacts));
+  EXPECT_TRUE(same_bits(four.bodies.stiffness, eight.bodies.stiffness));
   EXPECT_EQ(four.motion.stable_time_step(four.contacts, four.bodies),
             eight.motion.stable_time_step(eight.contacts, eight.bodies));
   const StoredEnergies a = four.sweep->stored(four.scene(), four.contacts);
@@ -133,6 +135,45 @@ TEST(SweepWidth, GivesTheSameBitsAcrossGaps) {
   const Model model{std::vector<LinearAdhesion::Material>{moist}};
   expect_same_bits(model, support::packed(support::linear_sand(), 1e5, 301), true);
   expect_same_bits(model, support::packed(support::linear_sand(), 1e5, 302, 2));
+}
+
+// Lists the pairs that touch and no others, as a list made anew may.
+void list_touching_alone(Stepper& stepper) {
+  std::vector<Pair> touching;
+  for (const auto& chunk : stepper.contacts.chunks)
+    for (const ContactBlock& block : chunk)
+      for (int lane = 0; lane < block.count; ++lane)
+        if ((block.touching >> lane) & 1) touching.push_back(stepper.contacts.pair(block, lane));
+  stepper.contacts.list(touching, {}, stepper.bodies);
+}
+
+std::size_t pairs_of(const Contacts& contacts) {
+  std::size_t pairs = 0;
+  for (const auto& chunk : contacts.chunks)
+    for (const ContactBlock& block : chunk) pairs += block.count;
+  return pairs;
+}
+
+TEST(SumsOfASweep, HaveTheSameBitsWhateverDistantPairsAreListed) {
+  // Fewer grains than a chunk holds, so that each grain has one sum of its stiffness.
+  for (const Model& model : {support::sand(), support::linear_sand()})
+    for (const int dimension : {2, 3}) {
+      const io::Snapshot state = support::packed(model, 1e5, 301, dimension);
+      Stepper many(state, model, of_four), few(state, model, of_four);
+      for (int k = 0; k < 20; ++k) many.step(1e-5), few.step(1e-5);
+      list_touching_alone(few);
+      ASSERT_LT(pairs_of(few.contacts), pairs_of(many.contacts));
+      Vec3 of_many, of_few;
+      many.act(1e-5, false, &of_many), few.act(1e-5, false, &of_few);
+      EXPECT_EQ(of_few, of_many);
+      EXPECT_TRUE(same_bits(few.bodies.stiffness, many.bodies.stiffness));
+      EXPECT_TRUE(same_bits(few.bodies.grains, many.bodies.grains));
+      EXPECT_EQ(std::memcmp(&few.sums, &many.sums, sizeof few.sums), 0);
+      const StoredEnergies a = few.sweep->stored(few.scene(), few.contacts);
+      const StoredEnergies b = many.sweep->stored(many.scene(), many.contacts);
+      EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+      EXPECT_EQ(force_sum(few.contacts), force_sum(many.contacts));
+    }
 }
 
 TEST(StiffnessOfAStep, IsWhatALookAtTheStateAfterItFinds) {

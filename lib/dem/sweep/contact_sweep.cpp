@@ -319,13 +319,10 @@ class LawSweep final : public ContactSweep {
       const Kinematics<Lanes, Space>& k = g.kinematics;
       const auto r = response<Space>(group, s, HistoryOf<Law, Lanes, Space>{}).first;
       add_to(sum, masked(g.touching, affine_stiffness(k.normal, Lanes(k.r1 + k.r2 - k.overlap), r)));
-      const auto put = [&](const Lanes& radius, const auto& place) {
-        const auto [translation, rotation] = axis_stiffness(k.normal, r, radius);
-        add_stiffness(masked(g.touching, translation), masked(g.touching, rotation), place);
-      };
-      const BlockLanes<Lanes>& lanes = group.lanes;
-      put(k.r1, [&](int lane) { return lanes.load_first(static_cast<std::size_t>(lane), s.stiffness); });
-      put(k.r2, [&](int lane) { return lanes.load_second(static_cast<std::size_t>(lane), s.stiffness); });
+      const auto [translation, rotation_first] = axis_stiffness(k.normal, r, k.r1);
+      const auto rotation_second = axis_stiffness(k.normal, r, k.r2).second;
+      add_stiffness(masked(g.touching, translation), masked(g.touching, rotation_first),
+                    masked(g.touching, rotation_second), group.lanes, s.stiffness);
     }
   }
 

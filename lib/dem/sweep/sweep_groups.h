@@ -134,16 +134,38 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
   add_across(V3<Lanes>{f.x, f.y, Lanes{}}, lanes, s);
 }
 
-/// Adds stiffness for translation and rotation at place(lane), laid out like the loads.
-template <class Lanes, class RowOf>
-void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation, const RowOf& place) {
-  const V3<Lanes>&t = translation, &r = rotation;
-  to_rows(t.x, t.y, t.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
-  to_rows(r.x, r.y, r.z, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane) + width<Lane4>, row); });
+/// Adds the stiffness of contacts against translation and rotation to both grains, laid out like the loads.
+/// Each pair comes whole before the next one: grouping pairs otherwise must not change the bits of a grain's sum.
+template <class Lanes>
+void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation_first, const V3<Lanes>& rotation_second,
+                   const BlockLanes<Lanes>& lanes, double* stiffness) {
+  std::array<Lane4, width<Lanes>> along, about_first;
+  const V3<Lanes>&t = translation, &r1 = rotation_first, &r2 = rotation_second;
+  const Lanes zero{};
+  to_rows(t.x, t.y, t.z, zero, [&](int lane, const Lane4& row) { along[static_cast<std::size_t>(lane)] = row; });
+  to_rows(r1.x, r1.y, r1.z, zero,
+          [&](int lane, const Lane4& row) { about_first[static_cast<std::size_t>(lane)] = row; });
+  to_rows(r2.x, r2.y, r2.z, zero, [&](int lane, const Lane4& row) {
+    const auto k = static_cast<std::size_t>(lane);
+    double *one = lanes.load_first(k, stiffness), *two = lanes.load_second(k, stiffness);
+    add(one, along[k]), add(one + width<Lane4>, about_first[k]);
+    add(two, along[k]), add(two + width<Lane4>, row);
+  });
 }
-template <class Lanes, class RowOf>
-void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation, const RowOf& place) {
-  to_rows(translation.x, translation.y, rotation, Lanes{}, [&](int lane, const Lane4& row) { add(place(lane), row); });
+/// Adds it for disks, whose rotation is the third component.
+template <class Lanes>
+void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation_first, const Lanes& rotation_second,
+                   const BlockLanes<Lanes>& lanes, double* stiffness) {
+  std::array<Lane4, width<Lanes>> first;
+  const V2<Lanes>& t = translation;
+  const Lanes zero{};
+  to_rows(t.x, t.y, rotation_first, zero,
+          [&](int lane, const Lane4& row) { first[static_cast<std::size_t>(lane)] = row; });
+  to_rows(t.x, t.y, rotation_second, zero, [&](int lane, const Lane4& row) {
+    const auto k = static_cast<std::size_t>(lane);
+    add(lanes.load_first(k, stiffness), first[k]);
+    add(lanes.load_second(k, stiffness), row);
+  });
 }
 
 }  // namespace soilweave::dem
