@@ -124,7 +124,7 @@ object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
-SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
+SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
 FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
@@ -200,19 +200,18 @@ $(FOLDERS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 $(call object,$(ROUNDED)): private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 # Sources without long loops compile under the sanitizers without optimisation, in two thirds of the time. A precompiled header
 # holds for one level of optimisation.
-COLD := $(if $(SANITIZE),$(filter $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/text/% gws/output/% dem/run/% \
-  fem/run/%),$(LIB_OBJECTS)))
+COLD := $(if $(SANITIZE),$(filter $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/linear_algebra.o core/text/% analysis/tables/% gws/design/% \
+  gws/output/% dem/run/% fem/mesh/% fem/run/%),$(LIB_OBJECTS)))
 $(COLD): $(B)/precompiled/cold.h.gch
 $(COLD): private PRECOMPILED := $(B)/precompiled/cold.h
 $(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += -O0
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
 # Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
-# GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds the sources.
+# GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds such sources.
 # A precompiled header would bring its own optimisation back. The sanitizers' -O1 puts no numbers together.
-UNPACKED := $(if $(SANITIZE),,$(call objects_of,lib/fem/model/soil.cpp lib/fem/run/boundary_conditions.cpp lib/fem/material/continuum_laws.cpp \
-  lib/display/display.cpp lib/analysis/measure/strain.cpp lib/analysis/measure/stress.cpp lib/packing/expand/reinforced.cpp))
+UNPACKED := $(if $(SANITIZE),,$(call object,lib/core/linear_algebra.cpp))
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
-$(UNPACKED): private PRECOMPILED := lib/core/precompiled.h
+$(UNPACKED): private PRECOMPILED := lib/core/linear_algebra.h
 # The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
 # would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
 HOT := $(X)/obj/lib/dem/sweep/contact_sweep.o $(call object,$(SWEPT))

@@ -56,6 +56,7 @@ only() {
 only '(hdf5|H5[A-Z]*public)' 'lib tools' 'lib/store/hdf5_id.h'
 only 'store/hdf5_' 'lib tools' \
   'lib/store/hdf5_memory.h lib/store/hdf5_memory.cpp lib/store/hdf5_guard.h lib/store/hdf5_guard.cpp lib/store/store_read.cpp lib/store/store_write.cpp'
+only 'Eigen/(Cholesky|Dense|Eigenvalues)' 'lib tools' 'lib/core/linear_algebra.cpp lib/core/precompiled.h'
 only 'CGAL/' 'lib tools' 'lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp'
 only 'vtk' 'lib tools' 'lib/display/vtk.cpp lib/files/exchange/triangles_vtk.cpp'
 only 'mpi' 'lib tools' 'lib/fem/model/ranks_mpi.cpp'

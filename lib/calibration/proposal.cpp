@@ -4,7 +4,6 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "calibration/particle_filter.h"
 #include "calibration/posterior.h"
 #include "calibration/sampling.h"
+#include "core/linear_algebra.h"
 
 namespace soilweave::calibration {
 namespace {
@@ -24,7 +24,7 @@ constexpr double settled = 1e-8;  // relative change of the log likelihood
 
 Matrix root_of(const Matrix& covariance) {
   const Matrix floor = least_deviation * least_deviation * Matrix::Identity(covariance.rows(), covariance.cols());
-  return Eigen::LLT<Matrix>(covariance + floor).matrixL();
+  return Cholesky(covariance + floor).lower();
 }
 
 bool in_cube(const Vector& point) { return (point.array() >= 0).all() && (point.array() <= 1).all(); }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "display/display.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "core/linear_algebra.h"
 
 namespace soilweave::io {
 namespace {
@@ -218,10 +219,10 @@ void add_principal(VtkPicture& picture) {
       directions.push_back(principal.back());
       continue;
     }
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric(tensor));
-    principal.push_back(solver.eigenvalues().reverse());
+    const Eigensystem<Mat3> system = eigensystem(symmetric(tensor));
+    principal.push_back(system.values.reverse());
     // Bytes must not depend on the arbitrary sign of an eigenvector, so its largest component is made positive.
-    Vec3 major = solver.eigenvectors().col(2);
+    Vec3 major = system.vectors.col(2);
     Eigen::Index largest = 0;
     major.cwiseAbs().maxCoeff(&largest);
     directions.push_back(major[largest] < 0 ? Vec3(-major) : major);

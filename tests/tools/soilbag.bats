@@ -17,9 +17,9 @@ study() {
 # twice in 24 stations by 2.3 %).
 @test "compressed ten times slower, a bag carries the same" {
   local of=$BATS_FILE_TMPDIR/ch3/variants
-  study C3V_UC='--set stage.1.strain=0.05 --set record.strains=[0.05]' "$of/paced/uc_PE.tsv" "$of/slow_paced/uc_PE.tsv"
+  study C3V_UC='--set stage.1.strain=0.03 --set record.strains=[0.03]' "$of/paced/uc_PE.tsv" "$of/slow_paced/uc_PE.tsv"
   PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$ROOT/pipelines "${PYTHON:-/usr/bin/python3}" -P -m ch3.variants rates "$of/paced" "$of/slow_paced" > "$of/rates.tsv"
   cat "$of/rates.tsv" >&2
   awk -F '\t' 'NR > 1 { ++stations; all += $4; d = $4 < 0 ? -$4 : $4; if (d > most) most = d }
-      END { exit !(stations == 5 && all / stations < 1 && all / stations > -1 && most < 2) }' "$of/rates.tsv" || show "stresses differ"
+      END { exit !(stations == 3 && all / stations < 1 && all / stations > -1 && most < 2) }' "$of/rates.tsv" || show "stresses differ"
 }

@@ -46,12 +46,14 @@ TEST(Adhesion, EndsAtItsRange) {
 TEST(Adhesion, GivesBackWhatItTakes) {
   Simulation simulation(apart(0.9 * range), sticky(), test::undamped(2e-8));
   double deepest = -range, farthest = -range;
+  const Bodies& bodies = simulation.bodies();
   for (int i = 0; i < 200000; ++i) {
     simulation.step();
-    const io::ContactsRecord contacts = simulation.snapshot().contacts;
-    ASSERT_EQ(contacts.size(), 1u) << "they left the range after step " << i;
-    if (contacts.overlap[0] > deepest) deepest = contacts.overlap[0];
-    if (deepest > 0) farthest = std::max(farthest, -contacts.overlap[0]);
+    ASSERT_EQ(simulation.measures().contacts, 1) << "they left the range after step " << i;
+    const Vec3 branch = vector_of(bodies.grains[1].position) - vector_of(bodies.grains[0].position);
+    const double overlap = bodies.radius(0) + bodies.radius(1) - branch.norm();
+    deepest = std::max(deepest, overlap);
+    if (deepest > 0) farthest = std::max(farthest, -overlap);
     if (deepest > 0 && farthest > 0.89 * range) break;
   }
   EXPECT_GT(deepest, 0);

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <unordered_map>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 
 namespace soilweave::analysis {
 namespace {
@@ -33,9 +33,9 @@ std::vector<std::size_t> same_bodies(const io::Snapshot& one, const io::Snapshot
 }  // namespace
 
 Mat3 natural_strain(const Mat3& f) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> stretch(Mat3(f * f.transpose()));
-  const Vec3 logs = 0.0 - 0.5 * stretch.eigenvalues().array().log();  // 0 - 0 avoids -0 for no strain
-  return stretch.eigenvectors() * logs.asDiagonal() * stretch.eigenvectors().transpose();
+  const Eigensystem<Mat3> stretch = eigensystem(Mat3(f * f.transpose()));
+  const Vec3 logs = 0.0 - 0.5 * stretch.values.array().log();  // 0 - 0 avoids -0 for no strain
+  return stretch.vectors * logs.asDiagonal() * stretch.vectors.transpose();
 }
 
 Mat3 cell_strain(const io::CellRecord& cell) { return natural_strain(cell.deformation_gradient); }
@@ -111,8 +111,8 @@ Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& presen
     mapped += (after[k] - middle_after) * (before[k] - middle_before).transpose();
   }
   if (d == 2) spread(2, 2) = mapped(2, 2) = spread(0, 0) + spread(1, 1);
-  const Eigen::SelfAdjointEigenSolver<Mat3> extent(spread);
-  if (grains.size() <= static_cast<std::size_t>(d) || extent.eigenvalues()[0] <= 1e-12 * extent.eigenvalues()[2])
+  const Eigensystem<Mat3> extent = eigensystem(spread);
+  if (grains.size() <= static_cast<std::size_t>(d) || extent.values[0] <= 1e-12 * extent.values[2])
     throw DataError(
         fmt::format("{} grains are too few, or too flat, for a strain; take a larger volume", grains.size()));
   return mapped * spread.inverse();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/measure/stress.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
 #include "analysis/measure/volume_of_interest.h"
+#include "core/linear_algebra.h"
 
 namespace soilweave::analysis {
 
@@ -56,13 +56,13 @@ Principal principal(const Mat3& stress, int dimension) {
     return p;
   }
   if (dimension == 3) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(s);
-    p.values = solver.eigenvalues().reverse();
-    p.directions = solver.eigenvectors().rowwise().reverse();
+    const Eigensystem<Mat3> system = eigensystem(s);
+    p.values = system.values.reverse();
+    p.directions = system.vectors.rowwise().reverse();
   } else {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(Eigen::Matrix2d(s.topLeftCorner<2, 2>()));
-    p.values.head<2>() = solver.eigenvalues().reverse();
-    p.directions.topLeftCorner<2, 2>() = solver.eigenvectors().rowwise().reverse();
+    const Eigensystem<Mat2> system = eigensystem(Mat2(s.topLeftCorner<2, 2>()));
+    p.values.head<2>() = system.values.reverse();
+    p.directions.topLeftCorner<2, 2>() = system.vectors.rowwise().reverse();
   }
   // An eigenvector has no sign, so the largest component is made positive: equal states give equal numbers.
   for (int k = 0; k < dimension; ++k) {

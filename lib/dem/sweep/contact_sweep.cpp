@@ -32,6 +32,7 @@
 #include "dem/contact/law_list.h"
 #include "dem/contact/material_pairs.h"
 #include "dem/contact/transport.h"
+#include "dem/sweep/grain_sums.h"
 #include "dem/sweep/memory_ahead.h"
 #include "dem/sweep/own_history.h"
 #include "dem/sweep/plane_sweep.h"

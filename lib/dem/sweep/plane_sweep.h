@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/in_parallel.h"
+#include "dem/contact/contact_action.h"
 #include "dem/contact/material_pairs.h"
 #include "dem/contact/transport.h"
 #include "dem/sweep/plane_lanes.h"

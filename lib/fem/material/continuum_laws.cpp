@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fem/material/continuum_laws.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+
+#include "core/linear_algebra.h"
 
 namespace soilweave::fem {
 namespace {
@@ -64,9 +65,8 @@ void ContinuumPoint::advance(const Mat2& gradient) {
 
 void ContinuumPoint::limit() {
   if (!law_.friction_angle) return;
-  Eigen::SelfAdjointEigenSolver<Mat2> plane;
-  plane.computeDirect(stress_);
-  const Vec3 unsorted(plane.eigenvalues()[0], plane.eigenvalues()[1], out_of_plane_);
+  const Eigensystem<Mat2> plane = eigensystem_in_closed_form(stress_);
+  const Vec3 unsorted(plane.values[0], plane.values[1], out_of_plane_);
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return unsorted[a] > unsorted[b]; });
   const Vec3 trial(unsorted[order[0]], unsorted[order[1]], unsorted[order[2]]);
@@ -75,7 +75,7 @@ void ContinuumPoint::limit() {
   if (s == trial) return;
   Vec3 limited;
   for (int k = 0; k < 3; ++k) limited[order[static_cast<std::size_t>(k)]] = s[k];
-  const Mat2& axes = plane.eigenvectors();
+  const Mat2& axes = plane.vectors;
   stress_ = axes * limited.head<2>().asDiagonal() * axes.transpose();
   stress_ = (0.5 * (stress_ + stress_.transpose())).eval();
   out_of_plane_ = limited[2];

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 
 namespace soilweave::fem {
 namespace {
@@ -155,8 +155,7 @@ double Soil::largest_eigenvalue(const std::function<Mat3(Index point)>& tangent)
     }
     for (Eigen::Index i = 0; i < 2 * n; ++i)
       for (Eigen::Index j = 0; j < 2 * n; ++j) K(i, j) /= std::sqrt(mass[i / 2] * mass[j / 2]);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, Eigen::EigenvaluesOnly);
-    largest = std::max(largest, modes.eigenvalues().maxCoeff());
+    largest = std::max(largest, soilweave::largest_eigenvalue(K));
   }
   return largest;
 }

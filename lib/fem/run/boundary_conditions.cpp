@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 #include "dem/contact/laws/linear_adhesion.h"
 
 namespace soilweave::fem {
@@ -81,11 +81,10 @@ std::optional<Vec2> unbalanced(const Mesh& mesh, const Mesh::Piece& piece, const
     turned_over += forces[n].norm();
   }
   // Eigenvectors without an eigenvalue are the motions that every support leaves free.
-  const Eigen::SelfAdjointEigenSolver<Mat3> motions(holding);
+  const Eigensystem<Mat3> motions = eigensystem(holding);
   Vec3 free = Vec3::Zero();
   for (const Eigen::Index k : {0, 1, 2})
-    if (motions.eigenvalues()[k] < 1e-9)
-      free += motions.eigenvectors().col(k) * motions.eigenvectors().col(k).dot(load);
+    if (motions.values[k] < 1e-9) free += motions.vectors.col(k) * motions.vectors.col(k).dot(load);
   if (!(free.norm() > 1e-6 * turned_over)) return std::nullopt;
   return load.head<2>();
 }

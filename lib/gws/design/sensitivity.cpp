@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +12,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 #include "gws/solution/secant.h"
 
 namespace soilweave::gws {
@@ -78,10 +78,10 @@ class Draw {
  public:
   explicit Draw(const Scatter& scatter) : scatter_(scatter) {
     const auto k = static_cast<Eigen::Index>(scatter.keys.size());
-    const Eigen::LLT<Eigen::MatrixXd> root(Eigen::Map<const Eigen::MatrixXd>(scatter.correlation.data(), k, k));
-    if (root.info() != Eigen::Success)
+    const Cholesky root(Eigen::Map<const Eigen::MatrixXd>(scatter.correlation.data(), k, k));
+    if (!root.positive())
       throw DataError("scatter of " + scatter.keys.front() + " and its like: the correlation is not positive definite");
-    lower_ = root.matrixL();
+    lower_ = root.lower();
   }
   void operator()(Soil& soil, std::mt19937_64& random) const {
     std::normal_distribution<double> normal;

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 #include <gsl/gsl_blas.h>
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -101,7 +101,7 @@ void summarize(Fit& fit, const std::vector<double>& observed, std::size_t consta
 
 double Fit::half_width(std::size_t i) const {
   if (!(freedom > 0)) return std::numeric_limits<double>::infinity();
-  return standard_errors[i] * boost::math::quantile(boost::math::students_t_distribution<double>(freedom), 0.975);
+  return standard_errors[i] * gsl_cdf_tdist_Pinv(0.975, freedom);
 }
 
 Fit fit(const std::string& what, const std::vector<double>& observed, const std::vector<double>& start,

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 #include "gws/solution/model.h"
 #include "gws/solution/path.h"
 
@@ -202,15 +202,15 @@ class Search {
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       linearize(jacobian, white);
       if (!jacobian.allFinite()) throw ended_early();
-      const MatrixXd normal = jacobian.transpose() * jacobian;
-      const VectorXd slope = jacobian.transpose() * white;
-      promised = slope.dot(normal.ldlt().solve(slope));
+      const MatrixXd normal = transposed_product(jacobian, jacobian);
+      const VectorXd slope = transposed_product(jacobian, white);
+      promised = slope.dot(solve_semidefinite(normal, slope));
       bool better = false;
       double gain = 0;
       while (!better && damping < 1e12) {
         MatrixXd damped = normal;
         damped.diagonal() *= 1 + damping;
-        const VectorXd tried = at_ - damped.llt().solve(slope);
+        const VectorXd tried = at_ - Cholesky(damped).solve(slope);
         const double now = squares(tried);
         better = now < best;
         damping *= better ? 0.1 : 10;
@@ -242,23 +242,23 @@ class Search {
     VectorXd white;
     linearize(jacobian, white);
     const Index k = at_.size();
-    const MatrixXd normal = jacobian.transpose() * jacobian;
+    const MatrixXd normal = transposed_product(jacobian, jacobian);
     const VectorXd scale = normal.diagonal().cwiseSqrt();
     if (!(scale.minCoeff() > 0)) throw undetermined();
     const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * normal * scale.cwiseInverse().asDiagonal();
-    const Eigen::LLT<MatrixXd> root(scaled);
-    if (root.info() != Eigen::Success || !(root.matrixL().toDenseMatrix().diagonal().minCoeff() > least_sine))
-      throw undetermined();
-    const MatrixXd plain =
-        scale.cwiseInverse().asDiagonal() * root.solve(MatrixXd::Identity(k, k)) * scale.cwiseInverse().asDiagonal();
+    const Cholesky root(scaled);
+    if (!root.positive() || !(root.lower().diagonal().minCoeff() > least_sine)) throw undetermined();
+    const MatrixXd plain = scale.cwiseInverse().asDiagonal() * root.inverted() * scale.cwiseInverse().asDiagonal();
     MatrixXd meat = MatrixXd::Zero(k, k);
     for (Index i = 0; i < rows_; ++i) {
-      const auto of = jacobian.middleRows(i * path_relations, path_relations);
-      const Eigen::Matrix3d left = Eigen::Matrix3d::Identity() - of * plain * of.transpose();
-      const VectorXd pull = of.transpose() * left.llt().solve(white.segment(i * path_relations, path_relations));
-      meat += pull * pull.transpose();
+      const MatrixXd of = jacobian.middleRows(i * path_relations, path_relations);
+      const MatrixXd left =
+          MatrixXd::Identity(path_relations, path_relations) - product(of, product(plain, of.transpose()));
+      const VectorXd pushed = Cholesky(left).solve(white.segment(i * path_relations, path_relations));
+      const VectorXd pull = transposed_product(of, pushed);
+      meat += product(pull, pull.transpose());
     }
-    const MatrixXd robust = plain * meat * plain;
+    const MatrixXd robust = product(product(plain, meat), plain);
     VectorXd wider(k);
     for (Index i = 0; i < k; ++i) wider[i] = std::max(1.0, std::sqrt(robust(i, i) / plain(i, i)));
     return wider.asDiagonal() * plain * wider.asDiagonal();

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
+#include "core/linear_algebra.h"
 #include "gws/identification/path_fit.h"
 #include "gws/identification/thesis_lines.h"
 #include "gws/solution/model.h"
@@ -20,9 +20,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd inverse(const MatrixXd& positive) {
-  return positive.llt().solve(MatrixXd::Identity(positive.rows(), positive.cols()));
-}
+MatrixXd inverse(const MatrixXd& positive) { return Cholesky(positive).inverted(); }
 
 /// Fills in what is known of a line's fit from its estimates, their covariance, and the residuals of `observed`.
 void judge(Line& line, const std::vector<double>& estimates, const MatrixXd& covariance, double freedom,
@@ -97,9 +95,11 @@ Line dilatancy(const std::vector<BagSeries>& series, const PathFit& path, Differ
 /// the weighted squares of the residuals to their expectation (DerSimonian and Laird 1986), 0 if they are below it.
 double scatter_between(const MatrixXd& axes, const VectorXd& log_E, const MatrixXd& covariance) {
   const MatrixXd weight = inverse(covariance);
-  const MatrixXd normal = axes.transpose() * weight * axes;
-  const MatrixXd left = weight - weight * axes * inverse(normal) * axes.transpose() * weight;
-  const double squares = log_E.dot(left * log_E), freedom = static_cast<double>(log_E.size() - axes.cols());
+  const MatrixXd weighted = product(weight, axes), normal = transposed_product(axes, weighted);
+  const MatrixXd explained = product(weighted, product(inverse(normal), weighted.transpose()));
+  const MatrixXd left = weight - explained;
+  const double squares = log_E.dot(product(left, log_E).col(0)),
+               freedom = static_cast<double>(log_E.size() - axes.cols());
   return std::max(0.0, (squares - freedom) / left.trace());
 }
 
@@ -124,16 +124,17 @@ Line stiffness(const std::vector<BagSeries>& series, const PathFit& path) {
   const MatrixXd common = path.covariance.block(shared, shared, n, n);
   const double between = n > 2 ? scatter_between(axes, log_E, common) : 0;
   const MatrixXd weight = inverse(common + between * MatrixXd::Identity(n, n));
-  MatrixXd covariance = inverse(axes.transpose() * weight * axes);
-  const Eigen::Vector2d found = covariance * axes.transpose() * weight * log_E;
-  const VectorXd left = log_E - axes * found;
-  const double alpha = std::exp(found[0]);
+  const MatrixXd weighted = product(weight, axes);
+  MatrixXd covariance = inverse(transposed_product(axes, weighted));
+  const MatrixXd found = product(covariance, transposed_product(weighted, log_E));
+  const VectorXd left = log_E - product(axes, found).col(0);
+  const double alpha = std::exp(found(0));
   covariance.row(0) *= alpha, covariance.col(0) *= alpha;
   // Degrees of freedom of a variance that is the sum of two (Welch and Satterthwaite).
   const double within = common.diagonal().mean(), all = within + between;
   const double inverse = within * within / path.freedom + (n > 2 ? between * between / static_cast<double>(n - 2) : 0);
-  for (const double J : line.x) line.ordinate.push_back(alpha * std::pow(J / 1e6, found[1]));
-  judge(line, {alpha, found[1]}, covariance, all * all / inverse, {log_E.begin(), log_E.end()},
+  for (const double J : line.x) line.ordinate.push_back(alpha * std::pow(J / 1e6, found(1)));
+  judge(line, {alpha, found(1)}, covariance, all * all / inverse, {log_E.begin(), log_E.end()},
         {left.begin(), left.end()});
   return line;
 }

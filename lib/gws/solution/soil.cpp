@@ -3,10 +3,10 @@
 #include "gws/solution/soil.h"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "core/text/text.h"
@@ -144,9 +144,7 @@ std::string Constant::key() const { return fmt::format("{}.{}", line, parameter.
 
 std::span<const Constant> constants() { return table; }
 
-double Scatter::quantile() const {
-  return boost::math::quantile(boost::math::students_t_distribution<double>(freedom), 0.975);
-}
+double Scatter::quantile() const { return gsl_cdf_tdist_Pinv(0.975, freedom); }
 
 SoilFile read_soil(Settings& document, const NamedFiles& files) {
   SoilFile file;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packing/expand/reinforced.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "analysis/tables/bag.h"
+#include "core/linear_algebra.h"
 #include "packing/expand/tile.h"
 
 namespace soilweave::packing {
@@ -26,7 +26,7 @@ Vec3 outwards(std::size_t i, const std::vector<std::size_t>& around, const std::
   mean /= static_cast<double>(around.size() + 1);
   Mat3 spread = (x[i] - mean) * (x[i] - mean).transpose();
   for (const std::size_t j : around) spread += (x[j] - mean) * (x[j] - mean).transpose();
-  const Vec3 normal = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
+  const Vec3 normal = eigensystem(spread).vectors.col(0);
   return normal.dot(x[i] - middle) < 0 ? Vec3(-normal) : normal;
 }
 
