@@ -99,13 +99,13 @@ while IFS= read -r line; do fault "$line"; done \
 
 # Every file has the licence in its first lines, below a sentence that may take several.
 mapfile -t scripts < <(find tests pipelines .ci -name '*.sh' -o -name '*.bash' -o -name '*.bats' -o -path .ci/run | sort)
-for file in "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}" "${scripts[@]}" Makefile; do
-  head -8 "$file" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || fault "$file: no SPDX line at the top"
-done
-for file in "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}"; do
-  head -1 "$file" | grep -qE '^// [^ ]' || fault "$file: the first line does not say what the file is"
-  head -1 "$file" | grep -q 'SPDX' && fault "$file: the first line does not say what the file is"
-done
+while IFS= read -r line; do fault "$line"; done < <(
+  awk '
+    FNR == 1 && FILENAME ~ /\.(cpp|h)$/ && (!/^\/\/ [^ ]/ || /SPDX/) { print FILENAME ": the first line does not say what the file is" }
+    /SPDX-License-Identifier: GPL-3.0-or-later/ { licensed[FILENAME] }
+    FNR == 8 { nextfile }
+    END { for (k = 1; k < ARGC; ++k) if (!(ARGV[k] in licensed)) print ARGV[k] ": no SPDX line at the top" }' \
+    "${headers[@]}" "${sources[@]}" "${tools[@]}" "${tests[@]}" "${scripts[@]}" Makefile)
 
 # A test is named by a sentence in one word, as WidthsAreTheDistancesOfItsFaces.
 while IFS= read -r line; do
