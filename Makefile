@@ -120,16 +120,16 @@ headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # Sources of a folder of lib/ are compiled as one (FOLDERS), because nearly half of the time of a single source goes into the precompiled
 # header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
-# well (TIDY_GROUPS). SINGLE sources have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain
+# well (TIDY_GROUPS). The two that need CGAL, and its flag (ROUNDED), are one folder's for that. SINGLE sources have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain
 # and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
-FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
+FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED)))) $(if $(JOINED),$(B)/obj/rounded/folder.o)
 TENS := $(if $(SANITIZE),$(patsubst %,$(B)/obj/tests/unit/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,unit)))))
-LIB_OBJECTS := $(call object,$(filter-out $(JOINED),$(LIB))) $(FOLDERS)
+LIB_OBJECTS := $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB))) $(FOLDERS)
 # The objects that hold these sources, joined or not.
 objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/$(dir $s)folder.o,$(call object,$s))))
 # plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
@@ -186,7 +186,7 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 # Helpers of several unit tests have one name, so each test gets a namespace of its own within its unnamed one.
 $(FOLDERS:.o=.cpp): $(B)/obj/%/folder.cpp: always
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f)) > $@.new; $(keep_new)
+	@printf '#include "%s"\n' $(if $(filter rounded,$*),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f))) > $@.new; $(keep_new)
 $(TENS:.o=.cpp): $(B)/obj/tests/unit/tests_%.cpp: always
 	@mkdir -p $(@D)
 	@for test in $$(printf '%s\n' $(call tests_of,unit) | tail -n +$* | head -n 10); do \
@@ -197,7 +197,7 @@ $(FOLDERS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@$(call compile,-iquote . $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
 # CGAL's interval arithmetic needs the rounding mode respected; its undefined-behaviour build takes longest of all files.
-$(call object,$(ROUNDED)): private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
+$(call object,$(ROUNDED)) $(B)/obj/rounded/folder.o: private CXXFLAGS += -frounding-math $(if $(SANITIZE),-fno-sanitize=undefined)
 # Sources without long loops compile under the sanitizers without optimisation, in two thirds of the time. A precompiled header
 # holds for one level of optimisation.
 COLD := $(if $(SANITIZE),$(filter $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/linear_algebra.o core/text/% analysis/tables/% gws/design/% \
