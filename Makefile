@@ -127,9 +127,10 @@ SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
-FOLDERS := $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED)))) $(if $(JOINED),$(B)/obj/rounded/folder.o)
+FOLDERS := $(if $(JOINED),$(B)/obj/rounded/folder.o) $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
 TENS := $(if $(SANITIZE),$(patsubst %,$(B)/obj/tests/unit/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,unit)))))
-LIB_OBJECTS := $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB))) $(FOLDERS)
+# The folder that needs CGAL takes longest and begins first, so that no core waits for it.
+LIB_OBJECTS := $(FOLDERS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
 objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/$(dir $s)folder.o,$(call object,$s))))
 # plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
@@ -384,8 +385,7 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@$(AGAIN) lint all $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
 	@$(AGAIN) warnings
 	@$(AGAIN) test-release
-	@$(call run_tests,build/sanitize/tests/unit)
-	@$(AGAIN) NARROW=1 test-tools test-extensions test-study
+	@$(AGAIN) NARROW=1 test-tools test-sanitized test-extensions test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
 # The sanitizers' tree is built beside the release's, so that no core waits for the last source of either.
@@ -414,6 +414,10 @@ run_tests = set -e; for t in $(1); do echo "== $$t"; seq 0 $$(($(SHARES) - 1)) |
 fused: $(B)/libsoilweave.a
 	@found=$$(objdump -d --no-show-raw-insn $< | awk '/file format/ { file = $$1 } /vfmaddsub|vfmsubadd/ { print file }' | sort -u); \
 	[ -z "$$found" ] || { echo "fused products and sums, add the sources to UNPACKED in the Makefile: $$found" >&2; exit 1; }
+
+.PHONY: test-sanitized
+test-sanitized:
+	@$(call run_tests,build/sanitize/tests/unit)
 
 .PHONY: test-release
 test-release: $(filter-out %/unit,$(TEST_PROGRAMS))
