@@ -120,8 +120,8 @@ headers_of = $(sort $(shell grep -ls 'static constexpr .* name = "' $(LISTED_$(1
 object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # Sources of a folder of lib/ are compiled as one (FOLDERS), because nearly half of the time of a single source goes into the precompiled
 # header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
-# well (TIDY_GROUPS). The two that need CGAL, and its flag (ROUNDED), are one folder's for that. SINGLE sources have flags of their own, objects that extensions or MPI replace, or need of VTK; build/plain
-# and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
+# well (TIDY_GROUPS). The two sources that need CGAL and a flag for it are joined to each other (ROUNDED). SINGLE sources have flags
+# of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
@@ -415,6 +415,7 @@ fused: $(B)/libsoilweave.a
 	@found=$$(objdump -d --no-show-raw-insn $< | awk '/file format/ { file = $$1 } /vfmaddsub|vfmsubadd/ { print file }' | sort -u); \
 	[ -z "$$found" ] || { echo "fused products and sums, add the sources to UNPACKED in the Makefile: $$found" >&2; exit 1; }
 
+# A check has built the program before, so that this does not read the sanitizers' tree again.
 .PHONY: test-sanitized
 test-sanitized:
 	@$(call run_tests,build/sanitize/tests/unit)
