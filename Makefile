@@ -121,14 +121,17 @@ object = $(patsubst %.cpp,$(B)/obj/%.o,$(1))
 # Sources of a folder of lib/ are compiled as one (FOLDERS), because nearly half of the time of a single source goes into the precompiled
 # header and into templates that its neighbours need too. Sources of one folder must have unlike names, which clang-tidy needs as
 # well (TIDY_GROUPS). The two sources that need CGAL and a flag for it are joined to each other (ROUNDED). SINGLE sources have flags
-# of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source by itself. The sanitizers' tree joins ten unit tests as well (TENS).
+# of their own, objects that extensions or MPI replace, or need of VTK; build/plain and the counters of coverage take each source by itself.
+# Benchmark tests, and unit tests in the sanitizers' tree, are joined by tens (TENS).
 ROUNDED := lib/analysis/measure/tessellation.cpp lib/packing/container/shapes/surface.cpp
 SWEPT := lib/dem/sweep/contact_sweep.cpp lib/dem/sweep/grain_motion.cpp lib/dem/engine/motion.cpp lib/dem/contact/contacts.cpp
 SINGLE := $(ROUNDED) $(SWEPT) $(LISTING) lib/core/linear_algebra.cpp lib/core/processor.cpp lib/dem/sweep/vector_width.cpp lib/fem/model/ranks.cpp \
   lib/display/paraview.cpp
 JOINED := $(if $(NO_PCH)$(COVERAGE),,$(filter-out $(SINGLE),$(LIB)))
 FOLDERS := $(if $(JOINED),$(B)/obj/rounded/folder.o) $(patsubst %,$(B)/obj/%folder.o,$(sort $(dir $(JOINED))))
-TENS := $(if $(SANITIZE),$(patsubst %,$(B)/obj/tests/unit/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,unit)))))
+tens_of = $(patsubst %,$(B)/obj/tests/$(1)/tests_%.o,$(shell seq 1 10 $(words $(call tests_of,$(1)))))
+JOINED_TESTS := $(if $(NO_PCH)$(COVERAGE),,benchmarks $(if $(SANITIZE),unit))
+TENS := $(foreach t,$(JOINED_TESTS),$(call tens_of,$(t)))
 # The folder that needs CGAL takes longest and begins first, so that no core waits for it.
 LIB_OBJECTS := $(FOLDERS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
@@ -188,11 +191,14 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 $(FOLDERS:.o=.cpp): $(B)/obj/%/folder.cpp: always
 	@mkdir -p $(@D)
 	@printf '#include "%s"\n' $(if $(filter rounded,$*),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f))) > $@.new; $(keep_new)
-$(TENS:.o=.cpp): $(B)/obj/tests/unit/tests_%.cpp: always
-	@mkdir -p $(@D)
-	@for test in $$(printf '%s\n' $(call tests_of,unit) | tail -n +$* | head -n 10); do \
-	  name=$$(basename $$test .cpp); echo "#line 1 \"$$test\""; \
-	  sed "s/^namespace {\$$/namespace { namespace $$name {/; s,^}  // namespace\$$,} }," $$test; done > $@.new; $(keep_new)
+define join_tests
+$(patsubst %.o,%.cpp,$(call tens_of,$(1))): $(B)/obj/tests/$(1)/tests_%.cpp: always
+	@mkdir -p $$(@D)
+	@for test in $$$$(printf '%s\n' $(call tests_of,$(1)) | tail -n +$$* | head -n 10); do \
+	  name=$$$$(basename $$$$test .cpp); echo "#line 1 \"$$$$test\""; \
+	  sed "s/^namespace {\$$$$/namespace { namespace $$$$name {/; s,^}  // namespace\$$$$,} }," $$$$test; done > $$@.new; $$(keep_new)
+endef
+$(foreach t,$(JOINED_TESTS),$(eval $(call join_tests,$(t))))
 $(FOLDERS) $(TENS): %.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@echo '  c++   $(<:$(B)/obj/%=%)'
 	@$(call compile,-iquote . $(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
@@ -202,7 +208,7 @@ $(call object,$(ROUNDED)) $(B)/obj/rounded/folder.o: private CXXFLAGS += -fround
 # Sources without long loops compile under the sanitizers without optimisation, in two thirds of the time. A precompiled header
 # holds for one level of optimisation.
 COLD := $(if $(SANITIZE),$(filter $(addprefix $(B)/obj/lib/,store/% files/% display/% core/cli/% core/linear_algebra.o core/text/% analysis/tables/% gws/design/% \
-  gws/output/% dem/run/% fem/mesh/% fem/run/%),$(LIB_OBJECTS)))
+  gws/identification/% gws/output/% dem/run/% fem/mesh/% fem/run/%),$(LIB_OBJECTS)))
 $(COLD): $(B)/precompiled/cold.h.gch
 $(COLD): private PRECOMPILED := $(B)/precompiled/cold.h
 $(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += -O0
@@ -254,8 +260,8 @@ $(B)/obj/lib/core/processor.o: lib/core/processor.cpp lib/core/processor.h $(B)/
 	@echo '  c++   $< (any processor)'
 	@$(call compile,$(CPPFLAGS) $(subst $(ARCHITECTURE),$(if $(X86),-march=x86-64),$(CXXFLAGS)) -c $< -o $@)
 # Tests need not be fast, but must compile fast; bench times the library.
-UNIT_OBJECTS := $(or $(TENS),$(call object,$(call tests_of,unit)))
-TEST_OBJECTS := $(UNIT_OBJECTS) $(call object,$(foreach t,$(filter-out unit,$(TESTED)),$(call tests_of,$(t))) $(SUPPORT) $(TEST_MAIN))
+objects_of_tests = $(if $(filter $(1),$(JOINED_TESTS)),$(call tens_of,$(1)),$(call object,$(call tests_of,$(1))))
+TEST_OBJECTS := $(foreach t,$(TESTED),$(call objects_of_tests,$(t))) $(call object,$(SUPPORT) $(TEST_MAIN))
 $(B)/obj/tests/%.o: private CPPFLAGS += -Itests
 $(TEST_OBJECTS): $(if $(NO_PCH),,$(PRECOMPILED_TESTS).gch)
 $(TEST_OBJECTS): private PRECOMPILED := $(PRECOMPILED_TESTS)
@@ -330,7 +336,7 @@ test-extensions: extended ## a law, a path, energy terms, a container and a tabl
 	@BIN=$(CURDIR)/$(X)/bin OMP_NUM_THREADS=1 bats tests/extension/extension.bats
 
 define test_program
-$(B)/tests/$(1): $(if $(filter unit,$(1)),$(UNIT_OBJECTS) $(LOWERED),$(call object,$(call tests_of,$(1)))) $(call object,$(SUPPORT) $(TEST_MAIN)) $(B)/libsoilweave.a
+$(B)/tests/$(1): $(call objects_of_tests,$(1)) $(if $(filter unit,$(1)),$(LOWERED)) $(call object,$(SUPPORT) $(TEST_MAIN)) $(B)/libsoilweave.a
 	@mkdir -p $$(@D)
 	@echo '  link  $$@'
 	@$$(CXX) $$(CXXFLAGS) $$(LDFLAGS) $$(filter %.o %.a,$$^) $$(LDLIBS) -lgtest -o $$@
@@ -538,13 +544,13 @@ format-check:
 	  $(call skip,format,layout of the sources,clang-format $(LAYOUT) decides it$(comma) and is not installed))
 
 # clang-tidy reads the sources of several folders as one, because most of its time goes into headers of libraries, and leaves a
-# stamp per group. Folders of a group have namespaces of their own, or unlike names.
-TIDY_GROUPS := core store+files+display dem+analysis+packing calibration+gws+fem
+# stamp per group. Folders of a group have namespaces of their own, or unlike names. The larger group takes 3 GB of memory.
+TIDY_GROUPS := core+store+files+display+tools dem+analysis+packing+calibration+gws+fem
 # It runs without OpenMP, because neither clang-tidy nor all versions of the compiler have an omp.h that it reads.
 TIDY_FLAGS = -std=c++20 $(ARCHITECTURE) -Wall -Wextra -Wpedantic -Wno-unknown-pragmas -Wno-unknown-warning-option $(CLANG_ONLY)
 TIDY_SOURCES := $(if $(NO_VTK),$(LIB),$(filter-out $(MPI_ONLY),$(LIB_ALL))) $(TOOL)
 group_of = $(or $(strip $(foreach g,$(TIDY_GROUPS),$(if $(filter $(1),$(subst +, ,$g)),$g))),$(1))
-tidied_with = build/lint/$(if $(filter lib/%,$(1)),$(call group_of,$(word 2,$(subst /, ,$(1)))),tools).tidy
+tidied_with = build/lint/$(call group_of,$(if $(filter lib/%,$(1)),$(word 2,$(subst /, ,$(1))),tools)).tidy
 TIDY := $(sort $(foreach f,$(TIDY_SOURCES),$(call tidied_with,$(f))))
 build/lint/%.tidy: .clang-tidy | $(LISTS:%=$(B)/lists/%.h)
 	@mkdir -p $(@D)

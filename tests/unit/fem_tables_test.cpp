@@ -6,21 +6,13 @@
 
 #include "core/error.h"
 #include "fem/run/tables.h"
+#include "support/messages.h"
 
 namespace soilweave::fem {
 namespace {
 
+using soilweave::test::message_of;
 using Values = std::vector<double>;
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 io::Column column(const std::string& name, Values values) { return {name, "1", "", std::move(values)}; }
 
@@ -78,7 +70,7 @@ TEST(Tables, ThoseThereAreGoByTheirNames) {
   EXPECT_EQ(table(file(), "series", "run.h5").rows(), 3U);
   EXPECT_EQ(table(file(), "loading", "run.h5").rows(), 3U);
   EXPECT_EQ(table(file(), "points", "run.h5").rows(), 8U);
-  EXPECT_EQ(message_of([] { table(file(), "bars", "run.h5"); }),
+  EXPECT_EQ(message_of<UsageError>([] { table(file(), "bars", "run.h5"); }),
             "--table bars: run.h5 has the tables loading, series, elements, nodes, points");
 }
 
@@ -88,8 +80,9 @@ TEST(Tables, AStateIsAllRowsOfOneStep) {
   EXPECT_EQ(of_state(points, "0", "points").at("q").values, (Values{1, 2, 3, 4}));
   EXPECT_EQ(of_state(points, "all", "points").rows(), 8U);
   EXPECT_EQ(of_state(loading(file()), "1", "loading").at("time").values, Values{1});
-  EXPECT_EQ(message_of([&] { of_state(points, "2", "points"); }), "--state 2: the table points holds 2 states, 0 to 1");
-  EXPECT_EQ(message_of([] { of_state(table(file(), "elements", ""), "last", "elements"); }),
+  EXPECT_EQ(message_of<UsageError>([&] { of_state(points, "2", "points"); }),
+            "--state 2: the table points holds 2 states, 0 to 1");
+  EXPECT_EQ(message_of<UsageError>([] { of_state(table(file(), "elements", ""), "last", "elements"); }),
             "--state last: the table elements has no states; leave --state out");
 }
 
@@ -98,11 +91,11 @@ TEST(Tables, APlaceIsThePointNearestToItAtTheStart) {
   EXPECT_EQ(near(file(), "points", {0.5, 0.5}).at("q").values, (Values{1, 11}));  // all are equally near: the first
   EXPECT_EQ(near(file(), "nodes", {0.9, 0.8}).at("node").values, Values{2});
   EXPECT_EQ(near(file(), "nodes", {0, 1 + 1e-9}).at("node").values, Values{3});  // rounding is not outside
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(message_of<UsageError>([] {
               near(file(), "points", {0.5, 1.2});
             }),
             "--near 0.5,1.2: lies outside of the soil, which reaches from 0,0 to 1,1 m");
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(message_of<UsageError>([] {
               near(file(), "elements", {0, 0});
             }),
             "--near belongs to --table points or nodes, not to elements");

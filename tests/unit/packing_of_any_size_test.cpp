@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "analysis/tables/material_doubts.h"
@@ -15,16 +14,17 @@
 #include "packing/generate/ahead.h"
 #include "packing/generate/doubtful.h"
 #include "support/assemblies.h"
+#include "support/clouds.h"
+#include "support/messages.h"
 
 namespace soilweave::packing {
 namespace {
 
-constexpr double thesis_radius = 2.953e-3;
+using support::sparse;
+using test::message_of;
+using test::number_after;
 
-io::Snapshot sparse(std::size_t grains, double void_ratio = 2.0) {
-  const Room room{Grading::toyoura(), 3, {1, 1, 1}, void_ratio};
-  return cloud(grain_radii(room, grains, GrainSize{true, {}}), void_ratio, {1, 1, 1}, 3, 2650e3, 3);
-}
+constexpr double thesis_radius = 2.953e-3;
 
 // Returns the state with all lengths times `factor`, at the same density.
 io::Snapshot scaled(io::Snapshot state, double factor) {
@@ -38,24 +38,6 @@ io::Snapshot scaled(io::Snapshot state, double factor) {
 dem::Model sand_with_moments(double stiffness) {
   const dem::Resistance moment{stiffness, dem::Resistance::Scale::absolute, {}, dem::Resistance::Arm::mean_radius};
   return {std::vector<dem::HertzMindlin::Material>{{4e9, 0.33, 29 * support::degree, {}, moment, moment}}};
-}
-
-// Returns the message of the error of this type that `work` throws; "" without one.
-template <class Error, class Work>
-std::string message_of(const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-// Returns the number after these words of a message.
-double number_after(const std::string& words, const std::string& message) {
-  const std::size_t at = message.find(words);
-  EXPECT_NE(at, std::string::npos) << message;
-  return at == std::string::npos ? 0 : std::strtod(message.c_str() + at + words.size(), nullptr);
 }
 
 TEST(Standard, ThesisGrainsHaveTheThesisStiffnessAndOthersByTheCubeOfTheirSize) {
@@ -121,21 +103,6 @@ TEST(Ahead, RefusesAPressureThatPushesGrainsThroughEachOtherAndNamesOneThatDoesN
   EXPECT_NO_THROW(compact(sparse(60), support::sand(), {}, recipe));
 }
 
-TEST(Ahead, RefusesACloudThatDoesNotCloseAndNamesRateAndDensityThatCloseIt) {
-  io::Snapshot light = sparse(60);
-  for (double& m : light.grains.mass) m *= 1e-9;
-  Recipe recipe;
-  recipe.pressure = 1e5, recipe.tolerances.unbalanced_force = 1e-2, recipe.max_rate = 0.1;
-  const auto work = [&] { compact(light, support::sand(), {}, recipe); };
-  const std::string said = message_of<DataError>(work);
-  const double rate = number_after("raise the rate to ", said), density = number_after("scale the density by ", said);
-  for (double& m : light.grains.mass) m *= density;
-  EXPECT_NO_THROW(work());
-  for (double& m : light.grains.mass) m /= density;
-  recipe.max_rate = rate;
-  EXPECT_NO_THROW(work());
-}
-
 TEST(Room, NamesANumberOfGrainsAndASizeThatAreEnough) {
   const Grading wide{{1e-3, 2e-3, 5e-3, 10e-3, 20e-3}, {0, 0.1, 0.3, 0.5, 1}};
   const Room room{wide, 3, {1, 1, 1}, 0.7};
@@ -159,41 +126,6 @@ TEST(Grading, IsCutAtASize) {
   EXPECT_EQ(curve.up_to(2).diameter, (std::vector<double>{1, 2}));
   EXPECT_EQ(curve.up_to(9).diameter, curve.diameter);
   EXPECT_THROW(curve.up_to(0.5), DataError);
-}
-
-TEST(Compact, NamesTheVoidRatiosInReachAndTheyAre) {
-  Recipe recipe;
-  recipe.pressure = 1e5;
-  recipe.void_ratio = 1.5;
-  const auto work = [&] { return compact(sparse(80), support::sand(), {}, recipe); };
-  const double loosest = number_after("ask for at most ", message_of<TargetNotReached>(work));
-  recipe.void_ratio = 0.2;
-  const double densest = number_after("ask for one from ", message_of<TargetNotReached>(work));
-  EXPECT_LT(densest, loosest - 0.05);
-  for (const double e : {densest, loosest}) {
-    recipe.void_ratio = e;
-    const Result result = work();
-    EXPECT_NEAR(result.void_ratio, e, 0.002);
-    EXPECT_FALSE(result.unheld);
-  }
-}
-
-// The first attempt misses so narrow a tolerance; further ones start from the same cloud.
-TEST(Compact, BeginsAgainWhereAVoidRatioIsNotHeld) {
-  Recipe recipe;
-  recipe.pressure = 1e5;
-  recipe.void_ratio = 0.72, recipe.void_ratio_tolerance = 2e-5;
-  recipe.most_attempts = 1;
-  const Result once = compact(sparse(80), support::sand(), {}, recipe);
-  ASSERT_TRUE(once.unheld);
-  EXPECT_NEAR(number_after("at last at ", *once.unheld), once.void_ratio, 1e-4);
-  recipe.most_attempts = 12;
-  const Result often = compact(sparse(80), support::sand(), {}, recipe);
-  EXPECT_GT(often.cost.steps, once.cost.steps);
-  EXPECT_LT(std::abs(often.void_ratio - 0.72), std::abs(once.void_ratio - 0.72));
-  const dem::Simulation s(often.state, support::sand(), {});
-  EXPECT_LE(s.unbalanced_force(), 1e-3);
-  EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 2e2);
 }
 
 TEST(Doubtful, StiffnessOfAnotherSizeIsDoubtedWithTheOneThatFits) {

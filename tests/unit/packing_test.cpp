@@ -152,12 +152,6 @@ TEST(Cloud, RefusesACellTooSmallForItsGrains) {
   EXPECT_THROW(cloud(Grading::toyoura().radii(300, 3), 0.5, {1, 1, 1}, 3, 1, 0), DataError);
 }
 
-io::Snapshot loose(int dimension) {
-  std::vector<double> radii = Grading::toyoura().radii(200, dimension);
-  for (double& r : radii) r *= 0.58;
-  return cloud(radii, 2.0, {1, 1, 1}, dimension, 2650e3, 3);
-}
-
 // Returns the share of grains whose nearest grain is within fifty rows.
 double share_side_by_side(const io::GrainsRecord& g) {
   double sum = 0;
@@ -219,43 +213,6 @@ TEST(SpatialOrder, LeavesWhatACacheHoldsAndRowsThatAreNamed) {
   EXPECT_NE(in_spatial_order(touching).grains.position, touching.grains.position);
   touching.contacts.bodies.push_back({0, 1});
   EXPECT_EQ(in_spatial_order(touching).grains.position, touching.grains.position);
-}
-
-TEST(Compact, HoldsVoidRatioAndPressureAtFullFriction) {
-  Recipe recipe;
-  recipe.pressure = 1e5;
-  recipe.void_ratio = 0.70;
-  const Result result = compact(loose(3), support::sand(), {}, recipe);
-  const dem::Simulation s(result.state, support::sand(), {});
-  EXPECT_NEAR(s.void_ratio(), 0.70, 0.002);
-  EXPECT_NEAR(s.measures().stress(0, 0), 1e5, 1e2);
-  EXPECT_LE(s.unbalanced_force(), 1e-3);
-  EXPECT_LT(result.friction_angle, 29 * support::degree);
-  EXPECT_EQ(s.strain(), Vec3(Vec3::Zero()));
-}
-
-TEST(Compact, MakesDisksByTheSamePath) {
-  Recipe recipe;
-  recipe.pressure = 1e3;
-  const dem::Model model = support::linear_sand();
-  const double loosest = compact(loose(2), model, {}, recipe).void_ratio;
-  recipe.void_ratio = loosest - 0.01;
-  EXPECT_NEAR(compact(loose(2), model, {}, recipe).void_ratio, loosest - 0.01, 0.002);
-}
-
-TEST(Compact, SaysWhyAVoidRatioCannotBeReached) {
-  Recipe recipe;
-  recipe.pressure = 1e5;
-  for (const auto& [target, reason] :
-       {std::pair(1.2, "at the full friction angle"), std::pair(0.3, "without friction")}) {
-    recipe.void_ratio = target;
-    try {
-      compact(loose(3), support::sand(), {}, recipe);
-      FAIL() << target << " was reached";
-    } catch (const TargetNotReached& e) {
-      EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
-    }
-  }
 }
 
 }  // namespace

@@ -9,10 +9,15 @@
 #include "core/error.h"
 #include "dem/run/geotextile.h"
 #include "dem/run/run.h"
-#include "packing/expand/plan.h"
+#include "support/strip.h"
 
 namespace soilweave::dem {
 namespace {
+
+using support::move;
+using support::pe_points;
+using support::pulled;
+using support::strip;
 
 const WireCurve pe{"PE", {0.02, 0.06, 0.17035}, {8.4, 20.6, 47.5}, 420};
 
@@ -40,72 +45,6 @@ TEST(Wire, BreaksBeyondItsLastPointForGood) {
   EXPECT_EQ(pull(pe, 0.17036, history), 0);
   EXPECT_TRUE(history.broken);
   EXPECT_EQ(pull(pe, 0.05, history), 0);
-}
-
-const std::string node =
-    "law = \"hertz-mindlin\"\nyoung_modulus = \"8 GPa\"\npoisson_ratio = 0.33\nfriction_angle = 21\n";
-const std::string materials = "[contact]\n" + node + "[[material]]\n" + node.substr(node.find('\n') + 1);
-
-// Returns a strip one cell wide and n long, with 5 mm yarns; two cells hang between the clamps of its ends.
-io::Snapshot strip(int n) {
-  const packing::Plan plan = packing::read_plan(
-      "[container]\nshape = \"none\"\n[[sheet]]\ncells = [1, " + std::to_string(n) + ", 1]\n" + materials, "plan", {});
-  return packing::assemble({}, plan);
-}
-
-Scenario pulled(const std::string& curve, const std::string& stages, double half) {
-  const auto box = [](double low, double high) {
-    return "low = [-1, " + std::to_string(low) + ", -1]\nhigh = [1, " + std::to_string(high) + ", 1]\n";
-  };
-  return read_scenario(materials + "[[geotextile]]\n" + curve + "[[clamp]]\nname = \"left\"\n" +
-                           box(-half - 1e-3, -half + 1e-3) + "[[clamp]]\nname = \"right\"\n" +
-                           box(half - 1e-3, half + 1e-3) +
-                           "[equilibrium]\nunbalanced_force = 1e-9\n[numerics]\ndamping = 0.8\n" + stages,
-                       "test", {});
-}
-
-constexpr double slow = 1e-3;  // m/s
-
-std::string move(double distance, int parts, double speed = slow) {
-  return "[[stage]]\npath = \"drive\"\nparts = " + std::to_string(parts) +
-         "\n[[stage.move]]\npart = \"right\"\nalong = [0, " + (distance > 0 ? "1" : "-1") +
-         ", 0]\ndistance = " + std::to_string(std::abs(distance)) + "\nspeed = " + std::to_string(speed) + "\n";
-}
-
-const std::string pe_points = "yarn_strain = [0.02, 0.06, 0.17035]\nyarn_tension = [8.4, 20.6, 47.5]\n";
-
-// Expects the curve of a strip of n yarns in a row, in two rows, that is pulled, eased and pulled until it breaks.
-void expect_curve(int n, double tolerance, double speed = slow) {
-  const double length = 0.005 * n;
-  const io::Snapshot start = strip(n);
-  const Scenario plan =
-      pulled(pe_points, move(0.09 * length, 9, speed) + move(-0.02 * length, 2, speed) + move(0.12 * length, 12, speed),
-             0.5 * length);
-  const io::RunFile run = dem::run(prepare(start, plan), plan, {}).file;
-  const auto& way = run.series.at("displacement_right_y").values;
-  const auto& force = run.series.at("force_right_y").values;
-  WireHistory history;
-  for (std::size_t k = 0; k < way.size(); ++k)
-    EXPECT_NEAR(-force[k], 2 * pull(pe, way[k] / length, history), tolerance * 2 * 47.5) << "station " << k;
-  EXPECT_TRUE(history.broken) << "the last stations lie beyond the last point of the curve";
-  const io::YarnsRecord& yarns = run.snapshots.back().yarns;
-  for (std::size_t k = 0; k < yarns.size(); ++k)
-    if (yarns.broken[k]) {
-      EXPECT_GT(yarns.break_time[k], 0);
-      EXPECT_LT(std::abs(yarns.break_position[k].x()), 3e-3);
-      // The node is half way between a fixed clamp and one that has moved by the breaking strain.
-      if (n == 1) {
-        EXPECT_NEAR(yarns.break_position[k].y(), 0.5 * 0.17035 * length, 1e-3 * length);
-      }
-    }
-}
-
-TEST(Strip, OfOneYarnCarriesItsCurveUnloadsAtTheSlopeAndBreaks) { expect_curve(1, 1e-6); }
-
-// Yarns in a row yield one before the other, because the pull sends a wave along: its speed over that of the wave, 1e-3
-// over 8.8 m/s, is the difference in strain. A pull five times slower is five times nearer to the curve.
-TEST(Strip, OfSeveralYarnsDoesSoInTheLimitOfASlowPull) {
-  for (const double speed : {slow, slow / 5}) expect_curve(4, 0.5 * speed, speed);
 }
 
 TEST(Strip, EnergyOfYieldingIsAccountedFor) {
