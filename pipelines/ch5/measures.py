@@ -125,6 +125,29 @@ def measure_all_bags(study, grains):
     for name in OWN:
         unit = "Pa" if name == "alpha" else "1"
         study.measure(f"own_{name}", lambda name=name, unit=unit: grains.own("constants")(name, unit)[0], unit)
+    study.measure("own_kappa_strained", lambda: kappa_of_strained(grains.own("near_failure_line")), "1")
+    for g in RECORDED:
+        study.measure(f"uc_preload_obliquity_{g}", lambda g=g: grains.bag(g)["obliquity"][0], "1")
+        study.measure(f"recorded_preload_obliquity_{g}", preload_obliquity(grains.record[g]), "1")
+
+
+def preload_obliquity(record):
+    """Returns q/p in the first row of a record, under the preload."""
+    return record["deviatoric_stress"][0] / record["mean_stress"][0]
+
+
+def kappa_of_strained(points):
+    """Returns kappa of the near-failure line, M_f - q/p = kappa/(eps_d + lambda) - xi (thesis Eq. 5.4), without the states under the preload.
+
+    For a lambda, kappa and xi follow by linear least squares. The lambda, in steps of 0.002 up to 6, is that of the least sum.
+    """
+    strained = points["strain_deviatoric"] > 0
+    strain, distance = points("strain_deviatoric", "%")[strained], points("distance_to_failure", "1")[strained]
+
+    def fit(offset):
+        constants, squares, *_ = numpy.linalg.lstsq(numpy.column_stack((1 / (strain + offset), -numpy.ones_like(strain))), distance, rcond=None)
+        return squares[0], constants[0]
+    return min(fit(offset) for offset in numpy.arange(0.2, 6, 0.002))[1]
 
 
 def determined(table, column, unit):

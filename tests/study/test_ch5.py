@@ -150,6 +150,14 @@ def test_measures_of_bags_by_hand(study):
     assert value["own_alpha"] == 26.1e6
 
 
+def test_kappa_comes_back_without_the_states_under_the_preload(tmp_path):
+    strain = numpy.array([0, 0.01, 0.02, 0.04, 0, 0.07, 0.11])
+    distance = numpy.where(strain > 0, 1.386 / (100 * strain + 1.27) - 0.035, 0.7)  # thesis Table 5.2
+    points = write(tmp_path / "points.tsv", strain_deviatoric=strain, distance_to_failure=distance)
+    assert measures.kappa_of_strained(points) == pytest.approx(1.386, rel=1e-6)
+    assert measures.preload_obliquity(Grains(tmp_path, tmp_path).record["PE"]) == pytest.approx(1.38, abs=0.005)
+
+
 def test_measures_of_directions_by_hand(study):
     value = {name: m.value for name, m in study.measures.items()}
     assert value["sigma_1_inclined"] == 0 and value["sigma_2_turns"] == 0
