@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
+#include "gws/design/beside_grains.h"
 #include "gws/design/design.h"
 #include "gws/design/factors.h"
+#include "gws/output/report.h"
 #include "gws/solution/data_sheet.h"
 #include "gws/solution/estimate.h"
 #include "gws/solution/matsuoka_liu.h"
@@ -222,6 +228,66 @@ TEST(GwsEstimate, ASofterSoilSettlesMore) {
           for (std::size_t i = 1; i < settlement.size(); ++i)
             EXPECT_GT(settlement[i], 1.5 * settlement[i - 1]) << friction << ' ' << pressure << ' ' << geotextile << i;
       }
+}
+
+// Returns the ultimate surcharges of the solution over those of the kept runs, bags ("0, bag") or cells ("10"), as
+// read.
+std::vector<double> kept_ratios(const std::string& lateral) {
+  std::ifstream file("pipelines/ch5/kept/misfits.tsv");
+  EXPECT_TRUE(file) << "run the tests from the top folder";
+  std::vector<double> ratios;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> words;
+    std::istringstream row(line);
+    for (std::string word; std::getline(row, word, '\t');) words.push_back(word);
+    if (words.at(0) == "Table 5.2" && words.at(2) == lateral) ratios.push_back(std::stod(words.at(3)));
+  }
+  return ratios;
+}
+
+TEST(GwsBesideGrains, IsWhatTheKeptRunsTell) {
+  for (const auto& [runs, lateral] : {std::pair(bags_of_grains(), "0, bag"), std::pair(cells_of_grains(), "10")}) {
+    const std::vector<double> kept = kept_ratios(lateral);
+    ASSERT_EQ(runs.size(), kept.size()) << lateral;
+    for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_DOUBLE_EQ(runs[k].ratio, kept[k]) << lateral << ' ' << k;
+    const auto [least, most] = std::minmax_element(kept.begin(), kept.end());
+    const std::string span =
+        std::to_string(std::lround(100 * *least - 100)) + "-" + std::to_string(std::lround(100 * *most - 100)) + " %";
+    EXPECT_NE(assumptions.find(span), std::string_view::npos) << "the help tells another range than " << span;
+  }
+}
+
+TEST(GwsBesideGrains, TellsTheRunsOnBothSidesOfAStiffness) {
+  Case bag;
+  const auto told = [&](double stiffness) {
+    bag.geotextile.stiffness = stiffness;
+    return beside_grains(bag);
+  };
+  EXPECT_NE(told(232e3).find("1.07 times that of a full-size bag of discrete elements with 232 kN/m."),
+            std::string::npos);
+  EXPECT_NE(told(300e3).find("elements with 232 kN/m and 1.04 times that of one with 464 kN/m."), std::string::npos);
+  EXPECT_NE(told(20e3).find("is 1.15 times that of a full-size bag of discrete elements with 53 kN/m."),
+            std::string::npos);
+  EXPECT_NE(told(5e6).find("is 1.00 times that of a full-size bag of discrete elements with 1160 kN/m."),
+            std::string::npos);
+  bag.lateral = LateralStress::constant(20e3);
+  EXPECT_NE(told(232e3).find("cell of discrete elements under 10 kPa of lateral stress with 232 kN/m"),
+            std::string::npos);
+}
+
+TEST(GwsBesideGrains, SaysNothingWhereNoRunIsComparable) {
+  Case bag;
+  ASSERT_NE(beside_grains(bag), "");
+  Case other = bag;
+  other.soil.M = 1.2;
+  EXPECT_EQ(beside_grains(other), "");
+  other = bag;
+  other.bag.height = 0.1;
+  EXPECT_EQ(beside_grains(other), "");
+  other = bag;
+  other.reduction = 1.5;
+  EXPECT_EQ(beside_grains(other), "");
+  EXPECT_EQ(conditions(bag, Factors{.soil = 1.25}, false).find("full-size"), std::string::npos);
 }
 
 }  // namespace

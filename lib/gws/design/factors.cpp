@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "gws/design/beside_grains.h"
 #include "gws/solution/matsuoka_liu.h"
 #include "gws/solution/path.h"
 
@@ -65,6 +66,7 @@ std::string conditions(const Case& bag, const Factors& factors, bool chosen) {
                  : ", the default: in the thesis's discrete elements the mean tension was half of\n"
                    "the strength when the bag failed, for spheres of 5 mm stand for a fabric of 0.4 mm (section 5.4); "
                    "--strength-fraction 1 takes all.\n";
+  if (factors.soil == 1) text += beside_grains(bag);
   if (factors.reduction() != 1)
     text += fmt::format(
         "Long-term strength: {:.4g} kN/m over creep {:.4g}, installation {:.4g}, durability {:.4g} leaves {:.4g} kN/m; "

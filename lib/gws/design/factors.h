@@ -29,7 +29,8 @@ struct Factors {
 };
 
 /// Returns the basis of an answer, one sentence a line: the fraction of the strength and its source, factors other than
-/// 1, and Matsuoka and Liu's closed form. chosen: the fraction was given.
+/// 1, full-size runs of discrete elements beside it (beside_grains()), and Matsuoka and Liu's closed form. chosen: the
+/// fraction was given.
 std::string conditions(const Case& bag, const Factors& factors, bool chosen);
 
 }  // namespace soilweave::gws

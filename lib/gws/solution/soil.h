@@ -45,6 +45,7 @@ struct Soil {
 
   /// Returns Young's modulus of the wrapped soil, Pa. J: stiffness of the geotextile, N/m.
   double young_modulus(double J) const;
+  bool operator==(const Soil&) const = default;
 };
 
 /// Description of one constant.

@@ -1,0 +1,28 @@
+// The ultimate load of the solution beside full-size bags and cells of discrete elements.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "gws/solution/respond.h"
+
+namespace soilweave::gws {
+
+/// Ultimate surcharge of the solution for Toyoura sand over that of a full-size run.
+struct BesideGrains {
+  /// Tensile stiffness of the geotextile, N/m; ratio of the surcharges, 1.
+  double stiffness, ratio;
+};
+
+/// Returns the seven bags of chapter 5, by rising stiffness (pipelines/ch5/kept/misfits.tsv).
+std::span<const BesideGrains> bags_of_grains();
+/// Returns the cells of wrapped soil under 10 kPa of lateral stress, by rising stiffness (the table above).
+std::span<const BesideGrains> cells_of_grains();
+
+/// Returns how the ultimate load of `bag` compares with that of the runs nearest in stiffness, as a line. The line is
+/// empty where no run is comparable: another soil than Toyoura sand, another bag, or a failure that is not counted at
+/// half of the whole strength.
+std::string beside_grains(const Case& bag);
+
+}  // namespace soilweave::gws
