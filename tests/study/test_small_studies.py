@@ -35,13 +35,6 @@ def write(path, columns, unit="1"):
     path.write_text("\t".join(f"{h[0]} [{(h + [unit])[1]}]" for h in heads) + "\n" + rows + "\n")
 
 
-class Undrawn(Study):
-    """A study whose figures are drawn and then dropped, since the columns that they read are all that matters here."""
-
-    def figure(self, *_, **__):
-        pass
-
-
 @pytest.fixture(autouse=True)
 def in_the_tree(monkeypatch):
     monkeypatch.chdir(ROOT)
@@ -58,7 +51,7 @@ def test_columns_of_the_quickstart(tmp_path):
         write(tmp_path / f"fabric_triaxial_{p}_1.tsv", "step strain_axial stress_obliquity_from_fabric stress_obliquity a_c a_n a_t")
 
     def reader(act):
-        return lambda: act(Undrawn("quickstart", "", tmp_path, "quick"), module.Runs(tmp_path, [1]))
+        return lambda: act(Study("quickstart", "", tmp_path, "quick"), module.Runs(tmp_path, [1]))
     assert demand_columns(map(reader, (module.measure_packings, module.measure_tests, module.draw))) > 60
 
 
@@ -70,7 +63,7 @@ def test_columns_of_the_packings(tmp_path):
         write(tmp_path / f"series_triaxial_1000_1_{twin}.tsv", SERIES)
 
     def drawn():
-        study = Undrawn("packings", "", tmp_path, "quick")
+        study = Study("packings", "", tmp_path, "quick")
         study.expect(ROOT / "pipelines/packings/expected.tsv")
         module.draw(study, [1])
     assert demand_columns([lambda: module.measure(Study("packings", "", tmp_path, "quick"), [1]), drawn]) == 11
@@ -95,8 +88,8 @@ def test_columns_of_chapter_5(tmp_path):
         write(tmp_path / f"{name}.tsv", columns)
 
     def reader(act):
-        return lambda: act(Undrawn("ch5", "", tmp_path, "quick"), module.Runs(tmp_path))
-    readers = [lambda: module.measure_trends(Undrawn("ch5", "", tmp_path, "quick"), module.Runs(tmp_path).uniaxial),
+        return lambda: act(Study("ch5", "", tmp_path, "quick"), module.Runs(tmp_path))
+    readers = [lambda: module.measure_trends(Study("ch5", "", tmp_path, "quick"), module.Runs(tmp_path).uniaxial),
                reader(lambda study, runs: [module.measure_beside_record(study, g, runs.uniaxial[g], r) for g, r in runs.recorded.items()]),
                *map(reader, (module.measure_triaxial, module.measure_constants, module.draw_uniaxial, module.draw_lines,
                              module.draw_stiffness, module.draw_triaxial, module.draw_design))]
