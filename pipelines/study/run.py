@@ -18,7 +18,7 @@ from .tables import write_table
 from .texts import Texts
 from .words import quantity, spell
 
-FIRST_SCREEN = 120  # words that lead, headline and score may have together
+FIRST_SCREEN = 90  # words that lead and headline may have together; the score, whose words depend on the runs, has room for 30 more
 
 
 @dataclasses.dataclass
@@ -78,7 +78,7 @@ class Study:
     name: its folder in pipelines/. judged: whether this run has the full size, for which published values hold. The page of a smaller
     run shows published values beside its own and those of a kept full-size run, and judges the kept run alone.
     lead: what was done. headline: what came out, in one sentence with numbers from say(). Both are text or markup
-    (markupsafe.Markup), and with the score not longer than FIRST_SCREEN. history: how a file of the study came to be.
+    (markupsafe.Markup), together not longer than FIRST_SCREEN. history: how a file of the study came to be.
     digits: to which measures are kept before they are compared; six are those of measured.tsv, None keeps all.
     """
 
@@ -334,7 +334,7 @@ class Study:
         """Writes all files of the study into its folder, each at once whole."""
         groups = self.rows()
         score = self.score(groups)
-        self._check_first_screen(score)
+        self._check_first_screen()
         self.write_tables()
         rows = [row for _, some in groups for row in some]
         shown = self._shown()
@@ -354,12 +354,12 @@ class Study:
         order = list(self._texts.figures if self._texts else ())
         return [self._figures[name] for name in sorted(self._figures, key=lambda name: order.index(name) if name in order else len(order))]
 
-    def _check_first_screen(self, score):
+    def _check_first_screen(self):
         if not (self.lead and self.headline and self._figures):
             raise StudyError(f"{self.name}: a page opens with a lead, a headline and a figure; set study.lead and study.headline")
-        words = len(re.sub(r"<[^>]*>", " ", f"{self.lead} {self.headline} {score}").split())
+        words = len(re.sub(r"<[^>]*>", " ", f"{self.lead} {self.headline}").split())
         if words > self.first_screen:
-            raise StudyError(f"{self.name}: lead, headline and score have {words} words; {self.first_screen} are what a first screen holds")
+            raise StudyError(f"{self.name}: lead and headline have {words} words; {self.first_screen} are what a first screen holds")
 
     def write_tables(self):
         """Writes the measurements, the published values beside them, and the figures: all files except the page."""
