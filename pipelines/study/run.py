@@ -18,7 +18,7 @@ from .tables import write_table
 from .texts import Texts
 from .words import quantity, spell
 
-FIRST_SCREEN = 90  # words that lead and headline may have together; the score, whose words depend on the runs, has room for 30 more
+FIRST_SCREEN = 100  # words that lead and headline may have together; how long the score below them is depends on the runs
 
 
 @dataclasses.dataclass
