@@ -263,16 +263,16 @@ TEST(GwsBesideGrains, TellsTheRunsOnBothSidesOfAStiffness) {
     bag.geotextile.stiffness = stiffness;
     return beside_grains(bag);
   };
-  EXPECT_NE(told(232e3).find("1.07 times that of a full-size bag of discrete elements with 232 kN/m."),
+  EXPECT_NE(told(232e3).find("bags of discrete elements in the same geotextile, is 1.07 with 232 kN/m.\n"),
             std::string::npos);
-  EXPECT_NE(told(300e3).find("elements with 232 kN/m and 1.04 times that of one with 464 kN/m."), std::string::npos);
-  EXPECT_NE(told(20e3).find("is 1.15 times that of a full-size bag of discrete elements with 53 kN/m."),
-            std::string::npos);
-  EXPECT_NE(told(5e6).find("is 1.00 times that of a full-size bag of discrete elements with 1160 kN/m."),
-            std::string::npos);
-  bag.lateral = LateralStress::constant(20e3);
-  EXPECT_NE(told(232e3).find("cell of discrete elements under 10 kPa of lateral stress with 232 kN/m"),
-            std::string::npos);
+  EXPECT_NE(told(300e3).find(" is 1.07 with 232 kN/m and 1.04 with 464 kN/m.\n"), std::string::npos);
+  EXPECT_NE(told(20e3).find(" is 1.15 with 53 kN/m.\n"), std::string::npos);
+  EXPECT_NE(told(5e6).find(" is 1.00 with 1160 kN/m.\n"), std::string::npos);
+  for (const LateralStress& lateral : {LateralStress::constant(20e3), LateralStress{{0, 1e5}, {0, 2e4}}}) {
+    bag.lateral = lateral;
+    EXPECT_NE(told(232e3).find("under 10 kPa of lateral stress in the same geotextile, is 1.20 with 232 kN/m.\n"),
+              std::string::npos);
+  }
 }
 
 TEST(GwsBesideGrains, SaysNothingWhereNoRunIsComparable) {
@@ -286,6 +286,9 @@ TEST(GwsBesideGrains, SaysNothingWhereNoRunIsComparable) {
   EXPECT_EQ(beside_grains(other), "");
   other = bag;
   other.reduction = 1.5;
+  EXPECT_EQ(beside_grains(other), "");
+  other = bag;
+  other.initial_settlement = 0.02;
   EXPECT_EQ(beside_grains(other), "");
   EXPECT_EQ(conditions(bag, Factors{.soil = 1.25}, false).find("full-size"), std::string::npos);
 }

@@ -18,7 +18,7 @@ constexpr std::array<BesideGrains, 3> cells{{{53e3, 1.17}, {232e3, 1.20}, {1160e
 bool comparable(const Case& bag) {
   const Bag thesis;
   return bag.soil == Soil{} && bag.bag.width == thesis.width && bag.bag.height == thesis.height &&
-         bag.usable_share() == 0.5;
+         bag.usable_share() == 0.5 && !bag.initial_settlement && !bag.initial_surcharge;
 }
 
 // Returns the sentence about the runs on both sides of a stiffness, or about the one that has it or is nearest.
@@ -27,12 +27,11 @@ std::string sentence(std::span<const BesideGrains> runs, double stiffness, std::
                                       [](const BesideGrains& run, double J) { return run.stiffness < J; });
   const bool alone = above == runs.begin() || above == runs.end() || above->stiffness <= stiffness * (1 + 1e-3);
   const BesideGrains& nearest = above == runs.end() ? runs.back() : *above;
-  const auto told = [&](const BesideGrains& run, std::string_view whose) {
-    return fmt::format("{:.2f} times {} with {:.4g} kN/m", run.ratio, whose, run.stiffness / 1e3);
+  const auto told = [](const BesideGrains& run) {
+    return fmt::format("{:.2f} with {:.4g} kN/m", run.ratio, run.stiffness / 1e3);
   };
-  const std::string that = fmt::format("that of a full-size {}", what);
-  return fmt::format("At failure the solution's load is {}.\n",
-                     alone ? told(nearest, that) : told(*(above - 1), that) + " and " + told(nearest, "that of one"));
+  return fmt::format("The solution's load at failure, over that of full-size {} in the same geotextile, is {}{}.\n",
+                     what, alone ? "" : told(*(above - 1)) + " and ", told(nearest));
 }
 
 }  // namespace
@@ -44,8 +43,9 @@ std::span<const BesideGrains> cells_of_grains() { return cells; }
 std::string beside_grains(const Case& bag) {
   if (!comparable(bag)) return "";
   const double J = bag.geotextile.stiffness;
-  return bag.lateral.at(0) > 0 ? sentence(cells, J, "cell of discrete elements under 10 kPa of lateral stress")
-                               : sentence(bags, J, "bag of discrete elements");
+  const bool beside = std::ranges::any_of(bag.lateral.lateral, [](double stress) { return stress > 0; });
+  return beside ? sentence(cells, J, "cells of discrete elements under 10 kPa of lateral stress")
+                : sentence(bags, J, "bags of discrete elements");
 }
 
 }  // namespace soilweave::gws

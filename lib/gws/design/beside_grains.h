@@ -21,8 +21,8 @@ std::span<const BesideGrains> bags_of_grains();
 std::span<const BesideGrains> cells_of_grains();
 
 /// Returns how the ultimate load of `bag` compares with that of the runs nearest in stiffness, as a line. The line is
-/// empty where no run is comparable: another soil than Toyoura sand, another bag, or a failure that is not counted at
-/// half of the whole strength.
+/// empty where no run is comparable: another soil than Toyoura sand, another bag, a compacted one, or a failure that is
+/// not counted at half of the whole strength.
 std::string beside_grains(const Case& bag);
 
 }  // namespace soilweave::gws
