@@ -17,6 +17,9 @@ PYTHON ?= /usr/bin/python3
 STUDY_PY := PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=pipelines $(PYTHON) -P
 STUDY := $(wildcard pipelines/study/*.py pipelines/study/templates/*)
 
+# Geotextiles that scenarios and gws-solve know by name.
+GEOTEXTILES := $(wildcard data/geotextiles/*.toml)
+
 # A comma, which functions of make take for the end of an argument.
 comma := ,
 

@@ -56,9 +56,13 @@ c2_after = $(patsubst %:$*,$(C2O)/%/posterior.h5,$(filter %:$*,$(C2_PAIRS)))
 .PHONY: ch2
 ch2: $(C2O)/page.html ## contact parameters identified with the particle filter (thesis: 2000 runs a case; C2_CASES=...)
 
-# Remembers what the variables above decide; ensembles depend on it.
+# Remember what the variables above decide: ensembles, the runs of the identified set, and the page depend on it.
 $(C2O)/settings: always
-	@$(call remember,$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR))
+	@$(call remember,$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR) $(C2_STRAIN_peak) $(C2_ERROR_peak) $(C2_STATIONS) $(C2_BASES))
+$(C2O)/twins: always
+	@$(call remember,$(C2_TWINS))
+$(C2O)/cases: always
+	@$(call remember,$(C2_CASES))
 
 $(C2O)/packing_%.h5: $(BIN)/pack-generate
 	@mkdir -p $(@D)
@@ -81,8 +85,8 @@ $(foreach t,$(C2_OF_ROUNDS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
 
 # The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go. Weights are
 # not used there, so that any error will do.
-$(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis)
-	@$(STUDY_PY) $^ --twins $(C2_TWINS) $(call whole,$@)
+$(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis) $(C2O)/twins
+	@$(STUDY_PY) $(filter-out %/twins,$^) --twins $(C2_TWINS) $(call whole,$@)
 $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
 	@BIN=$(BIN) $(CALIBRATION)/ensemble.sh $< $(C2O)/$*/check $(c2_law) $(c2_packing) $(c2_scenario) $(c2_pressure) $$(tail -n 1 $(c2_curve) | cut -f 1)
 	@touch $@
@@ -96,5 +100,5 @@ $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2
 C2_CHECKED := $(foreach c,$(C2_CASES),$(if $(wildcard data/laboratory/toyoura_drained_triaxial_$(word 3,$(subst _, ,$(c)))MPa.tsv),$(c)))
 C2_TABLES := $(foreach c,$(C2_CASES),$(foreach r,$(C2_ROUNDS),$(foreach t,steps density,$(C2O)/$(c)/round$(r)_$(t).tsv))) \
   $(foreach t,near whole curves,$(C2_CHECKED:%=$(C2O)/%/check_$(t).tsv))
-$(C2O)/page.html: $(C2)/study.py $(C2)/inputs.py $(C2)/words.toml $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES)
+$(C2O)/page.html: $(C2)/study.py $(C2)/inputs.py $(C2)/words.toml $(C2)/expected.tsv $(C2)/statements.tsv $(STUDY) $(C2_TABLES) $(C2O)/cases
 	@$(STUDY_PY) $< $(C2O) --profile $(PROFILE) --cases $(C2_CASES) --samples $(C2_SAMPLES) --until $(C2_STRAIN) --error $(C2_ERROR)

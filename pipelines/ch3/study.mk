@@ -57,28 +57,28 @@ compress = $(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(2) --set geot
 # Chapter 5 takes the full-size bags of PE and PP for its own, and draws more states of that of PP.
 C3_RECORD_thesis_PP := --set record.strains=[0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14,0.16]
 # % is the geotextile.
-$(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+$(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@$(call compress,$*,$(C3_UC_$(PROFILE)) $(C3_RECORD_$(PROFILE)_$*))
 # Rough plates instead of smooth ones.
-$(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+$(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@$(call compress,$*,$(C3_UC_$(PROFILE)),--set stage.1.plate_friction_angle=89.9)
 # % is the dead load in N.
-$(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem
+$(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C3)/ss.toml $(C3_LOAD_$(PROFILE)) $(C3_SS_$(PROFILE)) --set stage.0.load.0.force=$* --set stage.1.load.0.force=$* \
 	  --threads $(C3_THREADS) --quiet --resume --force -o $@
 
 $(C3O)/strip.h5: $(C3O)/rv.h5 $(C3)/strip_plan.toml $(BIN)/filter-expand
 	@$(BIN)/filter-expand $< $(C3)/strip_plan.toml --quiet --force -o $@
-$(C3O)/strip_%.h5: $(C3O)/strip.h5 $(C3)/strip.toml $(BIN)/run-dem
+$(C3O)/strip_%.h5: $(C3O)/strip.h5 $(C3)/strip.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@$(BIN)/run-dem $< $(C3)/strip.toml --set geotextile.0.curve=$* --threads 1 --quiet --force -o $@
 
 # % is the friction angle of nodes and soil.
 $(C3O)/sheet.h5: $(C3O)/rv.h5 $(C3)/sheet.toml $(BIN)/filter-expand
 	@$(BIN)/filter-expand $< $(C3)/sheet.toml --quiet --force -o $@
-$(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem
+$(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@$(BIN)/run-dem $< $(C3)/box.toml --set material.0.friction_angle=$* --threads 1 --quiet --resume --force -o $@
 
 # Bags give their loading, strips and boxes the series of their parts.

@@ -50,7 +50,7 @@ $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expan
 	@echo '  fill  $@'
 	@seed=$$($(C3V_PY) seed $*) && options=$(call of_variant,$*,bag) && if [ "$$seed$$options" = - ]; then cp $(C3O)/bag.h5 $@; else \
 	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $$options --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
-$(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+$(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) $(C3V_LOADING),$$options)
 
@@ -93,7 +93,7 @@ ch3-causes-keep: $(C3K_WITH_RUNS:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near 
 # % is BAG/uc_GEOTEXTILE.
 .PRECIOUS: $(C3K)/%.h5
 .SECONDEXPANSION:
-$(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem
+$(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(call compress,$(patsubst uc_%,%,$(*F)),$(C3K_UC))

@@ -47,7 +47,7 @@ $(C4O)/bag.h5: $(C4O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
 	@$(BIN)/filter-expand $< $(C3)/bag.toml $(C4_FILL_quick) --threads $(C4_THREADS) --quiet --resume --force -o $@
 # % is the form.
 C4_PACKINGS := $(C4_FORMS:%=$(C4O)/%.h5)
-$(C4_PACKINGS): $(C4O)/%.h5: $(C4_BAG) $(C4_RV) $(C4)/%.toml $(BIN)/filter-expand $(OUT)/profile
+$(C4_PACKINGS): $(C4O)/%.h5: $(C4_BAG) $(C4_RV) $(C4)/%.toml $(BIN)/filter-expand $(GEOTEXTILES) $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  fill  $@'
 	@$(BIN)/filter-expand $< $(C4)/$*.toml --set surround.representative_volume=$(C4_RV) $(C4_PUT_$(PROFILE)) $(C4_FORM_$*_$(PROFILE)) \
@@ -68,7 +68,7 @@ c4_shear = $(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) \
   --set geotextile.0.curve=$(word 2,$(subst _, ,$*)) $(c4_states) $(1) --threads $(C4_THREADS) --quiet --resume --force -o $@
 C4_ALL := $(C4_CELLS) $(C4_SLOW_thesis)
 $(foreach form,$(C4_FORMS),$(eval $(patsubst %,$(C4O)/%.h5,$(filter $(form)_%,$(C4_ALL))): $(C4O)/$(form).h5))
-$(C4_ALL:%=$(C4O)/%.h5): $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
+$(C4_ALL:%=$(C4O)/%.h5): $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
 $(C4_CELLS:%=$(C4O)/%.h5): $(C4O)/%.h5:
 	@echo '  run   $@'
 	@$(call c4_shear)
@@ -81,7 +81,7 @@ C4_LOADINGS := told slow limit_0.06
 C4_LOADING_told := --set grains.mass_scaling=none --set stage.0.rest_drag=0 --set stage.1.rest_drag=0 --set stage.1.way_unbalanced_force=0
 C4_LOADING_slow := --set stage.1.way_unbalanced_force=0 --set stage.1.rate=0.01
 C4_LOADING_limit_0.06 := --set stage.1.way_unbalanced_force=0.06
-$(C4_LOADINGS:%=$(C4O)/loading/%.h5): $(C4O)/loading/%.h5: $(C4O)/layered.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
+$(C4_LOADINGS:%=$(C4O)/loading/%.h5): $(C4O)/loading/%.h5: $(C4O)/layered.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=PP $(C4_LOADING_$*) --threads $(C4_THREADS) \

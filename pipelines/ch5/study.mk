@@ -17,7 +17,7 @@ ch5: $(C5O)/page.html ## geotextile-wrapped soil: seven bags of grains, and the 
 ch5-solution: $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_DESIGN) ## the tables of the analytical solution alone
 
 # The curves and constants that gws-solve knows by name.
-C5_CATALOGUE := $(wildcard data/geotextiles/*.toml data/soils/*.toml)
+C5_CATALOGUE := $(GEOTEXTILES) $(wildcard data/soils/*.toml)
 $(C5_UNIAXIAL): $(C5O)/uniaxial_%.tsv: $(BIN)/gws-solve $(C5_CATALOGUE)
 	@mkdir -p $(@D)
 	@$(BIN)/gws-solve respond --soil toyoura-gws --geotextile $* --points 100 --tsv $(call whole,$@)
@@ -71,7 +71,7 @@ C5_STATES_PP := [0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.1
 $(C5_OF_C3): $(C5O)/uc_%.h5: $(C3O)/uc_%.h5
 	@mkdir -p $(@D)
 	@cat $< $(call whole,$@)
-$(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(OUT)/profile
+$(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))
@@ -87,7 +87,7 @@ C5_CELLS := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa))
 C5_PRESSED := $(filter-out %_10kPa,$(C5_CELLS))
 c5_geotextile = $(word 1,$(subst _, ,$*))
 c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
-$(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(OUT)/profile
+$(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) \
@@ -105,11 +105,11 @@ C5_SOLVED := $(patsubst $(C5O)/%.tsv,own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
 define c5_own
 C5_BAGS_$(1) := $(C5_GEOTEXTILES:%=$(1)/uc_%.tsv)
 C5_OWN_$(1) = $$(BIN)/gws-solve identify $$(C5_BAGS_$(1)) $(C5_GEOTEXTILES:%=--geotextile %) --failure $$(C5_FAILURE) --fit thesis --difference backward --quiet
-$(C5_OWN_NAMES:%=$(1)/%.tsv): $(1)/own_%.tsv: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+$(C5_OWN_NAMES:%=$(1)/%.tsv): $(1)/own_%.tsv: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
 	@$$(C5_OWN_$(1)) --tsv --table $$* $$(call whole,$$@)
-$(1)/own_identified.txt: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+$(1)/own_identified.txt: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
 	@$$(C5_OWN_$(1)) | sed 's|$(1)/uc_||g; s|\.tsv||g' $$(call whole,$$@)
-$(1)/own_soil.toml: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE)
+$(1)/own_soil.toml: $$(BIN)/gws-solve $$(C5_BAGS_$(1)) $$(C5_FAILURE) $$(C5_CATALOGUE)
 	@$$(C5_OWN_$(1)) --toml $$(call whole,$$@)
 $(C5_UNIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_uniaxial_%.tsv: $$(BIN)/gws-solve $(1)/own_soil.toml $$(C5_CATALOGUE)
 	@$$(BIN)/gws-solve respond --soil $(1)/own_soil.toml --geotextile $$* --points 40 --tsv --quiet $$(call whole,$$@)
