@@ -2,14 +2,14 @@
 # they begin, and a page beside the results tells how far they are.
 # SPDX-License-Identifier: GPL-3.0-or-later
 THESIS := pipelines/thesis
-THESIS_OUT ?= out/thesis
+THESIS_OUT ?= $(OUT)/thesis
 # Single runs come side by side, one a core; each ensemble of chapter 2 then uses all cores, hosts or Slurm's nodes by itself.
 THESIS_MAKE = $(MAKE) --no-print-directory PROFILE=thesis OUT=$(THESIS_OUT) C3_THREADS=1
 THESIS_CASES := --cases $(C2_CASES_thesis) --two-scales $(foreach e,shape pullout,$(C6_CASES_thesis:%=$(e)_%.h5)) swinging_$(C6_MAIN_thesis).h5
 THESIS_STATUS = $(STUDY_PY) $(THESIS)/status.py $(THESIS_OUT) $(THESIS_CASES)
 
 .PHONY: thesis thesis-forecast thesis-status
-thesis: ## every chapter at full size, into out/thesis: goes on where it was stopped (first: thesis-forecast)
+thesis: ## every chapter at full size, into OUT/thesis: goes on where it was stopped (first: thesis-forecast)
 	@$(AGAIN) deps
 	@$(AGAIN) all
 	@mkdir -p $(THESIS_OUT)
@@ -18,7 +18,7 @@ thesis: ## every chapter at full size, into out/thesis: goes on where it was sto
 	  { $(THESIS_MAKE) -k -j$(JOBS) ch3 ch4 ch5 ch6; a=$$?; $(THESIS_MAKE) -k ch2; b=$$?; [ $$a$$b = 00 ] && $(THESIS_MAKE) report; } 2>&1 | tee -a $(THESIS_OUT)/log; \
 	  status=$${PIPESTATUS[0]}; $(THESIS_STATUS); exit $$status
 
-thesis-status: ## write out/thesis/status.html anew: what is done, running (time left), stopped, failed (why)
+thesis-status: ## write OUT/thesis/status.html anew: what is done, running (time left), stopped, failed (why)
 	@mkdir -p $(THESIS_OUT)
 	@$(THESIS_STATUS) && echo "$(THESIS_OUT)/status.html"
 
