@@ -529,6 +529,10 @@ crosscheck: $(TOOLS) ## the same contact paths and packings with a peer code, li
 crosscheck-band: $(TOOLS) ## ten hidden soils through make own: how often its range holds what their bags carry (hours)
 	@BIN=$(CURDIR)/$(B)/bin bash tests/crosscheck/band.sh
 
+.PHONY: crosscheck-toyoura
+crosscheck-toyoura: $(TOOLS) ## Toyoura sand through make own, beside the thesis's constants and chart (half an hour)
+	@BIN=$(CURDIR)/$(B)/bin PROFILE=$(PROFILE) bash tests/crosscheck/toyoura.sh
+
 # ---- Habits ---------------------------------------------------------------------------------------------------------
 # Versions of clang-format differ in details of the layout; one decides.
 LAYOUT := 14

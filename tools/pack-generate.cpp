@@ -160,10 +160,10 @@ struct PackGenerate {
       const io::TextFile table = io::read_text(grading, "grading");
       sources.push_back(table.source);
       curve = packing::Grading::from_tsv(table.text, grading);
-      if (const auto doubt = packing::finest_doubt(curve))
-        about.push_back(*doubt);
-      else if (const std::string lack = curve.left_out(); !lack.empty())
-        notes.push_back(grading + ": " + lack);
+      const std::optional<Doubt> finest = packing::finest_doubt(curve);
+      for (const std::optional<Doubt>& doubt : {finest, packing::size_doubt(curve)})
+        if (doubt) about.push_back(*doubt);
+      if (const std::string lack = curve.left_out(); !finest && !lack.empty()) notes.push_back(grading + ": " + lack);
     }
     if (auto doubt = coarsest ? packing::coarsest_doubt(curve, *coarsest) : std::nullopt) about.push_back(*doubt);
     if (coarsest) curve = curve.up_to(*coarsest);

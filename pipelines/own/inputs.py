@@ -16,9 +16,9 @@ import tomllib
 import numpy
 from calibration import plausible, prior
 from calibration.laboratory import Test, curve, distinct_names, observed, plain, pressure
-from own import fabric
+from own import fabric, grading
 from own.keys import table_of, value_of
-from study import StudyError, Table
+from study import StudyError
 from study.errors import suggestion
 from study.files import put
 
@@ -54,6 +54,7 @@ class Inputs:
     values: dict
     curves: list
     predicted: list
+    grading: tuple
     fabric: fabric.Fabric
     prior: pathlib.Path
 
@@ -134,12 +135,9 @@ def read(path, catalogue="data/geotextiles", until=1e3):
     values["factors"] = table_of(path, "factors.", values.get("factors", {}), dict.fromkeys(FACTORS, float), FACTORS)
     values.setdefault("packing_void_ratio", values["void_ratio"])
     _judge(path, values)
-    grading = Table.read(path.parent / values["grading"])
-    sizes, finer = grading("diameter", "mm"), grading("finer_by_mass", "1")
-    if not len(grading):
-        raise StudyError(f"{grading.where}: holds no rows below its header")
-    if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
-        raise StudyError(f"{grading.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
+    if not values["name"].strip() or not values["name"].isprintable():
+        raise StudyError(f"{path}: name = {values['name']!r}: write one line of text, which the page begins with")
+    sieved = grading.read(path.parent / values["grading"])
     if not values["test"]:
         raise StudyError(f"{path}: [[test]] is missing: one drained triaxial test at least; pipelines/own/README.md tells its keys")
     curves, predicted = _curves(path, values["test"], until)
@@ -148,7 +146,7 @@ def read(path, catalogue="data/geotextiles", until=1e3):
     chosen = path.parent / "prior.toml" if (path.parent / "prior.toml").exists() else pathlib.Path(__file__).parent / "prior.toml"
     prior.read(chosen)
     return Inputs(path, values, [c for c, aside in zip(curves, predicted, strict=True) if not aside],
-                  [c for c, aside in zip(curves, predicted, strict=True) if aside], fabric.read(path, values["geotextile"], catalogue), chosen)
+                  [c for c, aside in zip(curves, predicted, strict=True) if aside], sieved, fabric.read(path, values["geotextile"], catalogue), chosen)
 
 
 def failures(curves):
@@ -169,6 +167,7 @@ def doubts(own):
         said.append(f"{own.path}: q/p at failure, {points}, {how}, so that the tests give no failure line: one with Toyoura "
                     "sand's exponent through their mean stands for it; check their stresses, or give tests at other pressures")
     bag = own.values["bag"]
+    said += [f"{own.path.parent / own.values['grading']}: {line}" for line in grading.doubts(*own.grading, bag["height"])]
     if not SHAPE[0] <= bag["height"] / bag["width"] <= SHAPE[1]:
         said.append(f"{own.path}: the bag is {1e3 * bag['width']:g} mm wide and {1e3 * bag['height']:g} mm high, where grains were run in bags with "
                     f"{SHAPE[0]:g} to {SHAPE[1]:g} of their width as height: the solution is untested there; check that the two are not exchanged")

@@ -79,6 +79,8 @@ def test_the_example_is_read_and_written_for_make(soil, tmp_path):
     ('confining_pressure = "100 kPa"', 'confining_pressure = "300 kPa"', "correct the one that is wrong"),
     ('confining_pressure = "100 kPa"', "", "test 1: confining_pressure is missing"),
     ('table = "drained_100kPa.tsv"', 'table = "drained.tsv"', "drained.tsv: cannot be read"),
+    ('name = "Karlsruhe fine sand"', 'name = " "', "name = ' ': write one line of text"),
+    ('name = "Karlsruhe fine sand"', 'name = "sand\\nof mine"', "name = 'sand\\nof mine': write one line of text"),
     ("[[test]]", "[[test", "own.toml: ")])
 def test_what_is_wrong_is_one_line_with_file_and_key(soil, old, new, said):
     text = soil.read_text()
@@ -87,6 +89,30 @@ def test_what_is_wrong_is_one_line_with_file_and_key(soil, old, new, said):
     with pytest.raises(StudyError) as error:
         inputs.read(soil, CATALOGUE)
     assert said in str(error.value) and str(soil.parent) in str(error.value) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(("rows", "said"), [
+    ("diameter [m]\tfiner_by_mass [1]\n0.14\t0.5\n0.28\t1", "row 2: diameter is 280 mm, where granular soils have 0.002 to 200 mm"),
+    ("diameter [um]\tfiner_by_mass [1]\n0.14\t0.5\n0.28\t1", "row 1: diameter is 0.00014 mm"),
+    ("diameter [mm]\tfiner_by_mass [1]\n0\t0\n0.28\t1", "row 1: diameter is 0 mm"),
+    ("diameter [mm]\tfiner_by_mass [1]\n0.14\t50\n0.28\t100", "row 1: finer_by_mass is 5000 %: it lies between 0 and 100 %"),
+    ("diameter [mm]\tfiner_by_mass [1]\n0.14\t-0.1\n0.28\t1", "row 1: finer_by_mass is -10 %"),
+    ("diameter [mm]\tfiner_by_mass [1]\n0.28\t0.5\n0.14\t1", "diameters have to rise"),
+    ("diameter [mm]\tfiner_by_mass [1]\n0.14\t0.5\n0.28\t0.9", "finer_by_mass to end at 1")])
+def test_a_grading_that_no_soil_has_is_refused_by_row(soil, rows, said):
+    (soil.parent / "grading.tsv").write_text(rows + "\n")
+    with pytest.raises(StudyError) as error:
+        inputs.read(soil, CATALOGUE)
+    assert said in str(error.value) and str(soil.parent / "grading.tsv") in str(error.value)
+
+
+@pytest.mark.parametrize(("rows", "said"), [
+    ("0.01\t0\n0.05\t0.6\n0.2\t1", ["63.5 % of the mass is finer than 0.063 mm: silt"]),
+    ("2\t0\n20\t1", []), ("2\t0\n20.1\t1", ["its largest grains measure 20.1 mm in a bag of 80 mm: fewer than 4 over its height"])])
+def test_silt_and_grains_too_large_for_the_bag_are_doubted(soil, rows, said):
+    (soil.parent / "grading.tsv").write_text(f"diameter [mm]\tfiner_by_mass [1]\n{rows}\n")
+    found = inputs.doubts(inputs.read(soil, CATALOGUE))
+    assert len(found) == len(said) and all(words in line for words, line in zip(said, found, strict=True))
 
 
 def test_a_copy_of_a_test_is_refused_before_anything_is_packed(soil):

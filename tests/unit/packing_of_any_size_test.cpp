@@ -157,6 +157,16 @@ TEST(Doubtful, AGradingThatBeginsFarAboveNothing) {
   EXPECT_FALSE(finest_doubt({{0.4e-3}, {1}})) << "one size";
 }
 
+TEST(Doubtful, AGradingWhoseSizesNoSoilHas) {
+  const auto doubt = size_doubt({{0.1, 0.2, 0.4}, {0, 0.2, 1}});
+  ASSERT_TRUE(doubt);
+  EXPECT_NE(doubt->sentence.find("is 275 mm, where silt to cobbles have 0.002 to 200 mm"), std::string::npos)
+      << doubt->sentence;
+  EXPECT_TRUE(size_doubt({{0.14e-6}, {1}})) << "micrometres for millimetres";
+  EXPECT_FALSE(size_doubt({{0.0021e-3}, {1}}));
+  EXPECT_FALSE(size_doubt({{0.19}, {1}}));
+}
+
 TEST(Doubtful, AGradingWhoseCoarseHalfHasNoGrainsIsDoubtedWithTheNumberThatHasThem) {
   const Room wide{{{1e-3, 2e-3, 5e-3, 10e-3, 20e-3, 40e-3}, {0, 0.1, 0.3, 0.5, 0.6, 1}}, 3, {1, 1, 1}, 0.7};
   const auto doubt = grading_doubt(wide, 300);

@@ -17,11 +17,12 @@ namespace soilweave::packing {
 namespace {
 
 constexpr analysis::SoundLimits limits = analysis::made_packing;
-constexpr double most_overlap = 0.05;            // mean overlap over the mean radius
-constexpr double median_error = 0.1;             // share of the median diameter by mass
-constexpr double most_left_out = 0.1;            // share of the mass finer than a grading's first point
-constexpr double loosest = 10;                   // void ratio of a cloud, beyond which units differ
-constexpr std::size_t most_counted = 1'000'000;  // largest number of grains in a remedy
+constexpr double most_overlap = 0.05;                         // mean overlap over the mean radius
+constexpr double median_error = 0.1;                          // share of the median diameter by mass
+constexpr double most_left_out = 0.1;                         // share of the mass finer than a grading's first point
+constexpr double finest_silt = 0.002, largest_cobbles = 200;  // mm, ISO 14688-1
+constexpr double loosest = 10;                                // void ratio of a cloud, beyond which units differ
+constexpr std::size_t most_counted = 1'000'000;               // largest number of grains in a remedy
 
 // Returns the median diameter by mass of n grains over that of the curve.
 double median_ratio(const Room& room, std::size_t grains) {
@@ -49,7 +50,7 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
   const double more = 1.05 * static_cast<double>(state.grains.size()) * std::pow(limits.cell / ratio, d);
   doubts.push_back(
       {"cell",
-       fmt::format("the cell is {:.2g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
+       fmt::format("the cell is {:.3g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
                    "would fill one wide enough",
                    ratio, limits.cell, more)});
 }
@@ -74,6 +75,15 @@ std::optional<Doubt> finest_doubt(const Grading& curve) {
   if (curve.left_out().empty() || curve.finer.front() <= most_left_out) return std::nullopt;
   return Doubt{"finest", fmt::format("{}: give the rows of the grading that are finer, down to {:.0f} % or less",
                                      curve.left_out(), 100 * most_left_out)};
+}
+
+std::optional<Doubt> size_doubt(const Grading& curve) {
+  const double median = 1e3 * curve.quantile(0.5);
+  if (median >= finest_silt && median <= largest_cobbles) return std::nullopt;
+  return Doubt{"size",
+               fmt::format("the median diameter of the grading is {:.3g} mm, where silt to cobbles have {:g} to {:g} "
+                           "mm: check the unit of the column diameter",
+                           median, finest_silt, largest_cobbles)};
 }
 
 std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest) {

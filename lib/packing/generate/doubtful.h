@@ -18,6 +18,9 @@ std::optional<Doubt> grading_doubt(const Room& room, std::size_t grains);
 /// Returns a doubt if the curve's first point leaves out more than a tenth of the mass.
 std::optional<Doubt> finest_doubt(const Grading& curve);
 
+/// Returns a doubt if the curve's median diameter is none of silt, sand, gravel or cobbles (ISO 14688-1).
+std::optional<Doubt> size_doubt(const Grading& curve);
+
 /// Returns a doubt if a largest diameter (--coarsest, m) leaves out nothing of the curve, as one in mm would.
 std::optional<Doubt> coarsest_doubt(const Grading& curve, double coarsest);
 

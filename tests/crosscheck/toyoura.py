@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Lays what make own finds for Toyoura sand beside Table 5.2 of the thesis: constants, surcharges and chart. Part of toyoura.sh.
+
+The constants are compared with the intervals of 95 % that gws-solve identify gives, the surcharges with the range of 80 % of the page's
+answer. The chart has one range, in proportion, that of the asked settlement.
+"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import argparse
+import pathlib
+import re
+import sys
+
+import numpy
+from own.transfer import Transfer
+from study import Table
+
+CONSTANT = re.compile(r"^  (\w+) +(\S+)(?: Pa)? +95 %: +(\S+) to (\S+)(?: Pa)? +given (\S+):")
+SETTLEMENTS = (0.01, 0.02, 0.03, 0.05, 0.07)
+
+
+def judged(what, value, low, high, given):
+    """Prints one comparison and returns whether the value of the table lies inside. A NaN lies outside."""
+    inside = bool(low <= given <= high)
+    print(f"{what:28s} {value:10.4g}  {low:10.4g} to {high:10.4g}  table {given:10.4g}  {'inside' if inside else 'outside'}")
+    return inside
+
+
+def constants(text):
+    """Yields name, value, low, high and the table's value of each constant in a report of gws-solve identify."""
+    for line in text.splitlines():
+        if found := CONSTANT.match(line):
+            yield found[1], *(float(word) for word in found.groups()[1:])
+
+
+def compare(own, response, chart, asked):
+    """Prints every comparison; returns of each kind how many lie inside, and how many there are."""
+    transfer = Transfer.of(own)
+    inside = {"constants": [judged(*row) for row in constants((own / "identified.txt").read_text(encoding="utf-8"))]}
+    inside["surcharges"] = []
+    for settlement in SETTLEMENTS:
+        if settlement > transfer.end:
+            break
+        value, low, high = transfer.at(settlement)
+        given = float(numpy.interp(settlement, response("settlement", "1"), response("surcharge", "kPa")))
+        inside["surcharges"].append(judged(f"surcharge (kPa) at {100 * settlement:g} %", value, low, high, given))
+    ours, spread = Table.read(own / "chart.tsv"), transfer.spread(asked)
+    stiffness, allowable = ours("stiffness", "kN/m"), transfer.factor(asked) * ours("allowable_surcharge", "kPa", missing=True)
+    inside["chart"] = []
+    for at, given in zip(chart("stiffness", "kN/m"), chart("allowable_surcharge", "kPa", missing=True), strict=True):
+        if stiffness[0] <= at <= stiffness[-1] and given == given:
+            value = float(numpy.exp(numpy.interp(numpy.log(at), numpy.log(stiffness), numpy.log(allowable))))
+            inside["chart"].append(judged(f"allowed (kPa), J {at:.0f} kN/m", value, value * numpy.exp(-spread), value * numpy.exp(spread), given))
+    return {kind: (sum(some), len(some)) for kind, some in inside.items()}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("own", type=pathlib.Path, help="folder of make own's results")
+    parser.add_argument("response", help="gws-solve respond --tsv with the table's constants")
+    parser.add_argument("chart", help="gws-solve design --chart --tsv with them")
+    parser.add_argument("settlement", type=float, help="of the chart")
+    given = parser.parse_args()
+    counts = compare(given.own, Table.read(given.response), Table.read(given.chart), given.settlement)
+    print("crosscheck: Table 5.2 lies inside for " + ", ".join(f"{held} of {all_} {kind}" for kind, (held, all_) in counts.items()))
+    return 0 if all(held == all_ > 0 for held, all_ in counts.values()) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
