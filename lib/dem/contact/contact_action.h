@@ -13,7 +13,7 @@ template <class T, class Space = Spatial>
 struct Action {
   /// Force on the second body, N.
   Vector<T, Space> force;
-  /// Torques on the bodies, N m; the first acts the other way round.
+  /// Torques, N m: the first body gets -torque_first, the second body torque_second.
   Turn<T, Space> torque_first, torque_second;
 };
 
@@ -27,7 +27,7 @@ Action<T, Space> action(const Vector<T, Space>& n, const T& arm_1, const T& arm_
   return {joined(normal_force, n, history.shear), fused(arm_1, of_shear, free), fused_less(arm_2, of_shear, free)};
 }
 
-/// Returns the diagonals of a contact's stiffness for translation and rotation.
+/// Returns the diagonals of a contact's stiffness matrices for translation and for rotation.
 /// Source: Chareyre & Villard 2005 (LAWS.md §8).
 template <class T>
 std::pair<V3<T>, V3<T>> axis_stiffness(const V3<T>& n, const Response<T>& r, const T& radius) {

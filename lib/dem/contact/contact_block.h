@@ -15,7 +15,7 @@
 
 namespace soilweave::dem {
 
-/// Grains per chunk. One thread sweeps a chunk, which fits the second cache.
+/// Grains per chunk. One thread sweeps a chunk, which fits the L2 cache.
 inline constexpr std::size_t grains_per_chunk = 1000;
 /// Returns the number of chunks.
 inline std::size_t chunks_of(std::size_t grains) { return (grains + grains_per_chunk - 1) / grains_per_chunk; }
@@ -39,7 +39,7 @@ struct alignas(64) ContactBlock {
   /// Normal force, N.
   double normal_force[size];
   /// Byte offsets of the two grains (first < second), and of the load of the second grain.
-  /// A plane's pair has the load of its only grain.
+  /// In a pair with a plane, load_second is the load of the only grain.
   std::uint32_t first[size], second[size], load_second[size];
   /// Cell offset of the second grain, as an index into Contacts::images.
   std::uint16_t image[size];
@@ -85,7 +85,7 @@ std::span<SomePair> of_chunk(std::span<SomePair> pairs, std::size_t chunk) {
 class PairOrder {
  public:
   explicit PairOrder(const Bodies& bodies) : material_(bodies.of_one_material ? nullptr : bodies.material.data()) {}
-  /// Returns whether the order by grains is this order, because all grains have one material.
+  /// Returns whether this order is the order by grains, because all grains have one material.
   bool is_that_of_grains() const { return !material_; }
   /// Returns whether two pairs have the same pair of materials.
   bool same_materials(const Pair& a, const Pair& b) const {
@@ -114,11 +114,11 @@ struct PairHistory {
   std::vector<double> own = {};
 };
 
-/// Returns the history in a lane. `own`: the law's own `arrays` arrays of the block.
+/// Returns the history in a lane. `own`: the block's arrays of numbers that only the law keeps, `arrays` in number.
 PairHistory history_of(const ContactBlock& block, int lane, const double* own = nullptr, std::size_t arrays = 0);
 /// Stores a history in a lane, and the law's numbers in the arrays at `own`.
 void set_history(ContactBlock& block, int lane, const PairHistory& history, double* own = nullptr);
-/// Copies the history of a lane, and the law's own `arrays`, into a lane of zeros.
+/// Copies the history of a lane, with its numbers in the law's own `arrays`, into a lane of zeros.
 void copy_history(const ContactBlock& from, const double* own, int lane, std::size_t arrays, ContactBlock& to,
                   double* own_to, int to_lane);
 

@@ -13,13 +13,13 @@ struct PairMotion {
   Vector<T, Space> velocity;
   /// Spins, rad/s.
   Turn<T, Space> spin_1, spin_2;
-  /// Radii, m; 0 for a plane.
+  /// Radii as levers of the spins, m; 0 for a plane.
   T lever_1, lever_2;
   /// 1/(distance of the centres), for a plane 1/radius, 1/m.
   T inverse_distance;
 };
 
-/// Returns the slip from rotation over dt: the sum of levers times spins.
+/// Returns the sum of levers times spins over dt, m. Normal x this sum is the slip from rotation.
 template <class T, class Space>
 Turn<T, Space> turning(const PairMotion<T, Space>& m, const T& dt) {
   const T lever_1 = dt * m.lever_1, lever_2 = dt * m.lever_2;
@@ -43,8 +43,8 @@ void set_increments(const PairMotion<T, Space>& m, const T& dt, Kinematics<T, Sp
   }
 }
 
-/// Returns the slip of the surfaces over dt, m, half the overlap inside each grain.
-/// The shear force works on this slip. The law's slip has longer levers.
+/// Returns the slip over dt at the contact point, m, which lies half the overlap inside each grain.
+/// The shear force does its work on this slip. The slip in Kinematics has longer levers.
 template <class T, class Space>
 Along<T, Space> surface_slip(const PairMotion<T, Space>& m, const Kinematics<T, Space>& k, const T& dt) {
   const T depth = 0.5 * dt * k.overlap;

@@ -45,7 +45,7 @@ bool is_far(const Pair& pair, std::size_t chunk) {
   return static_cast<std::size_t>(pair.second) >= (chunk + 1) * grains_per_chunk;
 }
 
-// Pairs that a chunk had before, in order.
+// Pairs of a chunk in the previous list, visited in order.
 class Known {
  public:
   Known(const LargeVector<ContactBlock>& chunk, const std::vector<double>& own, std::size_t numbers,
@@ -54,9 +54,9 @@ class Known {
     own_ = own.data(), numbers_ = numbers;
     settle();
   }
-  /// Returns how many numbers of its own the law keeps for a pair.
+  /// Returns how many numbers only the law keeps for a pair.
   std::size_t own_numbers() const { return numbers_; }
-  /// Copies the history of a pair into a lane, and its own numbers into arrays. Pairs must be asked for in order.
+  /// Copies the history of a pair that was listed before into a lane. Calls must follow the order of pairs.
   void pass_on(const Pair& pair, ContactBlock& to, double* own_to, int lane) {
     while (block_ != end_ && before_(pair_, pair)) next();
     if (block_ != end_ && !before_(pair, pair_)) copy_history(*block_, own_, lane_, numbers_, to, own_to, lane);
@@ -72,7 +72,7 @@ class Known {
   }
 
   const ContactBlock *block_, *end_;
-  const double* own_ = nullptr;  // of the block
+  const double* own_ = nullptr;  // the law's own numbers of the block
   std::size_t numbers_ = 0;
   int lane_ = 0;
   const std::vector<CellOffset>& images_;
@@ -80,7 +80,7 @@ class Known {
   Pair pair_{};
 };
 
-// Lets the lanes from k on name a grain and itself, far away.
+// Fills the empty lanes from k on with a pair of `grain` and its own image, far away.
 void leave_empty(ContactBlock& block, int k, std::size_t grain, std::size_t far) {
   std::fill(block.first + k, block.first + ContactBlock::size, grain_distance(grain));
   std::fill(block.second + k, block.second + ContactBlock::size, grain_distance(grain));

@@ -25,19 +25,19 @@ struct Contacts {
   std::vector<LargeVector<ContactBlock>> chunks;
   /// Pairs of grains and planes.
   PlaneContacts planes;
-  /// Cell offsets that occur: zero, then the others sorted. No pair touches across the last.
+  /// Cell offsets that occur: zero, then the others sorted. The last one is for empty lanes, which never touch.
   std::vector<CellOffset> images;
   /// Load of a pair with a plane or with a grain of another chunk.
-  /// In Bodies::loads it follows those of the grains, in the order of blocks, planes last.
+  /// Bodies::loads has the single loads after the loads of the grains, in the order of blocks, planes last.
   struct SingleLoad {
     /// Index into Bodies::loads.
     std::uint32_t load;
     /// Grain that the load acts on.
     std::int32_t grain;
   };
-  /// Single loads, sorted by grain, then in the order of its pairs, planes last.
+  /// Single loads, sorted by grain, and for each grain in the order of its pairs, planes last.
   std::vector<SingleLoad> single_loads;
-  /// First single load of each grain; the last entry is their number.
+  /// Index of each grain's first single load; the last entry is the number of single loads.
   std::vector<std::uint32_t> single_loads_start;
   /// Fields of history that only the law keeps; may be empty.
   std::span<const HistoryField> own_fields;
@@ -62,13 +62,13 @@ struct Contacts {
   const double* own_of(std::size_t chunk, std::size_t block) const {
     return own[chunk].data() + block * own_numbers_ * ContactBlock::size;
   }
-  /// Returns how many numbers of these fields a contact keeps.
+  /// Returns how many numbers only the law keeps for a contact.
   std::size_t own_numbers() const { return own_numbers_; }
   /// Returns the pair in a lane of a block.
   Pair pair(const ContactBlock& block, int lane) const;
 
  private:
-  /// Finds the second grains in other chunks.
+  /// Finds the pairs whose second grain is in another chunk.
   void look_across(const std::vector<Pair>& pairs);
   /// Assigns single loads to pairs and grains.
   void name_single_loads(Bodies& bodies);
@@ -77,20 +77,20 @@ struct Contacts {
   std::size_t own_numbers_ = 0;
   /// The law's own numbers of the blocks in known_.
   std::vector<std::vector<double>> known_own_;
-  /// Blocks of one chunk while it is listed anew, by thread.
+  /// Previous blocks of the chunk that a thread lists anew, by thread.
   std::vector<LargeVector<ContactBlock>> known_;
   /// Other chunks that a chunk's pairs reach.
   std::vector<std::vector<std::uint32_t>> reached_;
   /// Second grains in other chunks, pair by pair, by chunk.
   std::vector<std::vector<std::int32_t>> across_;
-  /// Cost of a chunk in a step; 1 for a pair or a grain.
+  /// Cost of each chunk in a step: one unit for each pair and for each grain.
   std::vector<std::size_t> work_;
   /// Next free place in `single_loads` of each grain.
   std::vector<std::uint32_t> next_;
 };
 
-/// Returns the shear forces of disks as kept (space.h), N, in the order of lists.
-/// The vectors that only the law keeps follow each force.
+/// Returns the shear force of each contact of disks as one number (space.h), N, in the order of the lists.
+/// The numbers of the law's own vectors follow each force.
 std::vector<double> shear_forces_of_disks(const Contacts& contacts);
 /// Restores these shear forces. Throws DataError if their number differs.
 void set_shear_forces_of_disks(const std::vector<double>& forces, Contacts& contacts);

@@ -32,7 +32,7 @@ void own_vectors(std::span<const HistoryField> fields, const Use& use) {
   }
 }
 
-// Returns a history with its vectors along the contact as vectors: disks hold a number each (space.h).
+// Returns the history of disks with full vectors, of which a contact keeps one number each (space.h).
 PairHistory in_space(PairHistory h, const Vec3& normal, std::span<const HistoryField> fields) {
   own_vectors(fields, [&](std::size_t at) {
     const V2<double> v = joined(0.0, V2<double>{normal[0], normal[1]}, h.own[at + 2]);
@@ -74,7 +74,7 @@ std::vector<double> own_numbers(const io::ContactsRecord& r, std::size_t c, std:
   return numbers;
 }
 
-// Appends these numbers to the fields of a record.
+// Appends the law's own numbers of a contact to the fields of a record.
 void put_own(const std::vector<double>& numbers, io::ContactsRecord& r) {
   auto next = numbers.begin();
   for (io::OwnHistory& field : r.own)

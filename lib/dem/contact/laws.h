@@ -1,11 +1,11 @@
 // Requirements on a contact law.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A law is one header in laws/. It declares its name, its materials with their keys, and its answer to a contact.
+// A law is one header in laws/. It declares its name, its materials with their keys, and its response to a contact.
 // It may also declare:
 //
 //   history   fields that only this law keeps for each contact, such as the largest overlap so far.
-//             Files and checkpoints hold them, and the next step gives them back.
+//             They are stored in files and checkpoints, and passed to respond() in the next step.
 //   range     the gap across which two bodies still act on each other. Pairs are then searched that far.
 //
 // The build lists the headers (Makefile): no other file names a law.
@@ -29,7 +29,7 @@ class Settings;
 namespace soilweave::dem {
 
 /// A law with history of its own: `history` is an array of HistoryField.
-/// `Own<T, Space>` holds their values, and its fields() ties them in that order.
+/// `Own<T, Space>` holds the values of these fields. Its fields() returns a tie of them in the order of `history`.
 template <class L>
 concept KeepsHistory = requires {
   L::history.size();
@@ -63,7 +63,7 @@ constexpr std::span<const HistoryField> history_fields() {
   else
     return {};
 }
-/// Returns how many numbers of these fields a contact keeps.
+/// Returns how many numbers a contact keeps for these fields.
 constexpr std::size_t numbers_of(std::span<const HistoryField> fields) {
   std::size_t n = 0;
   for (const HistoryField& f : fields) n += f.numbers();

@@ -12,7 +12,7 @@
 
 namespace soilweave::dem {
 
-/// Table of all pairs of n materials; (a, b) and (b, a) are mixed separately.
+/// Table of all pairs of n materials, with (a, b) and (b, a) as separate entries.
 template <class Law>
 class MaterialPairs {
  public:

@@ -1,7 +1,7 @@
 // Materials of one contact law, without its type.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the sweep over contacts needs the type, and gets it by of(). So a new law recompiles little.
+// Only the sweep over contacts needs the type, and gets it by of(). A new law therefore recompiles few files.
 #pragma once
 
 #include <memory>
@@ -18,11 +18,11 @@ namespace soilweave::dem {
 struct CommonMaterial {
   /// Friction angle, rad.
   double friction_angle = 0;
-  /// Whether its friction angle holds against any other material.
+  /// Whether this friction angle applies in contacts with any other material.
   bool friction_decides = false;
   /// Resistance to rolling and to twisting.
   Resistance rolling, twisting;
-  /// Modulus of the contacts' stiffness, Pa; it cannot be set.
+  /// Modulus of the contacts' stiffness, Pa; set() ignores it.
   double modulus = 0;
 };
 
@@ -52,13 +52,13 @@ class Materials {
   /// Changes the common part of material k, its modulus excepted.
   void set(std::size_t k, const CommonMaterial& m) { held_->set(k, m); }
 
-  /// Returns whether they are materials of this law.
-  /// Names decide, because objects for eight lanes have their own type information (Makefile).
+  /// Returns whether the materials are of this type. It compares the laws' names, because objects for eight lanes have
+  /// their own type information (Makefile).
   template <class Material>
   bool are() const {
     return law() == Material::Law::name;
   }
-  /// Returns the materials by their type. Throws std::bad_cast if they are of another law.
+  /// Returns the materials by their type. Throws std::bad_cast if the materials belong to another law.
   template <class Material>
   const std::vector<Material>& of() const {
     if (!are<Material>()) throw std::bad_cast();

@@ -24,9 +24,10 @@ struct Model {
 struct Limits {
   /// Overlap of two grains over the smaller radius.
   double overlap = 0.5;
-  /// Error of the balance over the turned-over energy.
+  /// Error of the energy balance over the energy turned over.
   double energy_error = 0.1;
-  /// Distance of a grain beyond the start's extent along an open axis, over that extent.
+  /// Distance of a grain beyond the initial box of grains and planes along an open axis, over the diagonal of that box
+  /// plus the largest diameter.
   double escape = 2;
 };
 
@@ -38,13 +39,13 @@ struct Numerics {
   double time_step_safety = 0.8;
   /// Fixed time step, s; replaces the estimate.
   std::optional<double> time_step;
-  /// May be false if the time step is fixed and no servo drives the cell.
+  /// Whether steps evaluate the stiffness. May be false if the time step is fixed and no servo drives the cell.
   bool watch_stiffness = true;
   /// Acceleration of gravity, m/s2.
   Vec3 gravity = Vec3::Zero();
   /// Limits of the guards.
   Limits limits;
-  /// Grains of each clamp, which move at its velocity.
+  /// Grains of each clamp.
   std::vector<std::vector<std::int32_t>> clamps = {};
   /// Number of threads.
   int threads = 1;

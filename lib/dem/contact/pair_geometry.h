@@ -9,21 +9,21 @@
 
 namespace soilweave::dem {
 
-/// Input of the contact law for a pair. Without touch, overlap and increments are zero.
+/// Input of the contact law for a pair. If the pair does not touch, overlap and increments are zero.
 template <class T, class Space = Spatial>
 struct PairGeometry {
   /// Motion as the law sees it.
   Kinematics<T, Space> kinematics;
   /// Slip of the surfaces, m (contact_kinematics.h).
   Along<T, Space> surface_slip;
-  /// Gibbs vector of the history's rotation (transport.h), which only space needs.
+  /// Gibbs vector of the history's rotation (transport.h); unused for disks.
   Turn<T, Space> turn;
   /// Whether the pair touches.
   Mask<T> touching;
 };
 
-/// Velocity that the deforming cell adds to a pair, to first order in the step: (L - dt L^2) d.
-/// It belongs to the branch before the cell moved.
+/// Velocity that the deforming cell adds to a pair with branch d: (L - dt L^2) d.
+/// To first order in the step, this is L times the branch before the cell moved.
 struct AffineMotion {
   /// Gradient L - dt L^2 of the cell, 1/s.
   Mat3 gradient;
@@ -36,7 +36,7 @@ struct AffineMotion {
   template <class T>
   V3<T> operator()(const V3<T>& d) const {
     const Mat3& g = gradient;
-    // Adding zeros would change no bit.
+    // A diagonal gradient needs no further products: adding zeros would change no bit.
     if (diagonal) return {g(0, 0) * d.x, g(1, 1) * d.y, g(2, 2) * d.z};
     const auto component = [&](int i) {
       return fused(broadcast<T>(g(i, 2)), d.z, fused(broadcast<T>(g(i, 1)), d.y, T(g(i, 0) * d.x)));
@@ -77,7 +77,7 @@ RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, con
 }
 
 /// Returns the position of a pair that acts across gaps up to `range`, m.
-/// A pair farther apart has an overlap of -range.
+/// The overlap of a pair that is farther apart is set to -range.
 template <class T, class Space>
 RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, const T& r1, const T& r2, const T& range) {
   RelativePosition<T, Space> relative = relative_position<T, Space>(branch, r1, r2);
@@ -87,7 +87,7 @@ RelativePosition<T, Space> relative_position(const Vector<T, Space>& branch, con
   return relative;
 }
 
-/// Sets the motion over the step dt to the position. The caller sets the masses.
+/// Adds the motion over the step dt to a geometry that has the relative position. The caller sets the masses.
 template <class T, class Space>
 void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, Space>& g) {
   Kinematics<T, Space>& k = g.kinematics;
@@ -103,7 +103,7 @@ void set_motion(const PairMotion<T, Space>& motion, double dt, PairGeometry<T, S
 
 /// Returns the geometry of a grain and a plane with a constant inward normal.
 /// `velocity`: plane relative to grain. `listed`: mask of existing pairs. `range`: gap across which they act, m.
-/// The full radius is the lever of slip and torque: work-conjugate, and exact for rigid grains.
+/// Slip and torque have the full radius as lever, so they are work-conjugate; for rigid grains this is exact.
 template <class T>
 PairGeometry<T> plane_geometry(const V3<T>& velocity, const V3<T>& spin, const T& radius, const T& mass,
                                const T& height, const V3<T>& inward, const Mask<T>& listed, double dt,

@@ -33,13 +33,13 @@ class PlaneContacts {
   /// Returns the blocks, plane by plane, sorted by material and grain.
   LargeVector<PlaneBlock>& blocks() { return blocks_; }
   const LargeVector<PlaneBlock>& blocks() const { return blocks_; }
-  /// Returns where each group of blocks of one plane, material and chunk of grains begins, and the number of blocks.
+  /// Returns the first block of each group, and last the number of blocks. A group has one plane, material and chunk.
   /// Sums over the pairs of a group do not depend on which distant pairs are listed.
   const std::vector<std::size_t>& groups() const { return groups_; }
   /// Returns the law's own numbers of a block, array by array (Contacts::own).
   double* own(std::size_t block) { return own_.data() + block * own_arrays_ * ContactBlock::size; }
   const double* own(std::size_t block) const { return own_.data() + block * own_arrays_ * ContactBlock::size; }
-  /// Sets how many numbers of its own the law keeps for a contact. No pair may be listed yet.
+  /// Sets how many numbers only the law keeps for a contact. No pair may be listed yet.
   void keep_own(std::size_t arrays) { own_arrays_ = arrays; }
   /// Returns all listed pairs, in the order of the blocks.
   std::vector<PlanePair> pairs() const;

@@ -42,8 +42,8 @@ V3<T> between(const V3<T>& old_normal, const V3<T>& normal) {
   return T(1.0 / (1.0 + dot(old_normal, normal))) * cross(old_normal, normal);
 }
 
-/// Returns the Gibbs vector for the normal of a pair that moved for dt.
-/// `velocity`: relative, m/s. `parting`: its component along the normal, m/s.
+/// Returns the Gibbs vector of the rotation of a pair's normal over the step dt.
+/// `velocity`: relative velocity, m/s. `parting`: its component along the normal, m/s.
 /// Exact to the third power of displacement over distance.
 template <class T, class V>
 auto between(const V& velocity, const T& parting, const T& inverse_distance, const V& normal, const T& dt) {
@@ -51,8 +51,8 @@ auto between(const V& velocity, const T& parting, const T& inverse_distance, con
   return T(0.5 * step * fused(parted, one + parted, one)) * cross(normal, velocity);
 }
 
-/// Returns the Gibbs vector of a rotation about an axis in the contact plane, then by `angle` about the normal.
-/// `angle`: rotation by the grains' mean spin, rad. The tangent of its half is exact to the seventh power.
+/// Returns the Gibbs vector of the rotation `gibbs`, about an axis in the contact plane, and then one about `normal`.
+/// `angle`: angle of the second one, by the grains' mean spin, rad. tan(angle/2) is exact to the seventh power.
 template <class T>
 V3<T> then_spin(const V3<T>& gibbs, const V3<T>& normal, const T& angle) {
   const T s2 = angle * angle;

@@ -24,10 +24,10 @@ class Clamps {
   /// Clamps in the order of Numerics::clamps.
   std::vector<Clamp> all;
 
-  /// Moves the forces from clamped grains to clamps, once all forces are summed.
-  /// So the next step moves these grains at the clamp's velocity. Returns the clamps' work over the last step, J.
+  /// Transfers the forces on clamped grains to their clamps. Call it once all forces are summed.
+  /// The next step then moves these grains at the clamp's velocity. Returns the clamps' work over the last step, J.
   double take(const Vec3& gravity, double dt, Bodies& bodies);
-  /// Sets the velocity of clamp k. Returns the kinetic energy that this adds, J.
+  /// Sets the velocity of clamp k. Returns the gain of kinetic energy, J.
   double set_velocity(std::size_t k, const Vec3& velocity, Bodies& bodies);
 };
 

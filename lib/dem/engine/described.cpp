@@ -17,7 +17,7 @@ void demand_known(const std::vector<std::int32_t>& ids, std::size_t known, const
           fmt::format("the packing has {} {}, the scenario describes {}: add {} tables", has, id, known, table));
 }
 
-// Throws DataError for an unbroken yarn that is longer than it can be, while its nodes are nearer through a face.
+// Throws DataError for an unbroken yarn that is stretched beyond its breaking strain, and shorter through a face.
 void demand_inside(const io::Snapshot& state, const Model& model) {
   const Cell cell(state.cell, state.grains.dimension);
   if (!cell.any_periodic()) return;

@@ -25,7 +25,7 @@ enum class EnergyRole {
   supplied,
   /// Energy that the numerical scheme takes out (+) or creates (-).
   numerical,
-  /// Work between other terms, which counts as turned over and enters no sum.
+  /// Work exchanged between other terms. It counts as turned over, but enters no sum.
   internal,
 };
 
@@ -38,7 +38,7 @@ struct EnergyColumn {
 };
 
 /// All terms, J (2D: J/m), one file each in energies/ (energy_term.h).
-/// Sums leave out the shares of other terms.
+/// Sums leave out terms whose energy other terms contain (EnergyTerm::share).
 class Energies {
  public:
   Energies();
@@ -57,9 +57,9 @@ class Energies {
   double turned_over() const { return turned_over_; }
   /// Returns the balance's error: initial + supplied - kinetic - stored - dissipated - numerical.
   double error() const;
-  /// Returns the columns of all runs, the error last.
+  /// Returns the columns that every run has, the error last.
   std::vector<EnergyColumn> columns() const;
-  /// Returns this run's columns that not all runs have.
+  /// Returns the columns of this run that other runs may lack.
   std::vector<EnergyColumn> further_columns() const;
 
   /// Starts all terms. Takes kinetic and stored energy as the initial one.
@@ -68,7 +68,7 @@ class Energies {
   void add(const StepWork& step);
   /// Adds the energies of a change from outside between two steps.
   void add(const Intervention& change);
-  /// Returns these energies with the terms of a moment, such as the stored ones, at `now`.
+  /// Returns these energies, with kinetic, stored and other terms that follow from the state evaluated at `now`.
   Energies at(const AssemblyState& now) const;
   /// Keeps or restores the numbers.
   void archive(Archive& archive);
@@ -80,7 +80,7 @@ class Energies {
 
   /// Energies in the order of energy_terms(), J.
   std::vector<double> values_;
-  /// Whether the assembly has the term.
+  /// Whether the assembly has each term.
   std::vector<bool> occurs_;
   /// Kinetic and stored energy at the start, and energy turned over, J.
   double initial_ = 0, turned_over_ = 0;

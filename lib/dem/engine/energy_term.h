@@ -12,7 +12,7 @@
 //   sentence      its meaning, for the series and FORMAT.md
 //   role          its part of the balance
 //
-// and either now(state, energies), its value, J, or functions whose results are added up:
+// and either now(state, energies), which returns its value, J, or functions whose results are added up:
 //
 //   in_step(step)           energy of one step, J; its magnitude counts as turned over
 //   between_steps(change)   energy of a change from outside, J
@@ -21,10 +21,10 @@
 // Further members are optional:
 //
 //   column        column of the series, if not `name`; "" for a term without a column
-//   share         true for a part of an energy that other terms hold: it stays out of all sums
+//   share         true for an energy that other terms already contain: it enters no sum
 //   place         its place among the terms, which fixes the last digits of sums and the order of columns.
-//                 Terms without it come last, by name. now() may read all terms before it, and those added up.
-//   occurs(state) whether an assembly has the term, the same throughout a run. Its column comes after all others.
+//                 Terms without a place come last, by name. now() may read all earlier terms, and all added-up ones.
+//   occurs(state) whether an assembly has the term; constant in a run. The columns of such terms come last.
 //
 // The build lists the headers (Makefile): no other file names a term.
 #pragma once
@@ -49,7 +49,7 @@ struct StepWork {
   /// Velocity gradient of the cell, 1/s.
   const Mat3& velocity_gradient;
   /// Sums over the contacts at the start and the end of the step.
-  /// In a periodic cell force_branch has the yarns' part.
+  /// In a periodic cell force_branch includes the yarns.
   const SweepSums &before, &contacts;
   /// Sums over the grains.
   const MotionSums& grains;
@@ -65,7 +65,7 @@ struct Intervention {
   double supplied = 0;
   /// Kinetic energy taken from the grains, J.
   double damped = 0;
-  /// Energy by which the change would alter the numerical terms, J.
+  /// Energy that offsets the change of the numerical terms, J.
   double numerical = 0;
 };
 
@@ -80,7 +80,7 @@ struct AssemblyState {
   StoredEnergies in_contacts;
   /// Acceleration of gravity, m/s2.
   const Vec3& gravity;
-  /// Twice the time by which velocities lag behind positions, s; 0 at the start.
+  /// Time step, s: velocities lag half of it behind positions; 0 at the start.
   double dt;
   /// Number of threads.
   int threads;

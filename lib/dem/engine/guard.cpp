@@ -11,12 +11,12 @@
 namespace soilweave::dem {
 namespace {
 
-// Slightly below a half, so that readers accept the state that is left.
+// Largest diameter over the width of the cell. It is below a half, so that the file of a stopped run can be read.
 constexpr double widest_grain = 0.4999;
 // Unbalanced force below which a deep overlap comes from load, not from motion.
 constexpr double quiet = 0.1;
-// Mean stress over the stiffness of the contacts for Hertzian spheres that overlap by a tenth of their radius. Stiff
-// grains that are flung into each other stay far below.
+// Mean stress over the stiffness of the contacts, for Hertzian spheres that overlap by a tenth of their radius. The
+// ratio is far smaller where stiff grains overlap because of their speed.
 constexpr double soft = 0.03;
 
 bool finite(const Lane4& r) { return std::isfinite(r[0]) && std::isfinite(r[1]) && std::isfinite(r[2]); }
@@ -38,7 +38,7 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
       range_(range),
       planes_(!planes.all.empty()),
       dimension_(bodies.dimension) {
-  // Readers check the grains themselves.
+  // Without a range, reading the packing has checked the grains already.
   for (int a = 0; a < dimension_ && range_ > 0; ++a) {
     const double width = cell.widths()[a];
     if (!cell.periodic(a) || largest_ + range_ < widest_grain * width) continue;
@@ -60,7 +60,7 @@ Guard::Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, c
 }
 
 std::string Guard::lower_step() const {
-  // The step of a material point's grains is fixed, too, where the safety decides it.
+  // The step is also fixed for a material point, which derives it from the safety factor.
   return fixed_step_ ? "lower numerics.time_step where it is given, else numerics.time_step_safety"
                      : "lower numerics.time_step_safety";
 }

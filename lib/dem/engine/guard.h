@@ -18,11 +18,11 @@ class Guard {
  public:
   /// Takes the limits, and the extent of grains and planes at the start.
   /// `range`: largest gap across which contacts act, m.
-  /// Throws DataError if a grain would feel two images of one partner across it.
+  /// Throws DataError if a grain could act across this gap on two images of one grain.
   Guard(const Numerics& numerics, const Bodies& bodies, const Cell& cell, const Planes& planes, double range);
 
   /// Checks that every number of the state is finite.
-  /// `force`: a sum over all contact forces. `spent`: energy taken by damping, J, which any NaN velocity makes NaN.
+  /// `force`: a sum over all contact forces. `spent`: energy taken by damping, J; it is NaN if any velocity is NaN.
   void finite(std::int64_t step, const Bodies& bodies, double force, double spent) const;
   /// Throws for a contact that is too deep. `deepest`: the contact in words (overlap.h).
   [[noreturn]] void too_deep(std::int64_t step, const std::string& deepest, double unbalanced_force,

@@ -1,8 +1,8 @@
 // A homogeneous field of velocity, added before plates start and removed when they stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plates that start or stop send a wave into grains of scaled density. No wave leaves them if each grain gets the
-// velocity v = L (x - c) of an even strain, where c is the centre of mass. When the plates stop, the best fit
+// Plates that start or stop send a wave into grains of scaled density. The wave is avoided if each grain gets the
+// velocity v = L (x - c) of a homogeneous strain, where c is the centre of mass. When the plates stop, the best fit
 //   L = (sum m v x^T) (sum m x x^T)^-1,  x and v relative to their means, weighted by mass,
 // is removed. The grains keep their other motion, and momentum does not change.
 #pragma once
@@ -26,7 +26,7 @@ class HomogeneousField {
   explicit HomogeneousField(const Simulation& simulation);
 
   /// Returns the gradient that fits the velocities best, 1/s, extension positive.
-  /// It is zero along closed axes, and altogether if the grains do not span the open ones.
+  /// The gradient is zero along periodic axes, and wholly zero if the grains do not span the aperiodic ones.
   Mat3 gradient(const Bodies& bodies) const;
   /// Adds v = L (x - c) to the velocities.
   void add(const Mat3& gradient, Bodies& bodies) const;
@@ -47,7 +47,7 @@ class HomogeneousField {
 };
 
 /// Returns the frequency of the slowest swing of a homogeneous strain along an open axis, 1/s.
-/// It is the root of the last affine stiffness over the second moment of mass; 0 if nothing resists.
+/// This is sqrt(affine stiffness, as last evaluated, over second moment of mass); 0 if nothing resists.
 double slowest_swing(const Simulation& simulation);
 
 }  // namespace soilweave::dem

@@ -1,4 +1,4 @@
-// Numbers that a checkpoint keeps beyond the state of the grains and the energies.
+// Numbers that a checkpoint keeps besides the snapshot and the energies.
 // A member added to SweepSums or Measures must be added here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -30,7 +30,7 @@ inline void archive(Archive& a, Measures& m) {
 }
 
 /// Keeps or restores forces and torques of the grains, and the rotation of disks.
-/// Throws DataError for another number of grains.
+/// Throws DataError if the archive holds another number of grains.
 inline void archive(Archive& a, Bodies& bodies) {
   const auto of_as_many = [&bodies](const std::string& name, std::size_t numbers, std::size_t of_each) {
     if (numbers != of_each * bodies.size()) throw DataError(name + ": is of another number of grains; begin anew");

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A grain of mass m admits a step of sqrt(2 m/k). The stiffness k of a Hertzian contact grows as the radius, the mass
-// as its cube, so small grains bound the step. In quasi-static motion masses do not change where grains come to rest.
-// Masses in proportion to the stiffness, at equal relative overlap, use each step best.
-// Their sum stays, and thus nearly the speed of waves.
+// as its cube, so small grains bound the step. In quasi-static motion the masses do not affect where grains come to
+// rest. If masses are proportional to the stiffness at equal relative overlap, all grains admit the same step.
+// The total mass is unchanged, so the speed of waves is nearly unchanged.
 #pragma once
 
 #include "dem/contact/model.h"
@@ -12,8 +12,8 @@
 
 namespace soilweave::dem {
 
-/// Gives the grains masses in proportion to the normal stiffness between equal grains; their sum stays.
-/// The stiffness is at the reference overlap (step_bound.h). Scaling again changes nothing.
+/// Makes the masses proportional to the normal stiffness between equal grains, and keeps their sum.
+/// The stiffness is taken at the reference overlap (step_bound.h). Scaling twice equals scaling once.
 void equalise_steps(const Model& model, io::GrainsRecord& grains);
 
 }  // namespace soilweave::dem

@@ -85,7 +85,7 @@ Motion::Collected Motion::collect(std::size_t chunk, const Contacts& contacts, B
   if (i < end) collect_one(i, sums);
   for (int a = 0; a < dimension; ++a) sums.virial[a] += others.virial[a];
   sums.force = maximum(sums.force, others.force);
-  if (dimension == 2) {  // removes the torque's part, third in the row
+  if (dimension == 2) {  // the third component is the torque
     for (Lane4& v : sums.virial) v[2] = 0;
     sums.force[2] = 0;
   }
@@ -130,7 +130,7 @@ void Motion::advance(std::size_t chunk, Bodies& bodies) {
   MotionTally tally;
   move(push_, all, begin, whole, tally);
   if (rest > 0) {
-    // The last few grains are moved together with dummies that are at rest and do not fall.
+    // The last few grains are moved together with dummies, which are at rest and have no weight.
     Push last = push_;
     std::array<Grain, 8> few;
     const Lane4 unit{0, 0, 0, 1};

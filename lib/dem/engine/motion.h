@@ -25,7 +25,7 @@ struct MotionSums {
 /// Different threads may work on different chunks. Sums are kept, so that stepping allocates nothing.
 class Motion {
  public:
-  /// Prepares passes. `how`: loops of one width.
+  /// Prepares the passes. `how`: loops over the grains, for one register width.
   Motion(std::size_t grains, int threads, const GrainMotion& how = grain_motion());
 
   /// Sets the data of the next step.
@@ -50,7 +50,7 @@ class Motion {
 
   /// Returns the stability limit, s, infinite without contacts: the least sqrt(2 m/k) over grains and axes.
   /// It holds for translation and rotation (Chareyre & Villard 2005, Eq. 2.9; LAWS.md §8).
-  /// ContactSweep::stiffen must have set the stiffnesses, which are left zero.
+  /// It reads the stiffnesses that ContactSweep::stiffen has set, and resets them to zero.
   double stable_time_step(const Contacts& contacts, Bodies& bodies);
 
  private:
@@ -58,7 +58,7 @@ class Motion {
   struct Collected {
     /// Rows: force times x, y, z of the position.
     Lane4 virial[3] = {};
-    /// Largest of each component, squared, N2.
+    /// Largest square of each force component, N2.
     Lane4 force{};
   };
   template <int dimension>
@@ -66,7 +66,7 @@ class Motion {
   template <class Pass>
   void pass(const Pass& over) const;
 
-  /// Loops of one width.
+  /// Loops over the grains, for one register width.
   GrainMotion how_;
   /// Number of threads.
   int threads_;
@@ -82,7 +82,7 @@ class Motion {
 
 /// Kinetic energies around a change of all velocities.
 struct Slowed {
-  /// Kinetic energy (kinetic_energy()), J.
+  /// Kinetic energy before and after the change, as kinetic_energy() returns it, J.
   double energy_before = 0, energy_after = 0;
 
   void operator+=(const Slowed& other) { energy_before += other.energy_before, energy_after += other.energy_after; }

@@ -14,7 +14,7 @@
 //   4  contacts   overlap, slip, carried history -> law -> force and torques, per pair             contact_sweep.h
 //   5  yarns      tension from their strain, on their nodes                                        yarns.h
 //   6  sums       stress, work and dissipation; guards look for broken physics                     energies.h, guard.h
-//   7  clock      the step stays below sqrt(2 m/k) of the stiffest grain, evaluated now and then   motion.h
+//   7  clock      the step stays below the least sqrt(2 m/k) of all grains, evaluated at intervals motion.h
 //
 // A periodic cell deforms with L: each grain moves at L x plus a fluctuation, and only fluctuations are stored.
 // A test sets L (control.h, the servo), plane velocities or clamp velocities (rig.h) between steps:
@@ -45,7 +45,7 @@ namespace soilweave::dem {
 struct Measures {
   /// Love-Weber stress of contacts and, in a periodic cell, yarns, Pa (2D: N/m).
   Mat3 stress = Mat3::Zero();
-  /// Their affine stiffness along each axis, when last evaluated, Pa.
+  /// Affine stiffness of the same contacts and yarns along each axis, as last evaluated, Pa.
   Vec3 axial_stiffness = Vec3::Zero();
   /// Number of contacts.
   std::int64_t contacts = 0;
@@ -55,9 +55,9 @@ struct Measures {
 class Simulation {
  public:
   /// Takes a state with its contacts and their history. Contacts missing there begin at zero shear.
-  /// Throws DataError for overlaps above half a radius, and for materials that the model lacks.
+  /// Throws DataError for overlaps above Limits::overlap, and for materials that the model lacks.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics);
-  /// Goes on bit by bit from a snapshot and the numbers that archive() kept with it.
+  /// Continues, to equal bits, from a snapshot and the numbers that archive() kept with it.
   Simulation(const io::Snapshot& state, const Model& model, const Numerics& numerics, Archive& kept);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -69,11 +69,11 @@ class Simulation {
   /// Returns the measurements of the last step.
   const Measures& measures() const;
   /// Returns the mean resultant on grains over the mean force of contacts and taut yarns.
-  /// That mean force counts as `least` (N) or more; 0/0 is 0.
+  /// The mean force is taken as `least` (N) if it is smaller; 0/0 is 0.
   double unbalanced_force(double least = 0) const;
   /// Returns the kinetic energy, J.
   double kinetic_energy() const;
-  /// Returns the kinetic energy without grains that float free, J.
+  /// Returns the kinetic energy of the grains under some force, J: grains that float free are left out.
   double kinetic_energy_of_acted_on() const;
   /// Returns the largest overlap over the smaller radius.
   double largest_overlap() const;
@@ -131,9 +131,9 @@ class Simulation {
   /// Changes velocities. Gained kinetic energy counts as boundary work, lost energy as damped.
   void change_velocities(const std::function<void(Bodies&)>& change);
 
-  /// Returns state and history. A Simulation made from it alone starts its energies anew.
+  /// Returns state and history. A Simulation made from the snapshot alone starts its energies anew.
   io::Snapshot snapshot() const;
-  /// Keeps what a snapshot leaves out.
+  /// Keeps the numbers that a snapshot lacks.
   void archive(Archive& archive) const;
   /// Returns the number of contacts, summed over the steps.
   std::int64_t contact_steps() const;

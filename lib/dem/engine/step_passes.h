@@ -8,7 +8,7 @@
 
 namespace soilweave::dem {
 
-/// Moves the grains, if they have not moved before the sweep, and collects their loads.
+/// Moves the grains of a chunk before its sweep, unless they have moved already, and collects their loads after it.
 class StepPasses final : public AroundChunk {
  public:
   /// `time`: accumulates the time of the passes, if given.

@@ -48,7 +48,7 @@ class StepWatch {
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Steps per sample; no divisor is shared with the interval of stiffness evaluations.
+  /// Steps per sample. The interval of stiffness evaluations has no common divisor with it.
   static constexpr std::int64_t interval = 7;
 
   StepTimes& times_;

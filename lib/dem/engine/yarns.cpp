@@ -21,12 +21,12 @@ namespace {
 
 // Blocks of yarns per chunk; one thread takes a chunk at a time, and sums are made chunk by chunk.
 constexpr std::size_t blocks_per_chunk = 128;
-// Least length, m. Nodes of a torn fabric may coincide; their yarn is then slack and has no direction.
+// Least length, m, for divisions. Nodes of a torn fabric may coincide. Their yarn is then slack and has no direction.
 constexpr double least_length = 1e-12;
 
 double sum_of(const Lane4& l) { return l[0] + l[1] + l[2] + l[3]; }
 
-/// Returns the energy that unloading returns, J. per_unloading: 1/N.
+/// Returns the energy that unloading returns, J. `per_unloading`: inverse slope of unloading, 1/N.
 Lane4 elastic(const Lane4& tension, const Lane4& rest_length, double per_unloading) {
   return 0.5 * per_unloading * rest_length * tension * tension;
 }
@@ -45,7 +45,7 @@ Yarns::Yarns(const io::YarnsRecord& record, std::size_t grains, std::vector<Wire
 void Yarns::lay_out(const io::YarnsRecord& record) {
   std::vector<std::size_t> order(record.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // Yarns are sorted by nodes, so that a thread pulls at nodes whose yarns it has stretched.
+  // Yarns are sorted by nodes, so that a thread sums forces at nodes whose yarns it has just stretched.
   const auto place = [&record](std::size_t k) { return std::pair(record.geotextile_id[k], record.nodes[k][0]); };
   std::stable_sort(order.begin(), order.end(), [&place](std::size_t a, std::size_t b) { return place(a) < place(b); });
   slot_.resize(record.size());

@@ -50,16 +50,16 @@ class Yarns {
   void set_curves(std::vector<WireCurve> curves) { curves_ = std::move(curves); }
 
   /// Stretches all yarns to the present positions, and adds their tensions to the forces on their nodes.
-  /// Each node adds in the order of its yarns, so bits do not depend on threads. `time`: of breaks, s.
+  /// Each node adds its yarns in a fixed order, so that threads do not change bits. `time`: time of new breaks, s.
   void run(double time, int threads, Bodies& bodies);
   /// Returns the sums of the last run().
   const YarnSums& sums() const { return sums_; }
 
   /// Returns the largest stiffness over mass of the nodes, 1/s2; 0 without yarns.
-  /// It includes contacts as ContactSweep::stiffen leaves them.
+  /// It includes the contact stiffnesses that ContactSweep::stiffen left in Bodies::stiffness.
   double stiffness_over_mass(const Bodies& bodies, const Contacts& contacts) const;
   /// Returns the affine stiffness of taut yarns times squared lengths along the axes, N m.
-  /// A yarn is stiff along itself, and sideways as a taut string.
+  /// A yarn resists stretching along its direction, and sideways motion like a taut string.
   Vec3 affine_stiffness(int threads) const;
   /// Returns the yarns as files hold them.
   io::YarnsRecord record() const;
@@ -76,7 +76,7 @@ class Yarns {
     Lane4 tension{}, length{};
     /// History of each yarn.
     WireHistory<Lane4> history{{}, ~Mask<Lane4>{}};
-    /// Geotextile, and number of yarns.
+    /// Geotextile of the block, and its number of yarns.
     std::int32_t geotextile, count = 0;
 
     explicit Block(std::int32_t of) : geotextile(of) {}
@@ -92,7 +92,7 @@ class Yarns {
   void lay_out(const io::YarnsRecord& record);
   /// Lists the yarn ends at each node.
   void list_ends(const io::YarnsRecord& record);
-  /// Returns the steepest slope by geotextile, N per unit of strain.
+  /// Returns the steepest slope of each geotextile's curve, N per unit of strain.
   std::vector<double> stiffest() const;
   YarnSums stretch(double time, const Bodies& bodies, std::size_t block);
   void note_breakage(double time, const Bodies& bodies, std::size_t slot);
@@ -108,8 +108,8 @@ class Yarns {
   std::vector<WireCurve> curves_;
   /// Grains that are nodes, ascending.
   std::vector<std::int32_t> node_;
-  /// First of the ends at each node.
-  /// An end is twice its slot, plus one at the yarn's second node.
+  /// `ends_`: the yarn ends, node by node. `start_`: index of the first end of each node.
+  /// An end is stored as twice its slot, plus one at the yarn's second node.
   std::vector<std::uint32_t> start_, ends_;
   /// Sums by group of blocks.
   std::vector<YarnSums> partial_;

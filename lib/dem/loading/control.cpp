@@ -8,10 +8,10 @@
 namespace soilweave::dem {
 namespace {
 
-// Natural frequency of the servo times the step: fast against the loading, slow against the grains' own oscillation.
+// Natural frequency of the servo times the step: faster than the loading, slower than the oscillation of grains.
 constexpr double frequency_times_step = 0.05;
 constexpr double servo_damping = 1.0;  // fraction of critical damping
-// Fraction of a stress goal that serves as stiffness while the contact network is too loose to have one.
+// Least stiffness of an axis, as a multiple of its stress goal, for contact networks that are too loose.
 constexpr double loosest_stiffness = 10.0;
 // Tolerance of a strain goal.
 constexpr double strain_tolerance = 1e-9;

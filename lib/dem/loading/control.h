@@ -22,7 +22,7 @@ struct AxisGoal {
 /// Goals of the axes x, y, z.
 using AxisGoals = std::array<AxisGoal, 3>;
 
-/// Tolerances of an equilibrium.
+/// Tolerances within which a station counts as settled.
 struct Tolerances {
   /// Tolerance of a stress, relative to its goal.
   double stress = 1e-3;
@@ -36,10 +36,10 @@ struct Tolerances {
 struct ServoRule {
   /// Law from stress error to strain rate.
   enum class Kind {
-    /// Proportional-integral and critically damped. Gains follow the stiffness of the contact network.
+    /// A proportional-integral controller, critically damped. Its gains follow the stiffness of the contact network.
     stiffness,
-    /// The strain rate grows by stress error over total mass (Pa/kg taken as 1/s2), damped like a grain.
-    /// It oscillates. Use it only to repeat the thesis's runs.
+    /// The strain rate accelerates by stress error over total mass (Pa/kg taken as 1/s2), damped like a grain.
+    /// This rule oscillates. Use it only to repeat the thesis's runs.
     inertia
   };
   Kind kind = Kind::stiffness;

@@ -8,16 +8,15 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps that a wave takes from a grain to the next, since a step is a fraction of the period of a grain on its
-// neighbours.
+// Steps that a wave takes from one grain to the next. A step is a fraction of the period of a grain on its neighbours.
 constexpr double steps_past_a_grain = 10;
-// Least share: where contacts are lost, however slowly, the loading must go on until they are found again.
+// Least share of the prescribed speed. Even if contacts are lost, the loading must go on until new ones form.
 constexpr double least_share = 0.01;
-// Crossings in which the speed changes by a factor e, if the unbalanced force is off by a factor e or more. The speed
-// grows slowly, so that the grains can respond. At the start it grows fast, because grains that are hardly loaded lose
-// their contacts while it creeps.
+// Wave crossings in which the speed grows (`faster`) or falls (`slower`) by a factor e, if the unbalanced force is off
+// by a factor e or more. The speed grows slowly, so that the grains can respond. At the start it grows fast, because
+// hardly loaded grains lose their contacts under a creeping load.
 constexpr double faster = 10, slower = 1, faster_at_start = 1;
-// Share of the wanted unbalanced force that ends the start. The unbalanced force lags behind by a crossing.
+// Share of the wanted unbalanced force at which the fast start ends, since this force lags the speed by a crossing.
 constexpr double found_share = 0.5;
 
 }  // namespace

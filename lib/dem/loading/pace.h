@@ -9,13 +9,13 @@
 
 namespace soilweave::dem {
 
-/// A loading speed that adapts to the unbalanced force, from a hundredth of the prescribed speed.
+/// A loading speed that adapts to the unbalanced force. It starts at a hundredth of the prescribed speed.
 class Pace {
  public:
-  /// Estimates from the number of grains how many steps a wave takes across them.
+  /// Estimates from the number of grains how many steps a wave takes to cross the assembly.
   Pace(std::size_t grains, int dimension);
 
-  /// Begins slowly and searches the admissible speed anew.
+  /// Starts again at the least speed.
   void begin_stage();
   /// Adapts the speed so that the unbalanced force stays near `wanted`.
   /// unbalanced: the present ratio. steps: number of steps since the last call.
@@ -26,7 +26,7 @@ class Pace {
   void archive(Archive& archive);
 
  private:
-  /// Steps of a wave across the grains.
+  /// Number of steps in which a wave crosses the assembly.
   double crossing_;
   /// Present share of the prescribed speed.
   double share_;

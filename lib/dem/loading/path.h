@@ -15,11 +15,11 @@
 
 namespace soilweave::dem {
 
-/// State that a path may use to set goals.
+/// Present state, from which a path may compute its goals.
 struct PathState {
   /// Dimension of the space, 2 or 3.
   int dimension;
-  /// Goals of stress, Pa, compression positive.
+  /// Stress, Pa, compression positive.
   Mat3 stress;
   /// Natural strain since the start of the stage.
   Vec3 strain;
@@ -39,15 +39,15 @@ class Path {
   virtual ~Path() = default;
   /// Returns the number of stations.
   virtual std::size_t stations() const = 0;
-  /// Returns the goals on the way to a station, from 0. Strains count from the start of the stage.
+  /// Returns the goals of the cell's axes for `station`, counted from 0. Strains count from the start of the stage.
   virtual AxisGoals goals(std::size_t station, const PathState& state) const = 0;
-  /// Returns the goals of plates and clamps on the way to a station.
+  /// Returns the goals of plates and clamps for a station.
   virtual std::vector<DriveGoal> drives(std::size_t) const { return {}; }
-  /// Returns the plates between which the path compresses, if it does.
+  /// Returns the two plates between which the path compresses the grains, if any.
   virtual std::optional<Between> between() const { return std::nullopt; }
-  /// Returns the least dimension of a space in which the path can load what it names.
+  /// Returns the smallest dimension of the space, 2 or 3, that the path can load.
   virtual int least_dimension() const { return 2; }
-  /// Returns the strain that names a station, if the cell's own does not.
+  /// Returns the strain by which snapshots select a station; NaN: the strain of the cell.
   virtual double nominal_strain(std::size_t) const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
@@ -64,7 +64,7 @@ struct StrainStations {
 
 /// Reads axial_strain and increment, or an explicit list `stations`, and rate.
 StrainStations read_strain_stations(Settings& table);
-/// Returns strains `step` apart from `step` to `end`. More than a million are a mistake of the key `increment`.
+/// Returns strains at multiples of `step`, the last one `end`. Reports a mistake if they are more than a million.
 std::vector<double> stations_every(double step, double end, Settings& table);
 /// Reads max_rate of the stress-controlled axes, 1/s.
 double read_max_rate(Settings& table);

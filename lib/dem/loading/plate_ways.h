@@ -10,16 +10,16 @@
 
 namespace soilweave::dem {
 
-/// Distances of facing planes, stage after stage, as prescribed displacements change them. Loads press plates further
-/// together and are not foreseen.
+/// Distances of facing planes, stage after stage, as prescribed displacements change them. Motion under loads is not
+/// foreseen.
 class PlateWays {
  public:
-  /// Takes the planes and grains at the start. overlap: of two grains over the radius, at most.
+  /// Takes the planes and grains at the start. `overlap`: largest overlap of two grains over the radius.
   PlateWays(const io::Snapshot& state, std::vector<RigPart> parts, double overlap);
 
-  /// Moves the plates along a path. Returns why they cannot follow: two facing planes would be closer to each other
-  /// than the largest grain that touches both is wide. A single layer of grains may be pressed as far as grains may
-  /// overlap. Empty if they can.
+  /// Moves the plates along a path. Returns why they cannot follow, or an empty text if they can.
+  /// Two facing planes may not come closer than the diameter of the largest grain that touches both.
+  /// They may compress a single layer of grains as far as grains may overlap.
   std::string follow(const Path& path);
 
  private:
@@ -33,9 +33,9 @@ class PlateWays {
   };
   /// Returns the name of the plane in quotes, or its number.
   std::string name_of(std::size_t plane) const;
-  /// Adds to each plane's displacement what these orders move it by, m.
+  /// Adds the prescribed displacements of these orders to those of the planes.
   void move(const std::vector<DriveGoal>& orders);
-  /// Returns the least distance of two planes, m.
+  /// Returns the least allowed distance of two planes, m.
   double least(const Facing& pair) const;
 
   std::vector<RigPart> parts_;

@@ -11,8 +11,8 @@
 namespace soilweave::dem {
 namespace {
 
-// Factor between a height and the plates' distance from which on the height is doubted. Plates may stand off a bag that
-// has not been pressed yet: by a fifth of its height in chapter 3.
+// Ratio of a height to the plates' distance, or its inverse, above which the height is doubted. Before compression
+// plates may stand off a bag, in chapter 3 by a fifth of its height.
 constexpr double doubted_factor = 1.5;
 // Cosine between the direction of a load and the plate's normal below which the load pulls.
 constexpr double pulling = -0.01;

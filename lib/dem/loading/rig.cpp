@@ -12,8 +12,8 @@
 namespace soilweave::dem {
 namespace {
 
-// Frequency times step of a massless plate. It follows its contacts like a mass that oscillates on them at this
-// frequency, with critical damping.
+// Frequency times step of a massless plate. The plate moves like a critically damped mass that would oscillate on its
+// contacts at this frequency.
 constexpr double plate_frequency_times_step = 0.1;
 // Tolerance of a displacement, m.
 constexpr double displacement_tolerance = 1e-10;
@@ -57,7 +57,7 @@ double Rig::load_velocity(std::size_t part, const std::vector<PlateLoad>& plates
       s.load + force(part, plates, simulation).dot(s.direction);  // part of the load that the grains do not bear yet, N
   double mass = parts_[part].mass, direct = 0;
   if (mass == 0 && !parts_[part].is_clamp) {
-    // Before it touches, the plate approaches at its full speed.
+    // A plate without contacts approaches at its full speed.
     const double stiffness = plates[parts_[part].number].stiffness;
     if (stiffness == 0) return s.velocity = s.load > 0 ? s.speed : 0.0;
     const double omega = plate_frequency_times_step / dt;

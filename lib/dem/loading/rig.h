@@ -29,7 +29,7 @@ struct DriveGoal {
 struct RigPart {
   /// Name in the scenario.
   std::string name;
-  /// Whether it is a clamp; otherwise it is a plate.
+  /// Whether the part is a clamp; otherwise it is a plate.
   bool is_clamp = false;
   /// Index of the plane or clamp.
   std::size_t number = 0;
@@ -37,7 +37,7 @@ struct RigPart {
   double mass = 0;
 };
 
-/// Cosine between two directions above which a part moves along its load, and no longer carries it.
+/// Cosine between a move and a load above which the move replaces the load.
 inline constexpr double along_load = 0.5;
 
 /// All named plates and clamps of a run.
@@ -54,15 +54,15 @@ class Rig {
   /// Sets the velocities of all parts for the next step. Loads of earlier stages are held. Other parts rest.
   /// pace: share of the greatest speed at which displacements are approached.
   void drive(const std::vector<DriveGoal>& goals, double damping, Simulation& simulation, double pace = 1);
-  /// Returns the velocity gradient (1/s) that displacements demand of the grains between two facing planes or clamps.
-  /// The relative velocity of a pair is spread evenly. Other elements stay as in `before`.
+  /// Returns the velocity gradient (1/s) that the prescribed displacements impose between facing planes or clamps.
+  /// The relative velocity of a facing pair is spread evenly. Other elements stay as in `before`.
   Mat3 gradient_of_way(const std::vector<DriveGoal>& goals, double pace, const Mat3& before,
                        const Simulation& simulation) const;
   /// Returns whether all displacements are reached.
   bool moved(const std::vector<DriveGoal>& goals) const;
   /// Returns whether all displacements are reached and all loads, also earlier ones, are within the tolerance.
   bool arrived(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
-  /// Returns which part has not arrived, with a remedy, as one clause; empty if all have.
+  /// Names one part that has not arrived, with a remedy; empty if all have arrived.
   std::string late_part(const std::vector<DriveGoal>& goals, double tolerance, const Simulation& simulation) const;
   /// Appends displacement and force of every part to the series.
   void record(const Simulation& simulation, io::Series& series) const;
@@ -76,7 +76,7 @@ class Rig {
   struct State {
     /// Displacement now and at the start of the stage, m.
     Vec3 displacement = Vec3::Zero(), at_start = Vec3::Zero();
-    /// Whether it carries a load.
+    /// Whether the part carries a load.
     bool loaded = false;
     /// Unit vector of the load.
     Vec3 direction = Vec3::Zero();
@@ -88,7 +88,7 @@ class Rig {
     std::size_t first, second;
     /// Unit vector from the first towards the second.
     Vec3 across;
-    /// Distance along it, m.
+    /// Distance along `across`, m.
     double distance;
   };
   /// Returns all pairs of facing parts.

@@ -10,11 +10,11 @@
 namespace soilweave::dem {
 namespace {
 
-// Steps between samples: rattling of grains, faster than a swing of the whole, evens out in between.
+// Steps between samples. Single grains rattle faster than this, so that their motion averages out.
 constexpr std::int64_t steps_between_looks = 80;
 // Samples before the first estimate.
 constexpr std::int64_t first_looks = 6;
-// Lower bound of the frequency over that of affine contacts.
+// Lower bound of the frequency, as a share of the affine one.
 constexpr double slowest_share = 0.1;
 
 }  // namespace
@@ -38,11 +38,11 @@ void Swing::look(const Simulation& simulation) {
 void Swing::estimate(const Vec3& moments, double interval) {
   const auto& [before, now, after] = gradient_;
   const Vec3 second = (after - 2 * now + before) / (interval * interval), first = (after - before) / (2 * interval);
-  // Samples older than 1/w lose half of their weight or more, because the swing lasts no longer.
+  // The weight of a sample falls to 1/e after the time 1/w, because the swing lasts no longer.
   const double kept = std::exp(-interval * frequency_);
   products_ = kept * products_ - moments.dot(now.cwiseProduct(second + critical_drag() * first));
   squares_ = kept * squares_ + moments.dot(now.cwiseProduct(now));
-  // A negative sum means that no force drives the motion back: the grains find new places, and this is no swing.
+  // A negative sum means that no force drives the motion back: the grains rearrange instead of swinging.
   if (looks_ < first_looks || !(products_ > 0)) return;
   frequency_ = std::clamp(std::sqrt(products_ / squares_), slowest_share * bound_, bound_);
 }

@@ -1,4 +1,4 @@
-// A checkpoint of a simulation, from which the run goes on bit by bit.
+// A checkpoint of a simulation, from which the run continues to equal bits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace soilweave::dem {
 
 /// Returns a checkpoint of the simulation, its clock, its table and all other parts with an archive().
-/// keeping: s spent in checkpoints.
+/// `keeping`: time spent on checkpoints, s.
 template <class... Parts>
 io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, double keeping, const io::Series& table,
                              Parts&... parts) {
@@ -21,7 +21,7 @@ io::Checkpoint checkpoint_of(const Simulation& simulation, CostClock& clock, dou
   return {simulation.snapshot(), table, archive.numbers()};
 }
 
-/// Throws DataError naming the checkpoint and the number unless the number is possible in this run.
+/// Throws DataError, which names the checkpoint and the number, if the number is impossible in this run.
 inline void demand_kept(bool possible, const std::filesystem::path& file, const char* what) {
   if (!possible)
     throw DataError(file.string() + ": keeps a " + what +

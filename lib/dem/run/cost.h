@@ -1,4 +1,4 @@
-// Cost of a run: counts, which equal runs share, and seconds, which they do not.
+// Cost of a run: counts, which are equal for equal runs, and seconds, which are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,9 +17,9 @@ struct Cost {
   std::size_t grains = 0;
   /// Number of steps, and of contacts summed over the steps.
   std::int64_t steps = 0, contact_steps = 0;
-  /// Number of steps in which stations waited for rest; 0: no waits.
+  /// Number of steps in which stations waited for rest.
   std::int64_t waiting = 0;
-  /// Number of those in which only the kinetic energy was above its limit.
+  /// Number of waiting steps in which only the kinetic energy was above its limit.
   std::int64_t waiting_for_energy = 0;
   /// Seconds of stepping and of writing.
   double stepping = 0, output = 0;
@@ -40,7 +40,7 @@ struct Cost {
 class CostClock {
  public:
   /// Returns the cost over all sessions. The simulation counts its steps from 0.
-  /// keeping: s spent in checkpoints in this session.
+  /// `keeping`: time spent on checkpoints in this session, s.
   Cost cost(const Simulation& simulation, double keeping) const;
   /// Keeps the seconds of all sessions, or restores those of earlier sessions.
   void archive(const Simulation& simulation, double keeping, Archive& archive);

@@ -19,13 +19,13 @@ namespace soilweave::dem {
 namespace {
 
 constexpr double tried_seconds = 1;  // longest trial
-// Prescribed speed over the mean one where the loading slows down with the unbalanced force: 2 to 4.4 for the bags of
+// Prescribed speed over the mean speed of a loading that slows down with the unbalanced force: 2 to 4.4 for the bags of
 // chapter 3.
 constexpr double slowed = 3;
 
 using Seconds = std::chrono::duration<double>;
 
-// A loading path without grains: strains and stresses are exactly at their goals.
+// Goes through the loading paths without grains, as if strains and stresses met their goals exactly.
 class Walk {
  public:
   Walk(const Simulation& simulation, const Scenario& scenario, int dimension)
@@ -65,7 +65,7 @@ class Walk {
   }
 
  private:
-  // Returns the parts of a rig of planes. A forecast does not know where clamps are.
+  // Returns the driven planes. A forecast leaves clamps out, because it does not know their positions.
   static std::vector<RigPart> planes_of(const Scenario& scenario) {
     std::vector<RigPart> parts;
     for (const PartSetting& p : scenario.parts)
@@ -73,7 +73,7 @@ class Walk {
     return parts;
   }
 
-  // Describes the loading to a station whose goals are not reached yet.
+  // Returns the data of the loading to a station. Goals that are reached already add nothing.
   Arrival arrival_at(const AxisGoals& goals, const std::vector<DriveGoal>& drives) {
     Arrival arrival;
     arrival.first = first_;
@@ -97,7 +97,7 @@ class Walk {
       if (!load) arrival.sheared = true;
       if (!load && is_plane(goal.part)) moved.push_back(goal);
     }
-    // Strains alone leave the stress of the stage before as the best guess.
+    // If only strains are prescribed, the latest known stress is the best guess.
     const double present = scenario_.parts.empty() ? std::max(0.0, mean(state_.stress, dimension_)) : load_pressure_;
     arrival.pressure = stresses > 0 ? sum / stresses : present;
     arrival.gradient += rig_.gradient_of_way(moved, 1, Mat3::Zero(), simulation_);
@@ -109,7 +109,7 @@ class Walk {
                        [&](const PartSetting& p) { return p.part.name == name && !p.part.is_clamp; });
   }
 
-  // Returns the steps to a station, for the slowest axis.
+  // Returns the steps that the slowest axis takes to a station, and sets the state to the goals.
   double way(const AxisGoals& goals) {
     double slowest = 0;
     for (int a = 0; a < dimension_; ++a) {

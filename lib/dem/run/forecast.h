@@ -20,7 +20,7 @@ struct Forecast {
     std::string name;
     /// Number of stations.
     std::size_t stations = 0;
-    /// Estimate: the time to rest is known only afterwards.
+    /// Estimated number of steps. The time to rest is known only after a run.
     double steps = 0;
     /// Number of steps that wait for rest.
     double waiting = 0;
@@ -28,14 +28,14 @@ struct Forecast {
     double fewest = 0, most = 0;
     /// Whether the loading slows down with the unbalanced force.
     bool paced = false;
-    /// Estimate and least number of steps of the station with most steps, without their limit.
+    /// Estimated and least number of steps of the longest station, not cut at equilibrium.steps.
     double longest = 0, least_longest = 0;
   };
   /// State before the first step, with the forces of the scenario's law.
   io::Snapshot begun;
   /// Forecast of each stage.
   std::vector<OfStage> stages;
-  /// Limit of the step and the step itself at the start, s.
+  /// Stability limit and time step at the start, s.
   double stability_limit = 0, time_step = 0;
   /// Unbalanced force and largest overlap at the start, as ratios.
   double unbalanced_force = 0, largest_overlap = 0;
@@ -54,7 +54,7 @@ struct Forecast {
   std::string text() const;
 };
 
-/// The first steps of a run, taken to know the time of all others.
+/// The first steps of a run, timed to estimate the time of all others.
 struct Trial {
   /// Number of steps tried.
   std::int64_t steps = 0;
@@ -76,7 +76,7 @@ Trial try_steps(double most, Step step) {
   return trial;
 }
 
-/// start: as for run(). Throws what the first steps of a run throw.
+/// Forecasts a run. `start`: as for run(). Throws the errors that the first steps of a run may throw.
 Forecast forecast(const io::Snapshot& start, const Scenario& scenario);
 
 }  // namespace soilweave::dem

@@ -54,7 +54,7 @@ WireCurve from_file(const std::filesystem::path& path, std::vector<io::Source>& 
   Settings document = Settings::parse(file.text, path.string());
   WireCurve curve = read_points(document);
   curve.name = document.text({"name", "name of the geotextile"}, path.stem().string());
-  // Numbers of the analytical model, beside the curve, are only checked.
+  // The file also has numbers for the analytical model, which are only checked here.
   for (const char* key : {"stiffness", "strength"})
     if (document.has(key)) document.text(key);
   static constexpr Parameter failure{"failure_strain", "1", 0, 10, true, "strain at which it breaks"};

@@ -13,8 +13,8 @@
 namespace soilweave::dem {
 
 /// Reads a [[geotextile]] table. `curve` is a name of data/geotextiles, a multiple such as 3PP, or a TOML file.
-/// The lists `strain` and `tension` may replace it. key: the table's own, "geotextile.0".
-/// Mistakes go to the table. Files that were read are added to `sources`.
+/// The lists `yarn_strain` and `yarn_tension` may replace `curve`. `key`: name of this table, such as "geotextile.0".
+/// Mistakes are reported to the table. Files that were read are added to `sources`.
 WireCurve read_geotextile(Settings& table, const std::string& key, const NamedFiles& files,
                           std::vector<io::Source>& sources);
 

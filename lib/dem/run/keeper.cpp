@@ -12,9 +12,10 @@
 namespace soilweave::dem {
 namespace {
 
-// Checking clock and signals costs as much as stepping a handful of grains, so few grains are checked less often.
+// A check of clock and signals costs as much as a step of a few grains, so small runs check less often. This is the
+// product of the grains and the steps between two checks.
 constexpr std::int64_t grains_per_look = 4096;
-// Upper bound of the share of time for checkpoints, however large the run and slow the disk.
+// Largest checkpoint time over the time until the next checkpoint, for large runs and slow disks.
 constexpr double largest_share = 0.2;
 
 auto duration(double seconds) {

@@ -21,14 +21,14 @@ struct Safekeeping {
   io::Part* part = nullptr;
   /// Seconds between checkpoints; 0: recorded states only.
   double interval = 300;
-  /// Signals to obey; nullptr: they are ignored here.
+  /// Signals that stop the run; nullptr: the keeper checks none.
   const StopSignals* signals = nullptr;
 };
 
 /// Keeper of checkpoints for one run.
 class Keeper {
  public:
-  /// Prepares the keeping of a run with so many grains.
+  /// Prepares the checkpoints of a run. `grains`: number of grains.
   Keeper(const Safekeeping& how, std::size_t grains);
 
   /// Returns whether checkpoints are written at all.
@@ -45,7 +45,7 @@ class Keeper {
     keep(make(), false);
     if (signal) stop(signal);
   }
-  /// Writes a checkpoint and counts the time.
+  /// Writes a checkpoint, adds its time to seconds(), and sets the time of the next one.
   void keep(io::Checkpoint checkpoint, bool recorded);
   /// Returns the time spent in checkpoints so far, s.
   double seconds() const { return seconds_; }
@@ -56,7 +56,7 @@ class Keeper {
   [[noreturn]] void stop(const char* signal) const;
 
   Safekeeping how_;
-  /// Number of steps so far, and between two looks at the clock.
+  /// Number of steps so far, and number of steps between two checks of the clock.
   std::int64_t steps_ = 0, look_interval_;
   /// Time of the next checkpoint.
   Clock::time_point due_;
@@ -64,9 +64,9 @@ class Keeper {
   double seconds_ = 0;
 };
 
-/// Calls work.run(). If the work is kept, errors say what is whole and how to go on.
-/// Broken physics leaves work.left(): a state, or a function that writes a file.
-/// So does an unreached target if show_unreached.
+/// Calls work.run(). If there is a folder `part`, errors also tell which states are complete and how to resume.
+/// After broken physics work.left() is saved: a state, or a function that writes a file.
+/// With show_unreached, it is also saved after an unreached target.
 template <bool show_unreached, class Work>
 auto carry_out(Work& work, const io::Part* part) {
   if (!part) return work.run();

@@ -21,7 +21,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Overlap over radius up to which a plane may press on grains at the start; beyond, it stands inside them.
+// Greatest overlap over radius of a named plane at the start. Beyond it the plane counts as inside the grains.
 constexpr double deepest_start = 0.02;
 
 void demand_periodic(const io::Snapshot& packing, const Scenario& scenario) {
@@ -52,9 +52,8 @@ bool are_parallel(const io::PlanesRecord& a, const io::PlanesRecord& b) {
                     [](const Vec3& m, const Vec3& n) { return m.normalized().isApprox(n.normalized()); });
 }
 
-// Returns the strains along the loading axis that name stations: the nominal one, or those since the
-// start of the stage and since the reference. Strains since the reference are left out after a stage whose last strain
-// only the run finds.
+// Returns the axial strains by which stations can be listed: nominal strains, or strains since the start of the stage
+// and since the reference. Strains since the reference are unknown after a stage that ends at a stress.
 std::vector<double> known_stations(const io::Snapshot& packing, const Scenario& scenario) {
   const int axis = packing.grains.dimension - 1;
   const PathState unloaded{packing.grains.dimension, Mat3::Zero(), Vec3::Zero()};
@@ -102,7 +101,7 @@ Plane plane_of(const io::Snapshot& state, std::size_t k) {
           static_cast<Partners>(state.planes.partners[k])};
 }
 
-// Moves planes until they just touch the outermost grain they meet.
+// Moves planes along their normals until they just touch the outermost grain that may touch them.
 void put_in_touch(io::Snapshot& state, const Scenario& scenario) {
   const std::vector<bool> node = io::nodes(state);
   for (const std::size_t k : scenario.touching) {
@@ -127,8 +126,8 @@ std::string name_of(std::size_t plane, const Scenario& scenario) {
   return std::to_string(plane);
 }
 
-// Throws DataError for a plane of the scenario that stands inside the grains it loads. Plates may press a little at the
-// start; planes without a name as deep as contacts may be.
+// Throws DataError for a plane of the scenario that starts inside its grains. Named planes may overlap grains a little,
+// planes without a name as much as contacts may.
 void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
   const std::vector<bool> node = io::nodes(state);
   for (std::size_t k = 0; k < scenario.planes.point.size(); ++k) {
@@ -198,7 +197,7 @@ void demand_in_plane(const io::Snapshot& state, const Scenario& scenario) {
         throw DataError(fmt::format("plane {}: its {} has a part {}: leave that part out", k, name, why));
 }
 
-// Throws DataError for a stage that gives plates a friction angle where there are none, or grains would get it too.
+// Throws DataError for a stage that gives planes a friction angle if there are none, or if grains share their material.
 void demand_own_material(const io::Snapshot& state, const Stage& stage) {
   if (!stage.plate_friction) return;
   if (state.planes.point.empty())

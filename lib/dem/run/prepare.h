@@ -11,19 +11,19 @@
 
 namespace soilweave::dem {
 
-/// Gives grains, but no nodes of geotextiles, the masses of this density, kg/m3.
+/// Sets the masses of all grains except nodes of geotextiles from a density, kg/m3.
 void set_density(io::Snapshot& state, double density);
 
-/// Returns the packing with the scenario's density (masses follow), mass scaling and planes.
-/// Planes that are to touch are put in place. Throws DataError if packing and scenario do not fit:
+/// Returns the packing with the scenario's masses and planes.
+/// Planes that are to touch the grains are moved there. Throws DataError if packing and scenario do not fit:
 /// - the packing names materials or geotextiles that the scenario lacks;
 /// - a stage loads an aperiodic axis, or a strain to record is no station;
 /// - a yarn passes through a periodic face, a plane starts inside the grains, or a clamp holds nothing;
 /// - gravity has nothing to press on;
-/// - a homogeneous start has no parts that face each other, or a critical drag has no axis to swing along;
-/// - scaled masses would fall;
+/// - a homogeneous start has no parts that face each other, or a critical drag has no aperiodic axis;
+/// - masses are scaled although there is gravity;
 /// - a plane, gravity or a stage leaves the plane of disks;
-/// - a stage gives plates a friction angle, and there are none, or grains have their material too;
+/// - a stage gives planes a friction angle, but there are none, or grains share their material;
 /// - a stage compresses between plates that do not face each other along z.
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario);
 

@@ -13,7 +13,7 @@
 namespace soilweave::dem {
 namespace {
 
-// Value of a quantity that the state does not have.
+// Value of a quantity that is not defined for the state.
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 struct Coordination {
@@ -39,8 +39,8 @@ Coordination coordination_of(const io::Snapshot& s) {
   return {ends / n, n > n0 + n1 ? (ends - n1) / (n - n0 - n1) : no_value, m > 0 ? sliding / m : no_value};
 }
 
-// Quantities of a row, gathered once. A cell that is not periodic along all axes does not follow its grains, so that
-// stress, strain and void ratio have no value.
+// Quantities of a row, gathered once. Stress, strain and void ratio have no value unless the cell is periodic along all
+// axes, because other cells do not follow their grains.
 struct Moment {
   Moment(const Simulation& of, int space, int number)
       : simulation(of),

@@ -11,36 +11,36 @@
 namespace soilweave::dem {
 namespace {
 
-// Fewest steps of a wait, which the servo takes to settle.
+// Fewest steps of a wait: the servo takes so many to settle.
 constexpr double settling = 20;
-// Unbalanced force on arrival, unbalanced_scale I^unbalanced_power: within 30 % in nine triaxial tests of 1000 and 500
-// grains at 10 kPa to 0.2 MPa and I from 2e-4 to 1e-2; at 1 MPa it is half of that.
+// Unbalanced force on arrival: unbalanced_scale I^unbalanced_power. It fits nine triaxial tests of 1000 and 500 grains
+// within 30 %, at 10 kPa to 0.2 MPa and I from 2e-4 to 1e-2. At 1 MPa the measured force is half of this.
 constexpr double unbalanced_scale = 0.43, unbalanced_power = 0.6, most_unbalanced = 0.1;
-// Inertial times of an e-fold of the unbalanced force: this over the damping. Sheared grains take no fewer than the
-// second, because they rearrange, and creep if they are damped more. Damping of 0.05 to 0.9 in the same tests.
+// Inertial times per e-fold of the unbalanced force: fold_over_damping over the damping. Sheared grains take at least
+// least_fold, because they rearrange, and creep under more damping. The same tests had damping of 0.05 to 0.9.
 constexpr double fold_over_damping = 0.14, least_fold = 0.45;
-// Mean wait of a test over the waits in its first per cents, since dilated soil rearranges more slowly: 1.5 to 2.
+// Mean wait of a test over the wait in its first per cents of strain: 1.5 to 2. Dilated soil rearranges more slowly.
 constexpr double dilated = 1.7;
-// Steps until rest for each grain across a bag between plates, per e-fold and over the damping, without drag. The shear
-// box of chapter 3 asks for 4.5, the thesis's bag of 69,000 grains in PP for 10 (319,000 steps for 21 stations).
+// Steps of a wait between plates without drag, per grain across and per e-fold, times the damping. The shear box of
+// chapter 3 takes 4.5, the thesis's bag of 69,000 grains in PP takes 10 (319,000 steps for 21 stations).
 constexpr double swaying = 6;
-// Waits for a load that is new over waits for one that is held: 8,000 to 10,000 steps for the bags of chapter 3.
+// Wait under a new load over the wait under a held one: 8,000 to 10,000 steps for the bags of chapter 3.
 constexpr double first_load = 4.5;
-// Frequency of a bag's swing over the affine one, as found from the drags that brought the bags of chapter 3 to rest.
+// Frequency of a bag's swing over the affine frequency. It follows from the drags that stopped the bags of chapter 3.
 constexpr double swing_share = 0.5;
-// Kinetic energy that is left of the loading's homogeneous field once that is removed: bags of chapter 3 at 10 %/s.
+// Share of a homogeneous field's kinetic energy that is left after its removal: bags of chapter 3 at 10 %/s.
 constexpr double left_of_field = 0.012;
 // Void ratio of soil between plates, for its mean stress.
 constexpr double usual_void_ratio = 0.65;
-// Mean time step of a wrapped soil that is sheared over the one at its start: 0.5 to 0.85 for the bags and cells of
+// Mean time step of sheared, wrapped soil over the time step at its start: 0.5 to 0.85 for the bags and cells of
 // chapters 3 and 4.
 constexpr double stiffened = 0.57, least_stiffened = 0.85;
-// Factors between an estimated wait and the ends of its range, after shear and after a load or stress alone: they hold
-// all stages of the runs that the numbers above come from.
+// Factors between an estimated wait and the ends of its range, after shear and after a load or stress alone. The ranges
+// contain all stages of the runs from which the numbers above come.
 constexpr double range_of_shear = 2, range_of_loads = 3;
-// Change of the pressure, as a logarithm, from which the tried steps tell how the time step depends on it.
+// Least change of the pressure in the tried steps, as a logarithm, from which power_ is estimated.
 constexpr double telling = 0.3;
-// Greatest power of the pressure with which the time step falls: of contacts whose stiffness grows as the force.
+// Greatest value of power_, for contacts whose stiffness grows as the force.
 constexpr double greatest_power = 0.5;
 
 }  // namespace
@@ -124,9 +124,9 @@ double RestEstimate::unbalanced_at_arrival(const Stage& stage, const Arrival& ar
 }
 
 double RestEstimate::in_cell(const Stage& stage, const Arrival& arrival, double damping) const {
-  // Grains that are unloaded spring back, in the time of the stress that they leave.
+  // Unloaded grains spring back in the inertial time of the greater stress before.
   const double time = inertial_time(arrival.sheared ? arrival.pressure : std::max(arrival.pressure, pressure_));
-  // Grains without contacts or stress have no time of their own: every wave across them counts.
+  // Without contacts or stress there is no inertial time. Waves across the assembly then determine the wait.
   if (!(time > 0)) return across_ * -std::log(scenario_.tolerances.unbalanced_force) / damping;
   const double folds = std::log(unbalanced_at_arrival(stage, arrival) / scenario_.tolerances.unbalanced_force);
   const double share = std::max(fold_over_damping / damping, arrival.sheared ? least_fold : 0.0);
@@ -140,8 +140,8 @@ double RestEstimate::between_plates(const Arrival& arrival, double damping) cons
 }
 
 // A swing of frequency w under a drag c decays as exp(-c t/2), or if it creeps as exp(-(c/2 - sqrt(c^2/4 - w^2)) t).
-// Its energy falls twice as fast. The unbalanced force belongs to swings of all frequencies, from this to the fast
-// ones, and falls at the geometric mean of both rates.
+// Its energy falls twice as fast. The unbalanced force belongs to swings of all frequencies. It falls at c/2, or if the
+// slowest swing creeps at w, the geometric mean of its rates c/2 -+ sqrt(c^2/4 - w^2).
 double RestEstimate::under_drag(const Stage& stage, const Arrival& arrival, double half) const {
   const double slow = half - std::sqrt(std::max(0.0, half * half - swing_ * swing_));
   const Tolerances& tolerances = scenario_.tolerances;

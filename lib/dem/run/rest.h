@@ -3,10 +3,10 @@
 //
 // A wait is the number of e-folds by which the motion has to fall, times the time of one e-fold.
 //
-// In a cell, grains that rearrange move by their own size in the inertial time t = d sqrt(rho/p). The unbalanced force
-// on arrival grows with the inertial number I = rate t, and each of its e-folds takes a fixed share of t, less with
-// more damping. Under a drag, the slowest swing of the whole rules (swing.h), and its kinetic energy is last to fall.
-// Between plates without a drag, waves are reflected by soft ends, and the wait grows with the number of grains across.
+// In a cell, rearranging grains move by their own size in the inertial time t = d sqrt(rho/p). The unbalanced force on
+// arrival grows with the inertial number I = rate t. An e-fold takes a fixed share of t, which is smaller for more
+// damping. Under a drag, the wait depends on the slowest swing of the assembly (swing.h), whose kinetic energy falls
+// last. Between plates without a drag, waves are reflected, and the wait grows with the number of grains across.
 //
 // The numbers in rest.cpp are measured on the studies' runs. Waits differ by a factor of two from bag to bag.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace soilweave::dem {
 
-/// Loading to one station, as far as the wait after it depends on it.
+/// Data of the loading to one station that determine the wait at this station.
 struct Arrival {
   /// Mean stress of the goals, Pa; 0: the present one.
   double pressure = 0;
@@ -24,9 +24,9 @@ struct Arrival {
   Mat3 gradient = Mat3::Zero();
   /// Whether strains or displacements are prescribed.
   bool sheared = false;
-  /// Whether a plate or clamp takes a load that it did not have.
+  /// Whether a plate or clamp gets a new load.
   bool new_load = false;
-  /// Whether it is the first station, which also waits for the unbalanced force at the start.
+  /// Whether this is the first station, where the initial unbalanced force has to fall too.
   bool first = false;
 };
 
@@ -40,12 +40,12 @@ class RestEstimate {
   double steps(const Stage& stage, const Arrival& arrival) const;
   /// Learns from tried steps how the time step depends on the pressure.
   void learn(const Simulation& tried);
-  /// Returns the mean time step on the way to a station over the one at the start.
-  /// Contacts get stiffer with pressure. Yarns confine soil that is sheared.
+  /// Returns the mean time step on the way to a station over the time step at the start.
+  /// It falls with pressure, and in sheared soil that yarns confine, because contacts get stiffer.
   double step_share(const Arrival& arrival) const;
-  /// Returns the lower end of the steps to a station, forecast to move and to wait for so many.
+  /// Returns the least number of steps to a station. `moving`, `waiting`: forecast steps of loading and of waiting.
   double fewest(const Arrival& arrival, double moving, double waiting) const;
-  /// Returns the upper end.
+  /// Returns the greatest number of steps to a station, from the same forecasts as fewest().
   double most(const Arrival& arrival, double moving, double waiting) const;
   /// Returns the pressure of a load (N) along a unit vector on the soil between plates, Pa.
   double pressure_of(double force, const Vec3& direction) const;
@@ -61,7 +61,7 @@ class RestEstimate {
   double in_cell(const Stage& stage, const Arrival& arrival, double damping) const;
   /// Returns the steps of a wait between plates without a drag.
   double between_plates(const Arrival& arrival, double damping) const;
-  /// Returns the steps of a wait under a drag; half: half of the drag, 1/s.
+  /// Returns the steps of a wait under a drag. `half`: half of the drag, 1/s.
   double under_drag(const Stage& stage, const Arrival& arrival, double half) const;
 
   const Scenario& scenario_;
@@ -79,13 +79,13 @@ class RestEstimate {
   double volume_ = 0;
   /// Extent of the soil along the axes, m.
   Vec3 extent_ = Vec3::Zero();
-  /// Minus the power of the pressure that the time step goes with.
+  /// Exponent n of the time step, which falls as pressure^-n.
   double power_ = 0;
   /// Frequency of the slowest swing, 1/s.
   double swing_ = 0;
   /// Second moments of mass along the open axes, kg m2.
   Vec3 moments_ = Vec3::Zero();
-  /// Whether soil and yarns are there.
+  /// Whether there are both soil and nodes of geotextiles.
   bool wrapped_ = false;
 };
 

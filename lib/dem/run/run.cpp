@@ -39,7 +39,7 @@ struct RunProgress {
   bool begun = false;                  // whether the stage has begun
   std::int64_t first = 0;              // step at which the loading to the station began
   std::size_t done = 0;                // number of stations done, in all stages
-  Vec3 start_of_stage = Vec3::Zero();  // strain
+  Vec3 start_of_stage = Vec3::Zero();  // strain at the start of the stage
 
   void archive(Archive& a) {
     a.whole("stage", stage), a.whole("station", station), a.whole("stage_begun", begun);
@@ -128,7 +128,8 @@ class Runner {
     return checkpoint_of(simulation_, clock_, keeper_.seconds(), result_.series, servo_, rig_, pace_, way_, at_);
   }
 
-  // Applies a stage's changes to the grains. A later friction angle of all materials leaves the planes their own.
+  // Applies the friction angles of a stage. Planes keep their own angle, once given, under a later one of all
+  // materials.
   void apply(const Stage& stage) {
     if (!stage.friction && !stage.plate_friction) return;
     if (stage.friction) model_ = with_friction(model_, *stage.friction);
@@ -137,7 +138,7 @@ class Runner {
     simulation_.set_model(model_);
   }
 
-  // Returns whether the rule asks for a snapshot of the station that was reached.
+  // Returns whether the reached station gets a snapshot.
   bool wants_snapshot(const Stage& stage, std::size_t station) const {
     const SnapshotRule& rule = scenario_.snapshots;
     if (rule.which != SnapshotRule::Which::list) return rule.which == SnapshotRule::Which::stations;
@@ -198,7 +199,7 @@ class Runner {
     tell(stage, station);
   }
 
-  // Returns the share of the prescribed speeds and rates.
+  // Returns the present loading speed as a share of the prescribed speeds and rates.
   double pace_on_the_way(const Stage& stage) {
     if (stage.way_unbalanced_force == 0) return 1;
     if (simulation_.steps() % look_interval == 0)
@@ -206,7 +207,7 @@ class Runner {
     return pace_.share();
   }
 
-  // Returns whether all prescribed motion has arrived, so that only rest is waited for.
+  // Returns whether all prescribed motion is complete, so that the station only waits for rest.
   bool waits(const AxisGoals& goals, const std::vector<DriveGoal>& drives) const {
     return rig_.moved(drives) && Servo::strained(goals, dimension_, simulation_);
   }
@@ -216,7 +217,7 @@ class Runner {
       if (simulation_.steps() % look_interval != 0) return false;
       if (!rig_.arrived(drives, scenario_.tolerances.stress, simulation_)) return false;
     }
-    // The kinetic energy is asked last, so that steps which wait for it alone can be counted.
+    // The kinetic energy is checked last, so that steps which wait for it alone can be counted.
     if (!servo_settled(goals)) return false;
     if (still()) return true;
     way_.wait_for_energy(rig_.any() ? look_interval : 1);
@@ -255,7 +256,7 @@ class Runner {
     return fmt::format(", at {:.2g} % of its speed", 100 * pace_.share());
   }
 
-  // Between plates the cell tells nothing about the grains.
+  // Between plates, stress and void ratio of the cell say nothing about the grains.
   std::string state() const {
     if (rig_.any()) return rig_.text(simulation_);
     return fmt::format("p {:.4g} Pa, e {:.4f}", mean(simulation_.measures().stress, dimension_),
@@ -279,7 +280,7 @@ class Runner {
         scenario_.tolerances.unbalanced_force, energy_and_limit(), likely_cause(stage, goals, drives)));
   }
 
-  // Returns the strain that has not arrived, with a remedy; empty if all have.
+  // Names the axis that is farthest from its strain goal, with a remedy; empty if all strains are reached.
   std::string late_strain(const Stage& stage, const AxisGoals& goals) const {
     if (Servo::strained(goals, dimension_, simulation_)) return {};
     const Vec3 strain = simulation_.strain();
@@ -344,7 +345,7 @@ class Runner {
   int dimension_;
   Model model_;
   std::vector<std::int32_t> planes_material_;
-  std::optional<double> plate_friction_;  // rad, once a stage has given it
+  std::optional<double> plate_friction_;  // latest friction angle of planes given by a stage, rad
   Keeper keeper_;
   Archive kept_;
   Simulation simulation_;

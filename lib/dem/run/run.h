@@ -19,7 +19,7 @@ namespace soilweave::dem {
 /// Contacts keep their history.
 io::Snapshot perturbed(const io::Snapshot& packing, double fraction, std::uint64_t seed);
 
-/// Appends further columns on a recorded state to the series, the same columns each time.
+/// Appends values of a recorded state to further columns of the series, the same columns each time.
 using Observe = std::function<void(const io::Snapshot& state, io::Series& series)>;
 
 /// Result of a run.
@@ -31,11 +31,11 @@ struct Outcome {
 };
 
 /// Throws DataError for a stage that moves facing planes closer together than grains between them allow
-/// (plate_ways.h). state: as prepare() returns it.
+/// (plate_ways.h). `state`: a prepared state (prepare.h).
 void demand_apart(const io::Snapshot& state, const Scenario& scenario);
 
 /// Runs all stages. The series has one row at the start and one per station.
-/// With a folder in `safekeeping`, the run goes on from what is there and ends in the same bytes.
+/// With a folder in `safekeeping`, the run continues from the last checkpoint there, and ends in the same bytes.
 /// Throws TargetNotReached if a station cannot be settled, PhysicsError if physics breaks, Stopped after a signal.
 Outcome run(const io::Snapshot& start, const Scenario& scenario, const ProgressReport& report,
             const Safekeeping& safekeeping = {}, const Observe& observe = {});

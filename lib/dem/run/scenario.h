@@ -21,21 +21,21 @@ struct Stage {
   std::string name;
   /// Loading path.
   std::unique_ptr<Path> path;
-  /// Whether the state at its start becomes the reference of the strains.
+  /// Whether the state at the start of the stage becomes the reference of the strains.
   bool reset_strain = false;
-  /// Friction angle of all materials from here on, rad; of planes only as long as plate_friction was never given.
+  /// Friction angle of all materials from this stage on, rad. Planes keep plate_friction if a stage has given it.
   std::optional<double> friction;
-  /// Friction angle of the planes' materials against any other from here on, rad.
+  /// Friction angle of the planes' materials against any other from this stage on, rad.
   std::optional<double> plate_friction;
   /// Local damping during this stage.
   std::optional<double> damping;
   /// Local damping while a station waits for rest.
   std::optional<double> rest_damping;
-  /// Limit of the unbalanced force, to which the loading slows down; 0: never slows down.
+  /// Unbalanced force above which the loading slows down; 0: it never slows down.
   double way_unbalanced_force = 0;
   /// Drag on all motion, over the mass, 1/s, while a station waits for rest.
   double rest_drag = 0;
-  /// Whether rest_drag follows the slowest homogeneous swing at the start of each wait.
+  /// Whether the drag is Swing::critical_drag(), which follows the swing during each wait, instead of rest_drag.
   bool critical_drag = false;
   /// Whether loading begins and ends with a homogeneous field of velocity (homogeneous.h).
   bool homogeneous_start = false;
@@ -49,10 +49,10 @@ struct SnapshotRule {
   /// Strains along the loading axis, for `list`: since the start of their stage or since the reference.
   std::vector<double> strains;
 };
-/// Distance below which a strain to record belongs to a station.
+/// Largest difference between a listed strain and the strain of its station.
 inline constexpr double station_tolerance = 1e-7;
 
-/// Returns whether the strain is one of these.
+/// Returns whether the strain is among `strains`, within station_tolerance.
 bool is_at(const std::vector<double>& strains, double strain);
 
 /// A plate or clamp that can be driven.
@@ -69,11 +69,11 @@ struct Scenario {
   Model model;
   /// Time step, damping and guards.
   Numerics numerics;
-  /// Density of the grains, kg/m3, scaled; nodes keep theirs. A positive value replaces the packing's masses.
+  /// Density of the grains, kg/m3, scaling included. A positive value replaces the packing's masses, except for nodes.
   double grain_density = 0;
-  /// Density of each [[material]] that gives one, by material_id, for its grains and nodes.
+  /// Density by material_id, kg/m3, for grains and nodes; unset for materials without `density`.
   std::vector<std::optional<double>> density;
-  /// Masses with which all grains admit the same step (mass_scaling.h).
+  /// Whether masses are scaled so that all grains admit the same step (mass_scaling.h).
   bool equal_steps = false;
   /// Tolerances of a settled station.
   Tolerances tolerances;
@@ -81,7 +81,7 @@ struct Scenario {
   ServoRule servo;
   /// Number of steps after which a station counts as unreachable.
   std::int64_t largest_station = 0;
-  /// States to keep in full.
+  /// Rule for the states that are kept in full.
   SnapshotRule snapshots;
   /// Stages, in order.
   std::vector<Stage> stages;
@@ -109,18 +109,18 @@ Numerics read_numerics(Settings& document);
 
 /// Reads and checks a scenario. Throws DataError with all mistakes.
 Scenario read_scenario(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
-/// Reads a scenario from a document. files: how its file names are resolved.
+/// Reads a scenario from a document. `files`: how file names in the scenario are resolved.
 Scenario read_scenario(Settings& document, const NamedFiles& files);
 /// Returns every key that a scenario may have (core/text/keys.h).
 std::vector<Key> scenario_keys();
 
-/// Returns the model with another friction angle (rad) of these materials; empty: of all.
+/// Returns the model with another friction angle (rad) of `materials`; an empty list means all.
 Model with_friction(const Model& model, double angle, const std::vector<std::int32_t>& materials = {});
-/// Returns the model with these materials' friction angle (rad) against any other, for plates.
+/// Returns the model in which `materials` have this friction angle (rad) against any other material, for plates.
 Model with_friction_against(const Model& model, double angle, const std::vector<std::int32_t>& materials);
 /// Returns the model with every friction angle multiplied.
 Model with_friction_times(double factor, const Model& model);
-/// Returns the smallest friction angle of these materials (empty: of all), rad.
+/// Returns the smallest friction angle of `materials`, rad; an empty list means all.
 double friction(const Model& model, const std::vector<std::int32_t>& materials = {});
 /// Friction angle below which a packing gets no denser, rad.
 inline constexpr double lowest_friction = 0.05 * std::numbers::pi / 180;

@@ -1,4 +1,4 @@
-// Grains as rows: a vector lies beside the scalar used with it.
+// Grains as rows of four numbers: a vector, and a scalar that is used with it.
 // Velocities are fluctuations about the cell's affine motion, half a step behind the positions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -100,7 +100,7 @@ struct Bodies {
 
   /// Returns whether a grain is a node of a geotextile.
   bool is_node(std::size_t i) const { return !fabric.empty() && fabric[i] >= 0; }
-  /// Returns whether two nodes belong to one fabric. These touch only across a periodic face.
+  /// Returns whether both grains are nodes of one fabric. Such nodes touch only across a periodic face.
   bool in_one_fabric(std::size_t i, std::size_t j) const { return is_node(i) && fabric[i] == fabric[j]; }
   /// Makes grains the nodes of fabrics, which do not rotate.
   void set_fabric(std::vector<std::int32_t> fabric_of);

@@ -9,13 +9,13 @@
 
 namespace soilweave::dem {
 
-/// Packed offset, x in the highest bits. Offsets order, add and subtract as vectors do.
+/// Packed offset, x in the highest bits. Offsets add, subtract and compare (x first) like vectors of integers.
 using CellOffset = std::int64_t;
 
 /// Bits per axis, sign included.
 constexpr int cell_offset_bits = 21;
 
-/// Packs three integers. Each is held within a million cells, farther than any pair reaches.
+/// Packs three integers. Each is limited to a million cells, farther than any pair reaches.
 inline CellOffset cell_offset(const Vec3i& cells) {
   constexpr std::int64_t most = (std::int64_t{1} << (cell_offset_bits - 1)) - 1;
   const auto along = [&](int axis) { return std::clamp(std::int64_t{cells[axis]}, -most, most); };

@@ -9,10 +9,10 @@
 namespace soilweave::dem {
 
 /// Order of a step's passes: move the grains, sweep their pairs, collect their loads.
-/// A thread does all three chunk by chunk, while a chunk lies in its cache. A chunk is swept once all chunks
+/// A thread makes all three passes over a chunk while it lies in the cache. A chunk is swept once all chunks
 /// that its pairs reach have moved. Each thread has a contiguous share of equal work. The last chunks of
-/// each share go to the first free thread. These, and chunks that another share reaches, move before all sweeps
-/// and are collected after them.
+/// each share go to the first free thread. These last chunks, and chunks that another share reaches, move before
+/// all sweeps and are collected after all sweeps.
 class ChunkPlan {
  public:
   ChunkPlan() = default;
@@ -23,7 +23,7 @@ class ChunkPlan {
   template <class Move, class Sweep, class Collect>
   void run(const Move& move, const Sweep& sweep, const Collect& collect) const {
     const auto threads = static_cast<int>(shares_.size());
-    // A team of one thread would cost its start.
+    // One thread needs no parallel region, which would take time to start.
     if (threads == 1) return run(shares_.front(), move, sweep, collect);
 #pragma omp parallel num_threads(threads)
     {
@@ -66,7 +66,7 @@ class ChunkPlan {
     }
   }
 
-  /// Chunks moved and collected apart, and those among them that no thread owns.
+  /// Chunks that move before and are collected after all sweeps; chunks among them that any free thread sweeps.
   std::vector<std::uint32_t> apart_, left_;
   /// One share per thread.
   std::vector<Share> shares_;

@@ -26,7 +26,7 @@ struct Plane {
   bool touches(bool node) const { return partners == Partners::all || (partners == Partners::fabric) == node; }
 };
 
-/// All planes of a simulation. Their velocities are constant.
+/// All planes of a simulation. Their velocities are constant in a step.
 struct Planes {
   /// Planes in the order of files.
   std::vector<Plane> all;
@@ -42,7 +42,7 @@ struct Planes {
   io::PlanesRecord record() const;
 };
 
-/// Returns the plane that a contact's negative second index names.
+/// Returns the index of the plane from the negative index of a contact's second body.
 inline std::size_t plane_number(std::int32_t second) { return static_cast<std::size_t>(-1 - second); }
 
 }  // namespace soilweave::dem

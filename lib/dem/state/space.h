@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // In the plane a vector has two components and a rotation one (core/simd).
-// A shear force there is a number along the normal rotated by a right angle.
+// The shear force of disks is its component along the normal rotated by a right angle.
 #pragma once
 
 #include "core/simd/v2.h"
@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// Types of space.
+/// Types for spheres.
 struct Spatial {
   template <class T>
   using Vector = V3<T>;
@@ -22,7 +22,7 @@ struct Spatial {
   static constexpr bool twists = true;
 };
 
-/// Types of the plane.
+/// Types for disks in the plane.
 struct Planar {
   template <class T>
   using Vector = V2<T>;
@@ -63,7 +63,7 @@ T turned(const V2<T>&, const T& turn) {
   return -turn;
 }
 
-/// Returns normal x (vector along the contact), a turn.
+/// Returns normal x (vector along the contact), such as the torque of the shear force over its arm.
 template <class T>
 V3<T> moment(const V3<T>& normal, const V3<T>& along) {
   return cross(normal, along);

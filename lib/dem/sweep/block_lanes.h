@@ -18,7 +18,7 @@ struct BlockLanes {
   ContactBlock* block;
   /// First lane.
   std::size_t lane;
-  /// First array of the block, from the lane on.
+  /// Place of the first lane in the block's first array.
   double* numbers;
 
   BlockLanes() = default;
@@ -109,7 +109,7 @@ struct BlockLanes {
   /// Returns an array, from the first lane on.
   double* at(Array array) const { return numbers + array * ContactBlock::size; }
 
-  /// Reads a vector, or a number of the plane, which lies in the third array.
+  /// Reads a vector, or for disks a number, which lies in the third array.
   /// The last argument only selects the type.
   static V3<T> read(const double* from, const V3<T>&) {
     return {load<T>(from), load<T>(from + ContactBlock::size), load<T>(from + 2 * ContactBlock::size)};

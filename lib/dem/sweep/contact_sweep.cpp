@@ -7,12 +7,12 @@
 // A contact is a long chain of dependent operations, square roots and divisions among them. So the sweep takes a batch
 // of registers through one stage after the other: where the pairs lie (approach), how they move (move), what the law
 // answers (answer), and what that does to the grains (act). Within a stage the processor works on several registers at
-// once, and a batch stays in its first cache. Forces are added at once to the loads of the grains, in the order of the
-// pairs. Grains of other chunks, on which another thread may work, have loads of single pairs for that (contacts.h).
-// Disks go through the same stages with the vectors and rotations of the plane (space.h).
+// once, and a batch stays in its L1 cache. Forces are added at once to the loads of the grains, in the order of the
+// pairs. If the second grain is in another chunk, on which another thread may work, the pair has a load of its own
+// (contacts.h). Disks go through the same stages with the vectors and rotations of the plane (space.h).
 //
-// This file is compiled once per width (vector_width.cpp). The order of operations on every contact is the same, and so
-// are the bits.
+// This file is compiled once per width (vector_width.cpp). Bits do not depend on the width, because the order of
+// operations on every contact is the same.
 //
 // No old normal is kept: the rotation of a pair follows from its velocity (transport.h).
 //
@@ -124,7 +124,8 @@ class LawSweep final : public ContactSweep {
     for (const CellOffset image : contacts.images) shifts_.push_back(row(shift_of(image, cell.matrix()), 0));
   }
 
-  // Moments of a state from another law must go: under this law they would rotate the grains for ever.
+  // Removes the moments that a state from another law may have. Sweeps without moments ignore them, so they would stay
+  // in contacts and files for ever.
   void let_moments_go(Contacts& contacts) {
     if (std::exchange(moments_gone_, true)) return;
     for (auto& chunk : contacts.chunks)
@@ -216,7 +217,7 @@ class LawSweep final : public ContactSweep {
         // A rarely taken branch: the position of the next group must not wait for the result of this one.
         if ((touching | lanes.touching()) == 0) [[unlikely]]
           continue;
-        // Copied member by member: a copy of the whole would be read from the two halves just stored, and wait for
+        // Members are copied one by one. A copy of the whole struct would read both halves just stored, and wait for
         // them.
         group->lanes.block = lanes.block, group->lanes.lane = lanes.lane, group->lanes.numbers = lanes.numbers;
         group->touching = touching;
@@ -278,7 +279,7 @@ class LawSweep final : public ContactSweep {
     }
     sums.overlap = overlap, sums.contacts = contacts;
   }
-  // Return the map that carries history from the old contact plane to the present one.
+  // Returns the map that carries history from the old contact plane to the present one.
   static Rotation<Lanes> carry(const PairGeometry<Lanes, Spatial>& g) { return Rotation<Lanes>::by_small(g.turn); }
   static std::identity carry(const PairGeometry<Lanes, Planar>&) { return {}; }
 
@@ -364,7 +365,7 @@ class LawSweep final : public ContactSweep {
   std::vector<Lane4> row_sums_;
 };
 
-// Makes the sweep of the law whose materials they are.
+// Makes the sweep of the law to which the materials belong.
 template <class... Law>
 std::unique_ptr<ContactSweep> make(const Materials& materials, LawList<Law...>) {
   std::unique_ptr<ContactSweep> sweep;

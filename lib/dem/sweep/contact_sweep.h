@@ -33,7 +33,7 @@ namespace soilweave::dem {
 
 /// Sums over the contacts in the step that led to the present positions.
 struct SweepSums {
-  /// Sum of f (x) l, N m; over the volume: stress, compression positive.
+  /// Sum of f (x) l, N m. Divided by the volume it is the stress, compression positive.
   Mat3 force_branch = Mat3::Zero();
   /// Work on the shear, rolling and twisting springs, J.
   double tangential_work = 0;
@@ -77,7 +77,7 @@ class AroundChunk {
 
 /// Stiffness of one contact.
 struct PairStiffness {
-  /// Normal, N/m; the larger one of rolling and twisting, N m/rad.
+  /// Normal stiffness, N/m; larger one of the rolling and twisting stiffnesses, N m/rad.
   double normal = 0, rotational = 0;
 };
 
@@ -88,7 +88,7 @@ class ContactSweep {
   /// Updates every contact over a step dt, and adds forces and torques to the loads, which must be zero.
   /// The first sweep of a simulation has dt = 0, which leaves the history as it is.
   /// The result's force_branch lacks the sum of F (x) x over the grains (Motion::collected).
-  /// `affine_stiffness`: if given, stiffen() is done too and this receives its result.
+  /// `affine_stiffness`: if given, the sweep does the work of stiffen() too, and stores its result here.
   virtual SweepSums run(const Scene& scene, double dt, Contacts& contacts, AroundChunk& around,
                         Vec3* affine_stiffness = nullptr) = 0;
   /// Adds each contact's stiffness along the axes to Bodies::stiffness.
@@ -98,7 +98,7 @@ class ContactSweep {
   /// Returns the energies stored in all contacts now.
   virtual StoredEnergies stored(const Scene& scene, Contacts& contacts) = 0;
   /// Returns the largest stiffness between equal grains at a radius and an overlap, m (step_bound.h).
-  /// One grain has a material below `materials`, the other any.
+  /// One of the grains has a material index below `materials`, the other any material.
   virtual PairStiffness stiffness(double radius, double overlap, std::int32_t materials, int dimension) const = 0;
   /// Returns the normal force between equal grains of the first material at a radius and an overlap, m.
   virtual double normal_force(double radius, double overlap) const = 0;
@@ -108,7 +108,7 @@ class ContactSweep {
   virtual std::span<const HistoryField> own_history() const = 0;
 };
 
-/// Makes the sweep for a model: eight contacts at a time with AVX-512, else four, to equal bits.
+/// Makes the sweep for a model: eight contacts at a time with AVX-512, else four. Both give equal bits.
 std::unique_ptr<ContactSweep> make_contact_sweep(const Model& model);
 /// Makes a sweep of four contacts at a time.
 std::unique_ptr<ContactSweep> make_contact_sweep_of_four(const Model& model);

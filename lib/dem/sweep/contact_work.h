@@ -15,7 +15,7 @@ struct Work {
   T on_springs, frictional, rolling_plastic, viscous;
 };
 
-/// Returns the work of a step by the trapezoidal rule.
+/// Returns the work and dissipation of a step; the work by the trapezoidal rule.
 template <class T, class Space>
 Work<T> work_of(const PairGeometry<T, Space>& g, const ContactHistory<T, Space>& before,
                 const ContactHistory<T, Space>& after, bool moments, const ContactEnergies<T>& b) {

@@ -1,5 +1,5 @@
-// Moves grains by their forces over one step. Compiled once per width (vector_width.cpp). The order of operations on
-// every grain, and of sums, is the same, and so are the bits.
+// Moves grains by their forces over one step. This file is compiled once per width (vector_width.cpp). Bits do not
+// depend on the width, because the order of operations and sums is the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/sweep/grain_motion.h"
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int at_once = width<Lanes>;
 
-// Shares of a force under local damping: taken if it speeds a grain up, added if it slows it down, and the remaining
-// factor.
+// Local damping: a force that speeds a grain up loses the share `taken` and keeps `less`. A force that slows it down
+// gains the share -`added` and becomes `more`.
 struct Damping {
   explicit Damping(double part)
       : taken(broadcast<Lanes>(part)), added(broadcast<Lanes>(-part)), less(1.0 - taken), more(1.0 - added) {}
@@ -27,7 +27,7 @@ struct Damping {
 Lanes kick(const Lanes& force, const Lanes& ratio, const Damping& damping, const Lanes& velocity, Lanes& lost) {
   const Lanes zero{}, change = ratio * force;
   const Lanes power = force * fused(broadcast<Lanes>(0.5), change, velocity);
-  // Zero power almost always means zero force, so no further comparison is worth it.
+  // Zero power almost always means zero force, so it needs no comparison of its own.
   const Mask<Lanes> slower = power < zero;
   const Lanes share = select<Lanes>(slower, damping.more, damping.less);
   const Lanes taken = select<Lanes>(slower, damping.added, damping.taken);
@@ -58,8 +58,8 @@ V2<Lanes> affine(const Mat3& g, const V2<Lanes>& x, const V2<Lanes>& v) {
   return {component(0, v.x), component(1, v.y)};
 }
 
-// Scales quaternions to unit length by one Newton step, with an error of 3/8 of the fourth power of half the angle
-// turned. If this could show in a file (1e-6: more than 0.077 rad in a step), the length is computed in full.
+// Scales quaternions to unit length by one Newton step. Its error is 3/8 of the fourth power of half the angle turned.
+// Beyond 0.077 rad in a step an error of 1e-6 would show in files, so the length is computed in full.
 Columns<Lanes> unit(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
   constexpr double newton_suffices = 1.0015;  // squared length
   const Lanes square = fused(d, d, fused(c, c, fused(b, b, Lanes(a * a))));
@@ -146,7 +146,7 @@ struct InSpace {
   }
 };
 
-// Rows of disks: three components each for force and motion, the third one for rotation.
+// Rows of disks: force and motion have three components each, the third one for rotation.
 struct InPlane {
   using Vector = V2<Lanes>;
   Grain* grains;
@@ -198,8 +198,8 @@ void add_up(Lane4& sum, const Lane4& of_grains) { sum += of_grains; }
 double largest(const Lane4& x) { return largest_of(x); }
 #endif
 
-// Prefetches the grains of three rounds later (24 at the width of eight), since the hardware restarts at every chunk
-// and page.
+// Prefetches the grains that come 24 later (three rounds at the width of eight), since the hardware prefetcher restarts
+// at every chunk and page.
 void call_for(const MovedGrains& at, std::size_t i) {
   constexpr std::size_t ahead = 24, line = 64;
   for (std::size_t k = i + ahead; k < i + ahead + at_once; ++k) {
@@ -230,7 +230,7 @@ template <class Rows>
   for (std::size_t i = begin; i < end; i += at_once) {
     const Rows of(at, i);
     if (!in_cache) call_for(at, i);
-    // The division comes first, although the rows are read again below, because the rest waits for it.
+    // The division comes first, because all else waits for it. The rows are therefore read twice.
     const Ratios ratio = ratios_of(of);
     auto [force, torque] = of.acting();
     of.use_up();

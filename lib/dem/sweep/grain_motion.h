@@ -22,7 +22,7 @@ struct Push {
   bool in_cache;
 };
 
-/// Sums over moved grains. Grain k adds to number k modulo 4 of each row.
+/// Sums over moved grains. Grain k adds to component k modulo 4 of each row.
 struct MotionTally {
   /// Twice the power, W.
   Lane4 damping{}, gravity_work{};
@@ -32,7 +32,7 @@ struct MotionTally {
   double skin_rate2 = 0;
 };
 
-/// Arrays of grains and their data, with equal indices.
+/// Arrays of grains and their data. Index i is the same grain in each.
 struct MovedGrains {
   Grain* grains;
   Load* loads;
@@ -54,7 +54,7 @@ struct GrainMotion {
   std::size_t at_once;
 };
 
-/// Returns the loops for eight grains with AVX-512, else for four, to equal bits.
+/// Returns the loops for eight grains with AVX-512, else for four. Both give equal bits.
 GrainMotion grain_motion();
 /// Returns the loops for four grains at a time.
 GrainMotion grain_motion_of_four();

@@ -45,7 +45,7 @@ void add_to_loads(const Action<Lanes, Spatial>& act, const BlockLanes<Lanes>& la
   });
   add_across(f, lanes, s);
 }
-/// Adds them for disks, whose torque is the third component of the force.
+/// Adds forces and torques to the loads of disks, whose torque is the third component of the force.
 template <class Lanes>
 void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lanes, const Surroundings& s) {
   double* const loads = s.loads;
@@ -62,7 +62,7 @@ void add_to_loads(const Action<Lanes, Planar>& act, const BlockLanes<Lanes>& lan
 }
 
 /// Adds the stiffness of contacts against translation and rotation to both grains, laid out like the loads.
-/// Each pair comes whole before the next one: grouping pairs otherwise must not change the bits of a grain's sum.
+/// Each pair is added completely before the next one, so that a grain's sum does not depend on the register width.
 template <class Lanes>
 void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation_first, const V3<Lanes>& rotation_second,
                    const BlockLanes<Lanes>& lanes, double* stiffness) {
@@ -79,7 +79,7 @@ void add_stiffness(const V3<Lanes>& translation, const V3<Lanes>& rotation_first
     add(two, along[k]), add(two + width<Lane4>, row);
   });
 }
-/// Adds it for disks, whose rotation is the third component.
+/// Adds the stiffness of contacts between disks, whose rotation is the third component.
 template <class Lanes>
 void add_stiffness(const V2<Lanes>& translation, const Lanes& rotation_first, const Lanes& rotation_second,
                    const BlockLanes<Lanes>& lanes, double* stiffness) {

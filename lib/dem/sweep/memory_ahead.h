@@ -1,4 +1,4 @@
-// Prefetches memory for the sweep, since hardware cannot foresee the grains of pairs.
+// Prefetches memory for the sweep, since the hardware cannot predict which grains a pair has.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace soilweave::dem {
 
-/// Prefetches coming blocks into the second cache, and second grains in other chunks.
+/// Prefetches coming blocks into the L2 cache, and second grains that lie in other chunks.
 inline void call_for(const ContactBlock* next, const ContactBlock* end, const std::byte* grains) {
   constexpr int ahead = 16, soon = 3, line = 64, second_cache = 2;
   if (end - next <= ahead) return;

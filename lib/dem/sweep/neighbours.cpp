@@ -13,19 +13,19 @@
 namespace soilweave::dem {
 namespace {
 
-// Skins over the largest radius: of the search, and of grains at rest.
+// Skin of the outer list, and skin of a grain at rest, over the largest radius.
 constexpr double relative_outer_skin = 0.25;
 constexpr double relative_rest = 0.001;
-// Steps that a list is to last. A longer horizon lists so many pairs that do not touch that they cost as much as
-// contacts; a shorter one makes lists as expensive as sweeps. In the plane a skin holds fewer pairs.
+// Steps that a list should last. With a longer horizon, pairs that do not touch cost as much as contacts. With a
+// shorter one, listing costs as much as sweeping. Disks have a longer horizon, because fewer pairs lie within a skin.
 constexpr double horizon_of_spheres = 24, horizon_of_disks = 56;
-// Steps that a search is to last. Only grains that are thrown go so far that they need a wider skin for it.
+// Steps that a search should last. Only grains that fly fast need a wider skin for it.
 constexpr double horizon_of_search = 400;
-// Used share of a skin above which measuring the grains' motion again is not worth it.
+// Measured use of a skin above which pairs are listed anew, because the motion would have to be measured again soon.
 constexpr double nearly_all = 0.8;
 
-// Gives back the spare memory of a list that grew by doubling. A small list keeps it. A large one keeps room for the
-// few more pairs of the next list, so that neither grows at every list.
+// Frees the spare memory of a large list that grew by doubling. It keeps room for a few more pairs, so that the next
+// list need not grow.
 void give_back_spare(std::vector<Pair>& pairs) {
   constexpr std::size_t worth_it = (std::size_t{1} << 20) / sizeof(Pair);
   if (pairs.capacity() - pairs.size() < std::max(worth_it, pairs.size() / 4)) return;
@@ -111,7 +111,7 @@ void Neighbours::set_outer_leeways(const Bodies& bodies) {
   const double time = horizon_of_search * pace_.dt, least = 0.5 * outer_skin_;
   outer_leeway_.resize(bodies.size());
   over_grains(bodies, threads_, [&](std::size_t i) {
-    // Small grains, which have room for it, get it without longer branches.
+    // The wider skin only makes up for a smaller radius, so that no branch exceeds longest().
     outer_leeway_[i] = std::clamp(time * speed(bodies, i), least, least + std::max(0.0, radius_ - bodies.radius(i)));
   });
 }
@@ -150,7 +150,7 @@ void Neighbours::filter(const Bodies& bodies, const Cell& cell) {
   std::partial_sum(listed_before_.begin(), listed_before_.end(), listed_before_.begin());
   listed_.resize(listed_before_.back());
   in_parallel(shares, threads_, [&](std::size_t share) {
-    // No branch asks whether a pair is near, since it would be mispredicted: the next pair overwrites one that is not.
+    // A branch on near_[k] would be mispredicted. Each pair is copied, and the next one overwrites a pair that is far.
     Pair* const end = listed_.data() + listed_before_[share + 1];
     std::size_t k = begin(share);
     for (Pair* next = listed_.data() + listed_before_[share]; next != end; ++k) {
@@ -171,7 +171,7 @@ bool Neighbours::is_near(const Pair& p, const Bodies& bodies, const Cell& cell) 
 }
 
 std::vector<PlanePair> Neighbours::near_planes(const Bodies& bodies, const Planes& planes) const {
-  // Ranges of grains of all planes, plane by plane: searched in parallel, joined in order.
+  // Each plane's chunks of grains are searched in parallel. The results are joined in the order of planes and grains.
   const std::size_t stretches = chunks_of(bodies.size());
   std::vector<std::vector<PlanePair>> near(stretches * planes.all.size());
   in_parallel(near.size(), threads_, [&](std::size_t k) {

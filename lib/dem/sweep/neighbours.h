@@ -3,12 +3,11 @@
 //
 // Testing all pairs of N grains would cost N^2. So pairs are listed, and the list is used until it may be incomplete.
 // An outer list with a wide skin comes from a search (pair_search.h). The swept list is filtered from it. A small grain
-// that is thrown, as where a bag has torn, gets a wider skin in the outer list too, so that it causes no search by
-// itself.
+// that flies fast, as where a bag has torn, gets a wider skin in the outer list too, so that it causes no search alone.
 //
 // Each grain has a skin distance, its leeway: how far it may move relative to the cell before pairs are listed anew.
-// A pair is listed if it may close within both skins and that of the cell. In a sheared packing few grains are fast,
-// mostly rattlers. Only these get a wide skin, so the list lasts long and stays short.
+// A pair is listed if its gap is smaller than both skin distances plus the allowed closing by the cell's strain. In a
+// sheared packing few grains are fast, mostly rattlers. Only these get a wide skin, so a short list lasts long.
 #pragma once
 
 #include <vector>
@@ -37,16 +36,16 @@ class Neighbours {
   void rebuild(Bodies& bodies, const Cell& cell, const Planes& planes, Contacts& contacts);
 
  private:
-  /// State in which pairs were listed, and deformation of the cell since.
+  /// Positions when pairs were listed, and deformation of the cell since then.
   struct Since {
-    /// Positions then, m.
+    /// Positions at the listing, m.
     std::vector<Vec3> position;
-    /// Deformation gradient since.
+    /// Deformation gradient since the listing.
     Mat3 deformation = Mat3::Identity();
 
     void begin(const Bodies& bodies, int threads);
     void step(const Mat3& velocity_gradient, double dt) { deformation += dt * velocity_gradient * deformation; }
-    /// Returns the size of the deformation, 1.
+    /// Returns the norm of the deformation gradient minus the identity.
     double strain() const { return (deformation - Mat3::Identity()).norm(); }
     /// Returns the squared distance that a grain has moved relative to the cell, m2.
     double moved2(const Bodies& bodies, std::size_t i) const;
@@ -65,7 +64,7 @@ class Neighbours {
   void set_outer_leeways(const Bodies& bodies);
   /// Makes the outer list.
   void search(const Bodies& bodies, const Cell& cell);
-  /// Fits the skins into the outer list. Returns false if a new search is needed.
+  /// Limits the skins to those that the outer list covers. Returns false if a new search is needed.
   bool fit_outer_list(const Bodies& bodies);
   /// Makes the swept list from the outer one.
   void filter(const Bodies& bodies, const Cell& cell);
@@ -82,9 +81,9 @@ class Neighbours {
   double radius_, outer_skin_, range_;
   /// The last counted step.
   Pace pace_;
-  /// Skin distance of each grain, m, and that in the outer list.
+  /// Skin distance of each grain in the swept list and in the outer list, m.
   std::vector<double> leeway_, outer_leeway_;
-  /// Least skin of all grains, and closing of a pair by the cell, m.
+  /// Least skin distance of all grains, and allowed closing of a pair by the cell's strain, m.
   double least_leeway_ = 0, cell_leeway_ = 0;
   /// Skin for the motion of planes, and of grains with the cell, m.
   double plane_leeway_ = 0;
@@ -96,13 +95,13 @@ class Neighbours {
   bool planes_ = false;
   /// Number of threads.
   int threads_ = 1;
-  /// Since the swept list, and since the outer list.
+  /// State and deformation since the swept list was made, and since the outer list was made.
   Since filtered_, searched_;
   /// Outer list and swept list, sorted.
   std::vector<Pair> outer_, listed_;
   /// Whether a pair of the outer list is in the swept list.
   std::vector<char> near_;
-  /// Number of swept pairs before each share of the outer list.
+  /// Number of swept pairs before each thread's share of the outer list.
   std::vector<std::size_t> listed_before_;
 };
 

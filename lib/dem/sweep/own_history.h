@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A block has an array of eight for each number. A vector takes three arrays.
-// In the plane it is a number along the contact, in the third array (space.h).
+// For disks a vector is one number along the contact, in the third array (space.h).
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class OwnFields {
   static constexpr std::size_t arrays = numbers_of(history_fields<L>());
 
   /// Fills the law's own part of `history` for pairs that touch.
-  /// `from`: first array of the block, from the lane on. `carried`: turns vectors to the present contact.
+  /// `from`: place of the lane in the block's first array. `carried`: rotates vectors to the present contact.
   template <class T, class Space, class Histories, class Carry>
   static void read(const double* from, const Mask<T>& touching, const Carry& carried, Histories& history) {
     each<T, Space>(history, [&]<class Field>(Field& field, std::size_t array, HistoryField::Kind kind) {
@@ -47,7 +47,7 @@ class OwnFields {
   }
 
  private:
-  /// Returns the array of a number: the third one for a vector of the plane.
+  /// Returns the array that holds a number: the third one for a disk's vector.
   static constexpr std::size_t number_in(HistoryField::Kind kind) { return kind == HistoryField::Kind::scalar ? 0 : 2; }
 
   /// Calls use(field, first array, kind) for each field.

@@ -50,7 +50,7 @@ PairRows<T, Spatial> read_rows(const Side& one, const Side& two, bool folded, co
   return {{d.a, d.b, d.c}, {v.a, v.b, v.c}, {w1.a, w1.b, w1.c}, {w2.a, w2.b, w2.c}, w1.d, w2.d};
 }
 
-/// Reads pairs of disks. Positions come first: roots begin while velocities are read.
+/// Reads pairs of disks. Positions are read first, so that square roots begin while velocities are read.
 template <class T, bool moving, class Shift>
 PairRows<T, Planar> read_rows(const Side& one, const Side& two, bool folded, const Shift& shift, Planar) {
   constexpr int quarter = 4;

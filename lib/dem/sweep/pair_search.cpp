@@ -138,7 +138,7 @@ class Grid {
   std::vector<std::uint32_t> bin_of_, start_;
   std::vector<std::int32_t> members_;        // bin by bin
   std::vector<double> x_, y_, z_, reaches_;  // positions and reaches of the members, m
-  std::vector<CellOffset> wrap_;             // between a grain's unwrapped position and its bin
+  std::vector<CellOffset> wrap_;             // cells from a grain's wrapped to its unwrapped position
 };
 
 }  // namespace
@@ -158,7 +158,7 @@ void find_pairs(const Bodies& bodies, const Cell& cell, const std::vector<double
   for (const std::vector<Pair>& more : others) found.insert(found.end(), more.begin(), more.end());
   const PairOrder order(bodies);
   if (order.is_that_of_grains()) return;
-  // Order of grains is also order of chunks; within a chunk pairs are sorted by their materials.
+  // Pairs in the order of grains are also in the order of chunks. Within a chunk they are sorted by materials.
   std::vector<std::span<Pair>> parts;
   for (std::size_t chunk = 0; chunk < chunks_of(bodies.size()); ++chunk)
     parts.push_back(of_chunk(std::span(found), chunk));

@@ -11,8 +11,8 @@
 namespace soilweave::dem {
 
 /// Replaces `found` by all pairs that are nearer than the sum of their reaches, sorted by PairOrder.
-/// `reach`: radius and skin of each body, m. `longest`: upper bound on such a sum, m. Nodes of one fabric form no
-/// pairs.
+/// `reach`: radius and skin of each body, m. `longest`: upper bound on the sum of two reaches, m.
+/// Nodes of one fabric form pairs only across a periodic face.
 void find_pairs(const Bodies& bodies, const Cell& cell, const std::vector<double>& reach, double longest, int threads,
                 std::vector<Pair>& found);
 

@@ -65,7 +65,7 @@ class PlaneLanes {
   /// Returns the geometry and motion of the pairs over a step dt.
   PairGeometry<T> geometry(double dt, double range) const {
     const Columns<T> v = of_grains(&Grain::velocity), w = of_grains(&Grain::spin);
-    // In the plane the spin comes with the velocity.
+    // The spin of a disk is the third component of its velocity row.
     const bool planar = bodies_.dimension == 2;
     const V3<T> velocity{v.a, v.b, planar ? T{} : v.c}, spin = planar ? V3<T>{T{}, T{}, v.c} : V3<T>{w.a, w.b, w.c};
     const V3<T> inward = in_lanes(plane.normal);
@@ -77,7 +77,7 @@ class PlaneLanes {
   }
   /// Returns the foot of the perpendicular from each grain's centre, m.
   V3<T> foot(const Kinematics<T>& k) const { return fused(T(k.r1 - k.overlap), k.normal, centres()); }
-  /// Returns the history under law L, carried to the present contact; zero for parted pairs.
+  /// Returns the history under law L, rotated to the present contact; zero for pairs that do not touch.
   template <class L, class Carry>
   HistoryOf<L, T> history(const Mask<T>& touching, const Carry& carried) const {
     HistoryOf<L, T> all{};

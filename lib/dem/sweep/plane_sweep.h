@@ -100,7 +100,7 @@ class PlaneSweep {
     add_to(sums.step.work, work_of<T, Spatial>(g, before, history, moments_, energies));
     sums.step.overlap = maximum(sums.step.overlap, k.overlap);
     sums.step.contacts += std::popcount(touching);
-    // The part of f (x) l beside F (x) x is f at the foot of the perpendicular.
+    // Beside F (x) x of the grain, f (x) l has a part of the plane: its force at the foot of the perpendicular.
     const V3<T> moved = T(broadcast<T>(dt)) * lanes.in_lanes(lanes.plane.velocity);
     sums.add(act.force, masked(g.touching, dot(force_before + act.force, moved)), lanes.foot(k));
   }

@@ -7,7 +7,7 @@
 
 namespace soilweave::dem {
 
-/// Least values over all bodies, each on its own.
+/// Least values over all bodies. Each may belong to a different body.
 struct Smallest {
   /// Radius, m; mass, kg; moment of inertia without nodes, kg m2.
   double radius, mass, inertia;

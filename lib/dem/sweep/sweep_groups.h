@@ -32,7 +32,7 @@ struct StepSums {
   }
 };
 
-/// Input of a sweep beside the pairs.
+/// Input of a sweep besides the pairs.
 struct Surroundings {
   /// Grains.
   const Bodies& bodies;
@@ -48,7 +48,7 @@ struct Surroundings {
   double* loads;
   /// Stiffness, laid out like the loads.
   double* stiffness;
-  /// Forces of this chunk, summed by image.
+  /// Forces of this chunk's pairs across the cell's faces, summed by image.
   double* across;
   /// First block of this chunk.
   const ContactBlock* first_block;
@@ -56,7 +56,7 @@ struct Surroundings {
   double* own;
 
   const std::byte* grains() const { return reinterpret_cast<const std::byte*>(bodies.grains.data()); }
-  /// Returns the first of the law's own arrays of a block, from the lane on.
+  /// Returns the place of the lane in the first of the law's own arrays of a block.
   template <class Fields, class Lanes>
   double* own_of(const BlockLanes<Lanes>& lanes) const {
     if constexpr (Fields::arrays == 0)
@@ -67,7 +67,7 @@ struct Surroundings {
   }
 };
 
-/// Pairs of one register on their way through the stages.
+/// Pairs of one register, with their results of the stages so far.
 template <class Lanes, class Space>
 struct Group {
   BlockLanes<Lanes> lanes;

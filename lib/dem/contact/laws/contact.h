@@ -30,7 +30,7 @@ struct HistoryField {
   /// Kind of the field.
   Kind kind = Kind::scalar;
 
-  /// Returns how many numbers a contact keeps for it.
+  /// Returns how many numbers a contact keeps for this field.
   constexpr std::size_t numbers() const { return kind == Kind::scalar ? 1 : 3; }
 };
 

@@ -15,7 +15,7 @@ namespace soilweave::dem {
 /// `attraction`: whether the contact force may pull until the overlap is gone.
 /// Source for linear springs: Schwager & Poeschel 2007. A Hertz spring with a dashpot ~ overlap^(1/4) has the same
 /// restitution, since overlap^(5/4) obeys the linear equation (Antypov & Elliott 2011). Thornton, Cummins & Cleary 2013
-/// fit a polynomial to the inverse.
+/// fit a polynomial to the inverse function.
 inline double restitution(double beta, bool attraction) {
   if (attraction) return beta < 1 ? std::exp(-std::numbers::pi * beta / std::sqrt((1 - beta) * (1 + beta))) : 0.0;
   const double w2 = (1 - beta) * (1 + beta);

@@ -49,7 +49,7 @@ struct HertzMindlin {
     Resistance rolling, twisting;
     /// Whether the dashpot may pull while the grains part (damping.h).
     bool attraction = false;
-    /// Whether its friction angle holds against any other material.
+    /// Whether this friction angle applies in contacts with any other material.
     bool friction_decides = false;
   };
   /// A pair of materials.
@@ -105,7 +105,7 @@ struct HertzMindlin {
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response: Fn = 4/3 E* sqrt(R*) delta^1.5, ks = 8 G* sqrt(R* delta).
-  /// kn is the tangent 2 E* sqrt(R* delta), as in thesis Eq. 3.2.
+  /// The stiffness kn is the tangent 2 E* sqrt(R* delta), as in thesis Eq. 3.2.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {

@@ -47,7 +47,7 @@ struct Linear {
     Resistance rolling, twisting;
     /// Whether the dashpot may pull while the grains part (damping.h).
     bool attraction = false;
-    /// Whether its friction angle holds against any other material.
+    /// Whether this friction angle applies in contacts with any other material.
     bool friction_decides = false;
   };
   /// A pair of materials.
@@ -104,7 +104,7 @@ struct Linear {
   static bool uses_moments(const MaterialPair& c) { return c.tangential.uses_moments(); }
 
   /// Returns the response of two springs in series (LAWS.md §3).
-  /// kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2), ks likewise, Fn = kn delta.
+  /// Fn = kn delta, kn = 2 E1 r1 E2 r2/(E1 r1 + E2 r2). For ks, moduli times stiffness ratios replace E1 and E2.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
@@ -115,7 +115,7 @@ struct Linear {
     } else {
       const T tiny = broadcast<T>(1e-300);
       const T n1 = c.E1 * k.r1, n2 = c.E2 * k.r2, s1 = c.S1 * k.r1, s2 = c.S2 * k.r2;
-      // One division serves both.
+      // One division serves both stiffnesses.
       const T n = n1 + n2, s = maximum(s1 + s2, tiny), inverse = 1.0 / (n * s);
       r.normal_stiffness = 2.0 * n1 * n2 * (s * inverse);
       r.shear_stiffness = 2.0 * s1 * s2 * (n * inverse);

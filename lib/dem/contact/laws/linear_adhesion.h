@@ -4,7 +4,7 @@
 // While two grains overlap, they attract each other with 2 pi w R* (Derjaguin, Muller & Toporov 1975).
 // Across a gap the force falls linearly to zero at the range (Singh, Magnanimo, Saitoh & Luding 2014).
 // A cycle of approach and separation costs no energy.
-// The rest is as in laws/linear.h, from the repulsive force alone.
+// Shear, rolling and damping are as in laws/linear.h, with the repulsive force alone.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct LinearAdhesion {
   static constexpr Parameter adhesion_range{
       "adhesion_range", "m", 0, 1, true, "gap at which the adhesion ends", "without a range the force would jump"};
 
-  /// Parameters of one material: those of the springs, and those of the adhesion.
+  /// Parameters of one material: springs and adhesion.
   struct Material : Linear::Material {
     using Law = LinearAdhesion;
     /// Work of adhesion w, J/m2.
@@ -81,13 +81,13 @@ struct LinearAdhesion {
   static double range(const MaterialPair& c) { return c.range; }
 
   /// Returns the response of the springs minus the pull 2 pi w R* depth/range.
-  /// The depth is overlap + range, held between 0 and the range. Its energy is zero at the range.
+  /// The depth is overlap + range, limited to [0, range]. The energy of the pull is zero at depth 0.
   template <class T, class Space>
   static Response<T> respond(const MaterialPair& c, const Kinematics<T, Space>& k, const T& dt,
                              ContactHistory<T, Space>& history, ContactEnergies<T>& energies) {
     const T zero = broadcast<T>(0);
     const Mask<T> pressed = k.overlap > zero;
-    // Across a gap the springs feel nothing, neither motion nor overlap.
+    // Across a gap the springs get neither motion nor overlap.
     Kinematics<T, Space> springs = k;
     springs.overlap = maximum(k.overlap, zero);
     springs.approach_speed = masked(pressed, k.approach_speed);
@@ -95,10 +95,10 @@ struct LinearAdhesion {
     springs.twist = masked(pressed, k.twist);
     Response<T> r = Linear::respond(static_cast<const Linear::MaterialPair&>(c), springs, dt, history, energies);
     const T depth = minimum(maximum(T(k.overlap + c.range), zero), broadcast<T>(c.range));
-    // N/m.
+    // Slope of the pull, N/m.
     const T slope = k.R_star * (c.pull_per_radius / c.range);
     r.normal_force = r.normal_force - slope * depth;
-    // Across a gap the force falls with the distance. The step needs the size of the slope.
+    // Across a gap the pull falls with distance, so the tangent is negative. The time step needs its magnitude.
     r.normal_stiffness = select<T>(pressed, r.normal_stiffness, slope);
     energies.elastic_normal = energies.elastic_normal - slope * (0.5 * depth * depth + c.range * springs.overlap);
     return r;

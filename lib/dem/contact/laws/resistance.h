@@ -22,7 +22,7 @@ struct Resistance {
   double stiffness = 0;
   /// Scale of the stiffness.
   Scale scale = Scale::absolute;
-  /// Greatest moment over (arm * normal force). Without it the spring is elastic; at 0 there is no moment.
+  /// Greatest moment over (arm * normal force). Unset: the spring is elastic; 0: there is no moment.
   std::optional<double> limit;
   /// Arm of the limit.
   Arm arm = Arm::mean_radius;
@@ -43,7 +43,7 @@ struct PairResistance {
 };
 
 /// Mixes two resistances. A limit of 0 removes the stiffness.
-/// Stiffnesses scaled by the contact have their harmonic mean (LAWS.md §3). The smaller absolute one counts.
+/// The pair has the harmonic mean of stiffnesses scaled by the contact (LAWS.md §3), and the smaller absolute one.
 /// Throws DataError if scales or arms differ.
 inline PairResistance mix(const Resistance& a, const Resistance& b) {
   if (a.stiffness > 0 && b.stiffness > 0 && (a.scale != b.scale || a.arm != b.arm))

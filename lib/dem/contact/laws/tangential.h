@@ -20,7 +20,7 @@ struct Tangential {
   /// Returns whether contacts can have moments.
   bool uses_moments() const { return rolling.stiffness > 0 || twisting.stiffness > 0; }
 
-  /// Removes the shear force and the moments that it scales.
+  /// Removes the shear force, and the moments whose stiffness scales with ks.
   template <class T, class Space>
   void let_go(ContactHistory<T, Space>& history) const {
     history.shear = Along<T, Space>{};
@@ -29,7 +29,7 @@ struct Tangential {
   }
 };
 
-/// Returns the smaller friction angle, rad, or that of the material whose friction decides.
+/// Returns the smaller friction angle, rad. If one material alone has `friction_decides`, its angle counts instead.
 template <class Material>
 double mix_friction(const Material& a, const Material& b) {
   if (a.friction_decides != b.friction_decides) return a.friction_decides ? a.friction_angle : b.friction_angle;

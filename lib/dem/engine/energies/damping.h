@@ -6,7 +6,7 @@
 
 namespace soilweave::dem::energies {
 
-/// The energy that local damping takes, and slowing of all grains between steps.
+/// The energy taken by local damping, and by slowing all grains between steps.
 struct Damping {
   static constexpr std::string_view name = "damping";
   static constexpr std::string_view column = "damping_dissipation";

@@ -21,7 +21,7 @@ struct ElasticContacts {
   static double now(const AssemblyState&, const Energies& e) {
     const double in_contacts =
         e[ElasticNormal::name] + e[ElasticShear::name] + e[ElasticRolling::name] + e[ElasticTwisting::name];
-    // The yarns' energy is added and taken off, so that the last digits are those of all earlier runs.
+    // The yarns' energy is added and subtracted, which keeps the last digits equal to those of earlier runs.
     return in_contacts + e[ElasticYarns::name] - e[ElasticYarns::name];
   }
 };

@@ -6,7 +6,7 @@
 
 namespace soilweave::dem::energies {
 
-/// The normal part of the contacts' stored energy, with that of adhesion.
+/// The normal part of the contacts' stored energy, adhesion included.
 struct ElasticNormal {
   static constexpr std::string_view name = "elastic_normal";
   static constexpr std::string_view column = "";

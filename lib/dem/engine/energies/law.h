@@ -8,8 +8,8 @@
 
 namespace soilweave::dem::energies {
 
-/// The work on the tangential springs less what they dissipated and store: an incremental law does not close this
-/// balance.
+/// The work on the tangential springs minus their dissipated and their stored energy. An incremental law does not close
+/// this balance.
 struct Law {
   static constexpr std::string_view name = "law";
   static constexpr std::string_view column = "law_energy";

@@ -6,7 +6,8 @@
 
 namespace soilweave::dem::energies {
 
-/// The work of slip, rolling and twisting on their springs, from which law.h takes what is stored and dissipated.
+/// The work of slip, rolling and twisting on their springs. The term in law.h is this work minus its stored and
+/// dissipated parts.
 struct TangentialWork {
   static constexpr std::string_view name = "tangential_work";
   static constexpr std::string_view column = "";

@@ -24,7 +24,7 @@ class ConstantP final : public Path {
   AxisGoals goals(std::size_t station, const PathState& state) const override {
     const int axis = loading_axis(state.dimension);
     const double lateral_stress = (state.dimension * mean_stress_ - state.stress(axis, axis)) / (state.dimension - 1);
-    // A tensile goal would open the cell. Below this bound p is not held.
+    // A tensile goal would open the cell. A lateral stress at this bound no longer holds p.
     const AxisGoal lateral{AxisGoal::Kind::stress, std::max(lateral_stress, 1e-3 * mean_stress_), max_rate_};
     AxisGoals goals = {lateral, lateral, lateral};
     goals[static_cast<std::size_t>(axis)] = {AxisGoal::Kind::strain, axial_.strain[station], axial_.rate};

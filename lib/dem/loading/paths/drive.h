@@ -8,12 +8,12 @@
 
 namespace soilweave::dem {
 
-/// Moves and loads of named parts, approached in equal parts.
+/// Moves and loads of named plates and clamps, approached in equal increments.
 class Drive final : public Path {
  public:
   /// Name in scenarios.
   static constexpr std::string_view name = "drive";
-  /// Reads the number of parts, and the tables `load` and `move`.
+  /// Reads the number of increments (`parts`), and the tables `load` and `move`.
   static Drive read(Settings& table) {
     static constexpr Parameter parts{"parts", "1", 1, 1e6, false, "equal parts that moves and loads are cut into"};
     static constexpr Parameter along{"along", "1", -1, 1, false, "direction"};
