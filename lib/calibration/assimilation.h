@@ -31,16 +31,16 @@ struct Assimilation {
   /// chi2, N x T; variances with their factor, T x C.
   Matrix misfit, variance;
   Filtered filtered;
-  /// Effective share of the weights before the observations that is left after them; 1 if all likelihoods are equal.
+  /// Effective share of the initial weights that the observations keep; 1 if all likelihoods are equal.
   double kept_share = 0;
   /// Steps for densities and covariances.
   std::vector<Eigen::Index> chosen;
 };
 
 /// Assimilates all steps. least_size: least effective size over members; the error model then gives only the variance's
-/// shape, and its size is searched. stations: places for densities and covariances, each taken at the last station up
-/// to it; empty: the last station. goes_on: begins with the ensemble's weights from other tests, so that all tests
-/// count.
+/// shape, and its size is searched. stations: positions for densities and covariances; each is taken at the last
+/// station up to it. Empty: the last station. goes_on: starts from the ensemble's weights of earlier tests, so that all
+/// tests count.
 Assimilation assimilate(Ensemble ensemble, Observations observed, Simulated runs, const ErrorModel& model,
                         std::optional<double> least_size, const std::vector<double>& stations, bool goes_on = false);
 

@@ -77,7 +77,7 @@ std::vector<std::int64_t> read_ids(const io::Series& table, const std::string& w
   return ids;
 }
 
-// Share of the range by which rounding of logarithms may put a set outside.
+// Share of the range by which a set may lie outside, since logarithms are rounded.
 constexpr double rounding_of_range = 1e-9;
 
 void demand_within(const Range& range, const std::vector<double>& values, const std::vector<std::int64_t>& id,

@@ -29,7 +29,7 @@ struct Ensemble {
   std::vector<Round> rounds;
   /// True if no prior was given beside a table: the ranges are those of its sets.
   bool assumed_prior = false;
-  /// Observations that the weights count, by the history of the file.
+  /// Calls whose observations the weights include, from the history of the file.
   std::vector<Weighing> weighings;
 
   /// Returns the number of members.

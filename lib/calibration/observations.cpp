@@ -91,7 +91,7 @@ Matrix greatest_values(const std::vector<std::vector<double>>& columns, const Ob
 /// Returns a run at the stations. Throws Unfit.
 Matrix at_stations(const io::Series& whole, const Observations& observed, const Choice& choice) {
   const io::Series run = selected(whole, choice.where);
-  std::vector<std::vector<double>> columns;  // first, since a missing column is no fault of the run
+  std::vector<std::vector<double>> columns;  // read first, since a missing column is a mistake of the user
   for (const Observable& what : observed.observables) columns.push_back(column_of(run, what));
   if (run.rows() == 0) throw Unfit{Fate::too_short, "has no rows"};
   if (choice.greatest) return greatest_values(columns, observed);
@@ -145,7 +145,7 @@ std::map<std::int64_t, io::Series> by_member(const io::Series& table, const std:
 }
 
 std::string path_of(const std::string& pattern, std::int64_t id) {
-  // The width is checked first: a name of a million digits would be made before it is found too long.
+  // The width is checked first, since formatting would otherwise build a name of a million digits.
   for (std::size_t at = pattern.find('{'); at != std::string::npos; at = pattern.find('{', at + 1)) {
     const std::string_view field = std::string_view(pattern).substr(at, pattern.find('}', at) - at);
     if (std::count_if(field.begin(), field.end(), [](char c) { return c >= '0' && c <= '9'; }) > 3)

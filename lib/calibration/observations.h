@@ -73,7 +73,7 @@ struct Simulated {
 
 /// Returns the runs. A `pattern` with {id} (fmt's forms, {id:06}) names one HDF5 run or TSV per member; else it is one
 /// TSV with column id. Values are interpolated between rows, never beyond; Choice::greatest takes the greatest of the
-/// rows. Missing and unfit runs are told in the result. Throws DataError for a missing column.
+/// rows. Simulated::fate marks missing and unfit runs. Throws DataError for a missing column.
 Simulated simulated(const std::string& pattern, const std::vector<std::int64_t>& ids, const Observations& observed,
                     const Choice& choice, std::vector<io::Source>& sources);
 

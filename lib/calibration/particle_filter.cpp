@@ -16,7 +16,7 @@ namespace soilweave::calibration {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double least_share = 0.01;  // share of the greatest observation, for observations near zero
+constexpr double least_share = 0.01;  // least deviation near zero, as a share of the greatest observation
 
 /// Returns the smallest effective size of all steps.
 double smallest_size(const Matrix& misfit, const Vector& log_prior, double factor) {
@@ -30,7 +30,7 @@ double smallest_size(const Matrix& misfit, const Vector& log_prior, double facto
   return least;
 }
 
-/// Returns whether an error of 1 is the same in both units, or both are pure numbers, which per cent are too.
+/// Returns whether both units have the same size, or both are dimensionless (per cent included).
 bool one_unit(const std::string& a, const std::string& b) {
   const auto factor = [](const std::string& from, const std::string& to) {
     try {

@@ -14,9 +14,9 @@
 // So log w_t(i) is the prior's log weight minus half of all chi2 so far. Weights are kept in logs: exp(-chi2/2) is zero
 // in doubles beyond a chi2 of 1490, and zero over zero is NaN.
 //
-// Few members soon carry all the weight. The effective size 1 / sum of w^2 counts them, from N for equal weights to 1.
-// A posterior (posterior.h) of a few means little. Then the error model is too strict, or the next round must be drawn
-// where the weight is (proposal.h). filter_to_size() searches the variance that keeps a wanted size.
+// Few members soon carry all the weight. The effective size 1 / sum of w^2 counts these members, from N for equal
+// weights to 1. A posterior (posterior.h) of a few means little. Then the error model is too strict, or the next round
+// must be drawn where the weight is (proposal.h). filter_to_size() searches the variance that keeps a wanted size.
 //
 //   const Matrix variance = variances(model, observed);
 //   const Filtered filtered = filter(misfits(observed, runs, variance), variance, ensemble.log_prior_weight());

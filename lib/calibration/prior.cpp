@@ -68,7 +68,7 @@ Range read_range(Settings& table, const std::set<std::string>& before) {
 
 std::string_view name_of(Scale scale) { return scale == Scale::log ? "log" : "linear"; }
 
-// Relative difference of two bounds that are one number written with fewer digits.
+// Relative difference up to which two bounds are equal, since one may be written with fewer digits.
 constexpr double rounding_of_bound = 1e-9;
 
 bool same_range(const Range& a, const Range& b) {

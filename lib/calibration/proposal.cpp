@@ -29,7 +29,8 @@ Matrix root_of(const Matrix& covariance) {
 
 bool in_cube(const Vector& point) { return (point.array() >= 0).all() && (point.array() <= 1).all(); }
 
-/// Returns the means to start from: the heaviest member, then always the one with the greatest weighted distance.
+/// Returns Gaussians to start from. The first mean is the heaviest member. Each next mean has the greatest weight times
+/// squared distance to the means so far.
 std::vector<Gaussian> started(const Matrix& points, const Vector& weight, std::size_t count) {
   const Matrix root = root_of(weighted_covariance(points, weight) / static_cast<double>(count));
   std::vector<Gaussian> start;

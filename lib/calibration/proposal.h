@@ -13,7 +13,8 @@ namespace soilweave::calibration {
 /// Hesterberg 1995).
 class Proposal {
  public:
-  /// Returns one Gaussian per member with weight. Covariance: the whole one times Silverman's (1986) factor squared.
+  /// Returns one Gaussian per member with weight. Covariance: that of all members times the square of Silverman's
+  /// (1986) factor.
   static Proposal kernels(const Matrix& points, const Vector& weight, double prior_share);
   /// Returns up to `most` Gaussians, fitted by weighted expectation maximisation. Their number minimises the Bayesian
   /// information criterion at the effective size.
@@ -32,16 +33,17 @@ class Proposal {
   CutMixture law_;
 };
 
-/// Returns the weights to the greatest power <= 1 with effective size `least`, if as many members have weight. Even a
-/// degenerate posterior then gives a wide proposal; importance corrects for it.
+/// Returns the weights raised to the greatest power <= 1 at which their effective size is at least `least`, or the
+/// number of members with weight if fewer. So even a degenerate posterior gives a wide proposal; importance corrects
+/// the bias. power: receives the power.
 Vector tempered(const Vector& weight, double least, double& power);
 
 /// Returns `rows` members as a new round, numbered from first_id, with importance.
 Ensemble members_from(const Proposal& proposal, const Prior& prior, std::size_t rows, std::uint64_t seed,
                       std::int64_t first_id);
 
-/// Joins rounds in sequence, without weights. Importance is that in a sample of all rounds (rounds.h). Both ensembles
-/// must know their rounds.
+/// Joins rounds in sequence, without weights. Importance is recomputed from the joint density of all rounds (rounds.h).
+/// Both ensembles must know their rounds.
 Ensemble together(const Ensemble& earlier, const Ensemble& next);
 
 }  // namespace soilweave::calibration

@@ -12,7 +12,7 @@
 namespace soilweave::calibration {
 namespace {
 
-// Effective share of the weights from which on the observations tell next to nothing of the parameters.
+// Least Assimilation::kept_share at which the observations tell almost nothing about the parameters.
 constexpr double nothing_learnt = 0.99;
 constexpr std::size_t listed_runs = 20, listed_steps = 12;
 

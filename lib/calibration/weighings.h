@@ -1,4 +1,4 @@
-// Observations that the weights of an ensemble count, found in the history of its file.
+// Observations that the weights of an ensemble include, found in the history of its file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,8 +18,8 @@ struct Weighing {
   std::string command;
 };
 
-/// Returns the calls that gave a file its weights: the last assimilate, and those before it that it continued. Earlier
-/// rounds do not count, since drawing anew begins without weights.
+/// Returns the calls that gave a file its weights: the last assimilate, and the earlier calls that it continued.
+/// Earlier rounds do not count, since a new round begins without weights.
 std::vector<Weighing> weighings_of(const io::History& history);
 
 /// Throws DataError if an observable of this table has weighed the sets already, since it would count twice.

@@ -38,7 +38,7 @@ std::vector<double> error_sizes(const std::string& text, bool share) {
   return sizes;
 }
 
-/// Says how errors are written that are no share.
+/// Returns the expected form of errors that are not shares, for messages.
 std::string squared_words(const std::string& text) {
   return std::string("numbers above 0, as 0.1 or 0.1,0.02") +
          (text.find('%') == std::string::npos ? "" : "; a share of the observations goes with --covariance largest");

@@ -49,7 +49,7 @@ struct ComparisonOptions {
   Choice choice() const;
   /// Returns the error model from --variance, or from --error, its standard deviation.
   ErrorModel model() const;
-  /// Returns a line that --error is a standard deviation, where earlier scripts gave variances; else nothing.
+  /// Returns a reminder that --error is a standard deviation, if it applies: earlier scripts gave variances.
   std::optional<std::string> remark() const;
   /// Returns the stations of --at.
   std::vector<double> chosen_stations() const;

@@ -6,9 +6,9 @@
 
 namespace soilweave::fem {
 
-/// Isotropic elasticity in rate form, optionally with a Mohr-Coulomb limit. It is objective: strain is that of the
-/// midway configuration, and stress rotates with it (Hughes & Winget 1980). A rigid rotation of any size leaves no
-/// stress.
+/// Isotropic elasticity in rate form, optionally with a Mohr-Coulomb limit. It is objective: strain refers to the
+/// midway configuration, and stress rotates with the material (Hughes & Winget 1980). A rigid rotation of any size
+/// leaves no stress.
 struct ContinuumLaw {
   /// Young's modulus, Pa.
   double young_modulus = 1e7;

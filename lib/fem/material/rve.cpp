@@ -14,8 +14,8 @@
 namespace soilweave::fem {
 namespace {
 
-// Returns the tangent of a network of central forces without direction: lambda = mu = a third of the stiffness in
-// compression (Cauchy's relations). The stiffer axis counts, so that the step is safe.
+// Returns the tangent of an isotropic network of central forces: lambda = mu = a third of the stiffness in compression
+// (Cauchy's relations). That stiffness is the greater one of both axes, so that the step is safe.
 Mat3 tangent_of(const dem::Simulation& simulation) {
   const double stiffness = simulation.measures().axial_stiffness.head<2>().maxCoeff();
   Mat3 t = Mat3::Zero();
@@ -76,7 +76,7 @@ void contacts_of(Archive& a, const std::string& prefix, io::ContactsRecord& c) {
   for (const Vec3& image : images) c.image.push_back(image.cast<int>());
 }
 
-// Keeps everything in a state that steps change.
+// Keeps or restores everything in a state that steps change.
 void state_of(Archive& a, const std::string& prefix, io::Snapshot& s) {
   a.item(prefix + "step", s.step), a.item(prefix + "time", s.time);
   a.item(prefix + "cell", s.cell.matrix), a.item(prefix + "gradient", s.cell.velocity_gradient);

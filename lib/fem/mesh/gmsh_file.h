@@ -54,9 +54,9 @@ struct GmshFile {
 /// Parses a file, ASCII 2.2 or 4.1, without sections unrelated to the mesh. Throws DataError with file and line.
 GmshFile parse_gmsh(std::string_view text, const std::string& where);
 
-/// Builds the plane mesh. Repeated elements count once, clockwise ones are reversed, and nodes of no element left out;
-/// doubts say so. Throws DataError with Gmsh's numbers for elements that are not plane, have no area, are crossed or
-/// folded, or overlap, and for a boundary that is no side of an element.
+/// Builds the plane mesh. Repeated elements count once, clockwise elements are reversed, and nodes without an element
+/// are left out. Doubts report these changes. Throws DataError with Gmsh's numbers for elements that are not plane,
+/// have no area, are crossed or folded, or overlap, and for a boundary that is no side of an element.
 Mesh build_mesh(const GmshFile& file, const std::string& where);
 
 }  // namespace soilweave::fem

@@ -129,7 +129,7 @@ std::vector<std::array<Index, 2>> Mesh::coincident() const {
 }
 
 std::vector<Mesh::Piece> Mesh::pieces() const {
-  // Links of a node lead to the first node of its piece.
+  // Union-find: the links of a node lead to the first node of its piece.
   std::vector<Index> to(nodes.size());
   std::iota(to.begin(), to.end(), Index{0});
   const auto first = [&](Index n) {

@@ -70,7 +70,7 @@ class Words {
     while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) <= ' ') line_ += text_[at_++] == '\n';
   }
   [[noreturn]] void fail_at(std::string_view word) {
-    // A section that ends early shows in its last number.
+    // A "$" in place of a number means that the section ends early.
     if (word.starts_with("$"))
       fail(fmt::format("has {} where a number belongs: its section holds less than it counts", word));
     fail(fmt::format("has \"{}\" where a number belongs", word.substr(0, 40)));
@@ -191,7 +191,8 @@ class GmshReader {
     words_.expect("$EndPartitionedEntities");
   }
 
-  // Part of a curve or surface belongs to the groups of the whole too; entities created between parts have none.
+  // A part of a curve or surface also belongs to the groups of the whole. Entities between parts belong to none of
+  // them.
   std::vector<int> groups_of(const Entity& entity) const {
     std::set<int> groups;
     const auto add = [&](const Entity& of) {

@@ -15,8 +15,8 @@ namespace {
 bool is_plane(int type) { return type == gmsh::triangle3 || type == gmsh::quadrilateral8; }
 bool is_edge(int type) { return type == gmsh::line2 || type == gmsh::line3; }
 
-// Returns the corners from the smallest number on, towards the smaller of its neighbours, so that a reversed element
-// gives equal numbers.
+// Returns the corners from the smallest number towards its smaller neighbour. Reversed and rotated copies of an element
+// give the same numbers.
 std::vector<std::int64_t> round_of(const GmshFile::Item& item) {
   const std::ptrdiff_t corners = item.type == gmsh::triangle3 ? 3 : 4;
   std::vector<std::int64_t> nodes(item.nodes.begin(), item.nodes.begin() + corners);
@@ -247,7 +247,7 @@ class Builder {
                      fmt::join(lone.begin(), lone.begin() + shown, ", "), lone.size() > 5 ? ", ..." : "")});
   }
 
-  // Says that groups which hold a part of the elements do not part the soil.
+  // Adds a doubt if physical surfaces hold only a part of the elements, since all elements become one soil.
   void note_surfaces() {
     const Index all = mesh_.elements.size();
     std::vector<std::string> parts;
@@ -261,7 +261,7 @@ class Builder {
                                         where_, fmt::join(parts, ", "))});
   }
 
-  // An element by its nodes: its number, and its groups where it was named first.
+  // A known element: its number, and its groups at its first occurrence.
   struct Known {
     std::vector<int> groups;
     Index element;

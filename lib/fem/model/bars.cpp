@@ -12,7 +12,7 @@
 namespace soilweave::fem {
 namespace {
 
-// Greatest approach of disks from one step of the soil to the next, in radii.
+// Distance, in radii, that disks may approach within one step of the soil. Pairs farther apart are skipped.
 constexpr double room = 0.5;
 
 Vec2 right_of(const Vec2& direction) { return {direction[1], -direction[0]}; }
@@ -189,8 +189,9 @@ void Bars::contact_force(Contact& c, double dt) {
         dt);
 }
 
-// Contact of virtual disks, at the middle of the bar and at the nearest point. Motion is interpolated from the nodes,
-// with the spins of the bars. Forces and moments return by the same interpolation, so that the work is equal.
+// Computes the contact of two virtual disks, at `p` and at the nearest point of the line. Velocities are interpolated
+// from the nodes, with the spins of the bars. Forces and moments go to the nodes by the same interpolation, so that
+// their work is equal.
 void Bars::touch(Contact& c, const Vec2& p, const Vec2& v, double spin, double dt) {
   Line& line = lines_[c.line];
   const double m = nearest(line, p, c);
@@ -245,7 +246,7 @@ void Bars::forces(double dt) {
   for (const std::size_t c : near_) contact_force(contacts_[c], dt);
 }
 
-// Contacts that cannot close before the next search are left out of the steps until then.
+// Finds the contacts that may close before the next search. Only these take part in the steps until then.
 void Bars::look_around() {
   near_.clear();
   const double reach = 2 * setup_.radius + room * setup_.radius;

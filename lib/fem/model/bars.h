@@ -22,7 +22,7 @@ struct Touch {
 /// A straight fixed bar without friction.
 struct Guide {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  bool holds_soil = false;  // carries the interface too
+  bool holds_soil = false;  // touches the soil's boundary, too
 };
 
 /// Motion of an end of the chain.
@@ -95,7 +95,7 @@ class Bars {
   std::size_t broken_bars() const;
   /// Returns normal and shear force between bar and boundary, N/m, shear positive along the chain.
   Vec2 contact_of(std::size_t bar) const;
-  /// Returns their sum over the boundary, N/m.
+  /// Returns the sum of contact_of() over all bars, N/m.
   Vec2 contact_sum() const;
   /// Returns the force that drives an end, N/m.
   Vec2 end_force(bool last) const;

@@ -15,7 +15,7 @@
 namespace soilweave::fem {
 namespace {
 
-// Greatest step over its stability limit before the run counts as broken.
+// Greatest ratio of a step to its stability limit; beyond it the run fails.
 constexpr double tolerated = 1.0;
 
 }  // namespace
@@ -219,7 +219,7 @@ Balance Model::balance() const {
   Balance b{soil.traction_work + soil.support_work, soil.kinetic, 0, soil.viscous};
   if (bars_) {
     const BarEnergies bars = bars_->energies();
-    // Work that the interface does on the soil is lost by the bars.
+    // The bars lose the work that the interface does on the soil.
     b.external += bars.end_work + soil.interface_work + bars.interface_work;
     b.kinetic += bars.kinetic;
     b.stored += bars.elastic + bars.contact - bars.initial;

@@ -12,7 +12,7 @@
 //   2  bars       the chain moves in small steps between old and new positions of the soil's boundary        bars.h
 //   3  points     each follows its gradient in many small steps of its grains; points are independent        rve.h
 //
-// A continuum law (continuum_laws.h) can stand for the grains, to verify the elements or to set a problem up.
+// A continuum law (continuum_laws.h) can replace the grains, to verify the elements or to set up a problem.
 #pragma once
 
 #include <exception>
@@ -39,10 +39,10 @@ struct ModelSetup {
   Grains grains;
   /// One for all points, or one per point.
   std::vector<io::Snapshot> packings;
-  std::optional<BarsSetup> bars;  // friction of the interface comes from the line
-  /// Boundaries beside which the chain lies.
+  std::optional<BarsSetup> bars;  // interface and chain are made from `along`
+  /// Boundaries along which the chain lies.
   std::vector<std::string> along;
-  /// Distance of the chain's nodes, and its length before the start, m.
+  /// Spacing of the chain's nodes, and length of the chain before the start of the boundaries, m.
   double spacing = 0, overhang = 0;
   /// Pressure along y on chain and guides before the start, Pa.
   double seat_pressure = 0;
@@ -83,9 +83,9 @@ class Model {
 
   /// Returns the step of the soil, s.
   double time_step() const { return dt_; }
-  /// Returns its stability limit, s.
+  /// Returns the stability limit of the soil's step, s.
   double stable_time_step() const { return 2 / std::sqrt(eigenvalue_); }
-  /// Returns the number of grain steps within it.
+  /// Returns the number of grain steps within one step of the soil.
   std::int64_t substeps() const { return substeps_; }
   /// Returns the time, s.
   double time() const { return time_; }
@@ -96,13 +96,14 @@ class Model {
   Soil& soil() { return *soil_; }
   const Points& points() const { return points_; }
   const Bars* bars() const { return bars_.get(); }
-  /// Brings all points to the first process; all must call it. Elsewhere points() lag behind.
+  /// Copies the state of all points to the first process. All processes must call it. On the others points() is not up
+  /// to date.
   void collect();
   /// Throws PhysicsError if a step exceeds its limit.
   void check_steps() const;
   /// Returns the energy balance since the start.
   Balance balance() const;
-  /// Stops supports, chain ends and clock, and damps all; none: go on.
+  /// Stops supports, chain ends and clock, and damps all motion. none: resumes the loading.
   void relax(const std::optional<Relaxation>& how);
   /// Keeps or restores everything that steps change.
   void archive(Archive& archive);

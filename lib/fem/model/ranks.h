@@ -1,5 +1,5 @@
-// The processes that share the points of one run. Alone, there is one; `make mpi` links fem-dem with ranks_mpi.cpp
-// in place of ranks.cpp, to be started by mpirun.
+// The processes that share the points of one run. Without MPI there is one. `make mpi` links fem-dem with ranks_mpi.cpp
+// instead of ranks.cpp; mpirun starts it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace soilweave::fem {
 
-/// A process of a run. Every process computes the same soil and geosynthetic; points are dealt out in turn. Only the
-/// first one handles checkpoints and output.
+/// A process of a run. Every process computes the same soil and geosynthetic; points are distributed in turn. Only the
+/// first process handles checkpoints and output.
 class Ranks {
  public:
   /// Joins the processes of this run.
@@ -30,14 +30,14 @@ class Ranks {
 
   // All processes must call these functions together.
 
-  /// Shares numbers of all points, `width` each, with every process, bit for bit.
+  /// Sends each point's `width` numbers from its owner to all processes, bit for bit.
   void share(std::vector<double>& values, std::size_t width) const;
-  /// Returns the lowest task's failure, at most 1000 bytes; empty without one.
+  /// Returns on all processes the failure of the lowest failed task, at most 1000 bytes; empty if none failed.
   std::string agree(const std::string& failure, std::int64_t task) const;
-  /// Returns the number that the first process passes.
+  /// Return on all processes the value that the first process passes.
   std::int64_t told(std::int64_t number) const;
   std::string told(const std::string& bytes) const;
-  /// Returns bytes of a process to the first one, an empty text to others.
+  /// Returns on the first process the bytes of process `from`, on others an empty text.
   std::string to_first(const std::string& bytes, int from) const;
 
  private:

@@ -27,8 +27,8 @@ double velocity_of(const HeldMotion& motion, const Vec2& position) {
   return motion.constant + motion.gradient.dot(position);
 }
 
-// Returns whether two motions are one, or both leave the node where it is. reach: distance of the farthest node from
-// the origin, m.
+// Returns whether two motions are equal, or both leave the node at rest. reach: distance of the farthest node from the
+// origin, m.
 bool equal_motions(const HeldMotion& a, const HeldMotion& b, const Vec2& position, double reach) {
   const auto stands = [&](const HeldMotion& m) {
     return std::abs(velocity_of(m, position)) <= 1e-12 * (std::abs(m.constant) + m.gradient.norm() * reach);
@@ -189,8 +189,7 @@ void Soil::support(Index node, Vec2& velocity, bool* fixed) const {
 void Soil::step(const std::vector<Mat2>& stresses, const std::vector<Vec2>& interface_forces, double dt) {
   internal_ = internal_forces(stresses);
   const std::vector<Vec2> traction = traction_forces(mesh(), positions_, setup_.tractions);
-  // Every term is multiplied by the mean velocity of the step, so energies balance to rounding (Belytschko et al. 2014,
-  // 6.2.3).
+  // Work is force times the mean velocity of the step, so energies balance to rounding (Belytschko et al. 2014, 6.2.3).
   const double c = damping_.value_or(setup_.damping), half = 0.5 * c * dt;
   for (Index n = 0; n < positions_.size(); ++n) {
     const Vec2 before = velocities_[n], force = traction[n] + interface_forces[n] - internal_[n];

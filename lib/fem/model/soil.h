@@ -43,13 +43,13 @@ struct SoilSetup {
 struct HeldMotion {
   double constant = 0;           // m/s
   Vec2 gradient = Vec2::Zero();  // 1/s
-  /// Number of the first support that holds the node so.
+  /// Number of the first support that prescribes this motion.
   Index support = 0;
 };
 /// Held motions of a node along x and y; an axis without one is free.
 using HeldNode = std::array<std::optional<HeldMotion>, 2>;
-/// Returns what the supports hold at each node. Throws DataError for an unknown boundary, and for two supports that
-/// move a common node differently.
+/// Returns the held motions of each node. Throws DataError for an unknown boundary, and for two supports that move a
+/// common node differently.
 std::vector<HeldNode> held_nodes(const Mesh& mesh, const std::vector<Support>& supports);
 
 /// Returns the tractions as forces on the nodes, which are at these positions, N/m.
@@ -111,7 +111,7 @@ class Soil {
   SoilPoint soil_point(Index point) const;
   /// Returns node averages of point values, weighted by area.
   std::vector<Mat2> at_nodes(const std::vector<Mat2>& values) const;
-  /// Returns the resultant internal force at a boundary, N/m; at rest supports and interface exert it.
+  /// Returns the resultant internal force at a boundary, N/m. At rest it equals the outer forces on that boundary.
   Vec2 reaction(const std::string& boundary) const;
   /// Returns internal forces, N/m per node. Throws PhysicsError naming a degenerate element.
   std::vector<Vec2> internal_forces(const std::vector<Mat2>& stresses) const;
@@ -137,8 +137,8 @@ class Soil {
   SoilEnergies energies_;
 };
 
-/// Returns the gradient rounded to multiples of 2^-60. Rounding makes equal strains of unequal elements differ, which
-/// grains would amplify chaotically.
+/// Returns the gradient rounded to multiples of 2^-60. Floating-point errors make equal strains of unequal elements
+/// differ. Grains would amplify these differences chaotically.
 Mat2 rounded_gradient(const Mat2& gradient);
 
 }  // namespace soilweave::fem

@@ -58,14 +58,12 @@ void read_traction(Settings& table, SoilSetup& soil) {
   if (accepted(table, "on", [&] { soil.mesh.boundary_with_edges(t.boundary); })) soil.tractions.push_back(std::move(t));
 }
 
-// Returns the velocities of a place, in columns, while a piece moves as a whole: along x, along y and around its
-// middle.
+// Returns the velocities of a point of a rigid piece, one column per motion: along x, along y and around its middle.
 Eigen::Matrix<double, 2, 3> rigid_motions(const Vec2& from_middle) {
   return (Eigen::Matrix<double, 2, 3>() << 1, 0, -from_middle[1], 0, 1, from_middle[0]).finished();
 }
 
-// Returns the sum of the nodal forces of a piece where they move or turn it as a whole, because no support holds it
-// against them.
+// Returns the sum of the nodal forces on a piece if they move or turn it as a whole, because no support resists them.
 std::optional<Vec2> unbalanced(const Mesh& mesh, const Mesh::Piece& piece, const std::vector<HeldNode>& held,
                                const std::vector<Vec2>& forces) {
   double size = 0;
@@ -80,7 +78,7 @@ std::optional<Vec2> unbalanced(const Mesh& mesh, const Mesh::Piece& piece, const
     load += motions.transpose() * forces[n];
     turned_over += forces[n].norm();
   }
-  // Eigenvectors without an eigenvalue are the motions that every support leaves free.
+  // Eigenvectors with eigenvalue 0 are the motions that no support resists.
   const Eigensystem<Mat3> motions = eigensystem(holding);
   Vec3 free = Vec3::Zero();
   for (const Eigen::Index k : {0, 1, 2})
@@ -121,7 +119,7 @@ void doubt_free(const SoilSetup& soil, const std::vector<HeldNode>& held, std::v
     }
 }
 
-/// Returns the tension that the soil bears from all sides, Pa; nothing where the scenario does not tell.
+/// Returns the isotropic tension that the soil bears, Pa; none if the scenario does not define it.
 std::optional<double> tensile_strength(const ModelSetup& setup) {
   if (setup.law) {
     if (!setup.law->friction_angle) return std::nullopt;
@@ -147,7 +145,7 @@ void doubt_pulled(const ModelSetup& setup, std::vector<Doubt>& doubts) {
       pull += of_edge.at(edge).dot(Vec2(along[1], -along[0]));  // the soil lies to the left of its boundary
       length += along.norm();
     }
-    // A round boundary under a constant traction has a mean of zero but for rounding.
+    // On a closed boundary, the mean pull of a constant traction is zero but for rounding.
     if (!(pull / length > *strength + 1e-9 * t.value.norm())) continue;
     doubts.push_back(
         {"traction_pulls", fmt::format("the traction on \"{}\" pulls the soil by {:.4g} kPa, and it bears {:.4g} kPa: "

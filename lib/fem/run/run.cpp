@@ -46,7 +46,8 @@ class Timetable {
  public:
   Timetable(const Scenario& scenario, double dt) : interval_(std::max(1.0, scenario.model.interval / dt)) {
     double intervals = scenario.duration / scenario.model.interval;
-    // Decimals of the interval are often rounded. A few steps left over by them would be an output of their own.
+    // Decimals of the interval are often rounded. Without this rounding, a few steps left over would become an output
+    // of their own.
     if (std::abs(intervals - std::round(intervals)) < 1e-3) intervals = std::round(intervals);
     steps_ = std::max<std::int64_t>(1, std::llround(intervals * scenario.model.interval / dt));
     outputs_ = static_cast<std::int64_t>(static_cast<double>(steps_) / interval_);
@@ -162,7 +163,7 @@ class Runner {
     if (ranks_.first()) record(model_, scenario_.recorded, file_);
   }
 
-  // The first process decides what is done; others collect with it until it tells them to go on.
+  // The first process decides about checkpoints. The others collect points with it until it sends `go`.
   void keep() {
     if (!ranks_.first()) {
       while (const std::int64_t word = ranks_.told(go)) {

@@ -86,7 +86,7 @@ void check_joints(Settings& table, const Mesh& mesh) {
   }
 }
 
-// Completes a mesh from a file by what the scenario says of it.
+// Completes a mesh from a file with the scenario's keys.
 Mesh take_mesh(Settings& table, Mesh mesh) {
   for (const char* key : {"width", "height", "columns", "rows"})
     if (table.has(key)) table.mistake(key, "is of a rectangle, but --mesh names a file: leave one of the two out");

@@ -11,7 +11,7 @@
 namespace soilweave::fem {
 namespace {
 
-// A swing of one element between its nodes takes about six steps, and a response several swings.
+// The fastest vibration of an element takes about six steps, and a response takes several vibrations.
 constexpr std::int64_t fewest_steps = 30;
 
 Vec2 extent(const Mesh& mesh) {

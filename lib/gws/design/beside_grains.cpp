@@ -21,7 +21,8 @@ bool comparable(const Case& bag) {
          bag.usable_share() == 0.5 && !bag.initial_settlement && !bag.initial_surcharge;
 }
 
-// Returns the sentence about the runs on both sides of a stiffness, or about the one that has it or is nearest.
+// Returns a sentence about the two runs that enclose `stiffness`. Names only one run if it has this stiffness, or if
+// `stiffness` lies outside the runs.
 std::string sentence(std::span<const BesideGrains> runs, double stiffness, std::string_view what) {
   const auto above = std::lower_bound(runs.begin(), runs.end(), stiffness * (1 - 1e-3),
                                       [](const BesideGrains& run, double J) { return run.stiffness < J; });

@@ -17,7 +17,7 @@ struct BesideGrains {
 
 /// Returns the seven bags of chapter 5, by rising stiffness (pipelines/ch5/kept/misfits.tsv).
 std::span<const BesideGrains> bags_of_grains();
-/// Returns the cells of wrapped soil under 10 kPa of lateral stress, by rising stiffness (the table above).
+/// Returns the cells of wrapped soil under 10 kPa of lateral stress, by rising stiffness (same table).
 std::span<const BesideGrains> cells_of_grains();
 
 /// Returns how the ultimate load of `bag` compares with that of the runs nearest in stiffness, as a line. The line is

@@ -19,16 +19,16 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int tried_stiffnesses = 50;  // over the range, in equal ratios
 constexpr double unreached = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the geotextile of one kind with stiffness J: all tensions in proportion. J of a curve is the secant at the
-/// bag's limit.
+/// Returns the bag's geotextile with all tensions scaled to the stiffness J. For a curve, J is the secant at the bag's
+/// limit.
 Geotextile of_one_kind(const Case& bag, double J) {
   Geotextile found = bag.geotextile.layers(J / bag.geotextile.stiffness);
   found.name = bag.geotextile.name;
   return found;
 }
 
-/// Returns the kind of geotextile that a design looks for. A strain at failure alone is that of a kind of any
-/// stiffness. Throws DataError if the numbers describe no kind.
+/// Returns the kind of geotextile that a design looks for. With a failure strain alone, the stiffness is arbitrary (1
+/// N/m) and the strength follows. Throws DataError if the numbers describe no kind.
 Geotextile kind_of(Geotextile given) {
   const bool stiff = given.stiffness > 0, strong = given.strength > 0;
   if (!stiff && !strong && given.failure_strain > 0) {
@@ -67,16 +67,16 @@ Trial try_stiffness(const Case& bag, const Demand& demand, double J) {
   Case failing = bag;
   failing.soil = demand.weakened.value_or(bag.soil);
   const Response factored(loaded_bag(failing, J, demand.safety * demand.surcharge));
-  // The factored surcharge rests on the weaker soil, the one at service on the bag's own.
+  // The factored surcharge uses the weaker soil, the surcharge at service the bag's own soil.
   const Case serving = loaded_bag(bag, J, demand.surcharge);
   const Response service(serving);
   return {!service.failed(), !factored.failed(), service.start(), service.last(), factored.last(), serving.geotextile};
 }
 
-/// Returns the smallest J of the range with excess(trial) <= 0. Infinite if no J has it.
+/// Returns the smallest J of the range with excess(trial) <= 0, or infinity if there is none.
 ///
-/// Excess falls with J as far as the solution goes. Under a very stiff geotextile some soils have no state at the
-/// surcharge, so that the range is searched from its soft end.
+/// The excess falls with J wherever a solution exists. Under a very stiff geotextile some soils have no state at the
+/// surcharge, so the search begins at the soft end of the range.
 template <class Excess>
 double smallest_stiffness(const Case& bag, const Demand& demand, const StiffnessRange& range, const Excess& excess) {
   bool begun = false;
@@ -198,7 +198,7 @@ std::vector<ChartRow> design_chart(const Case& given, const Demand& demand, cons
     one.geotextile = of_one_kind(bag, range.low * std::pow(range.high / range.low, share));
     rows.push_back(chart_row(one, demand));
   }
-  // Geotextiles that are too weak to begin have rows without values; if all have, the last one says why.
+  // Rows of too weak geotextiles have no values. If no row has values, this response throws the reason.
   if (std::ranges::all_of(rows, [](const ChartRow& row) { return std::isnan(row.capacity); })) {
     Case last = bag;
     last.until.reset(), last.geotextile = rows.back().geotextile;

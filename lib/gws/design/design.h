@@ -40,11 +40,10 @@ struct Design {
 };
 
 /// Returns the geotextile with the smallest J that keeps eps_a(q) within the settlement. Roots are bracketed in ln J. A
-/// strength of the case's geotextile keeps its ratio to the stiffness and limits the hoops at `safety` times q, as does
-/// a strain at failure alone. Without any number (0), the strength follows from the hoop tension there. All tensions of
-/// a curve are scaled alike; the range is then of its secant at the limit, and the stiffness that is returned its
-/// secant at service. Throws TargetNotReached if the stiffest geotextile is too soft, DataError for an inadmissible
-/// demand.
+/// given strength keeps its ratio to the stiffness and limits the hoops at `safety` times q. A failure strain alone
+/// limits the hoops, too. Without either (0), the strength follows from the hoop tension at `safety` times q. All
+/// tensions of a curve are scaled alike. `range` then holds its secant at the limit, and the result its secant at
+/// service. Throws TargetNotReached if the stiffest geotextile is too soft, DataError for an inadmissible demand.
 Design smallest_geotextile(const Case& bag, const Demand& demand, const StiffnessRange& range);
 
 /// Surcharge that a given bag carries.
@@ -68,7 +67,7 @@ struct ChartRow {
   /// For the demand.
   double service_settlement = 0, allowable_surcharge = 0;
 };
-/// Returns n bags at equal steps of ln J, the secant at the limit if there is a curve. Strength over stiffness and
+/// Returns n bags at equal steps of ln J. For a curve, J is the secant at the limit. Strength over stiffness and
 /// failure strain stay constant.
 std::vector<ChartRow> design_chart(const Case& bag, const Demand& demand, const StiffnessRange& range, std::size_t n);
 

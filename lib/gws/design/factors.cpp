@@ -25,7 +25,7 @@ constexpr Parameter creep_range = factor_range("rf_creep", "divides the strength
                     soil_range = factor_range("factor_soil", "divides tan phi, against failure");
 
 /// Returns why the soil's path ends below a hundred times its first mean stress; none: it goes on. The stiffness of the
-/// geotextile, here 1 MN/m, hardly counts there.
+/// geotextile, here 1 MN/m, hardly matters at such stresses.
 End early_end(const Soil& soil) {
   Path path(soil, soil.young_modulus(1e6), tolerance_range.high);
   while (path.last() < std::log(100 * soil.p_0) && path.advance()) {
@@ -78,7 +78,7 @@ std::string conditions(const Case& bag, const Factors& factors, bool chosen) {
         "Against failure the surcharge is multiplied by {:.4g}, and tan phi divided by {:.4g}: M {:.4g} becomes "
         "{:.4g}.\n",
         factors.load, factors.soil, bag.soil.M, weak.M);
-  // The secant of a curve is that at the strain reached, which tells nothing about the tension at failure.
+  // The stiffness of a curve is the secant at the strain reached. It does not give the tension at failure.
   const double tension = bag.geotextile.curve.known() ? bag.usable_share() * bag.geotextile.strength
                                                       : bag.hoop_limit() * bag.geotextile.stiffness;
   const double M = weak.M;

@@ -39,7 +39,7 @@ struct Band {
 /// Quantiles of the responses at one settlement.
 struct BandRow {
   double settlement = 0;
-  /// Number of responses that get as far.
+  /// Number of responses that reach this settlement.
   std::size_t samples = 0;
   Band surcharge, axial_stress, radial_stress, hoop_strain;
 };
@@ -55,9 +55,9 @@ struct Bands {
   std::vector<BandRow> rows;
 };
 
-/// Draws constants from their multivariate t distribution, and computes each response. Rows stand at n+1 equal steps of
-/// settlement, up to the end of the undisturbed response. Throws DataError if no constant has a scatter, or no draw a
-/// response.
+/// Draws constants from their multivariate t distribution, and computes each response. Returns n+1 rows at equal steps
+/// of settlement, from compaction to the end of the undisturbed response. Throws DataError if no constant has a
+/// scatter, or no draw a response.
 Bands monte_carlo(const Case& bag, const SoilFile& soil, std::int64_t samples, std::uint64_t seed, std::int64_t n);
 
 /// Returns which constants were varied and which were held, in one phrase.

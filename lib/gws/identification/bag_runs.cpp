@@ -67,7 +67,7 @@ bool has_columns(const io::Series& table, const std::vector<const char*>& names)
   return std::ranges::all_of(names, [&](const char* name) { return table.find(name) != nullptr; });
 }
 
-/// Returns the series of the rows from `first` to the last one without a broken yarn.
+/// Returns the series of the rows from `first` up to the first broken yarn.
 BagSeries whole_rows(const io::Series& table, std::size_t first, const std::string& where, const Stiffness& stiffness) {
   const std::vector<double>& broken = table.at("broken_yarns").values;
   std::size_t end = first;

@@ -34,10 +34,10 @@ BagSeries bag_of_loading(const io::Series& loading, const std::string& where, co
 BagSeries bag_of_reinforced(const io::Series& table, const std::string& where, const Stiffness& stiffness);
 
 /// Returns the stiffness of the geotextile around a run's bag. A curve from data/geotextiles has its file's stiffness,
-/// times the layers in its name. Its multiple does not count: a yarn that stands for several is of one geotextile. A
-/// curve of numbers has its secant stiffness at failure, times the multiple, over the spacing of yarns on the faces,
-/// which equals their length. Throws DataError naming `where` if the curve's file is not in the run or has changed
-/// since.
+/// times the layers in its name. The scenario's `multiple` does not count here: one modelled yarn then represents
+/// several yarns of one geotextile. A curve of numbers has its secant stiffness at failure, times the multiple, over
+/// the spacing of yarns on the faces, which equals their length. Throws DataError naming `where` if the curve's file is
+/// not in the run or has changed since.
 Stiffness stiffness_in(const io::RunFile& run, const std::string& where);
 
 /// Returns the series of a run's bag, between plates (packing/expand/loaded_bag.h) or in a periodic cell. given:

@@ -26,10 +26,10 @@ BagSeries BagSeries::from_row(std::size_t n) const {
 
 namespace {
 
-// Volume changes by three times the axial strain under equal strains along all axes; wrapped soil spreads.
+// Greatest ratio of volumetric to axial strain: 3 for equal strains along all axes. Wrapped soil spreads and has less.
 constexpr double greatest_volumetric = 3;
 
-// Keeps the rows up to `last` whose axial strain is not below that of an earlier one; returns how many it left out.
+// Keeps the rows up to `last` whose axial strain is not below any earlier one. Returns the number of rows left out.
 std::size_t keep_loading(BagSeries& s, std::size_t last) {
   std::size_t kept = 0;
   double greatest = -std::numeric_limits<double>::infinity();
@@ -91,7 +91,8 @@ void check_loading(const BagSeries& s, const std::string& where, bool natural) {
         where, volumetric, axial));
 }
 
-// Returns the stiffness of a column. It may not change, nor differ by a per cent from the given one (0: none is given).
+// Returns the stiffness of a column. Throws DataError if it changes, or differs by a per cent from the given stiffness
+// (0: none).
 double one_stiffness(const std::vector<double>& values, double given, const std::string& where, std::size_t first_row) {
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(std::abs(values[i] - values[0]) <= 1e-9 * std::abs(values[0])))

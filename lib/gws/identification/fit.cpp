@@ -38,8 +38,9 @@ int deviations(const gsl_vector* parameters, void* problem, gsl_vector* result) 
 using Workspace = std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)>;
 using Matrix = std::unique_ptr<gsl_matrix, decltype(&gsl_matrix_free)>;
 
-/// Returns whether every column of the Jacobian leaves the span of the others by an angle that is more than rounding.
-/// Its covariance times the square of the column is 1/sin^2 of that angle; GSL makes it 0 where it finds none.
+/// Returns whether the angle between each column of the Jacobian and the span of the others exceeds rounding. The
+/// variance times the column's squared norm is 1/sin^2 of that angle. GSL returns a variance of 0 for a dependent
+/// column.
 bool determines(const gsl_matrix* jacobian, const gsl_matrix* covariance) {
   for (std::size_t i = 0; i < jacobian->size2; ++i) {
     const gsl_vector_const_view column = gsl_matrix_const_column(jacobian, i);
@@ -130,7 +131,8 @@ Fit fit(const std::string& what, const std::vector<double>& observed, const std:
   int status = gsl_multifit_nlinear_init(&first.vector, &functions, solver.get());
   if (status != GSL_SUCCESS) throw undetermined(status);
   status = gsl_multifit_nlinear_driver(1000, 1e-12, 1e-12, 0, nullptr, nullptr, &reason, solver.get());
-  // A search that begins at its end makes no progress; GSL then tells GSL_EMAXITER, and the cause as the reason.
+  // A search that starts at its minimum makes no progress. GSL then returns GSL_EMAXITER, with GSL_ENOPROG as the
+  // reason.
   if (status != GSL_SUCCESS && status != GSL_ENOPROG && reason != GSL_ENOPROG) throw undetermined(status);
   const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(solver.get());
   const Matrix covariance(gsl_matrix_alloc(k, k), gsl_matrix_free);

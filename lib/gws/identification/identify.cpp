@@ -34,7 +34,7 @@ void judge(const Line& line) {
                     line.name, line.fit.determination));
 }
 
-/// Collects lines, and why others are not among them.
+/// Collects lines, and the reasons for missing lines.
 struct Collected {
   std::vector<Line>& lines;
   std::vector<std::string>& left_out;
@@ -57,8 +57,8 @@ void set_constants(Soil& soil, const std::vector<Line>& lines) {
       soil.*constant(line.constants[k]).field = line.fit.estimates[k];
 }
 
-/// Series that do not begin at rest lose the rows before they are near failure, where q/p is below the beginning of the
-/// near-failure line.
+/// Returns the series. From series that do not begin at rest it removes the first rows, where q/p is still below the
+/// beginning of the near-failure line.
 std::vector<BagSeries> near_failure_rows(const std::vector<BagSeries>& series, const Soil& soil) {
   std::vector<BagSeries> kept;
   for (const BagSeries& one : series) {
@@ -82,7 +82,8 @@ void by_thesis(Collected& all, const std::vector<BagSeries>& series, const Soil&
   all.add([&] { return stiffness_line(series, soil, difference); });
 }
 
-/// The search begins at what the thesis's way finds, and where the solution ends there, at the constants given.
+/// Fits along the paths. The search starts from the constants that by_thesis() finds. If it fails there, it starts from
+/// the given constants.
 void by_path(Collected& all, const std::vector<BagSeries>& series, const Soil& soil, Difference difference,
              bool compression_given) {
   std::vector<Line> lines;
@@ -96,7 +97,8 @@ void by_path(Collected& all, const std::vector<BagSeries>& series, const Soil& s
   const auto search = [&](const Soil& from) {
     left_out.clear();
     found = path_lines(series, from, compression_given, difference, left_out);
-    // Constants of the paths hang together, so that none is kept without the others. The stiffness rests on them.
+    // Constants of one path fit depend on each other: if one line is out of range, none is kept. The stiffness is
+    // judged on its own.
     for (const Line& line : found)
       if (line.name != "stiffness") judge(line);
   };
@@ -126,8 +128,8 @@ std::vector<Doubt> not_identified(const Identification& found, const std::vector
                                          fmt::join(kept, ", "), found.soil.name, why)}};
 }
 
-/// Returns the findings on a line that its points hardly determine: 95 % intervals beyond the range of a constant, and
-/// a low R2. A line through as many points as constants has neither.
+/// Returns why the points hardly determine a line: a 95 % interval beyond the range of a constant, or a low R2. A line
+/// through as many points as constants has no such findings.
 std::vector<std::string> weaknesses(const Line& line) {
   constexpr double least_determination = 0.5;
   std::vector<std::string> found;
@@ -192,7 +194,7 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
       by_path(all, series, known, difference, !compression.x.empty());
     } catch (const DataError& error) {
       found.left_out.push_back(fmt::format("all constants at once: {}", error.what()));
-      all.add([&] { return near_failure_line(series, known); });  // which needs no other line
+      all.add([&] { return near_failure_line(series, known); });  // it needs no other line
     }
   } else if (!series.empty()) {
     by_thesis(all, series, soil.soil, difference, !compression.x.empty());

@@ -38,8 +38,8 @@ std::string_view explained(Method method);
 
 /// Identifies the lines that the series allow. A line is left out if its constants leave their ranges, or if it
 /// explains its points worse than their mean does. compression, failure: points of other tests; empty: none. M, p_a, m
-/// and Poisson's ratio are not identified: M and p_c are one constant together, m and nu are as in the thesis. Series
-/// not from rest serve the near-failure line alone. difference: of the increments that are tabulated, and
+/// and Poisson's ratio are not identified: M and p_c together are one constant, m and nu are as in the thesis. Series
+/// not from rest serve the near-failure line alone. difference: kind of the increments, which are tabulated and
 /// (Method::thesis) fitted. No point is dropped.
 Identification identify(const std::vector<BagSeries>& series, const SoilFile& soil, const Points& compression,
                         const Points& failure, Difference difference, Method method);

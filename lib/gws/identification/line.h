@@ -65,7 +65,7 @@ Line dilatancy_points(const std::vector<BagSeries>& series, const Soil& soil, Di
 /// Returns the points of the near-failure line (thesis Fig. 5.7) of all rows.
 Line near_failure_points(const std::vector<BagSeries>& series, const Soil& soil);
 
-/// The description of a constant by its key.
+/// Returns the description of a constant by its key.
 const Constant& constant(const std::string& key);
 
 }  // namespace soilweave::gws

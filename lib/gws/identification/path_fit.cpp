@@ -20,13 +20,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double difference_step = 1e-5;  // of a parameter, for derivatives
-constexpr double path_tolerance = 1e-9;   // a thousandth of what one difference step changes
+constexpr double difference_step = 1e-5;  // step of a parameter, for numerical derivatives
+constexpr double path_tolerance = 1e-9;   // a thousandth of the change by one difference step
 constexpr int whitenings = 3;             // the correlation settles after two
 constexpr int most_iterations = 100;
 constexpr double remaining_gain = 1e-6;  // share of the sum of squares; a hundredth of the errors at a hundred rows
 
-/// A constant as a parameter of the search: positive ones as their logarithm.
+/// A constant as a parameter of the search. Positive constants are searched as logarithms.
 struct SearchedConstant {
   const char* key;
   double Soil::*field;
@@ -40,7 +40,7 @@ constexpr std::array searched_constants{SearchedConstant{"compression_line.C_t",
                                         SearchedConstant{"dilatancy_line.p_1", &Soil::p_1, false},
                                         SearchedConstant{"dilatancy_line.p_2", &Soil::p_2, false}};
 
-/// Errors of one relation: their standard deviation, and the correlation of one row's with the next one's.
+/// Errors of one relation: standard deviation, and correlation between neighbouring rows.
 struct Errors {
   double deviation = 1, correlation = 0;
 };
@@ -68,8 +68,8 @@ class Search {
     if (rows_ <= at_.size())
       throw DataError(fmt::format("{} rows for {} constants; give longer series, or more of them", rows_, at_.size()));
     bool converged = false;
-    // The covariance needs the errors that weighted the last search. Those of its residuals would be too small where
-    // one relation is far more exact than the others.
+    // Errors are learnt before each search, so the covariance uses the errors that weighted the last search. Errors
+    // from the final residuals would be too small where one relation is far more exact than the others.
     for (int k = 0; k < whitenings; ++k) {
       learn_errors(residuals(at_));
       converged = descend();
@@ -91,7 +91,7 @@ class Search {
     return soil;
   }
 
-  /// The residuals of one bag; NaN from the row on that the solution does not reach.
+  /// Returns the residuals of one bag; NaN from the first row that the solution does not reach.
   MatrixXd residuals_of(std::size_t s, const VectorXd& at) const {
     const BagSeries& bag = bags_[s];
     const Soil soil = soil_at(at);
@@ -191,8 +191,8 @@ class Search {
     }
   }
 
-  /// Goes by Levenberg-Marquardt to the nearest least sum of squares. Returns whether it gets there: whether the next
-  /// full step would gain less than a `remaining_gain` of the sum.
+  /// Minimises the sum of squares by Levenberg-Marquardt. Returns whether it converged: the next full step would gain
+  /// less than a share `remaining_gain` of the sum.
   bool descend() {
     double damping = 1e-3, best = squares(at_);
     if (!std::isfinite(best)) throw ended_early();
@@ -236,7 +236,8 @@ class Search {
     return DataError("the solution ends at the bags' last rows; give --fit thesis, which needs none");
   }
 
-  /// Covariance of the parameters: the greater one of two, a row being a cluster of relations in the first.
+  /// Returns the covariance of the parameters from independent errors. Variances are raised to the sandwich estimate,
+  /// with rows as clusters, where that is greater.
   MatrixXd covariance() const {
     MatrixXd jacobian;
     VectorXd white;

@@ -37,8 +37,9 @@ struct PathFit {
 /// not from rest has the first relation alone, and no modulus.
 ///
 /// Residuals are whitened with one autocorrelation per relation, since those of neighbouring rows are correlated
-/// (Cochrane and Orcutt 1949). The covariance is the sandwich estimate with rows as clusters and their leverage
-/// (MacKinnon and White 1985). It is never below that of independent errors of at least `data_accuracy`.
+/// (Cochrane and Orcutt 1949). Variances are the greater of two estimates: the sandwich estimate with rows as clusters
+/// and their leverage (MacKinnon and White 1985), and the estimate from independent errors of at least `data_accuracy`.
+/// Correlations come from the latter.
 ///
 /// Throws DataError if rows are too few or do not determine the constants, or if the solution ends before a bag's last
 /// row.

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 MatrixXd inverse(const MatrixXd& positive) { return Cholesky(positive).inverted(); }
 
-/// Fills in what is known of a line's fit from its estimates, their covariance, and the residuals of `observed`.
+/// Fills in a line's fit from its estimates, their covariance, and the residuals of `observed`.
 void judge(Line& line, const std::vector<double>& estimates, const MatrixXd& covariance, double freedom,
            const std::vector<double>& observed, const std::vector<double>& residuals) {
   Fit& fit = line.fit;
@@ -37,7 +37,7 @@ void judge(Line& line, const std::vector<double>& estimates, const MatrixXd& cov
   summarize(fit, observed, estimates.size());
 }
 
-/// Estimates of a line's constants and the rows and columns of their covariance.
+/// Fills in a line's fit from the part of the path fit that concerns its constants.
 void judge(Line& line, const PathFit& path, const std::vector<double>& observed, const std::vector<double>& residuals) {
   std::vector<double> estimates;
   std::vector<Index> places;
@@ -48,7 +48,8 @@ void judge(Line& line, const PathFit& path, const std::vector<double>& observed,
   judge(line, estimates, path.covariance(places, places), path.freedom, observed, residuals);
 }
 
-/// Elastic volumetric strain of each row: the measured strain less the plastic one of the solution.
+/// Returns the compression line, with the elastic volumetric strain of each row: measured strain less the solution's
+/// plastic strain.
 Line compression(const std::vector<BagSeries>& series, const PathFit& path) {
   Line line = started("compression_line", {"C_t", "p_0"}, {"mean_stress", "Pa", "strain_volumetric", "1"});
   std::vector<double> residuals;
@@ -91,8 +92,8 @@ Line dilatancy(const std::vector<BagSeries>& series, const PathFit& path, Differ
   return line;
 }
 
-/// The scatter of ln E from bag to bag beyond what the covariance of the estimates explains: the variance that brings
-/// the weighted squares of the residuals to their expectation (DerSimonian and Laird 1986), 0 if they are below it.
+/// Returns the variance of ln E between bags that the covariance of the estimates does not explain (DerSimonian and
+/// Laird 1986). It brings the weighted squares of the residuals to their expectation; 0 if they are smaller.
 double scatter_between(const MatrixXd& axes, const VectorXd& log_E, const MatrixXd& covariance) {
   const MatrixXd weight = inverse(covariance);
   const MatrixXd weighted = product(weight, axes), normal = transposed_product(axes, weighted);
@@ -103,7 +104,8 @@ double scatter_between(const MatrixXd& axes, const VectorXd& log_E, const Matrix
   return std::max(0.0, (squares - freedom) / left.trace());
 }
 
-/// E = alpha J^beta through the bags' moduli. Their errors hang together, since the other constants are common to all.
+/// Returns E = alpha J^beta fitted to the bags' moduli. The moduli's errors are correlated, since the bags share the
+/// other constants.
 Line stiffness(const std::vector<BagSeries>& series, const PathFit& path) {
   Line line = started("stiffness", {"alpha", "beta"}, {"tensile_stiffness", "N/m", "young_modulus", "Pa"});
   line.residual_name = "log_young_modulus";

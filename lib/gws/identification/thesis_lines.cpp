@@ -14,7 +14,7 @@
 namespace soilweave::gws {
 namespace {
 
-/// Returns whether a constant has no value of zero or below.
+/// Returns whether a constant must be positive.
 bool is_positive(const Constant& constant) { return constant.parameter.low == 0 && constant.parameter.open; }
 
 /// Fits `line` once its points and constants are there. model(soil, i) is the fitted value for observed[i];
@@ -49,14 +49,14 @@ void fit_line(Line& line, const Soil& soil, const std::vector<double>& observed,
   for (const double x : line.x) line.ordinate.push_back(ordinate(trial, x));
 }
 
-/// Fits `line` where the points of the figure are what is fitted.
+/// Fits `line` to the points of its figure.
 void fit_line(Line& line, const Soil& soil, const std::function<double(const Soil&, double)>& ordinate) {
   fit_line(
       line, soil, line.y, [&](const Soil& trial, std::size_t i) { return ordinate(trial, line.x[i]); }, ordinate);
 }
 
-/// Returns the soil with n and p_c of the straight line through ln q/p against ln p, where the search for the failure
-/// line begins. Throws DataError if q/p does not fall, or so little that p_c leaves its range.
+/// Returns the soil with n and p_c of a straight line through ln q/p over ln p, the start of the search for the failure
+/// line. Throws DataError if q/p does not fall, or so little that p_c leaves its range.
 Soil falling(Soil soil, const Line& line) {
   const auto count = static_cast<double>(line.x.size());
   double x_mean = 0, y_mean = 0, squares = 0, products = 0, strength = 0;

@@ -24,7 +24,7 @@ Line stiffness_line(const std::vector<BagSeries>& series, const Soil& soil, Diff
 /// Returns Young's modulus of one bag, Pa. Throws DataError if plastic strain does not grow with stress.
 double young_modulus(const BagSeries& series, const Soil& soil, Difference difference);
 
-/// Returns the number of first rows that contract: the slope of eps_v over (p/p_a)^m is at least half of the steepest
+/// Returns the number of first rows that contract: the slope of eps_v over (p/p_a)^m exceeds half of the steepest slope
 /// before.
 std::size_t contraction(const BagSeries& series, const Soil& soil);
 

@@ -210,7 +210,7 @@ io::Series read_series(const std::filesystem::path& path, const std::string& gro
   const io::FieldsFile file = io::read_fields(path, "series");
   sources.push_back(file.source);
   std::string wanted = group;
-  // The periodic cell is only the room around a bag, so its columns do not count.
+  // `cell` comes last, since the periodic cell only surrounds a bag.
   for (const char* name : {"loading", "reinforced", "response", "cell"})
     if (wanted.empty() && std::ranges::any_of(file.groups, [&](const auto& one) { return one.name == name; }))
       wanted = name;

@@ -52,7 +52,7 @@ inline constexpr Parameter highest_stiffness{
 /// Soil if none is chosen.
 inline constexpr const char* default_soil = "toyoura-gws";
 
-/// Adds a usage mistake for the pressure (Pa) of an option that is below any of interest: it was probably given in kPa.
+/// Adds a usage mistake if an option's pressure is below 1 kPa, probably because kPa were given without their unit.
 void doubt_pressure(const char* option, double pressure, std::vector<std::string>& wrong);
 
 /// A case with its sources.
@@ -65,7 +65,7 @@ struct ReadCase {
   Factors factors;
   /// A doubt about the geotextile's own numbers.
   std::vector<Doubt> about_geotextile;
-  /// Whether the user gave them.
+  /// Whether the user chose the soil and the strength fraction.
   bool chose_soil = false, chose_fraction = false;
 
   /// Returns the first line of an answer: an unchosen or estimated soil; else nothing.
@@ -83,7 +83,7 @@ struct ReadCase {
 
 /// Options of a bag.
 struct CaseOptions {
-  /// Names; no soil if none was chosen.
+  /// Names of geotextile and soil; empty: none was chosen.
   std::string geotextile, soil;
   std::optional<double> stiffness, strength, failure_strain, initial_settlement, initial_surcharge;
   std::vector<std::string> assignments;

@@ -20,10 +20,10 @@ struct Output : io::TableOutput {
   void declare(tool::Table& table);
   /// Throws UsageError with these mistakes and its own.
   void check(std::vector<std::string> mistakes) const;
-  /// Returns the place of the table that --tsv prints; it needs none without --tsv. Throws DataError if the table was
-  /// not identified.
+  /// Returns the index of the table that --tsv prints. Throws DataError if --tsv asks for a table that was not
+  /// identified.
   std::size_t place_of(const Groups& groups, const std::string& table) const;
-  /// Says the doubts. Prints the text or table `chosen` as TSV, unless the file goes to standard output. Writes the
+  /// Reports the doubts. Prints the text or table `chosen` as TSV, unless the file goes to standard output. Writes the
   /// file with the doubts.
   void put(const Groups& groups, std::size_t chosen, const std::string& text, const std::vector<io::Source>& sources,
            const std::string& scenario, const tool::Invocation& invocation, const std::vector<Doubt>& doubts) const;

@@ -46,7 +46,7 @@ std::string identified_soil(const Identification& found, const std::vector<BagSe
 /// Describe an answer in a paragraph.
 std::string describe(const Design& design, const Demand& demand, const Case& bag);
 std::string describe(const Allowance& allowance, double settlement, double safety, const Case& bag);
-/// Return tables in SI. Strengths are the product's own, and long-term ones are these over `reduction`.
+/// Return tables in SI. Strengths are before reduction. Long-term strengths are divided by `reduction`.
 io::Series design_table(const Design& design, double reduction);
 io::Series allowance_table(const Allowance& allowance);
 io::Series chart_table(const std::vector<ChartRow>& rows, double reduction);

@@ -11,7 +11,8 @@
 namespace soilweave::gws {
 namespace {
 
-// No geotextile stiffens fiftyfold: a secant so far below that to failure comes of a unit that was left out.
+// Least ratio of a secant stiffness to the secant to failure. A smaller ratio means a missing unit, since no geotextile
+// stiffens fiftyfold.
 constexpr double least_share = 0.02;
 
 constexpr Parameter tension_range{"tension", "N/m", 0, 1e10, true, "tension at a strain", "a stretched sheet pulls"};
@@ -35,9 +36,8 @@ DataSheet read_direction(Settings& at) {
           value(at, failure_strain_range)};
 }
 
-/// Returns a sheet that is neither stiffer nor stronger than one of the directions: the lesser tension at each strain,
-/// and at the lesser strength the greater strain. Throws DataError where a direction lacks a point or contradicts
-/// itself.
+/// Returns the lower envelope of both directions: the lesser tension at each strain, the lesser strength, and the
+/// greater strain at that strength. Throws DataError if a direction lacks a point or contradicts itself.
 DataSheet lesser(const DataSheet& machine, const DataSheet& cross, const std::string& where) {
   const auto least = [&](const std::optional<double>& a, const std::optional<double>& b, const char* key) {
     if (a.has_value() != b.has_value())

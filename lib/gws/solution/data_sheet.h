@@ -25,9 +25,9 @@ Geotextile of_sheet(const std::string& name, const DataSheet& sheet, const std::
 bool is_sheet(const Settings& table);
 
 /// Reads tension_at_2, tension_at_5, strength and failure_strain, at the top or in [machine] and [cross]. direction:
-/// "machine", "cross", or empty for a curve that is neither stiffer nor stronger than one of them, since the solution
-/// knows one tension for both: the lesser tension at each strain, the lesser strength, and the greater strain there.
-/// Throws DataError for a direction that is missing. Other mistakes go to the document.
+/// "machine", "cross", or empty for the lower envelope of both directions, since the solution knows one tension only.
+/// The envelope has the lesser tension at each strain, the lesser strength, and the greater strain at that strength.
+/// Throws DataError for a missing direction. Other mistakes go to the document.
 Geotextile read_sheet(Settings& table, const std::string& direction, const std::string& where);
 
 }  // namespace soilweave::gws

@@ -17,7 +17,7 @@ constexpr double slack = 0.01;
 // Grains were run in bags of one height over width, and in cells under up to 100 kPa (thesis sections 5.1 and 5.2).
 constexpr double tested_slenderness = 0.2;
 constexpr Span tested_lateral{0, 1e5};
-// Bags half or twice as high are taken for the shape that was run.
+// Factor on the height over width up to which a bag counts as the shape that was run.
 constexpr double like_shape = 2;
 
 // Returns the values that leave a range as one phrase; empty if none does, or if the range is not known.
@@ -121,7 +121,7 @@ std::vector<Doubt> unscattered(const SoilFile& soil) {
 }
 
 std::vector<Doubt> contradictions(const Geotextile& geotextile) {
-  // Curves of a data sheet bend; one secant is within a factor of 1.5 of their end.
+  // Curves of data sheets bend: stiffness times failure strain may differ from the strength by a factor of 1.5.
   constexpr double factor = 1.5;
   const double at_failure = geotextile.stiffness * geotextile.failure_strain, strength = geotextile.strength;
   if (geotextile.curve.known() || !(strength > 0) || !(at_failure > 0)) return {};

@@ -20,7 +20,8 @@
 namespace soilweave::gws {
 namespace {
 
-// E50 of Toyoura sand at e = 0.68 under 0.2 MPa (data/laboratory), and the exponent of its growth with pressure.
+// E50 of Toyoura sand at e = 0.68 under 0.2 MPa (data/laboratory). It grows with the pressure to the power
+// `toyoura_exponent`.
 constexpr double toyoura_E50 = 51e6, toyoura_pressure = 200e3, toyoura_exponent = 0.5, toyoura_void_ratio = 0.68;
 
 double obliquity(double angle) { return 6 * std::sin(angle * degree) / (3 - std::sin(angle * degree)); }
@@ -42,7 +43,7 @@ struct Curves {
   std::vector<double> strain, volumetric, ratio;
 };
 
-/// Returns a column under the first of its names that the table has.
+/// Returns the column with the first of `names` that the table has.
 std::vector<double> column(const io::Series& table, std::initializer_list<const char*> names, const std::string& path) {
   for (const char* name : names)
     if (table.find(name)) return io::in_unit(table, name, "1", path);
@@ -58,7 +59,7 @@ std::vector<double> stress_ratios(const io::Series& table, double pressure, cons
   return ratios;
 }
 
-/// Throws DataError for the first row whose own stresses tell another confining pressure than the one given.
+/// Throws DataError for the first row whose lateral stress differs by more than 10 % from the given pressure.
 void judge_pressure(const io::Series& table, double pressure, const std::string& path) {
   constexpr double most = 0.1;  // cell pressure is held to some per cent
   std::vector<double> lateral;
@@ -77,7 +78,7 @@ void judge_pressure(const io::Series& table, double pressure, const std::string&
                       path, i + 1, lateral[i] / 1e3, pressure / 1e3));
 }
 
-/// Throws DataError for the first row that no drained test has.
+/// Throws DataError for the first row that is impossible in a drained test.
 void judge(const Curves& curves, const std::string& path) {
   // The bounds of calibration (pipelines/calibration/plausible.py).
   constexpr double seated = 1.3, at_rest = 5e-5, least = 0.9, most = 15, greatest_volumetric = 0.3;
@@ -113,8 +114,8 @@ Curves read_curves(const std::string& path, double pressure, std::vector<io::Sou
   return curves;
 }
 
-/// Puts strength, dilation and stiffness of curves into the test. The dilation is the greatest slope over a tenth of
-/// the strain.
+/// Sets strength, dilation and stiffness of the test from its curves. The dilation is the greatest slope over a tenth
+/// of the final strain.
 void measure(Triaxial& test, const Curves& curves, const std::string& path) {
   const auto& [strain, volumetric, ratio] = curves;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(ratio) - ratio.begin());
@@ -155,8 +156,8 @@ Soil estimated(const Triaxial& test) {
   const double strength = at_failure / failure_obliquity(soil, p), stiffness = test.E50 / toyoura_modulus;
   soil.lambda *= scale;
   soil.kappa *= scale * strength;
-  // E50 contains elastic and plastic strain. One that changes alone mobilises the strength at another stress, and the
-  // softer soil may settle less.
+  // E50 contains elastic and plastic strain, so both are scaled. If only one changed, the strength would be mobilised
+  // at another stress, and a softer soil might settle less.
   soil.alpha *= stiffness;
   soil.C_t *= void_ratio_function(toyoura_void_ratio) / void_ratio_function(test.void_ratio) / stiffness;
   soil.M = at_failure - obliquity(test.dilation_angle);
@@ -171,7 +172,7 @@ Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io:
   Triaxial test;
   test.void_ratio = table.number(porosity);
   const bool curves = table.has("triaxial");
-  test.pressure = table.number(confined, curves ? std::nullopt : std::optional(1e5));  // E50 is in proportion to it
+  test.pressure = table.number(confined, curves ? std::nullopt : std::optional(1e5));  // E50 ~ pressure
   if (curves) {
     const std::string path = files.path("estimate.triaxial", table.text("triaxial")).string();
     if (table.has("pressure")) measure(test, read_curves(path, test.pressure, sources), path);
@@ -186,7 +187,7 @@ Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io:
 }
 
 void judge_dilation(Settings& table, const Triaxial& test) {
-  const Soil toyoura;  // whose n gives p_c, as in estimated()
+  const Soil toyoura;  // estimated() derives p_c from its n
   const auto p_c = std::ranges::find(constants(), &Soil::p_c, &Constant::field);
   const double at_failure = obliquity(test.friction_angle), p = 3 * test.pressure / (3 - at_failure);
   const double above_M = at_failure * (1 - std::pow(p / p_c->parameter.high, toyoura.n));

@@ -26,7 +26,7 @@ struct Triaxial {
   bool still_rises = false;
 };
 
-/// Returns Toyoura sand's constants (thesis Table 5.2), apart from those that the test gives:
+/// Returns Toyoura sand's constants (thesis Table 5.2), changed by the test:
 /// - M_f, q/p at failure, is 6 sin phi/(3 - sin phi). M is smaller by 6 sin psi/(3 - sin psi) (thesis section 5.3.3).
 ///   p_c follows from both; n is Toyoura's.
 /// - kappa and lambda scale with the strain at half of the strength, at equal pressure. kappa also scales with the
@@ -38,9 +38,9 @@ struct Triaxial {
 Soil estimated(const Triaxial& test);
 
 /// Reads [estimate]: friction_angle, dilation_angle, E50, void_ratio, pressure. Key triaxial, a TSV with strain_axial,
-/// strain_volumetric and stress_ratio (or deviatoric_stress), replaces the first three; the pressure is required then,
-/// else 100 kPa. The table's source is added to `sources`. Mistakes go to the document. Throws DataError for rows that
-/// no drained test has, and for curves whose strength, dilation or stiffness no soil has.
+/// strain_volumetric and stress_ratio (or deviatoric_stress), replaces the first three. The pressure is then required;
+/// otherwise its default is 100 kPa. The table's source is added to `sources`. Mistakes go to the document. Throws
+/// DataError for rows that no drained test has, and for curves whose strength, dilation or stiffness no soil has.
 Triaxial read_estimate(Settings& table, const NamedFiles& files, std::vector<io::Source>& sources);
 
 /// Adds a mistake to [estimate] if the dilation angle is so near to the friction angle that p_c leaves its range.

@@ -17,7 +17,7 @@
 namespace soilweave::gws {
 namespace {
 
-// Nets and light nonwovens have more: 2 kN/m of stiffness, 0.5 kN/m of strength.
+// Lower bounds, N/m: even nets and light nonwovens exceed 2 kN/m of stiffness and 0.5 kN/m of strength.
 constexpr double least_stiffness = 2e3, least_strength = 500;
 
 double between(const std::vector<double>& x, const std::vector<double>& y, double at) {
@@ -36,10 +36,10 @@ void check_directions(const Settings& document, const std::string& where) {
                                   where, name));
 }
 
-/// Reads a table of its own or a product of a catalogue; finish() is the caller's.
+/// Reads the table of a geotextile or of a product in a catalogue. The caller calls finish().
 Geotextile read_table(Settings& document, const std::string& where, const std::string& direction) {
   if (is_sheet(document)) return read_sheet(document, direction, where);
-  // has() makes a key a known one, so that other names of directions are looked for only where reading has to fail.
+  // has() marks a key as known. So check_directions() runs only where reading fails anyway.
   if (!document.has(tensile_strength.name)) check_directions(document, where);
   if (!direction.empty())
     throw DataError(fmt::format("{}: has no [{}]: leave out @{}, or write the tables [machine] and [cross]", where,
@@ -65,7 +65,7 @@ Geotextile of_catalogue(const std::string& path, const std::string& product, con
   std::vector<Settings> products = document.tables("product");
   std::vector<std::string> known;
   for (Settings& one : products) known.push_back(one.text("name", ""));
-  if (known.empty()) document.finish();  // which tells what stands there instead
+  if (known.empty()) document.finish();  // it names what the file holds instead
   const auto place = std::ranges::find(known, product);
   if (place == known.end())
     throw DataError(fmt::format("{}: has no [[product]] named {}{}", path, product, suggestion(product, known)));
@@ -80,7 +80,7 @@ Geotextile of_catalogue(const std::string& path, const std::string& product, con
   return found;
 }
 
-/// Throws DataError if the document is a catalogue, of which no product was named.
+/// Throws DataError if the document is a catalogue, because no product was named.
 void check_no_catalogue(Settings& document, const std::string& where) {
   if (!document.has("product")) return;
   std::vector<std::string> names;

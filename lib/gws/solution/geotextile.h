@@ -56,17 +56,17 @@ inline constexpr Parameter failure_strain_range{"failure_strain",
 std::vector<std::string> geotextile_names();
 
 /// Returns a geotextile by name ("PP"), multiple ("3PP", "0.5PP": thesis Fig. 5.15), TOML file (a path with "/" or
-/// ".toml") or catalogue entry ("FILE.toml:NAME", with tables [[product]], of which only this one is judged).
-/// "@machine" or "@cross" after it chooses a direction of a data sheet; default: the softer and weaker of both. Throws
-/// DataError that names the nearest known one.
+/// ".toml") or catalogue entry ("FILE.toml:NAME", with tables [[product]]; only this product is checked). "@machine" or
+/// "@cross" after it chooses a direction of a data sheet; default: the softer and weaker of both. Throws DataError that
+/// names the nearest known one.
 Geotextile find_geotextile(const std::string& name);
 
 /// Reads TOML text: stiffness, strength and failure_strain, or a data sheet (gws/solution/data_sheet.h). where: name of
 /// the document in errors.
 Geotextile read_geotextile(const std::string& text, const std::string& where, const std::string& direction = "");
 
-/// Returns the mistake of a stiffness or strength (by the parameter's name, in N/m) that is below any geotextile's, as
-/// where kN/m were given without their unit; empty if there is none.
+/// Returns an error text if a stiffness or strength, N/m, is below any geotextile's, probably because kN/m were given
+/// without their unit. Returns an empty text otherwise. name: the parameter's name.
 std::string unit_mistake(const std::string& name, double value);
 
 }  // namespace soilweave::gws

@@ -20,7 +20,7 @@ constexpr double smallest_step = 1e-9;    // step in axial strain, percent; the 
 
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Plastic>;
 
-/// Right-hand side d plastic / d ln p. It returns zero at a state that does not exist, and remembers it.
+/// Right-hand side d plastic / d ln p. At a state that does not exist it returns zero and stores the reason in `end`.
 struct Rates {
   const Soil& soil;
   double E;

@@ -10,11 +10,11 @@
 namespace soilweave::gws {
 
 /// A path that grows step by step and answers for any p within it. Each step and each answer is one step in ln p of
-/// Dormand and Prince's fifth-order method. So errors between nodes are no greater than at them.
+/// Dormand and Prince's fifth-order method. So errors between nodes do not exceed errors at nodes.
 class Path {
  public:
-  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end; each step is held to a hundredth of
-  /// it.
+  /// E: Young's modulus, Pa. tolerance: relative error of the strains at the end; the error of each step is at most a
+  /// hundredth of the tolerance.
   Path(const Soil& soil, double E, double tolerance);
 
   /// Takes one step. Returns false once the path has ended, within `resolution` of its end.

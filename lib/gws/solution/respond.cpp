@@ -18,9 +18,8 @@ namespace {
 constexpr Parameter reduction_range{
     "reduction", "1", 1, 1e6, false, "divides the strength in the long term", "below 1 it would take away safety"};
 
-/// Returns the surcharge that balances the state, with its lateral stress. Eq. 5.3 is linear in both on each straight
-/// piece of the lateral stress. LateralStress::check ensures that its left side grows faster than the lateral stress
-/// reduces it.
+/// Returns the surcharge that balances the state, and the lateral stress at that surcharge. Eq. 5.3 is linear on each
+/// straight piece of the lateral stress. LateralStress::check() ensures that 1 - share * slope stays positive.
 std::pair<double, double> balance(const Bag& bag, const SoilState& state, const LateralStress& lateral) {
   if (lateral.surcharge.empty()) return {surcharge(bag, state, 0), 0};
   const double share = 2 * hoop_share(bag, state);
@@ -139,7 +138,7 @@ template <class Value>
 double Response::root(double low, double high, const Value& value) const {
   const auto f = [&](double x) { return value(point(x)); };
   const double f_low = f(low), f_high = f(high);
-  // Rounding where the end was cut off can cost one end its sign.
+  // Rounding at the end of the response can leave both ends with one sign.
   if (f_low == 0 || (f_low > 0) == (f_high > 0)) return std::abs(f_low) < std::abs(f_high) ? low : high;
   if (f_high == 0) return high;
   const auto [a, b] = root_between(f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>());

@@ -40,8 +40,8 @@ struct LateralStress {
   static LateralStress constant(double stress) { return {{0}, {stress}}; }
   /// Returns the lateral stress at a surcharge, Pa.
   double at(double surcharge) const;
-  /// Throws DataError if surcharges fall (the model cannot unload), if a stress is negative, or if the lateral stress
-  /// rises so fast that it alone carries the surcharge, at (1 + H/B)/(2 H/B) in the beginning.
+  /// Throws DataError if surcharges fall (the model cannot unload), if a stress is negative, or if d lateral / d
+  /// surcharge reaches (1 + H/B)/(2 H/B). There the lateral stress alone carries the undeformed bag's surcharge.
   void check(const Bag& bag) const;
 };
 
@@ -75,7 +75,7 @@ struct Case {
   LateralStress lateral;
   /// Fraction of the strength at which the bag fails (thesis section 5.4).
   double strength_fraction = 0.5;
-  /// Factor that divides the strength in the long term. The geotextile has the strength before reduction.
+  /// Factor that divides the strength in the long term. `geotextile` has the strength before reduction.
   double reduction = 1;
   /// Relative error of surcharge and settlement.
   double tolerance = 1e-6;

@@ -11,16 +11,16 @@
 namespace soilweave::gws {
 namespace {
 
-/// Returns the response up to this hoop strain, on the path that belongs to its own secant.
+/// Returns the response up to this hoop strain, with the secant stiffness at this strain.
 Response response_to(const Case& bag, double strain) {
   Case one = with_secant(bag, strain);
   one.until.reset();
-  one.geotextile.failure_strain = strain;  // where the response shall end
+  one.geotextile.failure_strain = strain;  // the response ends there
   return Response(one);
 }
 
-/// Returns the bag with the secant at the hoop strain where value(response) reaches `wanted`, which it does at the
-/// limit at the latest. The value rises with the strain.
+/// Returns the bag with the secant at the hoop strain where value(response) reaches `wanted`, or at the limit if it
+/// stays below. The value must rise with the strain.
 template <class Value>
 Case where(const Case& bag, double wanted, const Value& value) {
   const double limit = limit_strain(bag);
@@ -28,7 +28,7 @@ Case where(const Case& bag, double wanted, const Value& value) {
     try {
       return value(response_to(bag, std::exp(log_strain))) - wanted;
     } catch (const DataError&) {
-      return -1.0;  // so small a strain that the first stress of the model, or the compaction, is beyond it
+      return -1.0;  // the first stress of the model, or the compaction, already strains the hoops more
     }
   };
   const double low = std::log(1e-4 * limit), high = std::log(limit);
@@ -42,7 +42,7 @@ Case where(const Case& bag, double wanted, const Value& value) {
 double end_of(const Response& response) { return response.last().surcharge; }
 double settlement_of(const Response& response) { return response.last().settlement() - response.start().settlement(); }
 
-/// Returns the bag without the surcharge at which to end.
+/// Returns the bag without `until`, with the secant at its limit.
 Case to_its_limit(Case bag) {
   bag.until.reset();
   return at_strain_reached(bag, std::nullopt);
@@ -99,7 +99,7 @@ std::vector<Point> secant_points(const Case& bag, std::size_t n) {
     try {
       found.push_back(response_to(bag, strain).last());
     } catch (const DataError&) {
-      continue;  // the bag has more tension at its beginning, compacted or not
+      continue;  // the first state, compacted or not, already has more tension
     }
   }
   return found;

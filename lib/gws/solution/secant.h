@@ -19,11 +19,12 @@ double limit_strain(const Case& bag);
 /// without a curve unchanged. Throws DataError as Response does.
 Case at_strain_reached(const Case& bag, std::optional<double> surcharge);
 
-/// Answers of one bag at its limit, under surcharges and at settlements. With a curve, each answer rests on the secant
-/// stiffness at its own hoop strain, as `respond` with that surcharge does; without, all lie on one response.
+/// Answers of one bag at its limit, under surcharges and at settlements. With a curve, each answer has the secant
+/// stiffness at its own hoop strain, like `respond` with that surcharge. Without a curve, all answers lie on one
+/// response.
 class Answers {
  public:
-  /// State after compaction, and state asked for, on one path.
+  /// State after compaction, and requested state, on one path.
   struct Answer {
     Point start, at;
     /// Returns the axial strain since compaction.
@@ -46,8 +47,8 @@ class Answers {
   Response ultimate_;
 };
 
-/// Returns the first state and n states at equal steps of hoop strain, up to that of the secant. Each has the secant
-/// stiffness at its own strain. Steps that end before the first state are left out.
+/// Returns the first state and n states at equal steps of hoop strain, up to Geotextile::secant_at. Each state has the
+/// secant stiffness at its own strain. Steps below the first state's hoop strain are left out.
 std::vector<Point> secant_points(const Case& bag, std::size_t n);
 
 }  // namespace soilweave::gws

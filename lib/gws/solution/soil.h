@@ -87,7 +87,7 @@ struct Span {
   void add(double value);
 };
 
-/// Ranges of the bags behind the constants, which are extrapolated beyond.
+/// Ranges of the bags that the constants were identified on. Beyond them the constants are extrapolated.
 struct Identified {
   /// Geotextile's stiffness, N/m; soil's mean stress, Pa; axial strain, 1.
   Span stiffness, mean_stress, axial_strain;
@@ -107,8 +107,8 @@ struct SoilFile {
   std::vector<std::string> exact = {};
 };
 
-/// Reads a soil. With [estimate] constants may be absent, and are estimated; else each has to be there. `files` tells
-/// where the paths of the document begin. Mistakes go to the document, on which the caller calls finish().
+/// Reads a soil. With [estimate] absent constants are estimated; without it all are required. files: resolves the
+/// document's file names. Mistakes go to the document, on which the caller calls finish().
 SoilFile read_soil(Settings& document, const NamedFiles& files = {});
 /// Returns TOML text that read_soil() reads back, after the lines of `comment`.
 std::string soil_text(const SoilFile& file, std::string_view comment);

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t sections = 360;
-constexpr std::size_t points_of_section = 720;  // so many because each sees much of a bag where it is flat
+constexpr std::size_t points_of_section = 720;  // many, since on a flat bag one step of the angle spans a long piece
 
 }  // namespace
 
@@ -54,7 +54,7 @@ Chart::Chart(const Vec3& middle, const Vec3& half, const std::function<double(co
   equator_.add(equator_.points.front());
 }
 
-// Returns the position in turns, so that it keeps growing beyond a whole turn.
+// Returns the position along the equator in turns. It keeps growing beyond a whole turn.
 double Chart::along_equator(double azimuth) const {
   const auto [k, part] = section(azimuth);
   const std::vector<double>& up_to = equator_.lengths;

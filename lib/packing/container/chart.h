@@ -11,7 +11,7 @@
 namespace soilweave::packing {
 
 /// Returns the number of cells of a box's face that a line crosses from side to side through its middle and this point
-/// of the surface. Towards a corner it is half of each side's.
+/// of the surface. At a corner it is the mean of cells[0] and cells[1].
 double cells_across(const Vec3& box, const std::array<int, 3>& cells);
 
 /// A surface that is star-shaped about its middle. Top and bottom are poles. Sections from pole to pole, all around,

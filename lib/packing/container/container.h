@@ -1,4 +1,4 @@
-// Closed surfaces that hold grains: the depth of a point inside them. The shapes are in containers/, one file each.
+// Closed surfaces that hold grains: the depth of a point inside them. The shapes are in shapes/, one file each.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,9 +27,9 @@ class Container {
   virtual Vec3 high() const = 0;
   /// Returns the volume that lies at least `depth` m inside, m3.
   virtual double volume(double depth = 0) const = 0;
-  /// Returns where a mesh of the surface of a box of so many cells lies on the parallel surface `outside` m beyond, m.
-  /// box: its nodes u, v, w in [-1, 1], at least one of which is -1 or 1. even: cells of about one size; otherwise each
-  /// face of the container, if it has faces, is divided by itself.
+  /// Maps the nodes of a box mesh onto the parallel surface `outside` m beyond the container. Returns positions, m.
+  /// box: nodes (u, v, w) in [-1, 1], at least one of which is -1 or 1. cells: cells of the box along x, y, z. even:
+  /// cells of about one size; otherwise each face of the container, if it has faces, is divided by itself.
   virtual std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                                    bool even) const = 0;
   /// Returns the point of that parallel surface nearest to a point near it.
@@ -42,15 +42,15 @@ struct FilledBag : Container, Profile {
 
   Vec3 low() const override { return -high(); }
   Vec3 high() const override { return {reach(), reach(), half_height}; }
-  /// If even, top and bottom of the box reach down the sides until lines have equal length. Otherwise each reaches to
-  /// the end of its flat face.
+  /// If even, top and bottom of the box extend down the sides, so that all cells of a hoop are equally long. Otherwise
+  /// they end at the edge of the flat face.
   std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,
                            bool even) const override;
 
  protected:
   /// Reads the section and the corners.
   void read_section(Settings& table);
-  /// Returns by how much the corner radius is larger at a distance `beyond` outside the faces' edges, m.
+  /// Returns the increase of the corner radius at the distance `beyond` outside the faces' edges, m.
   virtual double rounder(double beyond) const = 0;
 };
 
@@ -60,11 +60,11 @@ struct PlanFiles {
   std::vector<io::Source>& sources;  // receives the digest of each file read
 };
 
-/// Returns the shapes that [container] may have: one for each file in containers/. A new shape is one new file there.
+/// Returns the shapes that [container] may have, one for each file in shapes/. A new shape is a new file there.
 const std::vector<std::string>& shapes();
 /// Reads the container of a shape from [container]; each shape reads its own keys. Mistakes are collected in the
-/// table's document. Returns nullptr for a shape that is none of shapes(), for a container that comes from a file if
-/// `files` is null, and after a mistake in the file's name.
+/// table's document. Returns nullptr for an unknown shape, for a mistake in the file's name, and for a container from a
+/// file if `files` is null.
 std::unique_ptr<Container> read_container(std::string_view shape, Settings& table, PlanFiles* files = nullptr);
 
 }  // namespace soilweave::packing

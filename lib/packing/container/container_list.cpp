@@ -1,4 +1,4 @@
-// The shapes of [container], from the list that the build makes of the files in containers/.
+// The shapes of [container], from the list that the build makes of the files in shapes/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 

@@ -33,8 +33,8 @@ using Neighbours = std::vector<std::array<std::array<std::int32_t, 2>, 3>>;
 constexpr int evening_sweeps = 500;
 constexpr double evening_share = 0.25;  // share of the differences in length that a sweep removes
 
-// Slides nodes on the bag until their yarns are equally long, as woven yarns are. Sums go in pairs, so that mirrored
-// nodes stay mirrored to the last bit.
+// Slides nodes on the bag until their yarns are equally long, as woven yarns are. The pulls of opposite neighbours are
+// summed first, so that mirrored nodes stay mirrored to the last bit.
 void even_out(const Container& bag, double outside, const Neighbours& neighbours, int threads, Fabric& fabric,
               const std::function<void(double)>& done) {
   double length = 0;
@@ -99,7 +99,7 @@ Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outsid
 
 std::array<int, 3> cells_of(const Container& bag, double spacing, double outside) {
   constexpr int pieces = 100;
-  // Returns the hoop over the middles of four sides of the box.
+  // Returns the length of the hoop over the middles of four sides of the box, m.
   const auto hoop = [&](Eigen::Index across) {
     std::vector<Vec3> box;
     Vec3 at = Vec3::UnitZ();

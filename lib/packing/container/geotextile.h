@@ -38,7 +38,7 @@ struct NodeRecipe {
 /// container is divided by itself. done: callback with the share of the work, 0 to 1.
 Fabric wrap(const Container& bag, const std::array<int, 3>& cells, double outside, bool even = true, int threads = 1,
             const std::function<void(double)>& done = {});
-/// Returns the cells of such a mesh with yarns about `spacing` m apart.
+/// Returns the numbers of cells for wrap() at which yarns are about `spacing` m apart.
 std::array<int, 3> cells_of(const Container& bag, double spacing, double outside);
 /// Returns a sheet of cells[0] x cells[1] quadrilaterals in the plane z = height, centred on the z axis, with yarns
 /// `spacing` m apart.
@@ -46,7 +46,7 @@ Fabric sheet(const std::array<int, 2>& cells, double spacing, double height);
 
 /// Returns the number of geotextiles that yarns of the state name.
 std::size_t geotextiles_of(const io::Snapshot& state);
-/// Returns that many geotextiles, for states whose yarns bear nothing: any curve will do.
+/// Returns `count` geotextiles with an arbitrary curve, for states whose yarns have no tension.
 std::vector<dem::WireCurve> resting_geotextiles(std::size_t count);
 
 /// Adds the fabric's nodes, with copy_id -1, after the grains, and its yarns. The fabric gets the next free number.

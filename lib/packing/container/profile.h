@@ -8,8 +8,8 @@
 namespace soilweave::packing {
 
 /// Section across a side: a flat face, and an arc from it to the other face. Sides with side_radius = half_height meet
-/// the faces without an edge. Points are given by their distance outside the arc's centre, never inside, and their
-/// height above it, m.
+/// the faces without an edge. A point has a horizontal distance outside the arc's centre, at least 0, and a height
+/// above the centre, m.
 struct Profile {
   double width = 0.374336;    // width of the flat faces, m; this bag is the thesis's
   double half_height = 0.04;  // m
@@ -31,18 +31,18 @@ struct Profile {
   double depth(double out, double height) const;
   /// Returns the point of the parallel line nearest to a point near it.
   Eigen::Vector2d nearest(double out, double height, double outside) const;
-  /// Position on the parallel surface for a point of a box's surface, u, v, w in [-1, 1]. side: share of the way from
-  /// the middle of the top to the middle of a side that belongs to the box's side.
+  /// A point on a parallel surface.
   struct SurfacePoint {
     double face, beyond;  // distance from the axis up to the face's edge, and from there on, m
     double height;        // m
   };
-  /// Returns where a point of a box's surface comes to lie.
+  /// Returns the position on the surface parallel at `outside` of a point (u, v, w) of a box's surface, in [-1, 1].
+  /// side: share of half_hoop() that the box's side covers.
   SurfacePoint surface_point(const Vec3& box, double side, double outside) const;
 };
 
-/// Returns a point of the outline, seen from above, of a square of half width `half` with corner radius r, m. u and v
-/// name it on the square's own outline, along which a side is divided evenly.
+/// Returns a point of the outline, seen from above, of a square of half width `half` with corner radius r, m. (u, v):
+/// the point on the outline of a square from -1 to 1. Equal steps along a side give equal lengths.
 Eigen::Vector2d on_outline(double u, double v, double half, double r);
 
 }  // namespace soilweave::packing

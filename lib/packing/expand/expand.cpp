@@ -23,10 +23,11 @@
 namespace soilweave::packing {
 namespace {
 
-// Steps of a round before a measurement, over those of other rounds, so that pressing grains are held by the container.
+// Factor on the steps of a round before a measurement. In that time the container comes to hold grains that press.
 constexpr std::int64_t patience = 10;
 
-// Share of the mean overlap by which radii shrink at a time. Half of it would part grains that stay in place.
+// Share of the mean overlap by which radii shrink at a time. A share of one half would separate grains that do not
+// move.
 constexpr double relief = 0.05;
 
 // Present work: rounds of growth, with friction lowered if needed; then coming to rest at full friction.
@@ -34,7 +35,7 @@ enum class Stage { growing, resting, done };
 
 struct Standing {
   Stage stage = Stage::growing;
-  std::int64_t round = 0, first = 0;               // step at which the stage or round began
+  std::int64_t round = 0, first = 0;               // first: step at which the stage or round began
   double growth = 1, volume = 0, measured_at = 1;  // volume: m3, at the last measurement; measured_at: growth then
   double friction = 1;                             // over its final value
   bool standing = false;                           // whether the volume stood still when grains last grew
@@ -111,7 +112,7 @@ class Grower {
     if (at_.stage == Stage::growing) {
       if (!presses()) return grow();
       if (!loose()) return enter(Stage::resting);
-      // Sliding grains press less, and do not grow while friction is lowered.
+      // Radii do not grow in this round: lower friction lets grains slide, so that they press less.
       lower_friction();
       return enter(Stage::growing);
     }
@@ -141,7 +142,7 @@ class Grower {
     scale(growth_.factor, Stage::growing);
   }
 
-  // Changes the size of grains, and goes on with this stage.
+  // Multiplies the radii by `factor` and enters `stage`.
   void scale(double factor, Stage stage) {
     // Share of the way to the full container in this round.
     const double share = factor > 1 && at_.growth < growth_.filling ? std::log(factor) / std::log(growth_.filling) : 0;
@@ -150,11 +151,11 @@ class Grower {
     enter(stage);
   }
 
-  // Runs until equilibrium, measured by a force of at least `least` N, or for `most` steps. Returns true for
-  // equilibrium.
+  // Runs until equilibrium and returns true. Returns false after `most` steps, or as soon as resting grains fall apart.
+  // least: least reference of the unbalanced force, N.
   bool settle(std::int64_t most, double least) {
-    // Grains that carry nothing must fly apart at rest: if stopped, they would keep touching grains they no longer lean
-    // on.
+    // Motion is stopped only during growth. At rest, stopped rattlers would keep touching grains that they no longer
+    // press on.
     const std::int64_t stop = at_.stage == Stage::growing ? growth_.stop_every : 0;
     for (;;) {
       simulation_.step();
@@ -173,14 +174,15 @@ class Grower {
     }
   }
 
-  // Returns the share of the growth that fills the container. Without that, only pressing grains show that it is full.
+  // Returns the logarithmic share of the growth that fills the container. If that growth is unknown, returns the mean
+  // overlap over its target.
   double progress() const {
     const double filling = std::log(growth_.filling);
     return std::min(1.0, filling > 0 ? std::log(at_.growth) / filling : fill_.overlap / growth_.overlap);
   }
   std::string text() const { return fmt::format("radii x {:.5f}, {}", at_.growth, fill_.text()); }
 
-  // Returns the mean overlap over the contacts, over the soil's mean radius.
+  // Returns the mean overlap of the contacts over the soil's mean radius.
   double mean_overlap(const io::Snapshot& state) const {
     double radii = 0, overlaps = 0, soil = 0;
     for (std::size_t i = 0; i < node_.size(); ++i)
@@ -216,8 +218,8 @@ class Grower {
     return fill_.overlap >= growth_.overlap && fill_.coordination_number >= growth_.coordination_number;
   }
 
-  // Does one round of equilibrium. Returns whether, if measured, the volume stands still and the grains press on each
-  // other.
+  // Completes one round. Returns false without a measurement, else whether the volume stands still and grains press on
+  // each other.
   bool presses() {
     const bool measuring = at_.round % growth_.measure_every == 0;
     settle(measuring ? patience * growth_.steps : growth_.steps, least_force_);
@@ -225,7 +227,7 @@ class Grower {
     const double before = at_.volume;
     measure();
     at_.volume = fill_.volume;
-    // Grains that grow freely carry their volume along; held grains press on each other instead.
+    // The volume of free grains grows with their radii. Held grains press on each other instead.
     const double free = 3 * std::log(at_.growth / at_.measured_at);
     if (free > 0) at_.standing = before > 0 && std::log(fill_.volume / before) < growth_.volume_tolerance * free;
     at_.measured_at = at_.growth;
@@ -342,8 +344,8 @@ Grown grow(const io::Snapshot& start, const dem::Model& model, const dem::Numeri
            const ProgressReport& report, const dem::Safekeeping& safekeeping) {
   dem::Numerics held = numerics;
   held.clamps = {numbers_of(io::nodes(start))};
-  // Yarns whose nodes stand still have no tension. Radii grow by work that no boundary does, and rattlers fly. Damping
-  // removes the energy that the balance then lacks.
+  // The energy balance is not checked: growing radii add energy without work of any boundary. Damping removes that
+  // energy.
   held.limits.energy_error = std::numeric_limits<double>::infinity();
   io::Part* part = safekeeping.part;
   Grower grower(start, model, held, growth, report, safekeeping, part ? part->take_last() : std::nullopt);

@@ -22,38 +22,39 @@ namespace soilweave::packing {
 
 /// Settings of the growth; PLAN.md describes them.
 struct Growth {
-  /// Growth of the radii per round.
+  /// Factor on the radii per round.
   double factor = 1.0002;
-  /// Growth of the radii that fills the container.
+  /// Factor on the radii that fills the container.
   double filling = 1;
-  /// Share of the stretch that is applied, in strain.
+  /// Share of the full stretch that is applied, in logarithmic strain.
   double stretch_share = 1;
   /// Stretch from the grains as cut to the full container. It multiplies coordinates while radii grow by `filling`, so
   /// that grains need not travel far.
   Vec3 stretch = Vec3::Ones();
-  /// Limit at equilibrium: mean resultant over mean contact force.
+  /// Greatest unbalanced force at equilibrium: mean resultant over mean contact force.
   double unbalanced_force = 1e-3;
-  /// Overlap over radius. Its force replaces smaller mean contact forces.
+  /// Overlap over radius. The contact force at this overlap is the least reference of the unbalanced force.
   double negligible = 1e-4;
   /// Cundall's local damping.
   double damping = 0.5;
-  /// Greatest number per round; ten times as many before a measurement.
+  /// Greatest number of steps per round; ten times as many before a measurement.
   std::int64_t steps = 100;
-  /// Steps of growth between stops of all motion, since flight is not damped; 0: never.
+  /// Steps between stops of all motion during growth; 0: never. Local damping does not slow free flight.
   std::int64_t stop_every = 50;
-  /// Growth of the Delaunay volume over that of free grains. A smaller value means that it stands still.
+  /// Growth of the Delaunay volume over its growth with free grains. Below this ratio the volume counts as standing
+  /// still.
   double volume_tolerance = 0.9;
-  /// Mean overlap over mean radius of full grains at rest.
+  /// Least mean overlap, over the mean radius, of a full container at rest.
   double overlap = 1e-4;
-  /// Least coordination number of full grains.
+  /// Least coordination number of a full container at rest.
   double coordination_number = 2.5;
   /// Greatest coordination number: radii shrink at rest until it is met. None: no limit.
   std::optional<double> largest_coordination_number;
-  /// Void ratio of the full container. Looser grains get lower friction. None: as dense as they come.
+  /// Void ratio of the full container. Looser soil gets lower friction. None: no target.
   std::optional<double> void_ratio;
   /// Whether tetrahedra of the centres give the void ratio, instead of power cells.
   bool by_delaunay = false;
-  /// Factor per step on the friction angles.
+  /// Factor on the friction angles each time they are lowered.
   double friction_factor = 0.9;
   /// Rounds between measurements.
   std::int64_t measure_every = 10;
@@ -70,13 +71,13 @@ struct Growth {
 struct Fill {
   /// Growth of the radii so far.
   double growth = 1;
-  /// Delaunay tetrahedra of the soil's centres, m3.
+  /// Volume of the Delaunay tetrahedra of the soil's centres, m3.
   double volume = 0;
   /// Void ratio by power cells.
   double void_ratio = 0;
   /// Void ratio by the tetrahedra.
   double delaunay_void_ratio = 0;
-  /// Mean over the contacts, over the soil's mean radius.
+  /// Mean overlap of the contacts, over the soil's mean radius.
   double overlap = 0;
   /// 2 Nc/N of the soil; contacts with nodes count once.
   double coordination_number = 0;

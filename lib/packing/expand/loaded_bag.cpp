@@ -42,7 +42,7 @@ Settings plan_of(const io::RunFile& run, const std::string& where) {
                   "filter-expand, and load it by run-dem");
 }
 
-/// Takes area, height and the layer of the nodes from the plan.
+/// Sets area, height and the volume of the node layer from the plan.
 void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, const std::string& where, LoadedBag& bag) {
   Settings container = plan.table("container"), mesh = plan.table("geotextile_mesh");
   const std::string shape = container.text("shape", "none");
@@ -62,8 +62,7 @@ void measure(Settings& plan, const io::Snapshot& start, std::int32_t fabric, con
   const Vec3 size = high - low - Vec3::Constant(2 * laid.outside);
   bag.area = size.x() * size.y();
   bag.height = size.z();
-  // Volume of the layer between the surfaces parallel to a convex one at -r and r (Steiner): area times 2 r, and a
-  // sphere's part for the corners.
+  // Volume between the parallel surfaces at -r and r of a convex surface (Steiner): area times 2 r, plus 8/3 pi r^3.
   bag.fabric_volume = 2 * r * analysis::fabric_area(start, fabric) + 8 * std::numbers::pi / 3 * r * r * r;
 }
 
@@ -92,7 +91,8 @@ void read_stages(Settings& scenario, LoadedBag& bag) {
   }
 }
 
-/// Returns the plane of this name in the first state. Throws DataError if none faces along z.
+/// Returns a point of the plane `name` in the first state. Throws DataError if there is no such plane, or if its normal
+/// is not along z with the sign of `facing`.
 Vec3 point_of(Settings& scenario, const io::Snapshot& start, const std::string& name, double facing,
               const std::string& where) {
   std::vector<Settings> planes = scenario.tables("plane");
@@ -124,7 +124,7 @@ double moved_apart(const io::RunFile& run, const LoadedBag& bag, const std::stri
   return moved(bag.upper) - moved(bag.lower);
 }
 
-/// Returns by family the mean over its yarns of their geotextile's `multiple` in the scenario.
+/// Returns for each family the mean `multiple` (in the scenario) of its yarns' geotextiles.
 std::array<double, 3> multiples(Settings& scenario, const io::YarnsRecord& yarns) {
   static constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
   std::vector<double> of_geotextile;

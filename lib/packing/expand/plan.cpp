@@ -36,8 +36,8 @@ void read_container(Settings& document, const NamedFiles& files, Plan& plan) {
   if (table.has("copies")) plan.copies = whole_triple(table, copies);
 }
 
-// Throws for nodes as large as their container: a mistake in the unit, with which soil would lie among the nodes
-// unheld.
+// Adds a mistake for nodes with a radius of a quarter of the container or more. Their unit is probably wrong, and such
+// nodes would not hold the soil.
 void demand_small_nodes(Settings& table, const NodeRecipe& nodes, const Container& container) {
   const double extent = (container.high() - container.low()).minCoeff();
   // Invalid lengths have been refused already.
@@ -115,8 +115,8 @@ double reach_of_soil(const Plan& plan, int axis) {
   return std::max(plan.container->high()[axis], -plan.container->low()[axis]) - plan.soil_depth();
 }
 
-// Returns how many copies, centred on the origin, cover the soil's part of the container. They are real numbers, since
-// a container in a wrong unit of length exceeds every integer.
+// Returns how many copies, centred on the origin, cover the soil's part of the container. The numbers are real, since a
+// container in a wrong unit of length would overflow integers.
 Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
   Vec3 n;
   for (int a = 0; a < 3; ++a) {
@@ -126,7 +126,7 @@ Vec3 covering(const io::Snapshot& volume, const Plan& plan) {
   return n;
 }
 
-// Returns the memory of the copies while they are laid: grains once, contacts twice, in lists that grow by halves.
+// Returns the memory for tiling the copies, bytes: grains once, contacts twice, in lists that grow by halves.
 double bytes_of_copies(const io::Snapshot& volume, double copies) {
   constexpr double grain = 3 * sizeof(Vec3) + sizeof(Vec4) + 3 * sizeof(double) + 2 * sizeof(std::int32_t);
   constexpr double contact = 4 * sizeof(Vec3) + sizeof(Vec3i) + 4 * sizeof(double);
@@ -135,7 +135,7 @@ double bytes_of_copies(const io::Snapshot& volume, double copies) {
           2 * contact * static_cast<double>(volume.contacts.size()));
 }
 
-// Returns the copies. Refuses a container for more grains than memory holds before anything is made.
+// Returns the numbers of copies. Throws DataError if their grains exceed the memory.
 std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
   Vec3 n = covering(volume, plan);
   if (plan.copies) n = Vec3((*plan.copies)[0], (*plan.copies)[1], (*plan.copies)[2]);
@@ -184,8 +184,8 @@ void demand_cover(const io::Snapshot& block, const Plan& plan) {
   }
 }
 
-// Returns the power of the length with which a field grows if strains and stresses stay. Throws DataError for a unit of
-// which this is not known.
+// Returns the exponent of length with which a field scales at constant strains and stresses. Throws DataError for an
+// unknown unit.
 int power_of_length(const io::OwnHistory& field) {
   for (const auto& [unit, power] : {std::pair("1", 0), std::pair("rad", 0), std::pair("Pa", 0), std::pair("m", 1),
                                     std::pair("N", 2), std::pair("m2", 2), std::pair("N m", 3), std::pair("J", 3)})
@@ -221,7 +221,7 @@ std::size_t geotextiles_of(const Plan& plan) {
   return static_cast<std::size_t>(last) + 1;
 }
 
-// Adds a mistake for each key that the plan gives, but that has no effect beside others.
+// Adds a mistake for each given key that has no effect beside other keys of the plan.
 void demand_used(Settings& document, const Plan& plan) {
   const auto refuse = [&](const char* table, const char* key, const char* why) {
     if (Settings found = document.table(table); found.has(key)) found.mistake(key, why);
@@ -316,7 +316,7 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     add(wrap(*plan.container, *plan.wrapping, plan.outside, plan.even, plan.numerics.threads, laid), plan.nodes, state);
   for (const Plan::Sheet& s : plan.sheets) add(sheet(s.cells, s.spacing, s.height), s.nodes, state);
   if (state.grains.size() == 0) throw DataError("the plan has neither container nor geotextile: nothing to make");
-  // An aperiodic cell only carries lengths.
+  // The aperiodic cell only records the extent of the bodies.
   for (int a = 0; a < 3; ++a) {
     double low = 0, high = 0;
     for (std::size_t i = 0; i < state.grains.size(); ++i) {

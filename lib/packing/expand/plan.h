@@ -72,12 +72,12 @@ Plan read_plan(Settings& document, const NamedFiles& files);
 std::vector<Key> plan_keys();
 
 /// Returns copies cut to the container, inside its geotextile, before growth. laid: callback with the share of the
-/// geotextile. Throws DataError if the copies are too small for the container.
+/// geotextile that is done, 0 to 1. Throws DataError if the copies are too small for the container.
 io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& plan,
                       const std::function<void(double)>& laid = {});
 
-/// Sets growth.filling and, if requested, growth.stretch. They bring the cut soil to the void ratio up to a depth of
-/// `outermost` m. The cut leaves a gap of one grain along the surface.
+/// Sets growth.filling and, if requested, growth.stretch. They bring the cut soil to the void ratio in the part of the
+/// container more than `outermost` m deep. The cut leaves a gap of one grain along the surface.
 void aim(Growth& growth, const io::Snapshot& assembled, double void_ratio, const Container& container,
          double outermost = 0);
 

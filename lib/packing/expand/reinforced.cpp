@@ -19,7 +19,7 @@ namespace {
 // Radii of one growth differ only by rounding.
 constexpr double same_growth = 1e-9;
 
-// Returns the normal of a node's surroundings on its geotextile, away from the middle.
+// Returns the geotextile's normal at node i, fitted to the nodes `around` it, pointing away from the middle.
 Vec3 outwards(std::size_t i, const std::vector<std::size_t>& around, const std::vector<Vec3>& x, const Vec3& middle) {
   Vec3 mean = x[i];
   for (const std::size_t j : around) mean += x[j];

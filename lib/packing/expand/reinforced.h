@@ -8,11 +8,11 @@
 
 namespace soilweave::packing {
 
-/// Grains of a block that the reinforced part has, or that lie inside it.
+/// Grains of a block that belong to the reinforced part or lie inside it.
 struct Origin {
   /// Whether the reinforced soil was cut from this block.
   bool cut = false;
-  /// Whether the part has the grain, by grain of the block.
+  /// Whether each grain of the block belongs to the part or lies inside it.
   std::vector<bool> taken;
 };
 

@@ -21,10 +21,11 @@
 namespace soilweave::packing {
 namespace {
 
-// Additions to the requested void ratio in which the fill is placed; larger ones follow if it finds no room.
+// Additions to the requested void ratio at which the fill is placed: the first, the increment while the fill finds no
+// room, and the last.
 constexpr double first_looseness = 0.35, next_looseness = 0.15, last_looseness = 5;
 constexpr int most_tries_of_a_grain = 10'000;
-// Void ratio below which fill of a narrow grading cannot be.
+// Least possible void ratio of fill with a narrow grading.
 constexpr double densest = 0.35;
 
 double solids(const io::GrainsRecord& g) {
@@ -48,8 +49,8 @@ std::array<int, 3> copies_around(const Surround& how, const io::Snapshot& volume
   return n;
 }
 
-// Returns a block of the copies that the user gives, or else the block that the soil was cut from: of all sizes about
-// as large as the soil, the one that holds most of its grains.
+// Returns the block of the copies that the user gives, or else the block that the soil was cut from. Tries the copies
+// that cover the soil, then up to two copies less along each axis. If none fits, returns the covering block.
 io::Snapshot block_of(const io::Snapshot& reinforced, const Surround& how, const io::Snapshot& volume,
                       std::array<int, 3>& copies) {
   copies = copies_around(how, volume, extent(reinforced));
@@ -99,8 +100,8 @@ double taken_by(const io::Snapshot& part) {
   return analysis::delaunay_volume(open);
 }
 
-// Returns the lengths of a loose cell that has the volume and becomes `dense` by compression. The room above the part,
-// `height` high, and the room beside it shrink by one factor, so that equally loose fill becomes equally dense.
+// Returns the lengths of a loose cell that has the volume and becomes `dense` by compression. The spaces above the part
+// (`height` high) and beside the part shrink by one factor. So uniformly loose fill becomes uniformly dense.
 Vec3 loose_lengths(const Vec3& dense, double height, double taken, double volume) {
   const double opened = (volume - taken) / (dense.prod() - taken);
   const double z = height + (dense.z() - height) * opened;
@@ -126,8 +127,8 @@ void demand_room(const io::Snapshot& part, double e, double all_solids) {
       e, std::max(0.0, volume - taken), fill, (taken + (1 + densest) * fill) / all_solids - 1));
 }
 
-// Finds places for the fill, at random all over the room that is left. Fill that is as dense beside the reinforced part
-// as above it bears the pressure on all sides: where it lay in the block, most of it would be above.
+// Places the fill at random in the space around the reinforced part. Then the fill is as dense beside the part as above
+// it, and bears the pressure on all sides. At its places in the block, most fill would lie above the part.
 class Placing {
  public:
   Placing(const io::Snapshot& part, const Vec3& size, double largest)

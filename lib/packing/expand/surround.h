@@ -30,11 +30,11 @@ struct Surround {
   double scale = 1;
   /// material_id of the fill.
   std::int32_t material = 2;
-  /// Distance between the part and its image, m. None: from the fill's grains.
+  /// Least distance between the part and its image, m. None: one mean diameter of the fill.
   std::optional<double> gap;
-  /// Strain rate, 1/s. None: so slow that the fill strikes nothing.
+  /// Strain rate, 1/s. None: the rate at which the fill's impact is 0.4 % of the pressure.
   std::optional<double> max_rate;
-  /// Relative tolerances.
+  /// Relative tolerances of the part's height and of the fill's mean stress.
   double height_tolerance = 0.02, stress_tolerance = 0.2;
   /// False: a cell that misses a criterion is a result with doubts.
   bool missed_is_error = true;
@@ -49,7 +49,7 @@ struct Surround {
 
 /// A cell before compaction.
 struct Surrounded {
-  /// Periodic, with loose fill.
+  /// State of the periodic cell, with loose fill.
   io::Snapshot state;
   /// Whether each body is fill.
   std::vector<bool> fill;

@@ -24,7 +24,7 @@ double mean_stress_of(const std::vector<Mat3>& dyads, const std::vector<double>&
   return volume > 0 ? sum / volume : 0;
 }
 
-// Returns the difference of the mean heights of the ends of the faces' yarns above and below the middle, m.
+// Returns the distance of the faces, m: the difference of the mean heights of face nodes above and below the middle.
 double height(const io::Snapshot& state) {
   std::vector<bool> face(state.grains.size(), false);
   for (std::size_t y = 0; y < state.yarns.size(); ++y)
@@ -68,8 +68,8 @@ double void_ratio_of_soil(const io::Snapshot& state, const std::vector<bool>& fi
   return soil > 4 ? analysis::delaunay_fill(open, apart).void_ratio() : 0;
 }
 
-// Returns a strain rate, 1/s: faces of the cell that approach each other at sqrt(0.004 p/density) throw fill with an
-// impact of 0.4 % of the pressure.
+// Returns the strain rate, 1/s, at which opposite faces of the cell approach each other at v = sqrt(0.004 p/density) or
+// less. The impact of the fill, density v^2, is then 0.4 % of the pressure p.
 double gentle_rate(const Surrounded& cell, double pressure) {
   constexpr double impact = 0.004;
   double mass = 0, volume = 0;
@@ -87,7 +87,7 @@ void judge(const Surround& how, CompactedCell& cell) {
   const double p = how.recipe.pressure;
   const auto miss = [&](const char* key, const std::string& sentence) { cell.missed.push_back({key, sentence}); };
   if (cell.result.unheld) miss("void-ratio", *cell.result.unheld);
-  // A number that is none is a miss.
+  // A NaN counts as a miss.
   if (a.height > 0 && !(std::abs(b.height / a.height - 1) <= how.height_tolerance))
     miss("height",
          fmt::format("the reinforced part is {:.4g} m high, {:+.2g} % from the {:.4g} m that it had, more than "
@@ -155,8 +155,8 @@ CompactedCell compact_around(const Surrounded& cell, const Surround& how, const 
   Recipe recipe = how.recipe;
   recipe.rate_shares = cell.shares;
   if (!how.max_rate) recipe.max_rate = gentle_rate(cell, recipe.pressure);
-  // Otherwise strains of a loose cell would carry the reinforced part along, and crumple yarns, which bear no
-  // compression.
+  // The reinforced part does not follow the strain of the loose cell. That strain would crumple the yarns, which bear
+  // no compression.
   for (std::size_t i = 0; i < cell.fill.size(); ++i)
     if (!cell.fill[i]) recipe.apart.push_back(static_cast<std::int32_t>(i));
   CompactedCell done{compact(cell.state, model, numerics, recipe, report, safekeeping), {}, {}, {}};

@@ -40,14 +40,14 @@ struct CompactedCell {
   Result result;
   /// Measurements as placed and at rest.
   Shape before, after;
-  /// One per missed criterion: its value, and the remedy.
+  /// One doubt per missed criterion, with its value and the remedy.
   std::vector<Doubt> missed;
 };
 
 /// Returns two rows: the cell as placed, and at rest.
 io::Series table(const CompactedCell& cell);
 
-/// Compacts the cell slowly while the fill slides (Recipe::first_friction), so that the fill moves and not the
+/// Compacts the cell slowly at low friction of the fill (Recipe::first_friction), so that the fill moves and not the
 /// reinforced part. The rates by axis make all fill equally dense. Then the fill's friction is lowered and restored
 /// until the void ratio holds. Throws what compact() throws.
 CompactedCell compact_around(const Surrounded& cell, const Surround& how, const dem::Model& model,

@@ -26,7 +26,7 @@ void take_grain(io::GrainsRecord& to, const io::GrainsRecord& from, std::size_t 
   take(to.copy_id, from.copy_id, i);
 }
 
-// Takes contact c of `from` between renumbered grains, and turns it round if the second comes before the first.
+// Copies contact c of `from` with new grain numbers. Reverses the contact if `second` is less than `first`.
 void take_contact(io::ContactsRecord& to, const io::ContactsRecord& from, std::size_t c, std::int32_t first,
                   std::int32_t second, const Vec3i& image) {
   const bool turned = second < first;

@@ -17,8 +17,8 @@ double expected_overlap(const dem::Model& model, double radius, double pressure,
 /// Returns the pressure at which that overlap is `overlap` radii, Pa.
 double pressure_at_overlap(const dem::Model& model, double radius, double overlap, int dimension);
 
-/// Throws DataError if the expected overlap exceeds `largest` radii; the guard of the run would find that much later.
-/// Also throws it if loose grains cannot meet within the steps of an equilibrium.
+/// Throws DataError if the deepest overlap, about twice the expected mean, exceeds `largest` radii. The guard of the
+/// run would find that much later. Also throws it if loose grains need more than half of Recipe::largest_stage to meet.
 void demand_feasible(const dem::Simulation& cloud, const dem::Model& model, const Recipe& recipe, double mean_radius,
                      int dimension, double largest);
 

@@ -11,8 +11,8 @@ namespace soilweave::packing {
 /// Keeps the absolute velocity of these grains when the cell's velocity gradient changes by `change`, 1/s.
 void keep_apart(const std::vector<std::int32_t>& grains, const Mat3& change, dem::Simulation& simulation);
 
-/// Stops these grains in space, at any strain rate of the cell. Called before every step, it lets them creep: their
-/// forces move them within one step only.
+/// Stops these grains in space, at any strain rate of the cell. Called before every step, it makes the grains creep:
+/// forces accelerate them within one step only.
 void hold(const std::vector<std::int32_t>& grains, dem::Simulation& simulation);
 
 }  // namespace soilweave::packing

@@ -8,30 +8,30 @@
 
 namespace soilweave::packing {
 
-// Present work, each until an equilibrium. bare: friction was lowered to zero and is restored again.
+// Phases of the work; each ends at an equilibrium. bare: friction was lowered to zero and is restored again.
 enum class Phase { compressing, choosing, lowering, restoring, ending, bare, done };
 
 // Progress of the work.
 struct CompactionProgress {
   Phase phase = Phase::compressing;
-  /// Step at which the way to the equilibrium began.
+  /// First step of the present phase.
   std::int64_t first = 0;
-  /// Present angle of all materials, rad; 0 before its first change.
+  /// Present friction angle of the materials, rad; 0 before its first change.
   double friction = 0;
   double lowered = 0, lowest = 0;    // rad
   double aim = 0, at_restoring = 0;  // void ratios
   /// Expected fall of the void ratio after friction is restored.
   double lead = 0;
-  // Results of earlier attempts. least_lead: their fall below the target. loose_angle, dense_angle: friction angles at
-  // which clouds came to rest too loose or too dense, rad. cloud_angle: angle while this cloud is compressed, rad; 0:
-  // full friction.
+  // Results of earlier attempts. least_lead: least value of `lead`, from their falls below the target. loose_angle,
+  // dense_angle: friction angles at which clouds came to rest too loose or too dense, rad. cloud_angle: angle while
+  // this cloud is compressed, rad; 0: full friction.
   double least_lead = 0, loose_angle = 0, dense_angle = 0, cloud_angle = 0;
   /// Void ratios at rest, at full friction and without.
   double loosest = 0, frictionless = 0;
-  /// Whether grains apart from the cell's strain are released.
+  /// Whether the grains of Recipe::apart are released.
   bool let_go = false;
   std::int64_t attempt = 0;
-  /// Numbers of steps that no attempt took.
+  /// Step numbers skipped between attempts.
   std::int64_t skipped = 0;
   /// Contact steps of earlier attempts.
   std::int64_t contact_steps = 0;

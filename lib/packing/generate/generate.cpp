@@ -22,15 +22,16 @@
 namespace soilweave::packing {
 namespace {
 
-// Share of the cell: slightly less than the half at which a guard stops.
+// Greatest diameter of a grain over the width of the cell. A guard stops the run at one half.
 constexpr double widest_grain = 0.495;
 constexpr std::int64_t room_interval = 8;  // steps
 // Factor on the tolerance while friction is lowered: these equilibria need not be as good as the last one.
 constexpr double coarse_equilibrium = 10;
 
-// Lead in void ratio by which friction is restored before the target, after a slippery compression, and its limit.
+// Lead: difference in void ratio at which friction is restored before the target. First and largest lead after a
+// compression at low friction (slippery()).
 constexpr double first_lead = 0.02, largest_lead = 0.05;
-// Share of full friction above which a slippery compression becomes one at full friction.
+// Share of full friction above which the next attempt takes full friction.
 constexpr double nearly_full = 0.8;
 
 // Number of tolerances within which a void ratio counts as held at rest.
@@ -133,7 +134,8 @@ class Compaction {
       return enter(Phase::ending);
     }
     const double target = *recipe_.void_ratio, now = simulation_.void_ratio();
-    // A later attempt accepts what suffices, rather than cause another fall.
+    // Later attempts accept a void ratio well within the tolerance held at rest. Lowering friction again could cause
+    // another fall.
     const double close = at_.attempt == 0 ? 1 : 0.75 * tolerances_held;
     if (now <= target + close * recipe_.void_ratio_tolerance) {
       if (at_.lowered == angle_ && !slippery()) return enter(Phase::done);
@@ -178,11 +180,12 @@ class Compaction {
     enter(Phase::restoring);
   }
 
-  // Returns whether the cloud is compressed at little friction, and at more only if that makes it too dense.
+  // Returns whether the cloud is first compressed at low friction. Later attempts raise that friction if the cloud
+  // became too dense.
   bool slippery() const { return recipe_.first_friction > 0; }
 
-  // Returns whether the grains that are apart stand still, lest the others carry them along. They do until the grains
-  // of a slippery compression begin to bear.
+  // Returns whether the grains of Recipe::apart are held still, so that loose grains do not carry them along. They are
+  // held until the mean stress of a compression at low friction first reaches the pressure.
   bool holding() const {
     return slippery() && at_.phase == Phase::compressing && !at_.let_go && !recipe_.apart.empty();
   }
@@ -193,8 +196,9 @@ class Compaction {
     compressed();
   }
 
-  // Returns the void ratio that ends a compression of too low friction before the pressure is reached; 0: never, as in
-  // the first and last attempt. A slippery compression ends a little before its target, where friction is restored.
+  // Returns the void ratio at which a compression ends before it reaches the pressure; 0: none. A compression at low
+  // friction ends above the target, where friction is restored. Any other ends below the target as too dense, except in
+  // the first and last attempt.
   double end_of_compression() const {
     if (!recipe_.void_ratio) return 0;
     if (slippery()) return at_.cloud_angle == angle_ ? 0 : *recipe_.void_ratio + std::max(first_lead, at_.least_lead);
@@ -202,14 +206,14 @@ class Compaction {
     return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
   }
 
-  // Returns the void ratio below which a slippery compression has failed, however long its slow fall to rest takes; 0:
-  // there is none.
+  // Returns the void ratio at which a compression at low friction has failed, so that it need not come to rest; 0:
+  // none.
   double too_dense() const {
     if (!slippery() || !recipe_.void_ratio || at_.attempt + 1 == recipe_.most_attempts) return 0;
     return *recipe_.void_ratio - tolerances_held * recipe_.void_ratio_tolerance;
   }
 
-  // Begins a new attempt that restores friction twice as early: how far this one would have fallen is not known.
+  // Begins a new attempt with twice the lead, since the void ratio at rest of this attempt is unknown.
   void restore_earlier() {
     at_.least_lead = 2 * std::max(first_lead, at_.least_lead);
     at_.dense_angle = at_.cloud_angle;
@@ -244,9 +248,9 @@ class Compaction {
     begin_again();
   }
 
-  // Compresses the cloud anew, at a friction between those that left it looser and denser than the target, and restores
-  // friction earlier by as much as the grains fell. Grains that barely support each other come to rest only at few void
-  // ratios, which depend on the friction.
+  // Compresses the cloud anew and restores friction earlier, by as much as the grains fell. The new friction lies
+  // between the angles that left the cloud looser and denser than the target. Grains that barely support each other
+  // come to rest only at few void ratios, which depend on the friction.
   void begin_again() {
     CompactionProgress next;
     next.attempt = at_.attempt + 1;
@@ -275,8 +279,10 @@ class Compaction {
                     target, recipe_.pressure, angle_ / degree, at_.loosest, downwards(at_.loosest)));
   }
 
-  // Friction is first restored earlier. If that was so early that grains hardly pressed, they need more friction on the
-  // way, by its ratio to the full one. Near full friction, full friction tells whether the target is in reach.
+  // Returns the friction angle of the next attempt. Up to the largest lead it stays the same, and friction is only
+  // restored earlier. Beyond that lead, friction would be restored before grains press. Then the lead is reset, and the
+  // angle is the geometric mean with full friction, or full friction if near it. Full friction shows whether the target
+  // can be reached.
   double next_slippery_angle(double& lead) const {
     if (lead <= largest_lead) return at_.dense_angle;
     lead = 0;
@@ -306,7 +312,7 @@ class Compaction {
         tolerances_held * recipe_.void_ratio_tolerance);
   }
 
-  // Rounds to the four digits of a message, towards what is in reach.
+  // Round to the four digits of a message, towards void ratios that can be reached.
   static double upwards(double void_ratio) { return std::ceil(1e4 * void_ratio) / 1e4; }
   static double downwards(double void_ratio) { return std::floor(1e4 * void_ratio) / 1e4; }
 

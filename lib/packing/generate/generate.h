@@ -43,13 +43,13 @@ struct Recipe {
   double friction_factor = 0.8;
   /// Steps after which an equilibrium counts as unreachable.
   std::int64_t largest_stage = 2'000'000;
-  /// Attempts at a void ratio that is not held at rest. Each restores friction earlier.
+  /// Greatest number of attempts at a void ratio that is not held at rest. Each attempt restores friction earlier.
   int most_attempts = 8;
-  /// Cell of the grading, from which errors tell how many grains are enough.
+  /// Cell of the grading, for remedies in errors.
   std::optional<Room> room = {};
   /// Shares of max_rate by axis.
   Vec3 rate_shares = Vec3::Ones();
-  /// Grains that the cell's strain moves only by contacts and yarns.
+  /// Grains that do not follow the cell's strain: only contacts and yarns move them.
   std::vector<std::int32_t> apart = {};
   /// Friction angle while the cloud is compressed, rad; 0: the materials' own.
   double first_friction = 0;
@@ -63,7 +63,7 @@ struct Result {
   /// State at rest, at full friction, with strains and clock zero.
   io::Snapshot state;
   double void_ratio = 0;
-  /// The lowest one used, rad.
+  /// Lowest friction angle used, rad.
   double friction_angle = 0;
   dem::Cost cost;
   /// The void ratio that the state holds, in words, if no attempt held the target.
@@ -79,9 +79,9 @@ struct Result {
 /// DataError if the cell is aperiodic or narrower than two largest grains, if the pressure is clearly too high, or if
 /// the cloud will not close. A safekeeping folder lets the work go on later, to the same bytes; Stopped after a signal.
 ///
-/// A first friction lets the materials slide from the first step on. Otherwise the grains of a loose cell form a few
-/// columns that bear the pressure before they fill it. If the cell becomes too dense, the work begins anew with more
-/// friction.
+/// Recipe::first_friction lets grains slide from the first step on. At full friction, a loose cell forms a few columns
+/// of grains that bear the pressure before the cell is full. If the cell becomes too dense, the work begins anew with
+/// more friction.
 Result compact(const io::Snapshot& cloud, const dem::Model& model, const dem::Numerics& numerics, const Recipe& recipe,
                const ProgressReport& report = {}, const dem::Safekeeping& safekeeping = {});
 

@@ -12,7 +12,7 @@
 
 namespace soilweave::packing {
 
-/// Density of grains that nothing else tells, kg/m3, scaled.
+/// Default density of grains, kg/m3, scaled.
 inline constexpr double default_density = 2650e3;
 
 /// A packing that was read.
@@ -27,7 +27,7 @@ struct Imported {
 /// Returns whether a file is a packing file, by its ending or its first bytes.
 bool is_packing_file(const std::filesystem::path& path);
 
-/// Reads a packing file or a text. A packing file keeps its masses unless a density is given; nodes always do.
+/// Reads a packing file or a text. A given density replaces the masses of a packing file, except those of nodes.
 Imported import_packing(const std::filesystem::path& path, const std::optional<double>& density,
                         io::SpheresOptions options);
 

@@ -16,7 +16,7 @@
 namespace soilweave::packing {
 namespace {
 
-// Returns the positions in the cell that they are wrapped into.
+// Returns the grains' positions wrapped into the cell.
 std::vector<Vec3> wrapped(const io::Snapshot& state) {
   const Mat3 inverse = state.cell.matrix.inverse();
   std::vector<Vec3> positions;
@@ -29,9 +29,8 @@ std::vector<Vec3> wrapped(const io::Snapshot& state) {
   return positions;
 }
 
-// Sorts the grains of a box: first one half, then the other, each with a whole number of chunks as near to half as can
-// be. A box cut across its longest side again and again becomes chunks about as long as wide, which the fewest pairs
-// leave.
+// Sorts the grains of a box by recursive bisection across its longest side. Each half gets a whole number of chunks.
+// Chunks become about as long as wide, so that few contact pairs join different chunks.
 void bisect(const std::vector<Vec3>& positions, std::span<std::size_t> box) {
   if (box.size() < 2) return;
   Vec3 low = positions[box[0]], high = low;

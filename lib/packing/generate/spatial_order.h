@@ -7,8 +7,8 @@
 namespace soilweave::packing {
 
 /// Returns the grains sorted box by box, one chunk (dem/contact/contacts.h) per box, each with its identity. Touching
-/// grains then lie close in memory. Returns a packing unchanged if it has one chunk, or contacts or yarns that name
-/// rows.
+/// grains then lie close in memory. Returns a packing unchanged if it has only one chunk, or has contacts or yarns,
+/// which refer to grains by row.
 io::Snapshot in_spatial_order(io::Snapshot state);
 
 }  // namespace soilweave::packing

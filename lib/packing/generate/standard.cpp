@@ -31,7 +31,7 @@ constexpr double densest_spheres = 0.5, densest_disks = 0.1, loose_spheres = 0.7
 constexpr std::size_t most_chosen = 20'000;
 // Largest number of grains in a remedy: what a machine of today holds.
 constexpr std::size_t most_named = 3'000'000;
-// Width of a cell over its largest grain at which a compaction stops.
+// Width of a cell, over its largest grain, below which a compaction stops.
 constexpr double narrowest = 1 / 0.495;
 
 // Returns (R/R0)^3, and exactly 1 if 0.13 N m/rad keeps its two digits.
@@ -87,7 +87,7 @@ io::Snapshot new_cloud(const Room& room, std::size_t n, const GrainSize& size, s
 
 std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, std::size_t least) {
   const Room dense = room.at(room.dimension == 2 ? densest_disks : densest_spheres);
-  // A larger void ratio than grains come to rest at does not widen the compacted cell.
+  // A void ratio above that of loose grains at rest does not widen the compacted cell.
   const double loose = room.dimension == 2 ? loose_disks : loose_spheres;
   if (room.at(std::min(void_ratio.value_or(dense.void_ratio), loose)).diameters(least) >= narrowest) return least;
   return dense.fewest(chosen_diameters, most_chosen).value_or(least);

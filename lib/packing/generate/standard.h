@@ -28,8 +28,8 @@ double mean_radius(const io::Snapshot& state);
 double default_rotational_stiffness(double mean_radius);
 
 /// Returns the default largest strain rate, 1/s: 1/s for the thesis's grains, in proportion to 1/R. A pressure moves a
-/// grain by its size in a time R sqrt(density/p). So grains of any size are compressed in as many steps, at one
-/// inertial number.
+/// grain by its size in a time R sqrt(density/p). So grains of any size are compressed in the same number of steps, at
+/// the same inertial number.
 double default_rate(double mean_radius);
 
 /// Returns the default material as TOML: soil of thesis Table 3.1, with the stiffness above.
@@ -65,11 +65,11 @@ struct Room {
   double diameters(std::size_t grains) const;
   /// Returns the least number of grains whose cell is `wanted` diameters wide; nullopt if it exceeds `most`.
   std::optional<std::size_t> fewest(double wanted, std::size_t most) const;
-  /// Returns the largest diameter, m, up to which n grains of the curve have such a cell; nullopt if none.
+  /// Returns the largest cut-off diameter, m, at which n grains have a cell `wanted` diameters wide; nullopt if none.
   std::optional<double> coarsest(double wanted, std::size_t grains) const;
   /// Throws DataError with remedies if the cell is narrower than two largest grains.
   void demand(std::size_t grains) const;
-  /// Throws that error for a cell `now` largest diameters wide.
+  /// Throws the error of demand() for a cell `now` largest diameters wide.
   [[noreturn]] void refuse(std::size_t grains, double now) const;
   /// Returns the same grading at another void ratio.
   Room at(double other_void_ratio) const { return {curve, dimension, proportions, other_void_ratio}; }
@@ -89,7 +89,8 @@ std::vector<double> grain_radii(const Room& room, std::size_t n, const GrainSize
 io::Snapshot new_cloud(const Room& room, std::size_t n, const GrainSize& size, std::optional<double> void_ratio,
                        double density, std::uint64_t seed);
 
-/// Returns `least`, or a larger, still moderate number that a wide grading needs.
+/// Returns the number of grains, from `least` to 20,000, that makes the cell of a wide grading wide enough. Returns
+/// `least` if even 20,000 grains are too few.
 std::size_t enough_grains(const Room& room, std::optional<double> void_ratio, std::size_t least);
 
 /// Least width of a cell over its largest grain, so that the nearest image of a touching pair is unique (1/0.495).

@@ -38,7 +38,7 @@ bool Cushion::at_corner(const Seen& at) const {
 
 double Cushion::height_on_corner(const Seen& at) const {
   double low = 0, high = half_height;
-  // The squared distance of the corner first falls with height, then rises: bisection to rounding, and to 0 itself.
+  // The squared distance to the corner first falls with height, then rises. Bisection finds the minimum to rounding.
   for (int k = 0; k < 60; ++k) {
     const double z = 0.5 * (low + high), widening = z / (half_width(z) - core());
     const Eigen::Vector2d m = from_corner(at, z).cwiseMax(0);
@@ -78,7 +78,7 @@ Vec3 Cushion::nearest(const Vec3& point, double outside) const {
   const Seen at = see(point);
   if (at_corner(at)) {
     const double height = height_on_corner(at), middle = half_width(height) - corner_radius;
-    // Above the face within its corner the face is nearest; elsewhere the corner's rounding is.
+    // For a point above the face and within its corner the face is nearest, otherwise the corner's rounding.
     const Eigen::Vector2d m = from_corner(at, height).cwiseMax(0);
     const bool on_face = at.height > half_height && m.norm() < corner_radius;
     const double way = on_face ? 1 : (m.norm() > 0 ? corner_radius / m.norm() : 0);

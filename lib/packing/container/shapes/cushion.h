@@ -23,7 +23,7 @@ struct Cushion final : FilledBag {
   }
 
   double depth(const Vec3& point) const override;
-  /// Integrates squares as wide as the section, minus their corners. It is exact at mid-height and near to it
+  /// Integrates squares as wide as the section, minus their corners. The result is exact at mid-height and approximate
   /// elsewhere.
   double volume(double depth = 0) const override;
   std::vector<Vec3> spread(const std::vector<Vec3>& box, const std::array<int, 3>& cells, double outside,

@@ -217,7 +217,7 @@ Vec3 Surface::nearest(const Vec3& point, double outside) const {
   const Kernel::Point_3 at(point.x(), point.y(), point.z());
   const auto [foot, face] = mesh_->tree.closest_point_and_primitive(at);
   Kernel::Vector_3 out = at - foot;
-  // A point on the surface itself has no direction to it.
+  // For a point on the surface the face's normal replaces the direction to the nearest point.
   if (const double distance = std::sqrt(out.squared_length()); distance > 1e-9 * (high_ - low_).norm())
     out = out / (mesh_->side(at) == CGAL::ON_BOUNDED_SIDE ? -distance : distance);
   else
