@@ -58,8 +58,8 @@ struct FabricTool {
     Group rose{"rose", "contacts by orientation", {}};
     Group chains{"chains", "contacts of the force chains", {}};
     for (const std::size_t n : io::chosen_states(state, file.snapshots.size(), input.string())) {
-      // Only reinforced soil is described, by all its contacts, with soil, geotextile, plates and fill, as the thesis
-      // counts them.
+      // Only contacts of reinforced soil count, as in the thesis: with soil, geotextile, plates and fill, or with soil
+      // only.
       const io::Snapshot& all = file.snapshots[n];
       const io::Snapshot s = analysis::is_reinforced(all) ? analysis::soil_contacts(all, soil) : all;
       analysis::put_fabric(fabric.table, s);

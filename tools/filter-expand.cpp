@@ -91,7 +91,7 @@ struct FilterExpand {
   }
 
  private:
-  // Throws CannotCreate if the output is finished without the measurements, which it does not hold.
+  // Throws CannotCreate if the measurements are missing, because a finished output does not hold them.
   void demand_history() const {
     std::error_code ignored;
     if (history.empty() || std::filesystem::exists(history, ignored)) return;
@@ -123,7 +123,7 @@ struct FilterExpand {
     io::SafeOutput safe(output, past, invocation);
     if (safe.finished(progress)) {
       demand_history();
-      // Its last record tells what a finished cell missed, beside the doubts about its materials.
+      // The last record of a finished cell holds the missed targets, and the doubts about its materials.
       std::vector<Doubt> missed = io::read_history(output).back().doubts;
       std::erase_if(missed, [&](const Doubt& doubt) { return std::ranges::find(about, doubt) != about.end(); });
       return demand_met(missed, *what.surround);
@@ -132,7 +132,7 @@ struct FilterExpand {
                                                           {safe.part(), interval, &signals});
     Doubts said(invocation.tool);
     said.add_all(about);
-    // An error says by itself what was missed.
+    // If missed targets are an error, the error's message names them.
     if (!what.surround->missed_is_error) said.add_all(done.missed);
     Doubts doubts;
     doubts.add_all(about);

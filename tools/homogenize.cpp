@@ -27,7 +27,7 @@ using namespace soilweave;
 
 using Group = io::FieldsFile::Group;
 
-/// Tables of a file, in its order, that --table can name. Tables without rows are not written.
+/// Tables of a file, in the file's order, with their names for --table. Tables without rows are not written.
 struct Tables {
   Group cell{"cell", "whole cell, one row per state", {}};
   Group volumes{"volumes", "volumes of interest, one row per volume and state", {}};
@@ -103,7 +103,7 @@ struct Homogenize {
     if (!output.empty()) write(tables, io::with_doubts(io::extend({file.source}, invocation), doubts));
   }
 
-  /// Adds a mistake for each flag that says nothing about the one table that is printed.
+  /// Adds a mistake for each flag that does not apply to the printed table.
   void demand_flags_of_table(std::vector<std::string>& wrong) const {
     using Flag = std::tuple<bool, std::string_view, std::string_view>;
     for (const auto& [given, flag, of] :
@@ -118,7 +118,7 @@ struct Homogenize {
       wrong.push_back(fmt::format("--state {}: --table broken is of the last state: leave --state out", state));
   }
 
-  /// Returns whether a slow table is written or printed.
+  /// Returns whether a table is needed: all tables are written, or this one is printed.
   bool wanted(std::string_view name) const { return !output.empty() || table == name; }
 
   void add(const io::Snapshot& first, const io::Snapshot& s, Tables& tables, Doubts& doubts) const {
@@ -135,7 +135,7 @@ struct Homogenize {
     if (each_grain) analysis::put_grains(tables.grains.table, s, local);
   }
 
-  /// Adds the tables that the run provides. A table asked for by name throws for what the run lacks.
+  /// Adds the tables that the run provides. Throws DataError if the run lacks data for the table that is printed.
   void put_of_run(const io::RunFile& file, Tables& tables) const {
     for (const packing::RunTable& one : packing::run_tables())
       if ((tsv && table == one.name) || (!output.empty() && one.given_by(file)))
@@ -169,7 +169,7 @@ struct Homogenize {
       }
   }
 
-  // Throws if a table is empty because the input is of another kind. A run without broken yarns is no fault.
+  // Throws DataError if a table is empty because the input is of another kind. A run without broken yarns is no error.
   void explain_absence(std::string_view absent) const {
     if (absent == "series")
       throw DataError(fmt::format("{}: has no series: it is a packing, not a run", input.string()));

@@ -93,7 +93,7 @@ struct ToVtk {
     return io::chosen_states(state, count, input.string());
   }
 
-  /// Writes the spheres of one state as text, the chosen one or the last, and tells what the text leaves out.
+  /// Writes the spheres of the chosen state, or of the last, as text. Reports the content that the text leaves out.
   void write_text(const tool::Invocation& invocation) const {
     const io::ExportedSpheres spheres = io::export_spheres(last_or_chosen(), input.string());
     Progress progress("to-vtk", invocation.quiet);
@@ -133,7 +133,7 @@ struct ToVtk {
       io::add_principal(grains);
       return grains;
     };
-    // Mismatches must show before anything is written.
+    // A mismatch with the table must be reported before anything is written.
     std::vector<double> times;
     for (const io::Snapshot* snapshot : shown) {
       times.push_back(snapshot->time);

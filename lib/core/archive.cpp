@@ -1,4 +1,4 @@
-// Named numbers, kept and given back.
+// State of a program as named numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/archive.h"
 

@@ -11,7 +11,7 @@ namespace soilweave {
 /// Calls use(i) once for every i < n. Each thread takes a contiguous range.
 template <class Use>
 void in_parallel(std::size_t n, int threads, const Use& use) {
-  // OpenMP would create a team of one anew each time.
+  // OpenMP would create a new team at each call.
   if (threads == 1) {
     for (std::size_t i = 0; i < n; ++i) use(i);
     return;

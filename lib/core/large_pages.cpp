@@ -11,14 +11,14 @@ namespace soilweave {
 namespace {
 
 constexpr std::size_t page = std::size_t{2} << 20;
-// Largest size that shares pages. Larger blocks come from the kernel and go back to it.
+// Largest block that shares pages with others. Larger blocks come from the kernel and are returned to it.
 constexpr std::size_t largest_shared = page / 4;
 
 std::size_t rounded(std::size_t bytes) { return (bytes + page - 1) / page * page; }
 
 class Kernel final : public std::pmr::memory_resource {
   void* do_allocate(std::size_t bytes, std::size_t) override {
-    // Asks for one page more, and gives back the parts outside the aligned block.
+    // Maps one page more than needed, and unmaps the parts outside the aligned block.
     const std::size_t length = rounded(bytes);
     void* const given =
         ::mmap(nullptr, length + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -45,7 +45,7 @@ class Shared final : public std::pmr::memory_resource {
   bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
 
   Kernel kernel_;
-  // Gives nothing back to the kernel, because chunks of a page stay carved up.
+  // Never returns memory to the kernel, because the pool has split its pages into blocks.
   std::pmr::monotonic_buffer_resource pages_{8 * page, &kernel_};
   std::pmr::synchronized_pool_resource pool_{{0, largest_shared}, &pages_};
 };

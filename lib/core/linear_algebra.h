@@ -1,8 +1,8 @@
 // Eigensystems of tensors, and factors and products of matrices of any size.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Eigen compiles each of these for every source that uses them, which takes seconds a source. Here they are functions
-// of the library, compiled once. Small tensors' sums and products stay with Eigen.
+// Eigen's templates would be compiled in every source that uses them, which takes seconds per source. These functions
+// are compiled once. Sums and products of small tensors use Eigen directly.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ double largest_eigenvalue(const Eigen::MatrixXd& symmetric);
 class Cholesky {
  public:
   explicit Cholesky(const Eigen::MatrixXd& matrix);
-  /// Returns whether the matrix is positive definite, without which the other answers mean nothing.
+  /// Returns whether the matrix is positive definite. If it is not, the other results are meaningless.
   bool positive() const { return positive_; }
   /// Returns L, with zeros above its diagonal.
   const Eigen::MatrixXd& lower() const { return lower_; }

@@ -7,8 +7,8 @@
 namespace {
 
 #ifdef __x86_64__
-// This file is compiled for any x86-64 (Makefile). It runs before the constructors of other files, which are not. It
-// may call nothing but the system.
+// The Makefile compiles this file for any x86-64, the others for newer ones. The check runs before the constructors of
+// the other files, and may call only the system.
 [[gnu::constructor(101)]] void demand_processor() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) return;

@@ -1,4 +1,4 @@
-// Holds signals back and polls them.
+// Blocks signals and polls them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/stop_signals.h"
 
@@ -20,7 +20,7 @@ constexpr std::array<Named, 4> ends = {
 StopSignals::StopSignals() {
   sigemptyset(&held_);
   for (const Named& signal : ends) {
-    // A blocked signal is queued even if it is ignored (nohup, a shell's background job).
+    // An ignored signal (nohup, a shell's background job) must not be blocked, because it would then be queued.
     struct sigaction present = {};
     if (sigaction(signal.number, nullptr, &present) == 0 && present.sa_handler == SIG_IGN) continue;
     sigaddset(&held_, signal.number);

@@ -1,4 +1,4 @@
-// Signals that ask a program to stop, held back and polled between steps.
+// Signals that ask a program to stop. They are blocked, and polled between steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,22 +6,22 @@
 
 namespace soilweave {
 
-/// Holds back SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and its later ones, without a handler.
-/// Ignored signals stay ignored. Make it before the first parallel region.
+/// Blocks SIGTERM, SIGINT, SIGXCPU and SIGHUP in this thread and in threads that it starts later. Installs no handler.
+/// Ignored signals stay ignored. Construct it before the first parallel region.
 class StopSignals {
  public:
-  /// Begins to hold the signals back.
+  /// Blocks the signals.
   StopSignals();
-  /// Takes remaining signals off the queue.
+  /// Discards pending signals and restores the former mask.
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// Returns the name of a signal that has come, or nullptr.
+  /// Returns the name of a pending signal, or nullptr.
   const char* asked() const;
 
  private:
-  /// Signals held back, and the mask before.
+  /// Blocked signals, and the signal mask before.
   sigset_t held_ = {}, before_ = {};
 };
 

@@ -82,7 +82,7 @@ std::string printable(std::string_view text, std::string_view as_they_are) {
 }
 
 void tell(std::string_view bytes) {
-  constexpr int patience = 1000;  // ms, if standard error does not block until it is read
+  constexpr int patience = 1000;  // ms to wait if standard error is full and non-blocking
   while (!bytes.empty()) {
     const ssize_t put = ::write(STDERR_FILENO, bytes.data(), bytes.size());
     if (put > 0) bytes.remove_prefix(static_cast<std::size_t>(put));
@@ -96,8 +96,8 @@ void tell(std::string_view bytes) {
 void occupy_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The stream is opened the wrong way round, so that its user meets an error as before. The lowest free number is
-    // this one.
+    // Opened for the wrong direction, the stream still fails when it is used. open() returns its number, the lowest
+    // free one.
     const int way = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (::open("/dev/null", way) < 0) (void)::open("/", O_RDONLY);
   }

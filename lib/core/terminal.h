@@ -1,4 +1,4 @@
-// Output for a terminal, which text cannot steer.
+// Terminal output in which text cannot act as a control sequence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,16 +7,14 @@
 
 namespace soilweave {
 
-/// Returns the text with escapes (\n, \x1b, \u{202e}, \xff) for all that a terminal obeys.
-/// These are control characters, invisible or direction signs, and bytes that are not UTF-8.
-/// ASCII characters in `as_they_are` stay.
+/// Returns the text with escapes (\n, \x1b, \u{202e}, \xff) for control characters, invisible characters, marks of
+/// direction, and bytes that are not UTF-8. ASCII characters in `as_they_are` stay.
 std::string printable(std::string_view text, std::string_view as_they_are = "");
 
 /// Writes bytes to standard error. Failures are ignored, because they cannot be reported.
 void tell(std::string_view bytes);
 
-/// Occupies closed standard streams, so that no later file gets their number.
-/// Reading from and writing to them still fails.
+/// Opens closed standard streams, so that no later file gets their number. Reading and writing them still fails.
 void occupy_standard_streams();
 
 }  // namespace soilweave

@@ -20,14 +20,13 @@ void demand_threads(int count) {
   try {
     while (static_cast<int>(others.size()) + 1 < count) others.emplace_back([&over] { over.wait(); });
   } catch (const std::exception&) {
-    // Fewer threads than requested (a limit on processes or memory) are reported below, once the started ones have
-    // ended.
+    // A limit on processes or memory was reached. It is reported below, after the started threads have ended.
   }
   const int had = static_cast<int>(others.size()) + 1;
   over.count_down();
   for (std::thread& other : others) other.join();
-  // A working thread takes memory beside its stack. Half of the threads that start proved too many, so a quarter is
-  // offered.
+  // A working thread needs memory beside its stack. Half of the startable threads proved too many, so the message
+  // offers a quarter.
   if (had < count)
     throw UsageError(fmt::format(
         "--threads {}: this process may have {} at most (limits on processes or memory: ulimit -u, ulimit -v, those of "

@@ -56,8 +56,8 @@ struct Box {
   }
 };
 
-/// Range of the drawn cell in cell vectors: one cell from its origin on along periodic axes, otherwise as far as the
-/// grains.
+/// Range of the drawn cell in cell vectors. Along periodic axes it is one cell from the origin, otherwise the extent of
+/// the grains.
 struct Reach {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
@@ -91,7 +91,7 @@ std::vector<std::int32_t> coordination(const Snapshot& state) {
   return number;
 }
 
-/// Origin of each line in show_contacts().
+/// Contact that each line in show_contacts() represents, and its number of lines.
 struct Lines {
   std::vector<std::size_t> contact;
   std::vector<std::uint8_t> copies;
@@ -117,8 +117,7 @@ Lines draw_lines(const Snapshot& state, bool unwrapped, std::vector<Vec3>& point
     const auto first = static_cast<std::size_t>(contacts.bodies[c][0]);
     const bool plane = contacts.bodies[c][1] < 0;
     const auto second = plane ? first : static_cast<std::size_t>(contacts.bodies[c][1]);
-    // The difference counts whole cells between the partner as drawn from the first grain and the partner as shown
-    // itself.
+    // A contact is split if its second grain, seen from the first, lies in another cell than where it is shown.
     const bool split = !plane && (contacts.image[c] - index(first) + index(second)) != Vec3i(Vec3i::Zero());
     draw(c, shown(first), split ? 2 : 1);
     if (split) draw(c, shown(second) - contacts.branch_vector[c], 2);

@@ -23,11 +23,12 @@ double fitting_force_scale(const std::vector<const Snapshot*>& states);
 
 /// Returns one vertex per grain, inside the cell unless `unwrapped`. Arrays: body_id, material_id, copy_id, radius,
 /// mass, velocity (fluctuation about the cell's affine motion), angular_velocity, orientation (w x y z), coordination.
-/// `dyads` holds the sum of f l^T over each grain's contacts, N m. If given, arrays include stress = dyad / solid
-/// volume (2D: area), Pa, compression positive, and those of add_principal().
+/// `dyads` holds the sum of f l^T over each grain's contacts, N m. If given, there are also the arrays of
+/// add_principal() and stress = dyad / solid volume (2D: area), Pa, compression positive.
 VtkPicture show_grains(const Snapshot& state, const std::vector<Mat3>& dyads, bool unwrapped);
 
-/// Adds principal_stress (greatest first) and major_direction (unit) of `stress`, if there. Replaces earlier ones.
+/// Adds principal_stress (greatest first) and major_direction (unit) if there is an array `stress`. Replaces earlier
+/// ones.
 void add_principal(VtkPicture& picture);
 
 /// Returns contacts as lines from centre to centre, or to the plane. A contact through a periodic face is drawn twice,
@@ -36,8 +37,8 @@ void add_principal(VtkPicture& picture);
 /// sliding. Point data: tube_radius = force_scale (m/N) times compressive normal force.
 VtkPicture show_contacts(const Snapshot& state, bool unwrapped, double force_scale);
 
-/// Returns the cell as one hexahedron (2D: quad), as far as the grains along aperiodic axes. Cell data: volume,
-/// deformation_gradient, velocity_gradient.
+/// Returns the cell as one hexahedron (2D: quad). Along aperiodic axes it reaches as far as the grains. Cell data:
+/// volume, deformation_gradient, velocity_gradient.
 VtkPicture show_cell(const Snapshot& state);
 
 /// Returns planes as quads (2D: lines) as large as the assembly. Cell data: plane (its number), material_id, normal,

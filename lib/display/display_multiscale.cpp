@@ -24,7 +24,7 @@ const Series& demanded(const MultiscaleFile& run, const char* name) {
   throw DataError(run.source.role + ": has no table \"" + name + "\": no mesh can be shown");
 }
 
-// Returns the row that a table names by number, checked since a file may hold any number.
+// Returns the row that a table refers to by number. Throws DataError if there is no such row.
 std::size_t row_of(double number, std::size_t rows, const std::string& what) {
   if (number >= 0 && number < static_cast<double>(rows) && number == std::floor(number))
     return static_cast<std::size_t>(number);

@@ -56,7 +56,7 @@ struct Gathered {
   std::array<const Column*, 9> parts = {};
 };
 
-/// A principal stress of the rows of a table: its values (Pa) and the components of its direction; z is null in 2D.
+/// Columns of one principal stress: its values (Pa) and the components of its direction; z is null in 2D.
 struct PrincipalColumns {
   const Column* value;
   std::array<const Column*, 3> direction;
@@ -80,8 +80,8 @@ Vec3 vector_of(const std::array<const Column*, 3>& columns, std::size_t row) {
   return {columns[0]->values[row], columns[1]->values[row], columns[2] ? columns[2]->values[row] : 0.0};
 }
 
-/// Returns the length of a line per stress, m/Pa: the greatest stress is as long as the edge of the mean volume. 1
-/// without any stress.
+/// Returns the length of a line per stress, m/Pa, so that the greatest stress is as long as the edge of the mean
+/// volume; 1 if there is no stress.
 double axes_scale(const std::vector<PrincipalColumns>& stresses, const Column& volume) {
   double greatest = 0, sum = 0;
   for (const PrincipalColumns& stress : stresses)
@@ -202,8 +202,8 @@ const std::vector<Number>& values_of(const VtkPicture& picture, std::string_view
   return std::get<std::vector<Number>>(array->values);
 }
 
-// Throws DataError if a grain has another radius in the table, which is then that of another packing. `rows` are the
-// grains' rows, where they are known.
+// Throws DataError if a grain's radius differs in the table, which then belongs to another packing. `rows`: row of each
+// grain, valid where `known` is true.
 void demand_same_radii(const VtkPicture& grains, const Series& table, const std::vector<std::size_t>& rows,
                        const std::vector<bool>& known) {
   const Column* there = table.find("radius");

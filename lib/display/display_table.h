@@ -33,15 +33,15 @@ std::vector<VtkArray> arrays_of(const Series& table, const std::vector<std::size
 /// become lines. Throws DataError without positions.
 VtkPicture show_rows(const Series& table, const TableState& state);
 
-/// Returns the principal axes of each row as lines, as in thesis Fig. 5.4. Nothing without places, `volume` or
-/// principal stresses (columns principal_K, direction_Kx ...). Lengths are proportional to stresses: the greatest of
-/// all states is the edge of a cube (2D: square) of the mean volume. Cell data: principal (1: the greatest, 2, 3),
-/// principal_stress (Pa). A NaN has no line.
+/// Returns the principal axes of each row as lines, as in thesis Fig. 5.4. Empty without positions, `volume` or
+/// principal stresses (columns principal_K, direction_Kx ...). Lengths are proportional to stresses. The greatest
+/// stress of all states is as long as the edge of a cube (2D: square) of the mean volume. Cell data: principal (1: the
+/// greatest, 2, 3), principal_stress (Pa). A NaN has no line.
 std::optional<VtkPicture> show_axes(const Series& table, const TableState& state);
 
 /// Adds the table's columns to the grains with the same body_id, at the picture's step if the table has steps. A grain
-/// without a row gets NaN; arrays of the same name are replaced. Throws DataError without body_id or this state, or if
-/// radii tell that the table is of another packing.
+/// without a row gets NaN. Arrays of the same name are replaced. Throws DataError if the table lacks body_id or this
+/// step, or if its radii are those of another packing.
 void join_grains(VtkPicture& grains, const Series& table);
 
 /// Returns CSV with bare column names, for ParaView.

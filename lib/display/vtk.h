@@ -21,7 +21,7 @@ struct VtkArray {
       values;
 };
 
-/// Shape of all cells. Each takes the next 1, 2, 3, 4 or 8 points; none are shared.
+/// Shape of all cells. Each cell takes the next 1, 2, 3, 4 or 8 points; cells share no points.
 enum class VtkShape { vertex = 1, line = 2, triangle = 3, quad = 4, hexahedron = 8 };
 
 /// Content of one VTK file.

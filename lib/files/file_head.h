@@ -46,7 +46,7 @@ Series read_columns(const Reader& file, const std::string& path);
 
 /// Writes groups of tables in /fields.
 void write_groups(Writer& file, const std::vector<FieldsFile::Group>& groups);
-/// Reads them back.
+/// Reads the groups of tables.
 std::vector<FieldsFile::Group> read_groups(const Reader& file);
 /// Writes the tables and grains of a two-scale run. Without grains there is no trajectory.
 void write_recorded(Writer& file, const std::vector<FieldsFile::Group>& groups, const std::vector<Snapshot>& frames,
@@ -54,7 +54,7 @@ void write_recorded(Writer& file, const std::vector<FieldsFile::Group>& groups, 
 
 /// Writes the frames of a packing or run. Throws DataError if grains, dimension or planes differ.
 void write_states(Writer& file, const std::vector<const Snapshot*>& states, const History& history);
-/// Reads them back.
+/// Reads the frames.
 std::vector<Snapshot> read_frames(const Reader& file);
 
 }  // namespace soilweave::io

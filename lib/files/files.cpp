@@ -74,8 +74,8 @@ std::vector<std::size_t> rows_of(const std::vector<Snapshot>& states, const Colu
   return rows;
 }
 
-/// Writes the series again where H5MD expects it. H5MD readers take values frame by frame, so they get the rows of the
-/// states, beside the trajectory's clock. If a state has no row, links show the whole series.
+/// Writes the series again as H5MD observables. H5MD readers read frame by frame, so each frame gets the row of its
+/// state. If a state has no row, links to the whole series take the place of these values.
 void write_observables(Writer& file, const Series& series, const std::vector<Snapshot>& states) {
   const Column* steps = series.find("step");
   if (!steps || !series.find("time")) return;
@@ -106,7 +106,7 @@ void write_course(Writer& file, const Series& series, const std::vector<Snapshot
       file.write<std::int64_t>(place, {number, 1}, {}, label_of(place));
 }
 
-/// Calls a writer; its errors name the file that was to be written.
+/// Builds a file by build(file) and writes it. Errors name the file.
 template <class Build>
 void write_file(const std::filesystem::path& path, const std::string& kind, const History& history,
                 const Build& build) {
@@ -181,7 +181,7 @@ void write_run(const std::filesystem::path& path, const RunFile& run, const Hist
 void write_multiscale(const std::filesystem::path& path, const MultiscaleFile& run, const History& history) {
   write_file(path, "multiscale", history, [&](Writer& file) {
     write_recorded(file, run.groups, run.frames, history);
-    // The frames belong to several packings and form no trajectory, so there is no value per frame.
+    // The frames belong to several packings, not to one trajectory, so the observables have no value per frame.
     write_course(file, run.series, {}, run.scenario, run.work);
   });
 }

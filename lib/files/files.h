@@ -15,11 +15,11 @@ namespace soilweave::io {
 /// A packing: one state, at rest or nearly so.
 struct PackingFile {
   Snapshot state;
-  /// The file it was read from.
+  /// File from which the state was read.
   Source source;
 };
 
-/// Work of a run. Counts are equal for equal runs; seconds are not.
+/// Work of a run, equal for equal runs.
 struct Work {
   /// Steps, and contacts summed over the steps.
   std::int64_t steps = 0, contact_steps = 0;
@@ -30,7 +30,7 @@ struct RunFile {
   std::vector<Snapshot> snapshots;
   Series series;
   std::string scenario;  // resolved TOML
-  Work work;             // zeros if the file does not tell
+  Work work;             // zeros if the file has none
   Source source;
 };
 
@@ -69,11 +69,11 @@ struct MultiscaleFile {
   /// Grains of recorded points, one per time and point, in the order of the table "recorded".
   std::vector<Snapshot> frames;
   std::string scenario;  // resolved TOML
-  Work work;             // sum over all grains
+  Work work;             // sum over the packings of all points
   Source source;
 };
 
-/// Series of a run without its states, also from homogenize's fields.
+/// Series of a run or of a fields file of homogenize, without states.
 struct SeriesFile {
   Series series;
   Source source;

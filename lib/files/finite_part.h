@@ -6,8 +6,8 @@
 
 namespace soilweave::io {
 
-/// Returns grains with finite numbers, and their contacts. Normalises quaternions. Axes of a collapsed cell become
-/// aperiodic.
+/// Returns the grains whose numbers are all finite, with their contacts and yarns. Normalises quaternions. Makes the
+/// axes of a collapsed cell aperiodic.
 Snapshot finite_part(const Snapshot& state);
 
 }  // namespace soilweave::io

@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view left_name = "stopped.h5";
-// Number of checkpoints kept beside the recorded ones: the newest and the one before it.
+// Number of newest files that are kept. Older ones stay only if they are recorded states.
 constexpr std::size_t kept_files = 2;
 const std::string recorded_steps = "recorded_steps";
 
-/// Throws CannotCreate for a folder that another user made in a shared folder, since the output would belong to them.
+/// Throws CannotCreate if the folder is another user's in a shared (sticky) folder, since that user controls its files.
 void demand_own(int folder, const fs::path& path) {
   struct stat own = {}, around = {};
   if (folder < 0 || ::fstat(folder, &own) != 0 || ::stat((path / "..").c_str(), &around) != 0) return;
@@ -37,7 +37,7 @@ void demand_own(int folder, const fs::path& path) {
 
 bool is_temporary(std::string_view name) { return name.starts_with('.') && name.ends_with(".tmp"); }
 
-// Returns the difference between two runs for the message; empty if they are equal. Doubts are left out, since they
+// Returns the part in which two runs differ, for messages; empty if they are equal. Doubts do not count, since they
 // arise during a run.
 std::string difference(const History& found, const History& wanted) {
   if (describe(without_doubts(found)) == describe(without_doubts(wanted))) return "";
@@ -118,7 +118,8 @@ void Part::enter(Entry entry) {
   fs::remove(folder_ / left_name, ignored);
 }
 
-// Skips files that are damaged, or that lack a recorded state before them.
+// Finds the newest usable checkpoint and removes later files. Damaged files are skipped, and files for which an earlier
+// recorded state is missing.
 void Part::find_last() {
   std::size_t end = files_.size();
   for (; end > 0 && !last_; --end) {
@@ -170,7 +171,7 @@ void Part::keep(Checkpoint checkpoint, bool recorded) {
   try {
     write_checkpoint(path_of(file), checkpoint, history_);
   } catch (const DataError& error) {
-    // The run would produce the same invalid state again: its physics went wrong, not a file.
+    // No file is at fault: the run itself made an invalid state, and would make it again.
     throw PhysicsError(fmt::format("step {}: the state cannot be kept: {}", file.step, error.what()));
   } catch (const Error&) {
     // The file is renamed, so it exists even if the folder could not be synced.
@@ -215,7 +216,7 @@ void Part::remove() {
 fs::path Part::last() const { return files_.empty() ? fs::path() : path_of(files_.back()); }
 
 Error Part::explained(const Error& error) const {
-  // Continuing or repeating would end in the same mistake.
+  // To resume or repeat the run would end in the same error.
   if (error.status() == Exit::bad_data || error.status() == Exit::usage) return error;
   std::error_code ignored;
   const fs::path file = last();

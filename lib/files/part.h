@@ -1,5 +1,5 @@
-// The folder of an unfinished run, OUTPUT.part: recorded states and checkpoints. A run goes on from each to the same
-// bytes (FORMAT.md).
+// The folder of an unfinished run, OUTPUT.part: recorded states and checkpoints. A run resumed from any of them ends in
+// the same bytes (FORMAT.md).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -51,34 +51,34 @@ class Part {
     resume_or_anew  // go on from its last checkpoint; empty the folder of another run
   };
 
-  /// Makes and locks the folder. Throws CannotCreate if another process has it or work would be lost; AnotherRun if a
-  /// checkpoint has another history.
+  /// Makes and locks the folder. Throws CannotCreate if another process holds the lock, or if work would be lost;
+  /// AnotherRun if a checkpoint has another history.
   Part(const std::filesystem::path& output, History history, Entry entry);
-  /// Leaves the folder; removes it if it is empty.
+  /// Unlocks the folder, and removes it if it is empty.
   ~Part();
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
 
-  /// Hands over the checkpoint to go on from, once; none for a new run.
+  /// Returns the checkpoint to resume from, at the first call only. A new run has none.
   std::optional<Checkpoint> take_last();
-  /// Writes a checkpoint. Recorded ones stay until the end, others only as the last two.
+  /// Writes a checkpoint. Recorded ones stay until the end, others only while among the last two files.
   void keep(Checkpoint checkpoint, bool recorded);
   /// Reads the recorded states back, in order.
   std::vector<Snapshot> recorded() const;
-  /// Removes the folder, once the output is written.
+  /// Removes all files once the output is written. The destructor then removes the folder.
   void remove();
 
-  /// Returns the newest file and its step; an empty path and -1 before the first.
+  /// Returns the path of the newest file; empty before the first.
   std::filesystem::path last() const;
   /// Returns the step of the newest file; -1 before the first.
   std::int64_t last_step() const { return files_.empty() ? -1 : files_.back().step; }
-  /// Returns whether the folder held another run, which is gone.
+  /// Returns whether the folder held another run, which was removed.
   bool replaced() const { return replaced_; }
-  /// Returns the error with a line on what is kept and how to go on.
+  /// Returns the error, with a text on which files are kept and how to resume.
   Error explained(const Error& error) const;
-  /// Returns a guard's error. Leaves `state` beside the checkpoints, without grains whose numbers are not finite.
+  /// Returns a guard's error, naming the last checkpoint. Writes the finite part of `state` beside the checkpoints.
   Error stopped(const Error& error, const Snapshot& state) const;
-  /// Returns a guard's error; leave(path) writes what is left.
+  /// Returns a guard's error likewise, for a state that leave(path) writes.
   Error stopped(const Error& error, const std::function<void(const std::filesystem::path&)>& leave) const;
 
  private:
@@ -99,8 +99,8 @@ class Part {
   int lock_ = -1;
 };
 
-/// Returns whether the output exists with this history. Throws CannotCreate if it has another, unless an unfinished run
-/// may overwrite it.
+/// Returns whether the output exists with this history. Throws CannotCreate if its history differs, unless the folder
+/// OUTPUT.part shows that a run is to overwrite it.
 bool finished(const std::filesystem::path& output, const History& history);
 
 /// Returns the folder of an output.

@@ -17,9 +17,9 @@ namespace soilweave::io {
 struct InputRecord {
   std::string role;    // "packing", "scenario", "grading", ...
   std::string sha256;  // digest of the bytes read
-  /// Index in History of the record that made it; -1: data from outside.
+  /// Index in History of the record that made the input; -1: data from outside.
   int origin = -1;
-  /// File that was read; no file holds its name. Empty for inputs of earlier runs.
+  /// Path that was read. It is never written to a file, so it is empty for inputs of earlier runs.
   std::filesystem::path file = {};
 };
 
@@ -50,7 +50,7 @@ History extend(const std::vector<Source>& sources, const tool::Invocation& invoc
 
 /// Returns the history with these doubts in its last record.
 History with_doubts(History history, const Doubts& doubts);
-/// Returns the history without doubts in its last record, as before a run ends.
+/// Returns the history without the doubts of its last record, as it is before a run ends.
 History without_doubts(History history);
 
 /// Returns a paragraph per record (to-vtk --history).

@@ -1,4 +1,4 @@
-// Takes single contacts from record to record, and tells nodes from grains.
+// Copies single contacts between records, and finds the nodes among the grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/records.h"
 

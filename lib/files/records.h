@@ -74,9 +74,9 @@ struct ContactsRecord {
   std::size_t size() const { return bodies.size(); }
   /// Returns the force on the second body, N.
   Vec3 force(std::size_t c) const { return normal_force[c] * normal[c] + shear_force[c]; }
-  /// Appends contact c of another record of the same fields. An empty record takes over its fields.
+  /// Appends contact c of another record, whose own fields must be equal. An empty record copies those fields.
   void append(const ContactsRecord& from, std::size_t c);
-  /// Appends the law's own fields of contact c. side: factor on vectors, -1 if the bodies change places.
+  /// Appends the law's own fields of contact c. side: factor on vectors; -1 if the two bodies are swapped.
   void append_own(const ContactsRecord& from, std::size_t c, double side = 1);
 };
 

@@ -58,12 +58,12 @@ SafeOutput::SafeOutput(const fs::path& output, const History& history, const too
   demand_no_input_in_part(output, history);
   if (invocation.resume && !invocation.force && io::finished(output, history)) {
     finished_ = true;
-    // A crash came after the output was written and before its folder was removed.
+    // The folder is left over if a crash came between writing the output and removing the folder.
     if (fs::exists(part_of(output))) Part(output, history, Part::Entry::anew).remove();
     note_ = invocation.tool + ": " + output.string() + " is finished already";
     return;
   }
-  // Part itself explains a folder that cannot be reached.
+  // If the folder cannot be reached, Part throws an error that explains it.
   std::error_code ignored;
   const bool begun = fs::exists(part_of(output), ignored);
   part_.emplace(output, history, entry_of(invocation));

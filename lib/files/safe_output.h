@@ -12,21 +12,21 @@
 
 namespace soilweave::io {
 
-/// Throws CannotCreate if `output` is a file that the last record read. `option` named the output.
+/// Throws CannotCreate if `output` is an input of the history's last record. `option`: name of the output's option.
 void demand_no_input(const std::filesystem::path& output, const History& history, std::string_view option);
 
 /// Output of one invocation.
 class SafeOutput {
  public:
-  /// Enters the output's folder as --resume and --force say; standard output, pipes and devices have none. Throws like
-  /// Part; CannotCreate if a finished output has another history.
+  /// Opens the folder OUTPUT.part as --resume and --force demand. Standard output, pipes and devices have no folder.
+  /// Throws like Part; CannotCreate if a finished output has another history.
   SafeOutput(const std::filesystem::path& output, const History& history, const tool::Invocation& invocation);
 
-  /// Returns whether nothing is left to do, and reports where work begins.
+  /// Returns whether the output is finished already. Reports that, or where a resumed run begins.
   bool finished(Progress& progress) const;
   /// Returns the folder, or nullptr.
   Part* part() { return part_ ? &*part_ : nullptr; }
-  /// Calls write(), removes the folder, returns the seconds. Errors say what is kept.
+  /// Calls write(), removes the folder and returns the seconds taken. Errors name the files that are kept.
   double write(const std::function<void()>& write);
 
  private:

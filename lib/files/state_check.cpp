@@ -14,10 +14,9 @@ namespace {
 
 /// Tolerance on unit vectors in files: rounding of a few normalisations, too small to show in a force.
 constexpr double unit_tolerance = 1e-6;
-// Greatest distance of a grain from its cell, in cells: images are counted in 32 bits, and larger distances are
-// mistakes.
+// Greatest distance of a grain from its cell, in cells. Images are counted in 32 bits; larger distances are mistakes.
 constexpr double most_cells_away = 1e6;
-// m; beyond it distances between grains are lost to rounding.
+// Largest coordinate, m. Beyond it rounding falsifies distances between grains.
 constexpr double farthest = 1e9;
 
 class Check {
@@ -26,7 +25,7 @@ class Check {
 
   void all() const {
     if (!std::isfinite(state_.time)) fail("time is not finite");
-    // Steps are counted on from here, and tables keep them as doubles.
+    // Tables keep steps as doubles, which are exact up to 2^53.
     if (state_.step < 0 || state_.step > std::int64_t{1} << 53)
       fail(fmt::format("the step number is {}; it counts from 0", state_.step));
     lengths();
@@ -93,7 +92,7 @@ class Check {
     if (g.dimension == 2 && (g.position[i].z() != 0 || g.velocity[i].z() != 0)) bad("leaves the plane of a 2D state");
   }
 
-  /// Checks that no two grains have one name: tables and later states tell grains by it.
+  /// Checks that body_ids are unique, because tables and later states identify grains by them.
   void names() const {
     std::vector<std::int64_t> ids(state_.grains.body_id.begin(), state_.grains.body_id.end());
     std::ranges::sort(ids);

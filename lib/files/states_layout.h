@@ -57,7 +57,7 @@ inline void assign(std::vector<std::array<std::int32_t, 2>>& items, const std::i
     numbers += 2;
   }
 }
-/// Reads a matrix back; missing rows are those of the identity.
+/// Reads a matrix back; missing rows are taken from the identity.
 inline Mat3 matrix_of_rows(const double* numbers, int dimension) {
   Mat3 matrix = Mat3::Identity();
   for (int i = 0; i < dimension; ++i)
@@ -89,7 +89,7 @@ void moving(const Visit& visit) {
   visit(grains + "/velocity/value", &GrainsRecord::velocity);
   visit(grains + "/angular_velocity/value", &GrainsRecord::angular_velocity);
 }
-/// Visits arrays of grains that last.
+/// Visits arrays of grains that do not change with time.
 template <class Visit>
 void lasting(const Visit& visit) {
   visit(grains + "/radius", &GrainsRecord::radius);

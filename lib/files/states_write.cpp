@@ -50,8 +50,8 @@ class StatesWriter {
     put_unit(path, std::string(e.units));
   }
 
-  /// Writes a unit under H5MD's name, except for pure numbers, as its module `units` demands. MDAnalysis knows no unit
-  /// of length above the nanometre, and opens no file whose positions are said to be in m.
+  /// Writes a unit under H5MD's name, as its module `units` demands; pure numbers get none. Positions get none either:
+  /// MDAnalysis knows no unit of length above the nanometre, and refuses files with positions in m.
   void put_unit(const std::string& path, const std::string& unit) {
     if (unit == "1" || path == grains + "/position/value") return;
     if (path.starts_with("/particles"))

@@ -31,7 +31,7 @@ std::int64_t step_in(std::string_view name, std::string_view prefix) {
   return failure == std::errc() && end == name.data() + name.size() ? step : -1;
 }
 
-// Lists the folder again if a newer checkpoint replaced one between listing and reading.
+// Calls read(files), and lists the folder again if the run has meanwhile removed one of the files.
 template <class Read>
 auto while_it_changes(const fs::path& folder, const Read& read) {
   constexpr int attempts = 5;

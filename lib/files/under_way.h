@@ -1,4 +1,4 @@
-// The folder OUTPUT.part from outside: closed files, and the run so far.
+// Reads the folder OUTPUT.part of another process: its closed files, and the run so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,12 +24,12 @@ std::string name_of(const PartFile& file);
 /// Returns a folder's files in order of steps. Throws IoError if it cannot be read.
 std::vector<PartFile> part_files(const std::filesystem::path& folder);
 
-/// Reads a run so far: recorded states, a later checkpoint, and the series up to there. The digest is that of the lines
-/// "file digest". Throws MissingInput for an empty folder, DataError for two-scale runs and damaged files.
+/// Reads the recorded states, the newest checkpoint, and the series up to it. The digest is taken over one line "FILE
+/// DIGEST" per file read. Throws MissingInput for an empty folder, DataError for two-scale runs and damaged files.
 RunFile read_run_so_far(const std::filesystem::path& folder, std::string role);
 /// Returns the newest state. Throws like read_run_so_far().
 PackingFile read_newest_state(const std::filesystem::path& folder, std::string role);
-/// Returns the output's history. Throws like read_run_so_far().
+/// Returns the history that the newest file keeps. Throws like read_run_so_far().
 History read_history_so_far(const std::filesystem::path& folder);
 
 }  // namespace soilweave::io

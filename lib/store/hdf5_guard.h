@@ -19,15 +19,15 @@ struct Way {
 /// Follows a path.
 Way way_to(hid_t file, const std::string& path);
 
-/// Returns why values may not be read (they are in other files, or their filter is missing), else nothing. Call it
-/// before asking for the dataspace, which makes HDF5 open other files.
+/// Returns the reason not to read values (they are in other files, or their filter is missing); else an empty text.
+/// Call it before H5Dget_space, which makes HDF5 open those other files.
 std::string refusal(hid_t dataset);
 
 /// Size of a dataset once unpacked.
 struct Unpacked {
   /// Bytes, from shape and chunks.
   Extent bytes = 0;
-  /// Which values are missing; empty: none.
+  /// Description of missing values; empty if there are none.
   std::string gap;
 };
 /// Measures a dataset before it is read.

@@ -19,7 +19,7 @@ void* grow(void*, size_t size, H5FD_file_image_op_t, void* bytes) {
   return static_cast<std::string*>(bytes)->data();
 }
 void* start(size_t size, H5FD_file_image_op_t op, void* bytes) { return grow(nullptr, size, op, bytes); }
-// A file opened for reading lies in its string from the start.
+// For reading, the string holds the file already.
 void* lend(size_t, H5FD_file_image_op_t, void* bytes) { return static_cast<std::string*>(bytes)->data(); }
 void* already_there(void* to, const void*, size_t, H5FD_file_image_op_t, void*) { return to; }
 herr_t keep(void*, H5FD_file_image_op_t, void*) { return 0; }

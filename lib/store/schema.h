@@ -51,7 +51,7 @@ struct Section {
 /// Returns all parts of all file kinds.
 const std::vector<Section>& schema();
 
-/// Returns the entry of a path as in the table. Throws std::out_of_range, a defect.
+/// Returns the entry with this path, spelled as in the table. An unknown path is a defect: std::out_of_range.
 const Entry& entry(std::string_view path);
 
 /// Dimension of an array; holds any hsize_t.

@@ -1,8 +1,8 @@
 // HDF5 behind two plain classes: Writer builds a file in memory, Reader reads one from memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Here a string of bytes becomes
-// such a tree, and back. Input and output (bytes.h) and the meaning of arrays (schema.h) are apart:
+// An HDF5 file is a tree: groups hold groups and arrays, and each may carry attributes. Writer makes a string of bytes
+// from such a tree, and Reader reads it. File access is in bytes.h, the meaning of arrays in schema.h:
 //
 //   records of a packing or run  --schema-->  groups and arrays  --Writer-->  bytes  -->  file or pipe
 //
@@ -61,8 +61,8 @@ class Writer {
   /// Writes a number. T: double, int64, uint64.
   template <class T>
   void attribute(const std::string& path, const std::string& name, T value);
-  /// Writes a text of variable length, which Python reads as str. It has no checksum: use it only for other programs
-  /// and words that Reader knows.
+  /// Writes a text of variable length, which Python reads as str. It has no checksum: use it only for other programs,
+  /// or for words that are checked when read.
   void variable_text(const std::string& path, const std::string& name, const std::string& text);
   /// Writes several such texts.
   void variable_texts(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
@@ -123,7 +123,8 @@ class Reader {
     return integers<T>(path, name, {}).front();
   }
 
-  /// Counts memory that an object needs, bytes. Throws DataError if the sum exceeds what such a file can hold.
+  /// Adds the bytes of an object to the memory claimed so far. Throws DataError if the sum is more than this file can
+  /// hold.
   void claim(const std::string& path, Extent bytes) const;
 
   /// Throws DataError: "FILE: PATH what".

@@ -41,8 +41,8 @@ Shape extents_of(hid_t space) {
   return Shape(extents.begin(), extents.end());
 }
 
-/// Reads strings of fixed or variable length by read(type, buffer). most: bytes that can be there. The number of
-/// variable strings is bounded too, since all of them can refer to the same bytes.
+/// Reads strings of fixed or variable length by read(type, buffer). most: largest number of bytes. Variable strings are
+/// limited in number too, since all can refer to the same bytes.
 template <class Read>
 bool read_texts(const Opened& object, std::size_t most, std::vector<std::string>& texts, const Read& read) {
   constexpr hssize_t most_variable = 16;
@@ -93,7 +93,7 @@ bool Reader::has(const std::string& path) const {
 }
 
 void Reader::claim(const std::string& path, Extent bytes) const {
-  // Packings unpack to far less: a lattice of equal grains at rest takes about a hundredth of its numbers.
+  // Largest plausible compression. Packings compress less: a lattice of equal grains at rest to about a hundredth.
   constexpr Extent packed = 256, free = Extent{256} << 20;
   const Extent most = free + packed * bytes_.size();
   claimed_ = bytes > most - std::min(claimed_, most) ? most + 1 : claimed_ + bytes;
@@ -116,7 +116,8 @@ std::vector<std::string> Reader::children(const std::string& path) const {
     static_cast<std::vector<std::string>*>(list)->push_back(name);
     return 0;
   };
-  // With an order given, HDF5 1.10 would list the links first, and for a damaged link free what it has not listed.
+  // The native order is safe. For any other, HDF5 1.10 lists the links first, and at a damaged link frees entries that
+  // it never set.
   if (H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect, &names) < 0) fail(path, "is damaged");
   std::sort(names.begin(), names.end());
   return names;

@@ -57,12 +57,12 @@ bool lock(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
-/// Gives the file the permissions of the one it will replace; owner and group as far as the user may.
+/// Gives the file the permissions of the file that it will replace, and its owner and group as far as the user may.
 void resemble(int descriptor, const struct stat& model) {
   constexpr mode_t special = S_ISUID | S_ISGID;
   const bool given = ::fchown(descriptor, model.st_uid, model.st_gid) == 0 ||
                      (::fchown(descriptor, static_cast<uid_t>(-1), model.st_gid) == 0 && model.st_uid == ::geteuid());
-  // File systems without permissions refuse, and have none to lose.
+  // A failure is harmless: it means that the file system has no permissions.
   if (::fchmod(descriptor, model.st_mode & 07777 & ~(given ? 0 : special)) != 0) return;
 }
 

@@ -20,8 +20,7 @@ const double cos45 = std::sqrt(0.5);
 // With friction two contacts can hold a grain, but one cannot (Thornton 2000).
 constexpr int least_contacts = 2;
 
-// Returns the scalar of Eq. 3.9: the second invariant, with the sign of the tensor's inclination to the stress
-// deviator.
+// Returns the scalar of Eq. 3.9: the second invariant of `a`, negative if a : deviator is negative.
 double scalar(const Mat3& a, const Mat3& deviator, int dimension) {
   const double size = std::sqrt((dimension == 3 ? 1.5 : 0.5) * a.squaredNorm());
   return a.cwiseProduct(deviator).sum() < 0 ? -size : size;
@@ -187,7 +186,7 @@ ForceChains force_chains(const io::Snapshot& state) {
   std::vector<Vec3> axis;
   for (const Mat3& dyad : dyads) axis.push_back(principal(dyad, state.grains.dimension).directions.col(0));
 
-  // Strong contacts along the main stress of both grains join them; joined sets are the chains.
+  // A strong contact along the major stress of both grains joins them. Sets of joined grains are the chains.
   std::vector<std::size_t> root(state.grains.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
@@ -214,7 +213,7 @@ ForceChains force_chains(const io::Snapshot& state) {
   for (std::size_t k = 0; k < c.size(); ++k)
     if (strong[k]) result.chain[k] = number[find(static_cast<std::size_t>(c.bodies[k][0]))];
   if (result.count > 0) result.mean_length = grains / static_cast<double>(result.count);
-  // The share refers to soil and nodes, because fill appears only with the grains that touch them.
+  // Fill is left out of the divisor, because only fill that touches soil has contacts here.
   const auto fill = std::ranges::count(parts(state), Part::fill);
   result.grains_in_chains = grains / static_cast<double>(std::ssize(root) - fill);
   return result;

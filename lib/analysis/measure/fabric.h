@@ -8,9 +8,9 @@
 //   chi_n ~ (1/N) sum f_n n (x) n            how large forces are there     Eq. 3.7
 //   chi_t ~ (1/N) sum f_t (x) n              how much they shear            Eq. 3.8
 //
-// where both force tensors divide each contact by the density of contacts in its direction. The deviators, scaled by
-// 15/2 for phi, give the anisotropies a_c, a_n, a_t (Eq. 3.9), each with the sign of its inclination to the stress.
-// They carry the strength: q/p is about 2/5 (a_c + a_n + 3/2 a_t) (Rothenburg & Bathurst 1989).
+// Both force tensors divide each contact by the density of contacts in its direction. The deviators (of phi times 15/2)
+// give the anisotropies a_c, a_n, a_t (Eq. 3.9). Their sign is positive if they align with the stress. They measure the
+// strength: q/p is about 2/5 (a_c + a_n + 3/2 a_t) (Rothenburg & Bathurst 1989).
 #pragma once
 
 #include <vector>
@@ -59,8 +59,8 @@ struct Coordination {
   /// Number of grains with 0, 1, 2 ... contacts.
   std::vector<std::size_t> histogram;
 };
-/// Returns the coordination of the counted grains; `counted` has one entry per body. Contacts with other grains count,
-/// but those grains are never rattlers.
+/// Returns the coordination of the grains marked in `counted`, which has one entry per body. Their contacts with other
+/// grains count, but the other grains are never rattlers.
 Coordination coordination(const io::Snapshot& state, const std::vector<bool>& counted);
 /// Returns the coordination of all grains except geotextile nodes.
 Coordination coordination(const io::Snapshot& state);
@@ -82,7 +82,7 @@ Rose polar_rose(const io::Snapshot& state, std::size_t classes);
 /// directions.
 Rose plane_rose(const io::Snapshot& state, int a, int b, std::size_t classes);
 
-/// Chains of contacts above the mean normal force. They run within 45 deg of each grain's major principal stress (after
+/// Chains of contacts above the mean normal force, within 45 deg of the major principal stress of both grains (after
 /// Peters et al. 2005).
 struct ForceChains {
   /// Chain of each contact; -1: none.
@@ -91,7 +91,7 @@ struct ForceChains {
   std::size_t count = 0;
   /// Mean number of grains in a chain.
   double mean_length = 0;
-  /// Share of the grains.
+  /// Grains in chains over all grains except fill.
   double grains_in_chains = 0;
 };
 /// Finds the force chains of a state.

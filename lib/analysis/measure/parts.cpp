@@ -1,4 +1,4 @@
-// Part of an assembly that a body belongs to.
+// Assignment of bodies to the parts of an assembly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/measure/parts.h"
 

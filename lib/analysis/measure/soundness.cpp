@@ -1,4 +1,4 @@
-// Numbers by which a packing is doubted.
+// Numbers that are compared with the limits of a sound packing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/measure/soundness.h"
 

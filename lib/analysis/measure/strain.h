@@ -26,8 +26,8 @@ std::vector<Mat3> simplex_gradients(const io::Snapshot& reference, const io::Sna
 std::vector<Mat3> grain_gradients(const io::Snapshot& reference, const io::Snapshot& present,
                                   const std::vector<Simplex>& simplices, const std::vector<Mat3>& gradients);
 /// Returns the least-squares gradient from reference to present positions. `grains` are indices in the present state.
-/// `images`, counted from unwrapped positions, gather them around one place; without them, they are gathered in the
-/// reference's cell. Throws DataError if they are too few or lie in a plane.
+/// `images`, one per grain, shift the unwrapped positions to one place; without `images`, grains are wrapped into the
+/// reference's cell. Throws DataError if the grains are too few or lie in a plane.
 Mat3 best_fit_gradient(const io::Snapshot& reference, const io::Snapshot& present,
                        const std::vector<std::size_t>& grains, const std::vector<Vec3i>& images = {});
 

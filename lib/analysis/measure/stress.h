@@ -21,7 +21,7 @@ namespace soilweave::analysis {
 Mat3 contact_stress(const io::Snapshot& state);
 /// Returns -sum T l n (x) n / V over all yarns (tension, length, direction), Pa. Zero in a cell without periodic axes.
 Mat3 yarn_stress(const io::Snapshot& state);
-/// Returns the sum of both, Pa: the stress that a run's servo holds.
+/// Returns contact_stress() + yarn_stress(), Pa: the stress that a run's servo controls.
 Mat3 cell_stress(const io::Snapshot& state);
 
 /// Returns sum f (x) l of each grain, N m. Dyads are split at contact points, so grains add up to the cell.
@@ -34,7 +34,7 @@ struct Principal {
   /// Unit vectors, as columns.
   Mat3 directions;
 };
-/// Computes both. The largest component of a direction is positive.
+/// Computes principal values and directions. The largest component of each direction is positive.
 Principal principal(const Mat3& stress, int dimension);
 
 }  // namespace soilweave::analysis

@@ -91,8 +91,8 @@ Vec3 to_vec3(const Point& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Returns the centre of the sphere orthogonal to four weighted points. Flat tetrahedra, as equal spheres in regular
-// positions have, lose all digits in doubles, so they are computed in rational numbers.
+// Returns the centre of the sphere orthogonal to four weighted points. For flat tetrahedra, which occur in lattices of
+// equal spheres, doubles lose all digits. So these are computed in rational numbers.
 template <class Triangulation, class Cell>
 Vec3 dual(const Triangulation& t, const Cell& cell) {
   const auto vertex = [&](int k) { return to_vec3(cell->vertex(k)->point().point()); };
@@ -105,8 +105,8 @@ Vec3 dual(const Triangulation& t, const Cell& cell) {
   return {CGAL::to_double(centre.x()), CGAL::to_double(centre.y()), CGAL::to_double(centre.z())};
 }
 
-// CGAL visits edges, and cells around an edge, in an order that depends on memory addresses. Sums over them get an
-// order of their own, so that equal states give equal bits.
+// CGAL visits edges, and cells around an edge, in an order that depends on memory addresses. Facets are sorted before
+// they are summed, so that equal states give equal bits.
 struct Facet {
   std::size_t one, other;   // sites
   double of_one, of_other;  // volumes of the pyramids, m3
@@ -123,7 +123,7 @@ void from_first_corner(std::vector<Vec3>& polygon) {
 std::vector<double> volumes_3d(const std::vector<Site>& all, std::size_t n, std::vector<bool>* unbounded = nullptr) {
   using Base = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<std::size_t, Kernel, Base>;
-  // Some six edges share a tetrahedron, so that it keeps its dual.
+  // Each tetrahedron keeps its dual point, because its six edges all need it.
   using Dual = std::optional<Vec3>;
   using Cell = CGAL::Triangulation_cell_base_with_info_3<Dual, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
   using Structure = CGAL::Triangulation_data_structure_3<Vertex, Cell>;
@@ -207,7 +207,8 @@ std::vector<double> volumes_2d(const std::vector<Site>& all, std::size_t n) {
   return area;
 }
 
-// Returns whether this is the one copy of a simplex to keep: its first vertex, by grain and shift, is no image.
+// Returns whether to keep this one of a simplex's images. It is kept if its first vertex, in the order of grain and
+// shift, is no image.
 bool keep(const std::vector<Site>& all, const std::array<std::size_t, 4>& corners, int count) {
   const auto order = [&](std::size_t k) {
     const Vec3i& s = all[k].shift;
@@ -257,7 +258,7 @@ std::vector<Simplex> simplices(const std::vector<Site>& all, int dimension) {
   return found;
 }
 
-// Makes a tessellation of the sites with a margin that grows until its `sum` fills the cell.
+// Makes a tessellation, and doubles the margin of images until its `sum` equals the cell's volume.
 template <class Make, class Sum>
 auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
   const int d = s.grains.dimension;
@@ -275,7 +276,7 @@ auto filling(const io::Snapshot& s, const Make& make, const Sum& sum) {
   }
 }
 
-// Largest volume of a cell over that of its grain; a larger cell reaches outside through a hole.
+// Largest volume of a power cell over the volume of its grain. A larger cell reaches outside through a hole.
 constexpr double largest_cell = 8;
 
 std::vector<double> open_volumes(const io::Snapshot& s) {

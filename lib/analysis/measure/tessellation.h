@@ -1,7 +1,7 @@
 // The space between grains: power (radical Voronoi) cells and Delaunay tetrahedra, by CGAL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two tessellations of the centres share out space among grains and pores.
+// Two tessellations of the centres divide space among grains and pores.
 //
 // The power cell of grain i holds the points whose power |x - x_i|^2 - r_i^2 is least for i. Its faces are planes
 // normal to the branches. Between two touching grains the face passes through their contact. Each point belongs to one
@@ -27,13 +27,13 @@
 
 namespace soilweave::analysis {
 
-/// Returns whether the cell is periodic along every axis, so that it holds all space of its grains.
+/// Returns whether the cell is periodic along every axis.
 bool is_periodic(const io::Snapshot& state);
 
-/// Returns the volume of each power cell, m3 (2D: area, m2). A fully periodic cell may be sheared. In an open assembly,
-/// cells of geotextile nodes bound the soil. Nodes, and soil whose cell reaches outside, have volume 0. Throws
-/// DataError if some axes only are periodic; PhysicsError if a grain lacks a cell or the cells do not fill the space to
-/// 1e-10.
+/// Returns the volume of each power cell, m3 (2D: area, m2). A fully periodic cell may be sheared. In an open assembly
+/// (3D only), the cells of geotextile nodes bound the soil. Nodes have volume 0 there, and so have grains whose cell
+/// reaches outside. Throws DataError if only some axes are periodic. Throws PhysicsError if a grain lacks a cell, or if
+/// the cells do not fill a periodic cell to 1e-10.
 std::vector<double> power_cell_volumes(const io::Snapshot& state);
 
 /// A tetrahedron of grain centres; in 2D a triangle, without fourth vertex.

@@ -24,7 +24,7 @@ class ImageInBox {
  public:
   ImageInBox(const io::Snapshot& state, const Vec3& low, const Vec3& high)
       : state_(state), inverse_(state.cell.matrix.inverse()), low_(low), high_(high) {
-    // The image in the cell comes first, so that a box wider than the cell holds each grain once, where it is.
+    // The image in the cell is tried first, so that a box wider than the cell takes each grain in the cell.
     const auto steps = [&](int axis) {
       return state.cell.periodic[static_cast<std::size_t>(axis)] && axis < state.grains.dimension
                  ? std::vector<int>{0, -1, 1}
@@ -35,7 +35,8 @@ class ImageInBox {
         for (const int x : steps(0)) shifts_.emplace_back(x, y, z);
   }
 
-  // Returns the image, counted from the unwrapped position; none if the box holds none in or beside the cell.
+  // Returns the image in the box, counted from the unwrapped position; none if the box holds no image of the grain.
+  // Images in the cell and in the neighbouring cells are tried.
   std::optional<Vec3i> of(std::size_t grain) const {
     const Vec3& position = state_.grains.position[grain];
     const Vec3 reduced = inverse_ * position;
@@ -74,9 +75,9 @@ double sum_of_distances(const std::vector<double>& values, double from) {
   return sum;
 }
 
-// Largest mean distance along x from the median of one's column, over that from the median of all. In columns of their
-// own it is a half with two columns, a tenth with ten; in mixed ones it is nearly 1. Medians forgive grains that a torn
-// bag has thrown.
+// Largest ratio of two mean distances of grains along x: from the median of their column, and from the median of all.
+// For separate columns the ratio is a half (two columns) to a tenth (ten). For mixed columns it is nearly 1. Medians
+// tolerate single grains that a torn bag has thrown out.
 constexpr double largest_distance = 0.7;
 
 // Returns whether copies, numbered along x first, lie in n columns that follow each other along x.
@@ -98,8 +99,9 @@ bool are_columns(std::int32_t n, const io::Snapshot& state, const std::vector<Pa
          within < largest_distance * sum_of_distances(all, median(all));
 }
 
-// Returns n of n by n copies in one layer, numbered along x first; 0 for others. The greatest number does not tell it
-// where sheets were laid on the middle of a bag's soil: as many rows of copies are then missing on all four sides.
+// Returns n if the copies are n by n in one layer, numbered along x first; otherwise 0. The greatest copy number does
+// not determine n: where sheets cover only the middle of the soil, equally many rows of copies are missing on all four
+// sides.
 std::int32_t copies_along(const io::Snapshot& state, const std::vector<Part>& part) {
   std::set<std::int32_t> ids;
   for (std::size_t i = 0; i < part.size(); ++i)
@@ -185,13 +187,13 @@ VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const 
   VolumeState v;
   double solids = 0;
   for (const std::size_t i : volume.grains) {
-    if (cell_volumes[i] == 0) continue;  // its cell reaches outside
+    if (cell_volumes[i] == 0) continue;  // the cell of this grain reaches outside
     v.grains += 1;
     v.volume += cell_volumes[i];
     v.stress += dyads[i];
     solids += dem::grain_volume(state.grains.dimension, state.grains.radius[i]);
   }
-  // Without a grain all are 0 / 0, which is not a number: there is no average.
+  // Without grains stress and void ratio are 0 / 0, a NaN.
   v.stress /= v.volume;
   v.void_ratio = v.volume / solids - 1;
   return v;

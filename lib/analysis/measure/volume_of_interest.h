@@ -15,20 +15,20 @@ struct Volume {
   std::string name;
   /// Indices of its grains.
   std::vector<std::size_t> grains;
-  /// Image of each grain that lies in the volume, counted from its unwrapped position. Empty if grains count where they
-  /// have travelled to.
+  /// Image of each grain that lies in the volume, counted from its unwrapped position. Empty if unwrapped positions
+  /// count.
   std::vector<Vec3i> images;
 };
 
-/// Returns the grains with centres in a box (m), without nodes of a geotextile. Its upper faces are excluded. The box
-/// may reach beyond a periodic face by a cell at most; it holds each grain once, in the cell rather than beside it.
+/// Returns the grains with centres in a box (m), without nodes of a geotextile. The box excludes its upper faces. It
+/// may reach beyond a periodic face by at most one cell. It holds each grain once; an image in the cell comes first.
 Volume box(const io::Snapshot& state, const Vec3& low, const Vec3& high);
 /// Returns the reinforced soil (parts.h) of each copy, in the order of copy_id.
 std::vector<Volume> copies(const io::Snapshot& state);
-/// Returns the groups #1 to #5 of thesis Fig. 3.9: one per pair of copies along x, each of four neighbours in the
-/// middle of y. An odd number of copies along x gives one group per copy. Groups without reinforced soil are left out;
-/// the others keep their names. Empty unless the copies lie in one layer, as many along x as along y; as many rows of
-/// them may be missing on all four sides.
+/// Returns the groups #1 to #5 of thesis Fig. 3.9. A group is a pair of copies along x in both middle rows along y,
+/// four in all. With an odd number of copies along x, each copy of the middle row is a group. Groups without reinforced
+/// soil are left out; the others keep their names. Empty unless the copies form one square layer, whose outer rows may
+/// be missing, equally many on all four sides.
 std::vector<Volume> groups(const io::Snapshot& state);
 /// Returns the volume of all grains.
 Volume whole(const io::Snapshot& state);
@@ -46,8 +46,8 @@ struct VolumeState {
   /// Pa (2D: N/m).
   Mat3 stress = Mat3::Zero();
 };
-/// Averages dyads (N m) and power-cell volumes. Grains whose cell reaches outside (volume 0) are left out; if none is
-/// left, stress and void ratio are NaN.
+/// Averages dyads (N m) and power-cell volumes. Grains whose cell reaches outside (volume 0) are left out. If no grain
+/// remains, stress and void ratio are NaN.
 VolumeState volume_state(const io::Snapshot& state, const Volume& volume, const std::vector<Mat3>& dyads,
                          const std::vector<double>& cell_volumes);
 

@@ -85,8 +85,8 @@ void put_yarn_means(io::Series& table, const io::Snapshot& state) {
   put(table, "broken_yarns", "1", "yarns broken so far", broken);
 }
 
-// Returns the middle of the reinforced soil: the origin in an open assembly; in a periodic cell the middle of the
-// nodes, or without a geotextile of the soil.
+// Returns the middle of the reinforced soil. In an open assembly it is the origin. In a periodic cell it is the middle
+// of the nodes, or of the soil if there is no geotextile.
 Vec3 middle(const io::Snapshot& state) {
   if (!state.cell.periodic[0] && !state.cell.periodic[1]) return Vec3::Zero();
   const Part around = state.yarns.size() > 0 ? Part::node : Part::soil;
@@ -97,9 +97,9 @@ Vec3 middle(const io::Snapshot& state) {
   return 0.5 * (low + high);
 }
 
-// Returns the nearness of every yarn to the seam between faces and sides, from the yarns' middles. On a face it is the
-// distance from the centre over that of the outermost yarn, the greater one of both axes. On the sides it is so for the
-// height.
+// Returns for each yarn how near its middle is to the seam between faces and sides: 0 in the middle, 1 at the outermost
+// yarn. On a face it is the greater of |x| and |y| from the centre, each over the outermost yarn's. On a side it is |z|
+// likewise.
 std::vector<double> nearness_to_seams(const io::Snapshot& state) {
   const io::YarnsRecord& y = state.yarns;
   const auto at = [&](std::size_t k) -> Vec3 {

@@ -22,12 +22,12 @@
 namespace soilweave::analysis {
 namespace {
 
-// Least mean number of contacts in a bag; soil grown into a bag has 2.5 (packing::Growth).
+// Least mean number of contacts per grain in a bag. Soil grown into a bag has 2.5 (packing::Growth).
 constexpr double loosest_bag = 2;
-// Largest inertial number. Linear springs at 10 %/s and 3e-3 are up to 6 % off the answer at rest.
+// Largest inertial number. At 3e-3 (10 %/s, linear springs) the response is up to 6 % off the quasi-static one.
 constexpr double largest_inertia = 1e-4;
 
-// Loading of one stage: its axial rate, and its mean stress.
+// Loading of one stage: its largest strain rate, and its mean stress.
 struct Loading {
   std::size_t stage;
   double rate, pressure;  // 1/s, Pa
@@ -174,7 +174,7 @@ std::size_t beyond(const io::Snapshot& state, const std::vector<Part>& part) {
   return static_cast<std::size_t>(std::count(out.begin(), out.end(), true));
 }
 
-// Doubts about history of contacts that only one law keeps, at the change from law to law.
+// Returns doubts about contact history that is lost or begins at zero, because the contact law changes.
 std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario& scenario) {
   if (start.contacts.size() == 0) return {};
   const auto sweep = dem::make_contact_sweep(scenario.model);
@@ -196,12 +196,12 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
   return doubts;
 }
 
-// Doubts that input and scenario give alone, before a run and after it.
+// Returns doubts that depend only on input and scenario, so that they are equal before and after a run.
 std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun) {
   std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
   append(doubts, friction_doubts(scenario));
   std::vector<Doubt> jumps = start_doubts(start, begun, scenario);
-  // A later jump may follow from the stresses at the start alone.
+  // A jump at the start may cause later ones, so they are not reported.
   append(doubts, jumps.empty() ? jump_doubts(begun, scenario) : std::move(jumps));
   append(doubts, unit_doubts(begun, scenario));
   append(doubts, history_doubts(start, scenario));
@@ -231,7 +231,7 @@ std::vector<Doubt> open_cell_doubts(const io::Snapshot& state) {
   std::vector<std::string> instead;
   if (is_reinforced(state)) instead.emplace_back("--table bag, or loading for a bag between plates");
   const std::array<bool, 3>& periodic = state.cell.periodic;
-  // Power cells of an open assembly are known in 3D alone.
+  // Power cells of an open assembly exist in 3D only.
   if (state.grains.dimension == 3 && std::none_of(periodic.begin(), periodic.end(), [](bool axis) { return axis; }))
     instead.emplace_back("--table volumes with a --box among the grains");
   instead.emplace_back("displacement and force of named planes from --table series");
@@ -281,7 +281,7 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
   const auto soil = static_cast<std::size_t>(std::count(part.begin(), part.end(), Part::soil));
   if (state.yarns.size() == 0 || soil == 0) return {};
   std::vector<Doubt> doubts;
-  // Most grains are beyond a sheet within soil, which is no bag.
+  // If most grains are beyond the geotextile, it is a sheet within soil, not a bag.
   if (const std::size_t out = beyond(state, part); out > 0 && 2 * out < soil)
     doubts.push_back(
         {"outside", fmt::format("{} of {} grains are beyond the geotextile: they bear nothing of it, and soil "
@@ -310,7 +310,7 @@ std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario&
 
 std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run) {
   std::vector<Doubt> doubts = cell_doubts(run.snapshots.back());
-  // A bag that bore nothing at the start may bear much at the end.
+  // The preload is judged at the start, because a loose bag may bear much at the end.
   for (const Doubt& d : bag_doubts(start))
     if (d.key == "preload") doubts.push_back(d);
   for (const Doubt& d : bag_doubts(run.snapshots.back()))

@@ -18,7 +18,8 @@ std::vector<Doubt> cell_doubts(const io::Snapshot& state);
 /// isotropic packing. Empty for grains without contacts.
 std::vector<Doubt> compaction_doubts(const io::Snapshot& state);
 
-/// Returns "outside" if grains have left the bag, "preload" if hardly any yarn is taut. Empty without yarns or soil.
+/// Returns "outside" if a minority of the grains has left the bag. Returns "preload" if the soil in the bag has 2 Nc/N
+/// below 2. Empty without yarns or soil.
 std::vector<Doubt> bag_doubts(const io::Snapshot& state);
 
 /// Returns "open-cell" unless the cell is periodic along every axis (tessellation.h).
@@ -33,11 +34,11 @@ double inertial_number(double rate, double diameter, double density, double pres
 
 /// Returns doubts about a run's input for --check: cell, bag, materials (material_doubts.h), scenario
 /// (loading_doubts.h), and "inertia", the largest inertial number of stages with a prescribed axial rate. begun: the
-/// state before the first step, with the forces of the scenario's law.
+/// state before the first step, with forces by the scenario's law.
 std::vector<Doubt> doubts_before(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun);
 
 /// Returns doubts about an ended run: final cell, bag and overlaps, end of the last isotropic stage, materials,
-/// scenario, "inertia". The run's first recorded state is the one before the first step.
+/// scenario, "inertia". The first state in `run` must be the one before the first step.
 std::vector<Doubt> doubts_after(const io::Snapshot& start, const dem::Scenario& scenario, const io::RunFile& run);
 
 }  // namespace soilweave::analysis

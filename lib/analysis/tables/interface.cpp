@@ -13,7 +13,7 @@
 namespace soilweave::analysis {
 namespace {
 
-/// Returns the sum over planes of their displacement (m) or force (N) in a row.
+/// Returns the displacements (m) or forces (N) of planes in a row, summed over the planes.
 Vec3 sum(const io::Series& run, const char* what, const std::vector<std::string>& planes, std::size_t row) {
   Vec3 total = Vec3::Zero();
   for (const std::string& name : planes)

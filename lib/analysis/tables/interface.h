@@ -9,7 +9,7 @@
 
 namespace soilweave::analysis {
 
-/// Planes that touch the soil of a shear box alone.
+/// Planes of a shear box, which touch the soil only.
 struct ShearBox {
   /// Names of all planes.
   std::vector<std::string> planes;
@@ -21,8 +21,8 @@ struct ShearBox {
 /// planes of soil alone, one of them facing down.
 ShearBox shear_box(const io::RunFile& run, const std::string& where);
 
-/// Returns one row per row of the series (columns: files/FORMAT.md). The sheet balances the planes' force on the soil
-/// along their travel, under the force of the lid.
+/// Returns one row per row of the series (columns: files/FORMAT.md). The shear force is the planes' force on the soil
+/// along their travel, which the sheet balances. The normal force is the force on the lid.
 io::Series interface(const io::Series& run, const ShearBox& box);
 
 }  // namespace soilweave::analysis

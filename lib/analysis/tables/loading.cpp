@@ -18,7 +18,7 @@
 namespace soilweave::analysis {
 namespace {
 
-/// The series of a run of a bag, and the table made from it.
+/// Makes the loading table of a bag from a run's series.
 class LoadingTable {
  public:
   LoadingTable(const io::Series& run, const LoadedBag& bag)
@@ -101,7 +101,8 @@ class LoadingTable {
     const auto &xz = of("soil_stress_xz"), &yz = of("soil_stress_yz");
     const auto &along_x = plate("force", bag_.upper, 'x'), &along_y = plate("force", bag_.upper, 'y');
     const auto& above = plate("force", bag_.upper, 'z');
-    // The grains resist the moving plate, and the stress they pass on is negative if compression is positive.
+    // Along the travel, force and stress are negative: grains resist, and compression is positive. Both signs are
+    // reversed.
     put("shear_stress", "Pa", "shear stress of the soil along the travel of the plates, x where they do not travel",
         [&](std::size_t i) { return 0.0 - shear_.dot(Vec2(xz[i], yz[i])); });
     const auto force = [&](std::size_t i) { return 0.0 - shear_.dot(Vec2(along_x[i], along_y[i])); };
@@ -277,7 +278,7 @@ std::array<double, 2> yarns_in_cut(const io::Snapshot& state, std::int32_t fabri
     for (int axis = 0; axis < 2; ++axis)
       cut[static_cast<std::size_t>(y.family[k])] += (a[axis] < middle[axis]) != (b[axis] < middle[axis]);
   }
-  // Two planes cut two faces and two sides each; both rims of a face are among the face's yarns.
+  // Each of the two planes cuts two faces and two sides. Rims are listed as faces; a half of each goes to the side.
   return {0.25 * cut[0] - 1, 0.25 * cut[1] + 1};
 }
 

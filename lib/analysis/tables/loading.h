@@ -29,7 +29,7 @@ struct LoadedBag {
   std::array<double, 3> multiple = {1, 1, 1};
   /// Yarns in an upright cut through the middle: on one face, on one side.
   double face_yarns = 0, side_yarns = 0;
-  /// Greatest speed of the plates by stage, m/s; none under a load.
+  /// Greatest speed of the plates by stage, m/s; empty for a stage under a given load.
   std::vector<std::optional<double>> closing_speed;
   /// Time of the first broken yarn, s.
   std::optional<double> first_break;
@@ -40,8 +40,9 @@ std::size_t reference_row(const io::Series& run, const LoadedBag& bag);
 /// Returns the first row with a broken yarn, or the last row.
 std::size_t first_broken_row(const io::Series& run);
 
-/// Returns the engineering axial strain at the first break. From the row before, the plates close at their greatest
-/// speed, at most to the strain of the row after. NaN if no yarn broke in these rows.
+/// Returns the engineering axial strain at the first break; NaN if no yarn broke in these rows. From the row before the
+/// break, the plates close at their greatest speed, at most to the strain of the row after. Without a speed the strain
+/// is interpolated in time.
 double first_break_strain(const io::Series& run, const LoadedBag& bag);
 
 /// Returns one row per row of the series (columns: files/FORMAT.md). Throws DataError naming a missing column.
@@ -63,8 +64,8 @@ StressPath stress_path(const std::vector<double>& mean, const std::vector<double
 /// others are groups along x (volume_of_interest.h), from `states`.
 io::Series stress_paths(const io::Series& run, const std::vector<io::Snapshot>& states, const LoadedBag& bag);
 
-/// Returns the yarns that an upright plane in the middle cuts on a face and on a side. It averages planes across x and
-/// y. Yarns of a rim count half to each.
+/// Returns the numbers of yarns that an upright plane through the middle cuts on a face and on a side. They are
+/// averages over planes across x and across y. A rim's yarns count half to the face and half to the side.
 std::array<double, 2> yarns_in_cut(const io::Snapshot& state, std::int32_t fabric);
 /// Returns the area of all quadrilaterals between four yarns, m2.
 double fabric_area(const io::Snapshot& state, std::int32_t fabric);

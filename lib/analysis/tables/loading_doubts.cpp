@@ -18,27 +18,30 @@
 namespace soilweave::analysis {
 namespace {
 
-// Relative difference of stresses above which a stage changes what it should hold.
+// Largest relative difference between two stresses that is no jump.
 constexpr double largest_jump = 0.1;
-// Largest mean overlap over the mean radius. Hertz's law holds for small ones: a thousand grains of 4 GPa have 0.0037
-// under 100 kPa and 0.015 under 1 MPa.
+// Largest mean overlap over the mean radius. Hertz's law holds for small overlaps. A thousand grains of 4 GPa have
+// 0.0037 under 100 kPa and 0.015 under 1 MPa.
 constexpr double largest_overlap = 0.05;
 // Relative change of the summed overlaps above which moved grains, not another law, changed the stress. Forces grow
-// with the overlap or its power 1.5, so that a tenth of stress is at least a fifteenth of overlap.
+// with the overlap or its power 1.5. So a tenth more stress means at least a fifteenth more overlap.
 constexpr double largest_shift = 0.05;
-// Strain above which per cent are likelier: natural strains that shear a packing to its critical state are 0.3.
+// Strain above which a missing % sign is likelier. Shearing a packing to its critical state takes a natural strain of
+// 0.3.
 constexpr double largest_strain = 0.5;
-// Share of a stress above which lowering it is a common unloading. kPa that are read as Pa are a thousandth.
+// Share of a stress below which lowering it is no common unloading. A stress in kPa read as Pa is a thousandth.
 constexpr double least_share = 0.02;
 
 bool strains(const dem::AxisGoal& goal) { return goal.kind == dem::AxisGoal::Kind::strain && goal.value != 0; }
 
-// Stresses that act along the axes at the start of a stage, Pa (2D: N/m); unknown where the stage before strained.
+// Stresses along the axes at the start of a stage, Pa (2D: N/m). A stress is unknown if the stage before strained its
+// axis.
 struct Acting {
   Mat3 stress;
   std::array<bool, 3> known;
 
-  // Returns the state with `unknown` times the stresses that are not known.
+  // Returns the state, with unknown stresses multiplied by `unknown`. Goals that differ between two factors depend on
+  // them.
   dem::PathState state(int dimension, double unknown) const {
     Mat3 all = stress;
     for (Eigen::Index a = 0; a < 3; ++a)
@@ -47,7 +50,8 @@ struct Acting {
   }
 };
 
-// Returns whether a stage holds one known stress along an axis: no ramp, nor one that follows from unknown stresses.
+// Returns whether a stage holds one known stress along an axis. A ramp does not, nor a goal that depends on unknown
+// stresses.
 bool holds(const dem::Stage& stage, const Acting& before, int dimension, std::size_t axis) {
   const auto goal = [&](std::size_t station, double unknown) {
     return stage.path->goals(station, before.state(dimension, unknown))[axis];
@@ -79,7 +83,7 @@ AmongGrains among_grains(const io::Snapshot& state) {
   return sum;
 }
 
-// Returns whether a stage brings every axis to a given stress, which lets a packing come to rest under it.
+// Returns whether a stage brings every axis to a given stress, so that a packing can come to rest.
 bool equilibrates(const dem::Stage& stage, int dimension) {
   const dem::AxisGoals goals = stage.path->goals(0, {dimension, Mat3::Identity(), Vec3::Zero()});
   return std::all_of(goals.begin(), goals.begin() + dimension,
@@ -117,7 +121,7 @@ std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scen
   const int dimension = begun.grains.dimension;
   if (!is_periodic(begun)) return {};
   Acting acting{cell_stress(begun), {true, true, true}};
-  std::array<bool, 3> named = {false, false, false};  // by a goal of this scenario, not by the packing
+  std::array<bool, 3> named = {false, false, false};  // axes whose stress a goal of this scenario has set
   for (const dem::Stage& stage : scenario.stages)
     for (std::size_t station = 0; station < stage.path->stations(); ++station) {
       const dem::AxisGoals goals = stage.path->goals(station, acting.state(dimension, 1));
@@ -125,7 +129,7 @@ std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scen
       for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
         double& now = acting.stress(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a));
         const bool given = goals[a].kind == dem::AxisGoal::Kind::stress && goals[a].value == others[a].value;
-        // A scenario that names both stresses of an unloading means them.
+        // If the scenario sets the stress before and after an unloading, both are meant.
         const bool meant = named[a] && equilibrates(stage, dimension);
         if (given && !meant && acting.known[a] && goals[a].value > 0 && goals[a].value < least_share * now)
           return {{"stress-unit",

@@ -10,28 +10,28 @@
 
 namespace soilweave::analysis {
 
-/// Returns "jump" if the stress among the grains of `begun`, the state before the first step with the forces of the
-/// scenario's law, differs by more than a tenth from that which `start` keeps, and the first stage does not bring all
-/// axes of a periodic cell to given stresses. A packing without contacts keeps no stress.
+/// Returns "jump" if the stress among the grains differs by more than a tenth between `start` and `begun`. start: the
+/// packing as read. begun: the state before the first step, with forces by the scenario's law. Empty for a packing
+/// without contacts. Empty also if the first stage brings all axes of a periodic cell to given stresses.
 std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& begun, const dem::Scenario& scenario);
 
-/// Returns "jump" if a stage strains one axis of a cell while the stress that it holds on another differs by more than
-/// a tenth from what acts there before. Not judged are ramps, and stresses that the stage before leaves open.
+/// Returns "jump" if a stage strains one axis of a cell and holds another at a stress more than a tenth off the stress
+/// before. Ramps are not judged, nor stresses that are unknown after the stage before.
 std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
 
-/// Returns "strain" if a stage strains an axis by more than 0.5, as per cent without their sign would be, and
-/// "stress-unit" if it lowers a stress of a cell to less than a fiftieth, as kPa without their unit would be. Not
-/// judged are stages that lower all stresses which a stage before brought about.
+/// Returns "strain" if a stage strains an axis by more than 0.5: perhaps the % sign is missing. Returns "stress-unit"
+/// if a stage lowers a stress of a cell to less than a fiftieth: perhaps the unit kPa is missing. A stress that an
+/// earlier stage set is not judged in a stage that sets all stresses.
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario);
 
-/// Returns "friction" if one of these friction angles, rad, is above 0 and below pi/2 degrees, as an angle given in
-/// radians would be.
+/// Returns "friction" if one of these friction angles (rad) is above 0 and below pi/2 degrees: perhaps it was given in
+/// radians.
 std::vector<Doubt> radian_doubts(const std::vector<double>& angles);
 
 /// Returns radian_doubts() of all materials and stages.
 std::vector<Doubt> friction_doubts(const dem::Scenario& scenario);
 
-/// Returns "soft" if contacts overlap by more than a twentieth of the mean radius in the mean.
+/// Returns "soft" if the mean overlap of contacts exceeds a twentieth of the mean radius.
 std::vector<Doubt> overlap_doubts(const io::Snapshot& state);
 
 }  // namespace soilweave::analysis

@@ -1,4 +1,4 @@
-// Doubts about materials that do not belong to the grains they are given to.
+// Doubts about materials that do not fit their grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/tables/material_doubts.h"
 
@@ -14,11 +14,11 @@
 namespace soilweave::analysis {
 namespace {
 
-// Factor beyond which a stiffness, larger or smaller than the thesis's, means another soil.
+// Largest factor between a stiffness and the thesis's, in either direction.
 constexpr double far_off = 10;
-// Gap over the mean radius above which an adhesion is no longer one of touching grains.
+// Largest range of adhesion between grains that touch, over the mean radius.
 constexpr double longest_range = 0.1;
-// Densities of grains, kg/m3: pumice floats on water, and no metal is denser than osmium at 22,600.
+// Limits of the density of grains, kg/m3. Pumice floats on water; the densest metal, osmium, has 22,600.
 constexpr double lightest = 500, heaviest = 20'000;
 // Density of quartz, kg/m3, which sand has.
 constexpr double quartz = 2650;
@@ -31,7 +31,7 @@ struct Bodies {
   double density() const { return mass / volume; }
 };
 
-// Returns the sums over nodes or over soil, of one material or, below 0, of all.
+// Returns the sums over nodes or over soil, of one material; of all materials if `material` is below 0.
 Bodies bodies(const io::Snapshot& state, bool of_nodes, std::int32_t material = -1) {
   const std::vector<bool> node = io::nodes(state);
   const io::GrainsRecord& g = state.grains;

@@ -1,4 +1,4 @@
-// Doubts about materials that do not belong to the grains they are given to.
+// Doubts about materials that do not fit their grains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,16 +10,16 @@
 
 namespace soilweave::analysis {
 
-/// Returns "stiffness" for each material whose absolute rolling or twisting stiffness is far from 1.26e-3 E R^3, that
-/// of the thesis's grains: over ten times or below a tenth. R is the mean radius of the material's grains. Nodes of
-/// geotextiles do not rotate and are left out.
+/// Returns "stiffness" for each material whose absolute rolling or twisting stiffness is implausible: above ten times
+/// or below a tenth of 1.26e-3 E R^3, the stiffness of the thesis's grains. R is the mean radius of the material's
+/// grains. Nodes of geotextiles do not rotate and are left out.
 std::vector<Doubt> stiffness_doubts(const io::Snapshot& state, const dem::Model& model);
 
 /// Returns "range" if contacts act across gaps of more than a tenth of the grains' mean radius.
 std::vector<Doubt> range_doubts(const io::Snapshot& state, const dem::Model& model);
 
-/// Returns "weight" if gravity acts, m/s2, on grains or nodes of a density that no such body has: grains below 500 or
-/// above 20,000 kg/m3, nodes above it.
+/// Returns "weight" if gravity (m/s2) acts on grains or nodes of an implausible density: grains below 500 or above
+/// 20,000 kg/m3, nodes above 20,000 kg/m3.
 std::vector<Doubt> weight_doubts(const io::Snapshot& state, const Vec3& gravity);
 
 /// Returns all doubts about materials of grains in this state.

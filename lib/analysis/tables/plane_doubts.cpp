@@ -1,4 +1,4 @@
-// Doubts about planes that do not go on where the input ended.
+// Doubts about planes that do not start where the input ended.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/tables/plane_doubts.h"
 
@@ -17,8 +17,8 @@ namespace {
 
 using dem::Plane;
 
-// Share of its depth in the grains by which a plane may stand elsewhere than in the input. Their force changes by less
-// than a fiftieth.
+// Largest distance of a plane from its place in the input, over its depth in the grains. It changes the plane's force
+// by less than a fiftieth.
 constexpr double displaced = 0.01;
 
 std::string name_of(std::size_t plane, const dem::Scenario& scenario) {
@@ -41,7 +41,7 @@ std::vector<double> depths(const io::Snapshot& state, const std::vector<Plane>& 
   return depth;
 }
 
-// Returns the number of the plane that faces as `plane` does, for the same grains, and stands nearest to it.
+// Returns the number of the nearest plane to `plane` that has its normal and its partners; none if there is none.
 std::optional<std::size_t> successor(const Plane& plane, const std::vector<Plane>& planes) {
   std::optional<std::size_t> nearest;
   double least = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Doubts about planes that do not go on where the input ended.
+// Doubts about planes that do not start where the input ended.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace soilweave::analysis {
 
-/// Returns doubts about planes of the scenario that stand elsewhere than those of the packing on which grains press.
-/// state: the prepared packing. Planes that are put in touch raise none.
+/// Returns "moved-plane" for each plane of the packing on which grains press, if the scenario puts it elsewhere. state:
+/// the prepared packing. Planes that the scenario puts in touch with the grains are not judged.
 std::vector<Doubt> moved_plane_doubts(const io::Snapshot& packing, const io::Snapshot& state,
                                       const dem::Scenario& scenario);
 

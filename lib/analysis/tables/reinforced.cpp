@@ -27,8 +27,8 @@ bool at_zero(const io::Series& run, std::size_t row) {
                              [&](const char* name) { return run.at(name).values[row] == 0; });
 }
 
-/// Returns a strain of the cell in every row since the origin. A row where strains restart is the state of the row
-/// before.
+/// Returns a strain of the cell in every row, counted from strain_origin(). A row where strains restart has the same
+/// state as the row before it.
 Values since_origin(const io::Series& run, const char* name) {
   Values total = run.at(name).values;
   double passed = 0;
@@ -41,8 +41,8 @@ Values since_origin(const io::Series& run, const char* name) {
   return total;
 }
 
-/// Returns the strain along z when the first yarn broke: that of the row before plus the stage's rate until then, at
-/// most that of the row after. Without a rate it is interpolated in time.
+/// Returns the strain along z at the first break. It is the strain of the row before plus the stage's rate times the
+/// time since, at most the strain of the row after. Without a rate it is interpolated in time.
 double first_break_strain(const io::Series& run, const ReinforcedCell& cell, const Values& strain) {
   const Values &time = run.at("time").values, &stage = run.at("stage").values;
   if (!cell.first_break || time.size() < 2 || *cell.first_break < time.front()) return absent;

@@ -14,7 +14,7 @@ namespace soilweave::analysis {
 struct ReinforcedCell {
   /// Time of the first broken yarn, s.
   std::optional<double> first_break;
-  /// Greatest strain rate along z by stage, 1/s; none under a stress.
+  /// Greatest strain rate along z by stage, 1/s; empty for a stage under a given stress.
   std::vector<std::optional<double>> loading_rate;
 };
 
@@ -22,7 +22,7 @@ struct ReinforcedCell {
 /// and reinforced soil in a fully periodic cell.
 ReinforcedCell reinforced_cell(const io::RunFile& run, const std::string& where);
 
-/// Returns the last row where strains restart at zero, else the first row.
+/// Returns the last row where strains restart at zero; the first row if there is none.
 std::size_t strain_origin(const io::Series& run);
 
 /// Returns one row per row of the series (columns: files/FORMAT.md), with fill and groups if the series has them.

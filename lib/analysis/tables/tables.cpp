@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char* axes = "xyz";
 
-// Returns a tensor or a number of the cell if it is periodic. Another cell does not follow its grains, so that it has
-// no value.
+// Returns a tensor or a number of the cell; NaN unless the cell is periodic, because an open cell does not follow its
+// grains.
 template <class Value>
 Value of_cell(const io::Snapshot& state, const Value& value) {
   return is_periodic(state) ? value : Value(value * no_value);
@@ -155,7 +155,7 @@ void put_grains(io::Series& table, const io::Snapshot& state, const Local& local
     if (fill)
       put(table, "part", "1", "0: reinforced soil, 1: fill, 2: node of a geotextile", static_cast<double>(part[i]));
     put(table, "cell_volume", d == 3 ? "m3" : "m2", "volume of the power cell", local.cell_volumes[i]);
-    // The cell of a grain at the rim reaches outside, so there is no volume to spread the forces over.
+    // The power cell of a grain at the rim reaches outside, so that its stress has no volume to refer to.
     put_stress(table,
                local.cell_volumes[i] > 0 ? Mat3(local.dyads[i] / local.cell_volumes[i]) : Mat3::Constant(no_value), d);
     put_strain(table, natural_strain(local.deformation[i]), d);

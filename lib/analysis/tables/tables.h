@@ -11,13 +11,13 @@
 
 namespace soilweave::analysis {
 
-/// Value of a cell of a table for which there is none.
+/// Value of an empty cell in a table.
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the values of a column, made if missing.
 std::vector<double>& column(io::Series& table, const std::string& name, const std::string& unit,
                             const std::string& long_name);
-/// Appends of(k) for each k of `rows` to a column, made if missing even without rows.
+/// Appends of(k) for each k of `rows` to a column. A missing column is made, even if `rows` is empty.
 template <class Of>
 void put_rows(io::Series& table, const std::string& name, const std::string& unit, const std::string& long_name,
               const std::vector<std::size_t>& rows, const Of& of) {
@@ -36,14 +36,14 @@ void put_cell(io::Series& table, const io::Snapshot& state, bool tessellate);
 
 /// Data of one state, one entry per grain.
 struct Local {
-  /// Sums of force times branch, N m.
+  /// Sum of force (x) branch over each grain's contacts, N m.
   std::vector<Mat3> dyads;
   /// Power-cell volumes, m3 (2D: m2).
   std::vector<double> cell_volumes;
   /// Deformation gradients since the reference.
   std::vector<Mat3> deformation;
 };
-/// Computes them. `reference` may be `state` itself.
+/// Computes the local data of `state`. `reference` may be `state` itself.
 Local local(const io::Snapshot& reference, const io::Snapshot& state);
 /// Appends step and time, the first columns of each table, `rows` times.
 void put_step(io::Series& table, const io::Snapshot& state, std::size_t rows = 1);
@@ -64,7 +64,7 @@ void put_rose(io::Series& table, const io::Snapshot& state, std::size_t classes)
 /// Appends one row per contact of a chain.
 void put_chains(io::Series& table, const io::Snapshot& state);
 
-/// Returns whether a column has no value in any row.
+/// Returns whether any column is NaN in all rows.
 bool lacks_values(const io::Series& table);
 
 /// Returns the columns listed in `names` (separated by commas), or all if empty. Throws UsageError for an unknown or

@@ -19,8 +19,8 @@ struct VolumeChoice {
   bool empty() const { return boxes.empty() && !copies && !groups; }
   /// Adds one line for each box that is not six numbers from low to high.
   void check(std::vector<std::string>& wrong) const;
-  /// Returns copies, then groups, then boxes. `where` is the file that the state is from. Throws DataError if it has no
-  /// copies or no groups where they are asked for.
+  /// Returns copies, then groups, then boxes. `where` names the state's file. Throws DataError if copies or groups are
+  /// requested and the state has none.
   std::vector<Volume> volumes(const io::Snapshot& state, const std::string& where) const;
 };
 

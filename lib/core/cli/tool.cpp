@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 int code(Exit status) { return static_cast<int>(status); }
 
-/// Returns the line without its middle if a user's word made it too long, because the remedy follows the word.
+/// Shortens a line that a user's word made too long. It cuts the middle, because the remedy is at the end.
 std::string readable(const std::string& line) {
   constexpr std::size_t longest = 2000, first = 400, last = 800;
   if (line.size() <= longest) return line;
@@ -52,7 +52,7 @@ void exit_of_a_library() {
   _exit(code(Exit::internal));
 }
 
-/// Keeps signals from ending the program, and files from taking the number of a standard stream.
+/// Ignores signals that a failed write would raise, and keeps files from taking the number of a standard stream.
 void take_precautions() {
   link_processor_check();
   occupy_standard_streams();

@@ -57,7 +57,7 @@ class Table {
  public:
   Table();
   ~Table();
-  /// Sets what help and manual page begin with.
+  /// Sets the name and the texts with which help and manual page begin.
   void about(std::string name, std::string sentence, std::string description = "");
   /// Adds an example that can be pasted; the tests run every one.
   void example(std::string command, std::string sentence);
@@ -69,7 +69,7 @@ class Table {
   void optional_input(std::filesystem::path& field, std::string name, std::string sentence);
   /// Declares -o/--output ("-": standard output) and --force. An empty field makes it required.
   void output(std::filesystem::path& field, std::string sentence);
-  /// Declares the output of a tool that can do without a file because it prints.
+  /// Declares an optional output, for a tool that can print its result instead.
   void optional_output(std::filesystem::path& field, std::string sentence);
   /// Declares an option for one more output file. Call it beside output().
   void also_output(std::filesystem::path& field, std::string_view name, std::string sentence);
@@ -90,9 +90,9 @@ class Table {
   void flag(bool& field, std::string_view name, std::string_view sentence);
   /// Keeps an option that cannot change the result (--resume) out of Invocation::command.
   void unrecorded(std::string_view name);
-  /// Declares --checkpoint-every, s, and --resume, with which the tool itself judges an existing output.
+  /// Declares --checkpoint-every (s) and --resume. With --resume the tool itself checks an existing output.
   void resume(double& interval);
-  /// Declares a flag with which the tool writes no file, so that none need be named.
+  /// Declares a flag with which the tool writes no file and needs no output name.
   void instead_of_output(bool& field, std::string_view name, std::string_view sentence);
   /// Declares --keys, which prints every key of the tool's TOML document. title: what the document is.
   void keys(std::string title, std::vector<Key> (*of)());

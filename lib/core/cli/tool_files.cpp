@@ -77,7 +77,7 @@ bool reads(const fs::path& input, const fs::path& output) {
          in.st_ino == out.st_ino;
 }
 
-/// Checks that no output is an input, another output, or a file inside an unfinished run's folder.
+/// Checks that no output is an input or another output, and that no input is in the folder OUTPUT.part.
 void check_apart(const Table::Impl& table, const std::vector<Output>& outputs) {
   const std::vector<fs::path> inputs = inputs_of(table);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
@@ -109,7 +109,7 @@ void check_files(const Table::Impl& table) {
   if (!table.writes()) return;
   const std::vector<Output> outputs = outputs_of(table);
   std::error_code failure;
-  // With --resume the tool itself judges its output; a finished run has written all of its outputs.
+  // With --resume the tool itself checks its output. If the main output exists, the run has written all outputs.
   const bool goes_on = table.invocation.resume, finished = goes_on && fs::exists(*table.output, failure);
   for (const Output& output : outputs) {
     const bool main = output.option == "--output";

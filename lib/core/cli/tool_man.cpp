@@ -10,7 +10,7 @@
 namespace soilweave::tool {
 namespace {
 
-/// Returns text as roff: backslashes and hyphens keep their look, a leading dot or quote is no request.
+/// Returns text with roff escapes, so that backslashes, hyphens and a leading dot or quote print as they are.
 std::string roff(std::string_view text) {
   std::string result;
   bool line_begins = true;

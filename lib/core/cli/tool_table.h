@@ -25,7 +25,7 @@ struct Entry {
   std::string name;
   /// Letter, "n" for -n.
   std::string letter;
-  /// Stands for the value in help: the unit, or the kind of text.
+  /// Placeholder of the value in help: its unit, or the kind of text.
   std::string metavar;
   /// Sentence without a full stop.
   std::string sentence;
@@ -57,7 +57,7 @@ struct Entry {
 /// One positional input, for a single file or for many.
 struct Positional {
   std::string name, sentence;
-  /// Whether it must be given; whether it takes any number of files.
+  /// Whether the input must be given; whether it takes any number of files.
   bool required = true, many = false;
   /// Sets the field from a word.
   std::function<void(const std::string&)> assign;
@@ -111,8 +111,8 @@ std::string verb_name(Table& verb);
 /// Reads the arguments into the fields and returns the information asked for. Appends every mistake to `mistakes`.
 Ask parse(Table::Impl& table, int argc, char** argv, std::vector<std::string>& mistakes);
 
-/// Checks files before the work. Throws MissingInput or DataError for inputs.
-/// Throws CannotCreate for an output without a place, that exists without --force, or that is an input or other output.
+/// Checks files before the work. Throws MissingInput or DataError for inputs. Throws CannotCreate if an output cannot
+/// be made, exists without --force, or is an input or another output.
 void check_files(const Table::Impl& table);
 
 /// Returns the tool and its recorded options other than defaults, in table order, quoted for a shell.

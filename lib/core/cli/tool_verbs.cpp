@@ -1,4 +1,4 @@
-// A tool of several verbs. The first argument chooses; without one the tool shows its help or names what is missing.
+// Tools of several verbs. The first argument names the verb. Without a verb the tool shows its help or an error.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 
 namespace soilweave {
 
-/// Adds a mistake for each of `others` that the table gives beside `key`, which takes its place.
+/// Adds a mistake for each of `others` that the table has, because `key` excludes it.
 void refuse_beside(Settings& table, std::string_view key, std::initializer_list<std::string_view> others);
 
 }  // namespace soilweave

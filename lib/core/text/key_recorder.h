@@ -1,4 +1,4 @@
-// Answers of a document that notes the questions of its reader (keys.h).
+// Records which keys a reader of TOML asks for, and supplies their values (keys.h).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace soilweave {
 
-/// Notes the keys of a reader over many readings.
+/// Records the keys that a reader asks for, over many readings.
 ///
-/// A question with several answers is a decision. The script of a reading fixes the first decisions. Later ones take
-/// their first answer. Each answer not yet tried becomes a script, once for each set of choices before the question.
+/// A question with several answers is a decision. A script fixes the first decisions of a reading; later decisions take
+/// their first answer. Each untried answer becomes a new script, once for each set of earlier choices.
 class KeyRecorder {
  public:
-  /// others: whether numbers get other values than usual, to find defaults that follow from them.
+  /// others: whether numbers get a second set of values, which reveals defaults that depend on them.
   explicit KeyRecorder(bool others = false) : others_(others) {}
-  /// Returns a small value in the number's range, since readers make grids of such sizes.
+  /// Returns a small value in the number's range, because readers make grids of such sizes.
   double value(const Parameter& parameter) const;
   /// Begins the next reading. Returns false if every answer has been tried.
   bool begin();
@@ -31,9 +31,9 @@ class KeyRecorder {
 
   /// Returns an answer, a number below `answers`, to the question about a key.
   std::size_t decide(std::string_view table, std::string_view key, std::size_t answers);
-  /// Returns whether the key is there; absence comes first.
+  /// Returns whether the key exists; the first answer is no.
   bool has(std::string_view table, std::string_view key);
-  /// Returns one of the values. governs: whether it decides what other tables mean (Settings::kind).
+  /// Returns one of the values. governs: whether the choice affects the keys of all tables (Settings::kind).
   std::string choose(std::string_view table, std::string_view key, const std::vector<std::string>& values,
                      bool governs);
   /// Notes a key with the choices made so far.
@@ -48,7 +48,7 @@ class KeyRecorder {
     std::string table, key, value;
     bool governs;
     std::string name() const { return table.empty() ? key : table + "." + key; }
-    /// Returns whether it may decide about keys of the other table.
+    /// Returns whether the choice may affect keys of table `other`.
     bool counts_for(std::string_view other) const;
   };
   /// A key and the readings that asked for it.
@@ -71,13 +71,13 @@ class KeyRecorder {
   bool others_;
   /// Scripts not yet tried.
   std::deque<Script> scripts_{Script{}};
-  /// Pairs of question and answer on the list already.
+  /// Pairs of question and answer that are tried or scheduled.
   std::set<std::string> tried_;
   /// Script of the present reading; all its answers so far.
   Script script_, taken_;
   /// Choices of the present reading.
   std::vector<Choice> choices_;
-  /// Keys that the present reading has asked whether they are there.
+  /// Keys whose presence the present reading has tested.
   std::set<std::string> asked_for_;
   /// All values of each choice.
   std::map<std::string, std::vector<std::string>> values_of_;

@@ -18,7 +18,7 @@ std::string full_name(std::string_view table, std::string_view key) {
   return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
 }
 
-// Everything but whether a key is required and when it counts: keys that differ in it are two keys.
+// Returns all fields except `required` and `when`. Keys that differ in one of them are two keys.
 auto description(const Key& k) {
   return std::tie(k.table, k.name, k.type, k.unit, k.sentence, k.low, k.high, k.open, k.words, k.standard);
 }
@@ -31,7 +31,7 @@ bool KeyRecorder::Choice::counts_for(std::string_view other) const {
 
 double KeyRecorder::value(const Parameter& parameter) const {
   const bool low = std::isfinite(parameter.low), high = std::isfinite(parameter.high);
-  // The other values differ from key to key, so that a quotient of two changes too.
+  // The second set of values depends on the key's name, so that a quotient of two values changes too.
   const double step = others_ ? 2 + 0.01 * static_cast<double>(parameter.name.size()) : 1, share = others_ ? 0.75 : 0.5;
   if (low && high) return parameter.low + std::min(step, share * (parameter.high - parameter.low));
   return low ? parameter.low + step : high ? parameter.high - step : step;
@@ -87,13 +87,13 @@ KeyRecorder::Noted& KeyRecorder::place_of(const Key& key) {
   const auto same = [&](const Noted& n) { return description(n.key) == description(key); };
   const auto found = std::find_if(noted_.begin(), noted_.end(), same);
   if (found != noted_.end()) return *found;
-  // A table's keys stay together, and so do those of one name.
+  // Keys of one table stay together.
   auto place = std::find_if(noted_.rbegin(), noted_.rend(), [&](const Noted& n) { return n.key.table == key.table; });
   return *noted_.insert(place.base() == noted_.begin() ? noted_.end() : place.base(), Noted{key, 0, {}, {}});
 }
 
 void KeyRecorder::note(Key key) {
-  // A default that is the word of a choice, as the name of a stage is its path.
+  // A default equal to the value of a choice is shown as that choice. A stage's name, for example, is its path.
   for (const Choice& c : choices_)
     if (c.table == key.table && key.standard == fmt::format("\"{}\"", c.value))
       key.standard = fmt::format("\"({})\"", c.key);
@@ -111,7 +111,7 @@ void KeyRecorder::note(Key key) {
 std::vector<Key> KeyRecorder::keys() const {
   std::vector<Key> all;
   for (const Noted& n : noted_) {
-    // A reader that looks once more at another one's key does not describe it.
+    // A second reader of the same key gives no sentence; the described key is enough.
     const auto described = [&](const Noted& other) {
       return other.key.table == n.key.table && other.key.name == n.key.name && !other.key.sentence.empty();
     };
@@ -143,7 +143,7 @@ std::vector<Key> found_by(const std::function<void(Settings&)>& read, bool other
       read(document);
       recorder.end();
     } catch (const std::exception&) {
-      // The reader had an answer that leads nowhere, such as a file that is not there. Other answers lead on.
+      // The reader refused an answer, such as the name of a missing file. The search goes on with other answers.
     }
   return recorder.keys();
 }
@@ -153,7 +153,7 @@ std::vector<Key> found_by(const std::function<void(Settings&)>& read, bool other
 std::vector<Key> keys_of(const std::function<void(Settings&)>& read) {
   std::vector<Key> keys = found_by(read, false);
   const std::vector<Key> others = found_by(read, true);
-  // A default that changes with the values of other keys follows from them.
+  // A default that differs between the two searches follows from other keys.
   for (std::size_t k = 0; k < keys.size() && k < others.size(); ++k)
     if (keys[k].name == others[k].name && keys[k].standard != others[k].standard) keys[k].standard.reset();
   return keys;

@@ -35,7 +35,7 @@ struct Key {
   double low = 0, high = 0;
   /// Whether the bounds themselves are excluded.
   bool open = false;
-  /// Values of a choice; of another type: words that stand for no value.
+  /// Values of a choice. For another type: words that are allowed instead of a value.
   std::vector<std::string> words = {};
   /// Default as TOML text; nullopt: none, or it follows from other keys.
   std::optional<std::string> standard = std::nullopt;

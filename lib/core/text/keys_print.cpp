@@ -63,7 +63,7 @@ std::string standing(const Key& k) {
   return k.required ? "required" : "optional";
 }
 
-// Returns the sentence with what else a user must know.
+// Returns the sentence, with the key's conditions in brackets.
 std::string meaning(const Key& k) {
   std::string all = k.sentence;
   if (!k.when.empty()) all += fmt::format("{}({})", all.empty() ? "" : " ", fmt::join(k.when, "; "));
@@ -80,7 +80,7 @@ std::string bounds(const Key& k) {
   return all;
 }
 
-// Returns what a value must be. A text may stand for a number: it carries a unit, as in "100 kPa".
+// Returns the schema of a value. A number may be a text with a unit, as in "100 kPa".
 std::string value_schema(const Key& k) {
   const std::string number = "\"type\": [\"number\", \"string\"]" + bounds(k);
   switch (k.type) {
@@ -112,7 +112,7 @@ std::string property(const Key& k) {
 // A table of the document, with its keys and its tables.
 struct TableSchema {
   std::vector<const Key*> keys;
-  std::vector<std::string> names;  // of its tables, with [] for an array of tables
+  std::vector<std::string> names;  // names of `tables`, with [] for an array of tables
   std::vector<TableSchema> tables;
 
   TableSchema& at(std::string_view path);
@@ -129,7 +129,7 @@ TableSchema& TableSchema::at(std::string_view path) {
   return dot == std::string_view::npos ? tables[place] : tables[place].at(path.substr(dot + 1));
 }
 
-// Returns the keys that the table must have, always and with a value of a choice.
+// Returns the schema of required keys: those always required, and those required with one value of a choice.
 std::string TableSchema::demands() const {
   std::map<std::string, std::vector<std::string>> by_condition;
   for (const Key* k : keys)

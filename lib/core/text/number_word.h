@@ -1,4 +1,4 @@
-// Numbers as people and programs write them: one word per number, and the reason why a word is none.
+// Numbers as people and programs write them, one word each, and the reason why a word is not a number.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Front end of every text file: accepted line ends and encodings, and refusal of what is no text.
+// Front end of every text file: line ends, encodings, and refusal of other files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -209,7 +209,7 @@ Vec3 Settings::vector(const Parameter& parameter, std::optional<Vec3> fallback) 
   if (values.size() == 3) return {values[0], values[1], values[2]};
   if (document_->mistakes.size() == before)
     mistake(parameter.name, fmt::format("has {} components; a vector has 3", values.size()));
-  // Callers that demand a direction add no second mistake to one that has a length.
+  // This vector has a length, so that callers that need a direction add no second mistake.
   return fallback.value_or(Vec3::Ones());
 }
 

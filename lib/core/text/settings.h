@@ -62,7 +62,8 @@ class Settings {
   /// Returns one of the listed values.
   std::string choice(const Word& key, const std::vector<std::string>& values,
                      std::optional<std::string> fallback = std::nullopt);
-  /// Returns a choice that decides which other keys the table has. A wrong one silences the table's other mistakes.
+  /// Returns a choice that decides which other keys the table has. If it is invalid, the table's other mistakes are not
+  /// reported.
   std::string kind(const Word& key, const std::vector<std::string>& values);
   /// Returns true or false; the fallback if the key is absent.
   bool flag(const Word& key, bool fallback);

@@ -39,7 +39,7 @@ struct Settings::Document {
   std::map<std::string, std::string> assigned;
   /// Mistakes found so far.
   std::vector<Mistake> mistakes;
-  /// Tables whose one mistake leaves open which keys they may have.
+  /// Tables whose further mistakes are not reported: their kind is invalid, or the reader left them.
   std::set<std::string> unread;
   /// Full keys that are absent because they were misspelt.
   std::set<std::string> misspelt;

@@ -1,4 +1,4 @@
-// Answers of a document that only notes what its reader asks for (keys.h).
+// A document that only records which keys its reader asks for (keys.h).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/settings_document.h"
 #include "core/text/text.h"

@@ -33,7 +33,7 @@ toml::node& step_into(toml::node& node, const std::string& part, std::string_vie
   return *next;
 }
 
-/// Parses a TOML value; text that is none ("100 kPa", hertz-mindlin) stands for itself.
+/// Parses a TOML value. Text that is not TOML ("100 kPa", hertz-mindlin) becomes a string.
 toml::table value_of(std::string_view text) {
   if (const std::string excess = toml_excess(text); !excess.empty())
     throw UsageError(fmt::format("--set: the value has {}", excess.substr(excess.find(' ') + 1)));

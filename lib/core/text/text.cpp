@@ -67,7 +67,7 @@ std::string number_text(double value) {
 }
 
 std::string time_text(double seconds) {
-  // Two digits would write three as 1.1e+02.
+  // With two significant digits, 110 would be written as 1.1e+02.
   constexpr double largest = 99.5;
   if (seconds < largest) return fmt::format("{:.2g} s", seconds);
   if (seconds < 60 * largest) return fmt::format("{:.2g} min", seconds / 60);

@@ -23,9 +23,9 @@ std::string number_text(double value);
 /// Returns a duration with two or three figures: "45 s", "3.5 min", "12.4 h".
 std::string time_text(double seconds);
 
-/// Rounds a positive number up to two significant digits, for values that remedies name.
+/// Returns a positive number rounded up to two significant digits, for remedies in messages.
 double rounded_up(double value);
-/// Rounds down likewise.
+/// Returns a positive number rounded down to two significant digits.
 double rounded_down(double value);
 
 /// Returns "from 0 to 1 Pa", "above 0 Pa", "at least 2", ...; empty if the parameter is unbounded.

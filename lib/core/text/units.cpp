@@ -59,7 +59,7 @@ constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00
                               Prefix{"m", 1e-3}, Prefix{"c", 1e-2}, Prefix{"d", 1e-1},      Prefix{"k", 1e3},
                               Prefix{"M", 1e6},  Prefix{"G", 1e9}};
 
-/// Units of the field that messages offer. The commonest stands first among units that differ in case alone.
+/// Units that messages offer. Of units that differ only in case, the commonest comes first.
 constexpr std::array common{"m",  "mm", "um", "cm", "km", "N",   "kN", "MN",  "Pa",  "kPa", "MPa", "GPa", "bar",
                             "kg", "g",  "t",  "s",  "ms", "min", "h",  "rad", "deg", "J",   "Hz",  "%",   "1"};
 
@@ -189,8 +189,8 @@ double quantity(std::string_view given, std::string_view unit) {
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string_view rest = status == std::errc() ? text.substr(static_cast<std::size_t>(end - text.data())) : "";
-  // The number ends at the last mark that only numbers have, so that spellings of other programs are not taken for
-  // units.
+  // The number ends with its last digit before the first character that no number has. So the tail of a foreign
+  // spelling such as 1d3 is not taken for a unit.
   const std::size_t last = text.find_last_of("0123456789");
   // A unit may begin with a digit, as in "0.5 1/s".
   const std::size_t stop =

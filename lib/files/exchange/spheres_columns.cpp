@@ -39,7 +39,8 @@ constexpr std::array known_names{
 // Words of YADE's #format line other than positions and radii. Each is one column.
 constexpr std::array yade_words{"id", "matid", "clumpid", "mask", "mass", "material"};
 
-// Words, in lower case, around a unit of all lengths. The unit follows one of the first three.
+// Words, in lower case, that may surround the unit of all lengths in a comment. One of the first three leads to the
+// unit.
 constexpr std::array unit_words{"in",  "unit",  "units",  "all",      "length",      "lengths",  "dimensions",
                                 "of",  "are",   "is",     "the",      "coordinates", "position", "positions",
                                 "and", "radii", "radius", "diameter", "diameters",   "sizes",    "values"};
@@ -108,7 +109,7 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-/// Returns a comment without a label such as "Columns: ", which has no column's name.
+/// Returns a comment without its label, such as "Columns: ". A label that names a column stays.
 std::string_view without_label(std::string_view line) {
   const std::size_t colon = line.find(": ");
   if (colon == line.npos) return line;
@@ -118,7 +119,7 @@ std::string_view without_label(std::string_view line) {
   return has_name ? line : trimmed(line.substr(colon + 1));
 }
 
-/// Returns the unit of length behind "in" or "units", or nothing.
+/// Returns the unit of length that follows "in", "unit" or "units"; empty if there is none.
 std::string unit_in(const std::vector<std::string>& words) {
   bool behind = false;
   for (const std::string& word : words) {

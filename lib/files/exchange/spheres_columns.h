@@ -23,7 +23,7 @@ struct SphereColumns {
   bool has_unit = false;
   std::vector<std::string> unused;  // names of the other columns
 
-  /// Returns whether the column has no meaning here.
+  /// Returns whether the column is ignored.
   bool is_unused(std::size_t column) const { return column != x && column != y && column != size && z != column; }
 };
 
@@ -36,7 +36,7 @@ SphereColumns named_columns(const std::vector<std::string>& names);
 /// Returns the columns of YADE's line "#format x_y_z_r"; nothing for other lines. Throws DataError for unknown columns.
 std::optional<SphereColumns> yade_columns(std::string_view line);
 
-/// Statement of a comment above the grains.
+/// Columns and unit that a comment above the grains states.
 struct ColumnComment {
   /// Columns, as in "# x y z r".
   std::optional<SphereColumns> columns;
@@ -44,13 +44,13 @@ struct ColumnComment {
   std::string unclear;
   /// Unit of length, as in "# units: mm"; empty if there is none, or columns have it.
   std::string unit;
-  /// Whether the unit stands among further words, as in "# resolution in mm", so that it may be of something else.
+  /// Whether the unit may belong to something else, because other words surround it, as in "# resolution in mm".
   bool unit_is_vague = false;
 
   /// Returns whether the comment names columns.
   bool names_columns() const { return columns || !unclear.empty(); }
 };
-/// Returns the statement of a comment; an empty one for comments about other things.
+/// Returns the columns and unit that a comment states; empty for other comments.
 ColumnComment column_comment(std::string_view line);
 
 /// Returns the names in a header line, with a separate unit joined to its name.

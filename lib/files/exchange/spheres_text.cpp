@@ -35,7 +35,7 @@ char separator_of_numbers(std::string_view line) {
   return ',';
 }
 
-/// Returns true for a comment that seems to give a period but does not begin like the mark.
+/// Returns whether a comment was probably meant to be a line ##PERIODIC::, in another spelling.
 bool is_like_the_mark(std::string_view comment) {
   std::string word;
   for (const char c : comment.substr(0, std::min<std::size_t>(comment.size(), 40)))
@@ -67,7 +67,7 @@ class SpheresReader {
       const std::vector<std::string> names = header_names(kept, separator);
       if (std::none_of(names.begin(), names.end(), is_number)) return header(names, separator);
     }
-    // The last cells of a row may be empty, so its tabs count.
+    // Tabs at the end of the line stay, because they separate empty cells.
     grain(std::string_view(plain).substr(0, plain.find('#')));
   }
 
@@ -130,7 +130,7 @@ class SpheresReader {
     has_cell_ = true;
   }
 
-  /// Fixes the dimension (spheres or disks). Throws DataError if it was fixed otherwise.
+  /// Sets the dimension (spheres or disks). Throws DataError if another one was set before.
   void take_dimension(int dimension, const std::string& said) {
     if (dimension_ && *dimension_ != dimension)
       fail(fmt::format("{} {} lengths where {} are read: give --dimension {}, or change the line", said, dimension,
@@ -157,7 +157,7 @@ class SpheresReader {
                     where_, comment.line, what));
   }
 
-  /// Takes the unit of comments, and demands that they agree with the columns.
+  /// Takes the unit that comments give. Throws DataError if a comment contradicts the columns.
   void heed_comments() {
     SphereColumns& c = *columns_;
     for (const Comment& comment : comments_) {
@@ -190,7 +190,8 @@ class SpheresReader {
     separator_ = separator;
   }
 
-  /// Takes the columns that the last fitting comment names, and returns whether there is one.
+  /// Takes the columns of the last comment that fits the lines. Returns false if no comment names columns. Throws
+  /// DataError if none fits.
   bool take_commented(std::size_t width) {
     const Comment* unfit = nullptr;
     for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment) {
@@ -215,7 +216,7 @@ class SpheresReader {
     const std::vector<std::string> words = cells(text, separator_);
     if (take_commented(words.size())) return;
     take(plain_columns(dimension_.value_or(3)), separator_);
-    // Decimal commas between commas look like too many columns, so words with one are reported as such.
+    // Decimal commas would look like too many columns, so words that are no numbers are reported first.
     for (std::size_t k = 0; k < words.size(); ++k)
       if (!number_of(words[k])) value(words, k);
     if (words.size() != columns_->width)
@@ -235,7 +236,7 @@ class SpheresReader {
                "{} values where {} belong, separated by {}{}", words.size(), c.width, separator_name(separator_),
                separator_ == ',' && words.size() > c.width ? "; with decimal commas among them? write points" : ""));
     for (std::size_t k = 0; k < c.width; ++k)
-      if (!c.is_unused(k)) value(words, k);  // the first column that is no number is named
+      if (!c.is_unused(k)) value(words, k);  // throws for the first column that is no number
     const Vec3 position(value(words, c.x), value(words, c.y), c.z ? value(words, *c.z) : 0);
     const double size = value(words, c.size);
     if (!(size > 0)) fail(c.size, fmt::format("a {} that is not positive", c.size_factor == 1 ? "radius" : "diameter"));
@@ -269,7 +270,7 @@ class SpheresReader {
     for (Vec3& x : state_.grains.position) x.z() = 0;
   }
 
-  /// Sets a box around the grains and the origin: aperiodic axes carry a length only.
+  /// Sets an aperiodic cell. Its axes have only lengths, so the box encloses the grains and the origin.
   void aperiodic_cell() {
     const GrainsRecord& g = state_.grains;
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
@@ -299,7 +300,7 @@ bool upright(const Snapshot& state) {
   return state.cell.periodic == std::array<bool, 3>{true, true, !disks} && state.cell.matrix.isDiagonal(0.0);
 }
 
-/// Returns what a text of the grains alone lacks.
+/// Returns the content that a text of grains leaves out, for people.
 std::string left_out_of_text(const Snapshot& state, std::size_t nodes) {
   std::vector<std::string> all;
   const auto counted = [](std::size_t n, const char* what) {

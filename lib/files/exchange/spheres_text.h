@@ -25,7 +25,7 @@ struct SpheresOptions {
 struct ImportedSpheres {
   Snapshot state;
   Source source;
-  /// Left-out content, one sentence each.
+  /// One sentence for each kind of content that was left out.
   std::vector<std::string> notes;
 };
 
@@ -33,15 +33,15 @@ struct ImportedSpheres {
 CellRecord periodic_cell(const std::string& lengths, const std::string& what);
 
 /// Reads grains, one per line.
-/// - Columns are named by a header, by YADE's #format line, or by a comment with one word for each column. They are x,
-///   y, z and r, radius or diameter in any order, with a unit as x [mm] or x_mm. Other columns are left out and noted.
-///   A comment may give the unit of all lengths, as "# units: mm". A comment that names x, y and a size otherwise, or
-///   another unit than the header, is refused.
-/// - Without names, lines are exactly x y z r, for disks x y r.
-/// - The first line tells the separator: blanks and tabs, commas or semicolons.
+/// - Columns are named by a header, by YADE's #format line, or by a comment with one word for each column. The names
+///   are x, y, z, and r, radius or diameter, in any order. A unit may follow, as x [mm] or x_mm. Other columns are left
+///   out and noted. A comment may give the unit of all lengths ("# units: mm"). A comment that contradicts the header
+///   is refused, and so are unclear column names in a comment without a header.
+/// - Without names, a line is exactly x y z r (disks: x y r).
+/// - The first line determines the separator: blanks and tabs, commas or semicolons.
 /// - "##PERIODIC:: Lx Ly Lz" (disks: Lx Ly) before the first grain gives the cell, in the unit of the columns. Without
-///   this line it is options.cell, or nothing is periodic.
-/// Throws DataError with line and column of anything else, and names formats of other programs.
+///   this line the cell is options.cell; without that, it is aperiodic.
+/// Throws DataError with line and column for any other content. The message names the format of another program.
 ImportedSpheres import_spheres(const std::filesystem::path& path, const SpheresOptions& options);
 
 /// Text of a packing.
@@ -51,8 +51,8 @@ struct ExportedSpheres {
   std::string left_out;
 };
 
-/// Returns a text that import_spheres() reads back exactly. An upright periodic cell gives the line ##PERIODIC::. Nodes
-/// of geotextiles are no grains and are left out. Throws DataError naming `where` if there is nothing else.
+/// Returns a text that import_spheres() reads back exactly. An upright periodic cell becomes the line ##PERIODIC::.
+/// Nodes of geotextiles are left out. Throws DataError naming `where` if no grains remain.
 ExportedSpheres export_spheres(const Snapshot& state, const std::string& where);
 
 }  // namespace soilweave::io

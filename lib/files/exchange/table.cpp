@@ -67,7 +67,7 @@ class TableReader {
     if (trimmed(text).empty() || text.starts_with('#')) return;
     if (!table_.columns.empty()) return row(text);
     separator_ = separator_of(text);
-    // Names may contain blanks; a table of one column has no separator.
+    // Column names may contain blanks, so a header without a separator names one column.
     header(separator_ == ' ' ? std::vector<std::string>{unquoted(text)} : cells(text, separator_));
   }
   Series finish() {
@@ -94,7 +94,7 @@ class TableReader {
     }
   }
 
-  /// Returns why a line has another number of values than the header.
+  /// Returns the message for a line whose number of values differs from the header's.
   std::string other_width(std::size_t values, std::string_view text) const {
     const std::size_t width = table_.columns.size();
     std::string why = fmt::format("{} values where the header names {} columns", values, width);
