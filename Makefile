@@ -22,7 +22,7 @@ MAKEFLAGS += --no-builtin-rules
 PREFIX ?= /usr/local
 DESTDIR ?=
 JOBS ?= $(shell nproc)
-# The sanitizers' tree is clang's where clang is: it compiles that in three fifths of GCC's time, and a check sees two compilers.
+# Clang compiles the sanitizers' tree if it is installed. It takes three fifths of GCC's time for it, and a check sees two compilers.
 CXX := $(if $(FUZZ),clang++,$(if $(filter default,$(origin CXX)),$(if $(SANITIZE),$(if $(shell command -v clang++),clang++,g++),g++),$(CXX)))
 # Every call of make starts one shell for the compiler's name, its processor and this one.
 COMPILER := $(shell $(CXX) --version 2>/dev/null; echo target=$$($(CXX) -dumpmachine 2>/dev/null) here=$$(uname -m))
@@ -47,7 +47,7 @@ OPTIMISE_fuzz := -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,addre
 OPTIMISE_coverage := -Og -g --coverage -fprofile-update=atomic -DNDEBUG
 # -Wno-restrict, -Wno-stringop-overflow: GCC 12 sees an overlap in "text" + std::string where there is none (its bug 105651).
 # -Wno-array-bounds, -Wno-maybe-uninitialized: it misjudges vector loads from Eigen's small matrices; the sanitizers and
-# clang-tidy watch instead. No warning stops who builds, with whichever compiler: lint alone takes them for errors.
+# clang-tidy watch instead. No warning stops a build, with whichever compiler. Only lint treats warnings as errors.
 WARNINGS := -Wall -Wextra -Wpedantic -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized $(if $(X86),,-Wno-psabi) \
   $(if $(CLANG),-Wno-unknown-warning-option)$(if $(FUZZ), -Wno-unknown-pragmas)
 PACKAGES := hdf5-serial fmt libcrypto tomlplusplus gsl
@@ -136,7 +136,7 @@ TENS := $(foreach t,$(JOINED_TESTS),$(call tens_of,$(t)))
 LIB_OBJECTS := $(FOLDERS) $(call object,$(filter-out $(JOINED) $(if $(JOINED),$(ROUNDED)),$(LIB)))
 # The objects that hold these sources, joined or not.
 objects_of = $(sort $(foreach s,$(1),$(if $(filter $s,$(JOINED)),$(B)/obj/$(dir $s)folder.o,$(call object,$s))))
-# plot is a Python program. It draws with the package of the studies and is linked to its place beside that.
+# plot is a Python program that imports the package of the studies. It is a link, through which it finds the package.
 TOOLS := $(patsubst tools/%.cpp,$(B)/bin/%,$(TOOL)) $(B)/bin/plot
 # Test programs of every check; soak takes minutes.
 TEST_PROGRAMS := $(foreach t,$(filter-out soak,$(TESTED)),$(if $(call tests_of,$(t)),$(B)/tests/$(t)))
@@ -147,10 +147,10 @@ all: $(TOOLS) ## build the tools into build/bin (NO_VTK=1: without to-vtk; SANIT
 tools: all
 
 # ---- Rules ----------------------------------------------------------------------------------------------------------
-# Compiles, and keeps beside the object what the compiler warned of, for lint. The argument is the rest of the command.
+# Compiles, and keeps the compiler's warnings beside the object for lint. The argument is the rest of the command.
 compile = $(CXX) $(1) 2> $@.warnings; status=$$?; cat $@.warnings >&2; exit $$status
 
-# Takes a file's new version, unless it is as it was.
+# Replaces a file by its new version, FILE.new, if the two differ.
 keep_new = cmp -s $@.new $@ || mv $@.new $@; rm -f $@.new
 
 # $(B)/flags changes only when the compiler's command line does; every object depends on it.
@@ -187,7 +187,7 @@ $(B)/obj/%.o: %.cpp $(B)/flags $(if $(NO_PCH),,$(PRECOMPILED).gch)
 	@echo '  c++   $<'
 	@$(call compile,$(CPPFLAGS) $(if $(NO_PCH),,-include $(PRECOMPILED)) $(CXXFLAGS) -MMD -MP -c $< -o $@)
 
-# Helpers of several unit tests have one name, so each test gets a namespace of its own within its unnamed one.
+# Helpers of different unit tests may have equal names, so each joined test gets a namespace within its unnamed one.
 $(FOLDERS:.o=.cpp): $(B)/obj/%/folder.cpp: always
 	@mkdir -p $(@D)
 	@printf '#include "%s"\n' $(if $(filter rounded,$*),$(ROUNDED),$(foreach f,$(JOINED),$(if $(filter $*/,$(dir $f)),$f))) > $@.new; $(keep_new)
@@ -213,24 +213,24 @@ $(COLD): $(B)/precompiled/cold.h.gch
 $(COLD): private PRECOMPILED := $(B)/precompiled/cold.h
 $(COLD) $(B)/precompiled/cold.h.gch: private CXXFLAGS += -O0
 $(call object,$(VTK_ONLY)): private CPPFLAGS += $(VTK_CPPFLAGS)
-# Where GCC 12 puts single numbers together in registers, it fuses products with sums in spite of -ffp-contract=off (vfmaddsub), as
-# GCC 14 does not: eigenvalues would differ in their last digits. `make fused` finds such sources.
-# A precompiled header would bring its own optimisation back. The sanitizers' -O1 puts no numbers together.
+# Where GCC 12 packs single numbers into vector registers, it fuses products with sums (vfmaddsub) in spite of -ffp-contract=off. GCC 14
+# does not, so that eigenvalues would differ in their last digits. `make fused` finds such sources.
+# A precompiled header would bring its own optimisation back. The sanitizers' -O1 does not pack numbers.
 UNPACKED := $(if $(SANITIZE),,$(call object,lib/core/linear_algebra.cpp))
 $(UNPACKED): private CXXFLAGS += -fno-tree-slp-vectorize
 $(UNPACKED): private PRECOMPILED := lib/core/linear_algebra.h
-# The hot loops: GCC would copy a register of four numbers in halves, and reading it whole then waits for both; and it
-# would put single integers together in registers, which takes longer than what it saves. Clang has no such switches.
+# Hot loops. GCC would copy a register of four numbers in halves, and a read of the whole register then waits for both. It would
+# also pack single integers into vector registers, which takes more time than it saves. Clang has no such switches.
 HOT := $(X)/obj/lib/dem/sweep/contact_sweep.o $(call object,$(SWEPT))
-# The loops over contacts and grains once more, eight at a time, for processors with AVX-512; vector_width.cpp beside them
-# chooses. Inline functions of these objects must stay their own: the linker would hand them to all.
+# The loops over contacts and grains are compiled again with eight lanes, for processors with AVX-512; vector_width.cpp chooses.
+# Inline functions of these objects must stay local, or the linker may use them for all objects.
 WIDE := lib/dem/sweep/contact_sweep lib/dem/sweep/grain_motion
 # NO_AVX512=1 builds without them.
 EIGHT := $(if $(filter-out plain,$(VARIANT))$(NO_AVX512)$(if $(X86),,other),,$(WIDE:%=$(B)/obj/%.avx512.o))
 EIGHT_EXTENDED := $(if $(NARROW),,$(patsubst $(B)/%,$(X)/%,$(filter %/contact_sweep.avx512.o,$(EIGHT))))
 $(HOT) $(EIGHT) $(EIGHT_EXTENDED): private CXXFLAGS += $(if $(CLANG)$(if $(X86),,other),,-mmove-max=256 -mstore-max=256) -fno-tree-slp-vectorize
-# AVX-512 roots: GCC's headers leave a register unset on purpose (bug 105593). A law's list of history would be a symbol that no
-# tool can make local.
+# GCC's headers leave a register unset on purpose in square roots of AVX-512 (bug 105593). -fno-gnu-unique: a law's list of history
+# would otherwise be a symbol that no tool can make local.
 $(EIGHT) $(EIGHT_EXTENDED): private CXXFLAGS += -Wno-uninitialized $(if $(CLANG),,-fno-gnu-unique)
 AVX512 := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
 $(if $(EIGHT),$(call object,lib/dem/sweep/vector_width.cpp): private CPPFLAGS += -DSOILWEAVE_AVX512)
@@ -249,7 +249,7 @@ $(LOWERED): $(B)/obj/%.eight.o: %.cpp $(B)/flags
 	@mkdir -p $(@D)
 	@echo '  c++   $< (eight lanes)'
 	@$(call compile,$(CPPFLAGS) $(CXXFLAGS) -O1 -Wno-psabi -DSOILWEAVE_EIGHT_LANES -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $@)
-# Files that objects take in whole (core/embedded.h).
+# Files that are embedded in objects (core/embedded.h).
 $(call objects_of,lib/display/show_script.cpp): lib/display/show.py
 $(call objects_of,lib/packing/generate/grading.cpp): data/gradings/toyoura.tsv
 $(call object,$(LISTING)) $(EIGHT) $(LOWERED): private CPPFLAGS += -I$(B)
@@ -300,11 +300,11 @@ $(B)/mpi/fem-dem: $(call object,tools/fem-dem.cpp $(MPI_ONLY)) $(B)/libsoilweave
 	@$(CXX) $(CXXFLAGS) $(LDFLAGS) $(filter %.o %.a,$^) $(LDLIBS) $(shell pkg-config --libs ompi-cxx) -o $@
 
 # ---- Extensions -----------------------------------------------------------------------------------------------------
-# Tools that know what a folder outside lib/ holds besides: FOLDER/laws, FOLDER/paths, FOLDER/energies, FOLDER/containers,
+# Tools with additional headers from a folder outside lib/: FOLDER/laws, FOLDER/paths, FOLDER/energies, FOLDER/containers,
 # FOLDER/tables.
-# Only the sources that read the lists are compiled again, and linked before the archive, which then gives the others.
-# With NARROW=1 their sweep takes four contacts at a time on every processor, which spares its compilation for AVX-512. Checks do
-# that, since the bits are equal.
+# Only the sources that read the lists are compiled again. They are linked before the archive, which gives all other objects.
+# With NARROW=1 their sweep takes four contacts at a time on every processor, which saves the compilation for AVX-512. Checks use
+# it, since the bits are equal.
 EXTENSIONS ?= tests/extension
 EXTENDED := $(patsubst %.cpp,$(X)/obj/%.o,$(filter lib/%,$(LISTING)) $(if $(EIGHT_EXTENDED),,lib/dem/sweep/vector_width.cpp)) $(EIGHT_EXTENDED)
 OUTSIDE = $(wildcard $(LISTS:%=$(EXTENSIONS)/%/*.h))
@@ -438,7 +438,8 @@ test: $(TEST_PROGRAMS) ## unit, property and benchmark tests of the library
 test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tests (SANITIZE=1: under the sanitizers)
 	@$(call run_tests,$^)
 
-# Tests of tools wait for signals and disks, so that one more than there are cores keeps all busy. The bag's test takes a minute on one core; begun last it would leave the others idle.
+# Tests of tools wait for signals and disks, so that one test more than there are cores keeps all cores busy. The bag's test takes a
+# minute on one core. Begun last, it would leave the other cores idle.
 LONGEST_FIRST := tests/tools/soilbag.bats $(filter-out tests/tools/soilbag.bats,$(sort $(wildcard tests/tools/*.bats)))
 .PHONY: test-tools
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
@@ -573,7 +574,7 @@ WHOLE := $(filter-out lib/core/simd/columns8.h lib/core/simd/lanes8.h lib/core/s
 lint: $(TIDY) build/lint/shellcheck build/lint/workflows warnings ## clang-tidy, shellcheck, warnings of the compiler, include direction, headers, file sizes, comments
 	@bash tests/layers.sh && $(PYTHON) tests/headers.py && $(PYTHON) tests/comments.py && echo "== lint: clean"
 
-# Each header as the only one of a source: minutes on two cores, so that no check runs it; tests/headers.py stands in.
+# Compiles each header alone. This takes minutes on two cores, so that checks run tests/headers.py instead.
 ALONE := $(patsubst %,$(B)/headers/%.alone,$(WHOLE))
 .PHONY: headers
 headers: $(ALONE) ## compile each header of the library and the tests alone (minutes)

@@ -11,7 +11,7 @@ BIN := $(B)/bin
 ifneq ($(words $(OUT)) $(words $(BIN)),1 1)
 $(error OUT=$(OUT) BIN=$(BIN): make cannot use a folder with blanks in its path)
 endif
-# Debian's own interpreter has the packages that the studies use; the package study is what they share.
+# Debian's own interpreter has the packages that the studies use. The studies share the package `study`.
 PYTHON ?= /usr/bin/python3
 # -P: the folder of study.py does not hide the package of that name.
 STUDY_PY := PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=pipelines $(PYTHON) -P
@@ -29,16 +29,15 @@ remember = mkdir -p $(@D) && { printf '%s\n' '$(1)' | cmp -s - $@ || printf '%s\
 $(OUT)/profile: always
 	@$(call remember,$(PROFILE))
 
-# Puts what a recipe prints into a file that appears whole. The name beside it is the writing shell's own, since a make that
-# was killed may leave writers behind while the next one is at work.
+# Writes the output of a recipe to a temporary file and renames it, so that the file appears whole. The temporary name holds the shell's
+# process number, because a killed make may leave writers behind while the next make works.
 whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { status=$$?; rm -f $(1).$$$$; (exit $$status); }
 
 include $(sort $(wildcard pipelines/*/study.mk))
 
-# Studies in KEEPING keep what their thesis-size runs leave for readers who have not the hours: tables, each run's history, and what is
-# compared and drawn of them. Kept run by run, as they end; compared and drawn anew whenever that changes, without the runs. NAME-keep
-# depends on the tables of what has ended, NAME-compare on what compares them; ENDED_NAME are the runs that have ended.
-# BESIDE_NAME are further options of what compares.
+# Studies in KEEPING keep results of thesis-size runs, for readers who cannot spend the hours: tables, histories, comparisons and figures.
+# NAME-keep keeps the tables of finished runs (ENDED_NAME), which are its prerequisites. NAME-compare makes comparisons and figures from
+# the kept tables, without the runs; its prerequisites are the programs for this. BESIDE_NAME are further options of study.py.
 .PHONY: $(KEEPING:%=%-keep) $(KEEPING:%=%-compare)
 $(KEEPING:%=%-keep): %-keep: $(BIN)/to-vtk
 	@$(if $(filter thesis,$(PROFILE)),,$(error $@: of PROFILE=thesis only))mkdir -p pipelines/$*/kept

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The habits of the house that a script can see: include direction, who includes what, sizes, first lines, loose ends.
+# Checks rules of the code that a script can see: include direction, allowed includes, sizes, first lines, loose ends.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -uo pipefail
 export LC_ALL=C.UTF-8
@@ -11,8 +11,8 @@ fault() {
   faults=$((faults + 1))
 }
 
-# Rooms from the lowest up. Each may include itself, the folders within it that are no rooms (dem/contact/laws), and the
-# rooms before it.
+# Rooms (layers) from the lowest up. Each may include itself, its folders that are no rooms themselves (dem/contact/laws),
+# and the rooms before it.
 rooms=(
   core core/simd core/text core/cli
   store files files/exchange display

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Compares the lists of keys on the pages of lib/ with what the tools say by --keys. With "write" it prints them anew.
+# Compares the lists of keys on the pages of lib/ with the tools' output for --keys. With "write" it prints them anew.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd "$(dirname "$0")/.."

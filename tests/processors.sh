@@ -1,6 +1,6 @@
 #!/bin/bash
 # Builds the unit tests for aarch64 with Debian's cross compiler and runs them under QEMU. They compare the bits of the engine with
-# those that x86-64 gives (tests/unit/bits_test.cpp).
+# the bits on x86-64 (tests/unit/bits_test.cpp).
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: [ROOT=FOLDER] [JOBS=N] [GTEST_FILTER=PATTERN] tests/processors.sh
 # ROOT: build/aarch64/root, kept for the next time. The libraries for aarch64 are unpacked there, so that this machine's own packages

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Builds and checks this commit on the other Debian release, in a chroot that debootstrap makes, and compares the bytes of what
-# the quickstart and chapter 5 write there with what they write here.
+# Builds and checks this commit on the other Debian release, in a chroot that debootstrap makes, and compares the bytes of the
+# files that the quickstart and chapter 5 write there and here.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage, as root: [RELEASE=trixie|bookworm] [ROOT=FOLDER] [MIRROR=URL] [WHOLE=1] [CHECK=no] tests/releases.sh
 # RELEASE: the one of the two that this machine does not have. ROOT: build/releases/RELEASE, kept for the next time. MIRROR: where
@@ -20,7 +20,7 @@ for need in debootstrap:debootstrap unshare:util-linux git:git; do
 done
 [[ -z $(git status --porcelain) ]] || stop "a commit is what is compared, and there are changes beside it; commit or stash them"
 
-# Mounts and processes belong to namespaces of their own, so that none stays behind, however this ends.
+# Mounts and processes belong to namespaces of their own, so that none stays behind, however the script ends.
 if [[ -z ${SOILWEAVE_UNSHARED:-} ]]; then
   unshare --mount --pid --fork true 2> /dev/null || stop "this machine permits no namespaces (unshare --mount --pid); run it outside of the container"
   SOILWEAVE_UNSHARED=1 exec unshare --mount --propagation private --pid --fork --kill-child "$PWD/tests/releases.sh"
@@ -44,7 +44,7 @@ owner() {
 }
 owner mkdir -p $out
 
-# A root that was left incomplete is made anew.
+# An incomplete root is made anew.
 if [[ ! -e $root/made ]]; then
   echo "== $release: debootstrap from $mirror into $root"
   rm -rf --one-file-system "$root"

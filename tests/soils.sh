@@ -3,8 +3,8 @@
 # holds the void ratio at rest within 0.002, or one line that says which void ratios are in reach.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   BIN=build/bin [OUT=folder] [JOBS=2] [SOILS='0.15_1.2 20_2.5'] [VOID_RATIOS='0.60 0.75'] tests/soils.sh
-# Prints a table: soil, void ratio asked for and got, status, steps, seconds, what was said. Fails where an attempt ends
-# otherwise than with status 0 and that void ratio, or with status 1 and a range or a file.
+# Prints a table: soil, requested and reached void ratio, status, steps, seconds, message. Fails unless each attempt ends
+# with status 0 and the requested void ratio, or with status 1 and a range or a file.
 set -uo pipefail
 export LC_ALL=C.UTF-8
 BIN=$(realpath "${BIN:-build/bin}")

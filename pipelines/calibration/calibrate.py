@@ -1,8 +1,8 @@
 """Calibrates contact parameters to one or several drained triaxial tests together: draws, runs, assimilates and resamples.
 
 Rounds end when the effective sample size is reached or the rounds are spent. FOLDER then holds posterior.h5, posterior.txt,
-parameters.tsv, predicted_TEST.tsv (curves of the posterior beside each test), predicted.svg and posterior.svg. What was stopped goes
-on: runs that are there are not made again.
+parameters.tsv, predicted_TEST.tsv (curves of the posterior beside each test), predicted.svg and posterior.svg. A calibration that was
+stopped goes on when it is called again: finished runs are kept.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
@@ -34,7 +34,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def _share(text):
-    """Returns the share that a number, or one in per cent, is."""
+    """Returns as a fraction a share that is written as a number or in per cent."""
     return float(text.strip().removesuffix("%")) / (100 if text.strip().endswith("%") else 1)
 
 
@@ -55,7 +55,7 @@ def _errors(text):
 
 
 def _number(least, unit="", above=False):
-    """Returns what reads a number of at least `least`, or above it, with its unit if it is written."""
+    """Returns a function that reads a number of at least `least`, or above it. The unit may be written behind the number."""
     def read(text):
         try:
             value = float(text.removesuffix(unit))
@@ -68,7 +68,7 @@ def _number(least, unit="", above=False):
 
 
 def _whole(least):
-    """Returns what reads a whole number of at least `least`."""
+    """Returns a function that reads a whole number of at least `least`."""
     def read(text):
         if not re.fullmatch("[0-9]+", text) or int(text) < least:
             raise argparse.ArgumentTypeError(f'"{text}": give a whole number of at least {least}')
@@ -77,7 +77,7 @@ def _whole(least):
 
 
 def _strains(text):
-    """Returns the strains in % of "0.2,1", as they are written."""
+    """Returns the strains (%) of a list such as "0.2,1" as they are written."""
     found = text.split(",")
     for one in found:
         _number(0)(one)
@@ -135,7 +135,7 @@ def _test(parser, words, packing):
 
 
 class Calibration:
-    """The files of a calibration: what each test is compared at, the runs of each round, and their weights."""
+    """A calibration and its files: the compared values of each test, the runs of each round, and their weights."""
 
     def __init__(self, given):
         self.given, self.folder, self.tests = given, given.folder, given.tests
@@ -150,7 +150,7 @@ class Calibration:
         for test in self.tests + given.predictions:
             self._prepare(test, curves.get(test.name))
         self._check_errors()
-        # A posterior that is there in the end belongs to these tests, although status 1 is also that of errors.
+        # Removes an earlier posterior. Status 1 may be an error, and callers then look whether a posterior was written.
         predicted.clear(self.folder)
         for line in self.said:
             print(f"calibrate: {line}", file=sys.stderr, flush=True)
@@ -158,10 +158,10 @@ class Calibration:
         self.rate_words = rate.chosen(self)
 
     def _prepare(self, test, found):
-        """Writes what a test is compared at into TEST.tsv; tables without stations go to the filter as they are."""
+        """Writes the compared values of a test into TEST.tsv. With --stations 0 a table that the filter can read is used as it is."""
         self.observed[test.name], self.until[test.name] = test.table, f"{self.given.until:g}"
         if test.kind == "greatest":
-            # The filter counts stations by the first column, which is the pressure whatever the table begins with.
+            # The filter takes the first column for the station. The pressure goes there, whatever column the table begins with.
             self._write(test, {"confining_pressure [kPa]": [test.pressure / 1e3], f"{PEAK} [1]": [greatest(test)]})
             return
         if self.given.stations == 0 and as_it_stands(found, self.observables(test)):
@@ -169,24 +169,24 @@ class Calibration:
         columns = observed(found, self.given.until, self.given.stations, self.observables(test))
         self.said += filter(None, [left_out(found)])
         self._write(test, columns)
-        # The run goes on to the next station of its own, so that nothing is extrapolated.
+        # The run goes on to the next 0.1 % of strain beyond the last compared row, so that nothing is extrapolated.
         self.until[test.name] = f"{(int(10 * columns['strain_axial [%]'][-1]) + 1) / 10:g}"
 
     def _write(self, test, columns):
-        """Writes what a test is compared at into TEST.tsv."""
+        """Writes columns of compared values into TEST.tsv."""
         self.observed[test.name] = self.folder / f"{test.name}.tsv"
         rows = zip(*columns.values(), strict=True)
         put(self.observed[test.name], "\n".join(["\t".join(columns), *("\t".join(f"{x:.9g}" for x in row) for row in rows)]) + "\n")
 
     def observables(self, test):
-        """Returns the names of what a test is compared by: those with an error, or without errors by name the usual ones."""
+        """Returns the names of the quantities that a test is compared by: those given an error by name, or else the default ones."""
         sizes, single = self.given.variance or self.given.error, test.kind == "greatest"
         if isinstance(sizes, dict):
             return [name for name in sizes if (name == PEAK) == single]
         return [PEAK] if single else ["stress_ratio", "strain_volumetric"]
 
     def _check_errors(self):
-        """Raises Failure for an error of what a test does not observe, and for a test that none is given for."""
+        """Raises Failure for an error of a quantity that a test does not have, and for a test without any error."""
         sizes, tests = self.given.variance or self.given.error, self.tests + self.given.predictions
         for test in tests:
             names = self.observables(test)
@@ -231,7 +231,7 @@ class Calibration:
     def assimilate(self, name):
         """Weighs the sets of a round by all tests, one after the other, into NAME_posterior.h5; returns the effective sample size.
 
-        Its tables are those after the last test: NAME_steps.tsv, NAME_density.tsv, NAME_runs.tsv, and the curves of each test.
+        Also writes the tables after the last test, NAME_steps.tsv, NAME_density.tsv and NAME_runs.tsv, and TEST_curves.tsv of each test.
         """
         of = self.folder / name
         before = f"{of}_sets.h5"

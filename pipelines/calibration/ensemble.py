@@ -1,7 +1,7 @@
 """Runs every row of an ensemble's table, one row one job one folder; ensemble.sh tells how it is called.
 
-Stopped at any point, it goes on with the rows that are missing. Rows that will fail each time are listed and stay failed; other
-trouble is tried again, then told. study/jobs.py has what runs them at once.
+Stopped at any point, it goes on with the rows that are missing. Rows whose parameters always fail are listed and not repeated. Rows with
+any other error are tried again, then reported. study/jobs.py runs the rows at once.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
@@ -17,19 +17,19 @@ from study.command import Failure
 
 HERE = pathlib.Path(__file__).parent
 RUN = str(HERE / "run.sh")
-# The contact parameters of a row in the order of run.sh: as pf-weight names them, as the author's tables do, in which unit.
+# Contact parameters in the order of run.sh's arguments: name in pf-weight, name in the author's tables, unit.
 PARAMETERS = (("young_modulus", "E", "Pa"), ("poisson_ratio", "nu", "1"), ("rolling_stiffness", "kr", "1"), ("rolling_limit", "eta", "1"),
               ("friction_angle", "mu", "deg"))
 LAWS = {"hm": "Hertz-Mindlin", "cl": "linear"}
-LISTED = 10  # failed rows that are told one by one
+LISTED = 10  # the most failed rows that are printed one by one
 
 
 def read_rows(path):
-    """Returns the rows of a table: id without leading zeros, the five parameters, the number of the twin (0), all as text.
+    """Returns the rows of a table as text: id without leading zeros, the five parameters, the number of the twin (0 by default).
 
-    Below a header of names, the id first, with any line ends; comments and empty lines are left out. Parameters and twin are
-    found by their names, other columns are ignored. Raises Failure for a row without a whole id, a parameter that is
-    missing or in another unit, and a table without rows.
+    The table has a header of names, id first. Comments and empty lines are skipped. Parameters and twin are found by their
+    names, and other columns are ignored. Raises Failure for a row without a whole id, a parameter that is missing or in
+    another unit, and a table without rows.
     """
     try:
         text = pathlib.Path(path).read_bytes().decode("utf-8-sig", errors="surrogateescape")
@@ -78,7 +78,7 @@ def read_rows(path):
 
 @dataclasses.dataclass
 class Ensemble:
-    """The rows of a table and the folder of their runs. common: what run.sh is told before a row's own numbers, FOLDER first."""
+    """The rows of a table and the folder of their runs. common: the arguments of run.sh before those of a row."""
 
     name: str
     folder: pathlib.Path
@@ -101,11 +101,11 @@ class Ensemble:
         return [row for row in self.rows if not finished(row)]
 
     def failed(self):
-        """Returns the rows that will fail each time."""
+        """Returns the rows whose parameters always fail."""
         return [row for row in self.rows if self.of_row(row, "failed").exists()]
 
     def progress(self, before, seconds):
-        """Returns a line on how far it is: rows done and failed, time left, runs per hour; `before` rows were done at first."""
+        """Returns a line of progress: rows done and failed, time left, runs per hour. before: rows done at the start."""
         done = len(self.rows) - len(self.unfinished())
         line = f"  {self.folder.name}: {done} of {len(self.rows)} runs, {len(self.failed())} failed"
         if done > before:
@@ -126,7 +126,7 @@ class Ensemble:
 
 
 def keep_results_of(folder, inputs):
-    """Clears a folder whose results come from other inputs, programs or scenarios: those are not resumed from."""
+    """Removes the results in a folder unless they come from these inputs, programs and scenario."""
     digest = hashlib.sha256()
     for path in inputs:
         try:
@@ -147,7 +147,7 @@ def main(table, folder, law, packing, scenario, pressure, strain):
     for what, word in (("PRESSURE_MPa", pressure), ("STRAIN_%", strain)):
         if not re.fullmatch(r"\d+\.?\d*|\.\d+", word, re.ASCII):
             raise Failure(64, f'ensemble: {what}: "{word}" is no number; write it with digits and a decimal point')
-    # No program that is handed these takes them for options.
+    # A path that begins with a dash would be read as an option.
     folder, packing, scenario = (f"./{path}" if path.startswith("-") else path for path in (folder, packing, scenario))
     name, home, programs = pathlib.Path(table).stem, pathlib.Path(folder), pathlib.Path(os.environ["BIN"])
     (home / "runs").mkdir(parents=True, exist_ok=True)

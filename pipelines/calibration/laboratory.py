@@ -10,20 +10,20 @@ from study.units import factor, measured
 
 from . import plausible
 
-# Columns by what they may be called, each with its unit here.
+# Names that the columns of strains may have.
 AXIAL, VOLUMETRIC = ("strain_axial", "axial_strain"), ("strain_volumetric", "volumetric_strain")
-# The greatest stress ratio of a test, where there is no curve, and the columns of a run that an observable is the mean of.
+# Observables with other names in a run: the greatest stress ratio of a test without a curve; the radial strain, a mean of two columns.
 PEAK, RADIAL = "stress_ratio_peak", "strain_radial"
 OF_A_RUN = {PEAK: "stress_ratio", RADIAL: "strain_xx,strain_yy"}
 KINDS = ("engineering", "natural", "greatest")
 LEAST_STATIONS = 3
-# Confining pressures (Pa) between which tests are made, and by how much the lateral stress of their rows and its median may differ.
+# Range of confining pressures (Pa). Greatest relative difference of the lateral stress from it, in one row and in the median.
 PRESSURES = (500, 1e8)
 LATERAL, LATERAL_MEDIAN = 0.25, 0.1
 
 
 def plain(name):
-    """Returns a name of a file in characters that a shell and make leave alone."""
+    """Returns the name of a file without characters that are special to a shell or to make."""
     return re.sub(r"[^A-Za-z0-9._+-]+", "_", name)
 
 
@@ -38,12 +38,12 @@ class Test:
 
     @property
     def name(self):
-        """The name of its files: that of its table and its pressure."""
+        """The name of the test's files: the name of its table and its pressure."""
         return f"{plain(self.table.stem)}_{self.pressure / 1e3:g}kPa"
 
     @property
     def megapascals(self):
-        """The confining pressure in MPa, with digits and a decimal point alone."""
+        """The confining pressure in MPa as text without an exponent."""
         return f"{self.pressure / 1e6:.9f}".rstrip("0").rstrip(".")
 
 
@@ -59,12 +59,12 @@ class Curve:
 
     @property
     def stress(self):
-        """The column that tells the stresses."""
+        """The name of the column that the stress ratio is computed from."""
         return _stress(self.table)
 
     @property
     def rising(self):
-        """Whether the axial strain of a row is above 0 and above those of all rows before."""
+        """The mask of rows whose axial strain is above 0 and above the axial strains of all rows before."""
         return self.axial > numpy.maximum.accumulate(numpy.append(0, self.axial[:-1]))
 
     @property
@@ -89,7 +89,7 @@ class Curve:
 
     @property
     def unread(self):
-        """The columns of stresses that the stress ratio is not made of."""
+        """The columns of stresses that the stress ratio is not computed from."""
         read = ("deviatoric_stress", "mean_stress") if self.stress == "deviatoric_stress" else ("stress_ratio",)
         return [name for name in self.table.names if self._is_stress(name) and name not in read]
 
@@ -98,7 +98,7 @@ class Curve:
 
 
 def pressure(text):
-    """Returns a pressure such as "100 kPa" in Pa. Raises StudyError for what is none, or is not above 0."""
+    """Returns a pressure such as "100 kPa" in Pa. Raises StudyError for other text, and for values outside of PRESSURES."""
     match = re.fullmatch(r"\s*([0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\S+)\s*", str(text))
     try:
         value = float(match[1]) * factor(match[2], "Pa") if match else 0
@@ -142,7 +142,7 @@ def _ratio(table, test):
 
 
 def _natural(strain, kind, what, path):
-    """Returns natural strains in percent of engineering or natural ones, as numbers; compression is positive in both."""
+    """Converts engineering or natural strains (fractions) to natural strains in percent; compression is positive in both."""
     if kind == "natural":
         return 100 * strain
     if (strain >= 1).any():
@@ -178,7 +178,7 @@ def curve(test):
 
 
 def left_out(found):
-    """Returns a sentence on the rows of a curve that observed() leaves out since the axial strain does not rise there, or "" if none are.
+    """Returns a sentence on the rows that observed() leaves out because their axial strain does not rise, or "" if there are none.
 
     Rows up to the first strain above 0 are the start of the test, and are not counted.
     """
@@ -188,7 +188,7 @@ def left_out(found):
 
 
 def as_it_stands(found, names):
-    """Returns whether the filter can read a curve from its table: natural strains in percent, all columns there, strains that increase."""
+    """Returns whether the filter can read the table as it is: natural strains in percent that increase, and all columns."""
     table = found.table
     units = (("%",) if name.startswith("strain") else ("1", "-", "") for name in ("strain_axial", *names))
     return found.test.kind == "natural" and bool((numpy.diff(found.axial) > 0).all()) and all(
@@ -198,7 +198,7 @@ def as_it_stands(found, names):
 def observed(found, until, stations, names=()):
     """Returns the columns of a curve at `stations` rows near evenly spaced natural axial strains, at most `until` percent.
 
-    stations: 0 keeps all rows whose axial strain increases. names: columns that are observed; of the radial strain only where it is one.
+    stations: 0 keeps all rows whose axial strain increases. names: observables; the radial strain is returned only if it is one of them.
     Raises StudyError where less than LEAST_STATIONS are left.
     """
     rising = found.rising & (found.axial <= until + 1e-9)

@@ -1,4 +1,4 @@
-"""Judges tables of drained triaxial compression: rows that no such test gives are refused, what is unusual is doubted."""
+"""Checks tables of drained triaxial compression: refuses rows that no such test gives, and doubts unusual ones."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
 
@@ -10,22 +10,23 @@ LEAST_RATIO, GREATEST_RATIO = 0.9, 15
 # Stress ratio that seating may leave at rest, and the axial strain (%) up to which a row counts as at rest: sand of 100 MPa at 20 kPa
 # reaches 1.25 there.
 SEATED, AT_REST = 1.3, 0.005
-# Greatest stress ratio below which nothing was compressed.
+# A test whose stress ratio stays below this value has not compressed the soil.
 NO_STRENGTH = 1.05
-# Axial strains (%) between which every row lies, and the most that the volume changes: in all, and beyond the axial strain.
+# Range of axial strains (%), greatest volumetric strain (%), and by how much (%) it may exceed the greatest axial strain so far.
 AXIAL, VOLUMETRIC, VOLUMETRIC_BEYOND_AXIAL = (-5, 100), 30, 2
-# Friction angles (deg) of granular soils; by how much tests of one soil differ, and by how much more at ten times the pressure. By
-# Bolton (1986) the angle of dense sand falls by 7 deg over a decade.
+# Friction angles (deg): range of granular soils; usual difference of two tests of one soil; its increase per decade of pressure, as
+# the angle of dense sand falls by 7 deg over a decade (Bolton, 1986); and the difference that one soil cannot have.
 FRICTION, APART, APART_PER_DECADE, IMPOSSIBLY_APART = (22, 55), 5, 7, 20
-# Differences of the stress ratio and the volumetric strain (%) that are no scatter of a measurement.
+# Differences of the stress ratio and the volumetric strain (%) that exceed the scatter of a measurement.
 CLEAR_RATIO, CLEAR_VOLUME = 0.3, 0.25
 # Stress ratio up to which shearing has hardly begun, and the axial strain (%) that seating leaves there.
 BEGUN, CLEAR_AXIAL = 1.1, 0.5
-# Expansion before the greatest contraction, over that contraction and in %, which is no scatter either.
+# Expansion before the greatest contraction that exceeds the scatter: over that contraction, and in %.
 EXPANSION, LEAST_EXPANSION = 0.01, 0.1
-# Pore pressure, over the confining pressure, that may vary in a drained test.
+# Greatest variation of the pore pressure in a drained test, over the confining pressure.
 DRAINED = 0.1
-# A row towers where it lies beyond the rows beside it by this share of the range of all others, and by so many of their steps.
+# An outlier differs from the rows beside it by more than TOWERING times the range of all other rows, and by more than STEPS of the
+# steps near it. LONGEST: the most outliers in a row.
 TOWERING, STEPS, LONGEST = 0.2, 3, 3
 # Shares of the greatest value below which a cell is empty, and above which its neighbours are not.
 EMPTY, FILLED = 1e-3, 0.05
@@ -37,7 +38,7 @@ def friction_angle(ratio):
 
 
 def _empty(values, rising, clear):
-    """Returns where a rising row holds 0 between rows, or after a row, of one sign that differ from it clearly."""
+    """Returns the mask of rising rows that hold 0 although the rows beside them, of one sign, clearly differ from 0."""
     rows = numpy.flatnonzero(rising)
     size = abs(values[rows])
     full = numpy.flatnonzero(size > EMPTY * size.max(initial=0))
@@ -50,7 +51,7 @@ def _empty(values, rising, clear):
 
 
 def _refusals(curve):
-    """Yields what rows of a curve may not be: where they are, and what is said of such a row."""
+    """Yields pairs: a mask of impossible rows, and a function that returns the message for one of these rows."""
     ratio, axial, volumetric = curve.ratio, curve.axial, curve.volumetric
     source = "deviatoric_stress, its unit" if curve.stress == "deviatoric_stress" else "stress_ratio"
     yield ~((axial > AXIAL[0]) & (axial < AXIAL[1])), lambda k: (
@@ -73,7 +74,7 @@ def _refusals(curve):
 
 
 def judge(curve):
-    """Raises StudyError, by file and row, for what no drained test from isotropic stress gives."""
+    """Raises StudyError, with file and row, for a curve that no drained test from isotropic stress gives."""
     for wrong, said in _refusals(curve):
         if wrong.any():
             row = int(numpy.argmax(wrong))
@@ -144,9 +145,9 @@ def doubts(curve):
 
 
 def compared(curves):
-    """Returns sentences on strengths of tests that hardly belong to one soil. Raises StudyError for those that cannot.
+    """Returns doubts about tests whose strengths hardly fit one soil. Raises StudyError for strengths that cannot fit.
 
-    Tests that still rise in their last row have no strength to compare, and tests of unlike packings may be loose and dense.
+    Compares tests that have passed their peak, and tests of one packing: tests of two packings may be loose and dense.
     """
     said, peaked = [], sorted((c for c in curves if not c.still_rises), key=lambda c: c.test.pressure)
     for k, low in enumerate(peaked):

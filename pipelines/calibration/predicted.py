@@ -12,12 +12,12 @@ from .ensemble import PARAMETERS
 
 OBSERVED = ("stress_ratio", "strain_volumetric")
 LOW, HIGH = 0.05, 0.95
-# Share of the greatest weight below which a set is left out where a test is predicted.
+# Sets with less than this share of the greatest weight are not run to predict a test.
 NEGLIGIBLE = 1e-3
 
 
 def quantile(values, weights, share):
-    """Returns the least of the values up to which the weights make `share` of their sum."""
+    """Returns the weighted quantile: the least value up to which the weights reach `share` of their sum."""
     order = numpy.argsort(values)
     reached = numpy.cumsum(weights[order]) >= share * weights.sum() - 1e-12
     return values[order][int(numpy.argmax(reached))]
@@ -26,7 +26,7 @@ def quantile(values, weights, share):
 def band(table, weight_of, names):
     """Returns columns of a table of curves over their stations: observation, weighted mean, 5 and 95 % of the weight, deviation.
 
-    weight_of: weights by id; sets without a run count nowhere.
+    weight_of: weights by id.
     """
     ids, steps = table("id", "1"), table("step", "1")
     columns = {"strain_axial [%]": []}
@@ -56,7 +56,7 @@ def parameters(steps, runs, sets):
 
 
 def drawn(folder, rounds):
-    """Returns the sets of so many rounds as the text of one table, a row each."""
+    """Returns the sets of the first `rounds` rounds as the text of one table, a row for each set."""
     texts = [(folder / f"round{r}_sets.tsv").read_text(encoding="utf-8").splitlines() for r in range(1, rounds + 1)]
     width = texts[0][0].count("\t") + 1
     return "\n".join([texts[0][0], *("\t".join(line.split("\t")[:width]) for text in texts for line in text[1:])]) + "\n"

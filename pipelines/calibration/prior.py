@@ -11,7 +11,7 @@ UNITS = {name: unit for name, _, unit in PARAMETERS}
 
 
 def read(path):
-    """Returns the [[parameter]] tables of a prior. Raises StudyError for parameters that the runs do not take, lack or have in another unit."""
+    """Returns the [[parameter]] tables of a prior. Raises StudyError for a parameter that is unknown, missing or in another unit."""
     try:
         with open(path, encoding="utf-8-sig") as file:
             ranges = tomllib.loads(file.read()).get("parameter", [])

@@ -11,13 +11,13 @@ from study.files import put
 from .prior import read as read_prior
 
 HALVINGS = 2
-# Share of the tests' error by which curves of one rate and of half of it may differ, as a root mean square.
+# Greatest root mean square of the difference between the curves at a rate and at half of it, over the tests' error.
 NEGLIGIBLE = 1 / 3
 _RATE = re.compile(r"^rate\s*=.*$", re.MULTILINE)
 
 
 def middle(prior):
-    """Returns the middle of a prior as a row of an ensemble: head and value of each parameter, geometric on a log scale."""
+    """Returns the middle of a prior: each parameter's value by its column head. On a log scale it is the geometric mean."""
     ranges = read_prior(prior)
     for p in ranges:
         if not all(isinstance(p.get(key), int | float) for key in ("low", "high")):
@@ -27,7 +27,7 @@ def middle(prior):
 
 
 def _with_rate(case, rate):
-    """Returns a copy of the scenario with this rate of its triaxial stage."""
+    """Writes a copy of the scenario with another rate of its triaxial stage; returns the path."""
     text, count = _RATE.subn(f"rate = {rate:g}", case.given.scenario.read_text(encoding="utf-8"))
     if count != 1:
         raise Failure(65, f"calibrate: {case.given.scenario}: {count} lines begin with \"rate =\" where the one of the triaxial stage belongs")
@@ -37,7 +37,7 @@ def _with_rate(case, rate):
 
 
 def _curves(case, test, rate):
-    """Returns the curves table and the errors of the middle of the prior, run at a rate."""
+    """Runs the middle of the prior at a rate; returns the tables of its curves and of the errors, or None if the run fails."""
     row, folder = middle(case.given.prior), case.folder / f"rate_{rate:g}"
     sets = case.folder / "rate_sets.tsv"
     put(sets, "\t".join(["id [1]", *row]) + "\n" + "\t".join(["0", *map(repr, row.values())]) + "\n")
@@ -52,7 +52,7 @@ def _curves(case, test, rate):
 
 
 def difference(one, other):
-    """Returns the greatest root mean square, over observables, of the difference of two curves over the error of the test."""
+    """Returns the root mean square of the difference of two curves over the test's error, for the observable where it is greatest."""
     curves, steps = one
     units = {name: unit for name, unit in (("stress_ratio", "1"), ("strain_radial", "%"), ("strain_volumetric", "%")) if curves.has(name)}
     return max(float(numpy.sqrt(numpy.mean(((curves(name, unit) - other[0](name, unit)) / steps(f"{name}_error", unit))**2)))
@@ -60,7 +60,7 @@ def difference(one, other):
 
 
 def chosen(case):
-    """Sets the scenario of a calibration to the rate that its options ask for; returns what is said of it."""
+    """Sets the scenario of a calibration to the rate that its options ask for; returns a sentence on the rate."""
     if case.given.rate == "scenario":
         return "loading rate: the scenario's, without a trial (--rate try makes one)"
     if case.given.rate != "try":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tables that runs and filter read, made from others: prints what was observed of a peak, or the sets to be checked."""
+"""Makes tables for the runs and the filter: prints the observed peak of a test, or the sets to be checked."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import sys
@@ -21,7 +21,7 @@ def peak(path, pressure):
 def sets(paths, twins):
     """Returns an ensemble's table: the parameters in the last row of each table, with so many twins.
 
-    id: ten times the number of the table, from 0, plus that of the twin.
+    id: ten times the number of the table, from 0, plus the number of the twin.
     """
     lines = ["\t".join(["id [1]", *(f"{name} [{unit}]" for name, unit in PARAMETERS.items()), "twin [1]"])]
     for k, path in enumerate(paths):

@@ -1,7 +1,7 @@
 # Chapter 2: contact parameters of Toyoura sand identified by the particle filter (thesis Figs. 2.1 to 2.4).
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A case is LAW_GRAINS_PRESSURE: hm (Hertz-Mindlin) or cl (linear), number of grains, MPa. The sets of the first round are drawn from
-# the prior, those of the next around the posterior of all sets so far. Slurm: ENGINE=slurm; other hosts: SSHLOGINFILE=FILE.
+# the prior, the sets of later rounds around the posterior of all sets so far. Slurm: ENGINE=slurm; other hosts: SSHLOGINFILE=FILE.
 
 STUDIES += ch2
 C2 := pipelines/ch2
@@ -11,7 +11,7 @@ C2_CASES_thesis := $(foreach n,1000 2000 5000,hm_$(n)_0.2 cl_$(n)_0.2) $(foreach
 C2_CASES ?= $(C2_CASES_$(PROFILE))
 # Sets of each round, and the axial strain (%) up to which runs go and are compared.
 C2_SAMPLES_quick := 32 24
-# The thesis's 2000, and rounds after them: each narrows the posterior further than more sets of the first would.
+# The thesis's 2000 sets, then further rounds. Each round narrows the posterior more than additional sets in the first round.
 C2_SAMPLES_thesis := 2000 200 100 100
 C2_SAMPLES ?= $(C2_SAMPLES_$(PROFILE))
 C2_STRAIN_quick := 6
@@ -20,7 +20,7 @@ C2_STRAIN ?= $(C2_STRAIN_$(PROFILE))
 # Runs that are compared only by their greatest stress ratio go farther.
 C2_STRAIN_peak := 10
 # Variances of the observation error of the radial strain (%), the stress ratio and the volumetric strain (%). The thesis
-# has 0.1 for all; 0.3 of a stress ratio is 8 % of it, so that the strains then decide alone. 0.025 is 4 % of it.
+# has 0.1 for all. An error of 0.3 is 8 % of the stress ratio, so that the strains decide alone. A variance of 0.025 is an error of 4 %.
 C2_ERROR ?= 0.1,0.025,0.1
 # Variance of the greatest stress ratio, if there is no curve: the thesis's.
 C2_ERROR_peak := 0.1
@@ -40,10 +40,10 @@ C2_SCENARIO_hm := $(CALIBRATION)/hertz-mindlin.toml
 C2_SCENARIO_cl := $(CALIBRATION)/linear.toml
 c2_scenario = $(C2_SCENARIO_$(c2_law))
 c2_prior = $(C2)/prior_$(PROFILE)$(if $(filter quick,$(PROFILE)),_$(c2_law)).toml
-# The curves of the laboratory, three observables at each station, where there are; else the greatest stress ratio alone.
+# A laboratory curve with three observables at each station, if there is one, or else the greatest stress ratio alone.
 c2_curve = $(wildcard data/laboratory/toyoura_drained_triaxial_$(c2_pressure)MPa.tsv)
 c2_observed = $(or $(c2_curve),$(C2O)/peak_$(c2_pressure)MPa.tsv)
-# Compared quantities: all rows of a curve, as they are; without a curve the greatest value.
+# Options of a test: all rows of a curve as they are, or the greatest stress ratio.
 C2_VARIANCE := $(join strain_radial= stress_ratio= strain_volumetric=,$(subst $(comma), ,$(C2_ERROR)))
 C2_ALONG := natural --until $(C2_STRAIN) --variance $(subst $() ,$(comma),$(strip $(C2_VARIANCE))) --at $(subst $() ,$(comma),$(strip $(C2_STATIONS)))
 C2_PEAK := greatest --until $(C2_STRAIN_peak) --variance stress_ratio_peak=$(C2_ERROR_peak)
@@ -56,7 +56,7 @@ c2_after = $(patsubst %:$*,$(C2O)/%/posterior.h5,$(filter %:$*,$(C2_PAIRS)))
 .PHONY: ch2
 ch2: $(C2O)/page.html ## contact parameters identified with the particle filter (thesis: 2000 runs a case; C2_CASES=...)
 
-# Remember what the variables above decide: ensembles, the runs of the identified set, and the page depend on it.
+# Files that hold the variables above. Ensembles, the runs of the identified set, and the page depend on them.
 $(C2O)/settings: always
 	@$(call remember,$(PROFILE) $(C2_SAMPLES) $(C2_STRAIN) $(C2_ERROR) $(C2_STRAIN_peak) $(C2_ERROR_peak) $(C2_STATIONS) $(C2_BASES))
 $(C2O)/twins: always
@@ -79,12 +79,12 @@ $(C2O)/%/posterior.h5: $$(c2_prior) $$(c2_packing) $$(c2_scenario) $$(c2_observe
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(c2_prior) --packing $(c2_packing) --law $(c2_law) --scenario $(c2_scenario) \
 	  --test $(c2_observed) "$(c2_pressure) MPa" $(if $(c2_curve),$(C2_ALONG),$(C2_PEAK)) --stations 0 --bases $(C2_BASES) \
 	  --samples $(subst $() ,$(comma),$(strip $(C2_SAMPLES))) --rounds $(words $(C2_SAMPLES)) --effective-size 0 $(C2O)/$*
-# The tables of all rounds of a case, which its posterior comes with.
+# Tables of all rounds of a case. They are made together with the posterior.
 C2_OF_ROUNDS := $(foreach r,$(C2_ROUNDS),$(foreach t,steps density,round$(r)_$(t).tsv))
 $(foreach t,$(C2_OF_ROUNDS),$(C2_CASES:%=$(C2O)/%/$(t))): $$(@D)/posterior.h5 ;
 
-# The identified means, and the thesis's where it has them, run through the same test as the curves of the laboratory go. Weights are
-# not used there, so that any error will do.
+# Runs with the identified means, and with the thesis's set if there is one, as far as the curve of the laboratory goes. Weights are not
+# used here, so that any error will do.
 $(C2O)/%/check.tsv: $(C2)/inputs.py $(C2O)/%/$(C2_LAST)_steps.tsv $$(c2_thesis) $(C2O)/twins
 	@$(STUDY_PY) $(filter-out %/twins,$^) --twins $(C2_TWINS) $(call whole,$@)
 $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
@@ -92,7 +92,7 @@ $(C2O)/%/checked: $(C2O)/%/check.tsv $$(c2_packing) $$(c2_scenario) $(C2_RUN)
 	@touch $@
 c2_check = $(BIN)/pf-weight assimilate $(C2O)/$*/check.tsv $(c2_curve) --prior $(c2_prior) --runs '$(C2O)/$*/check/runs/{id:06}/series.h5' \
   --where stage=1 --station strain_axial --observe stress_ratio --observe strain_volumetric --error 1 --quiet --tsv --table
-# The runs beside the laboratory up to the strain that sets are compared to, and over its whole curve; and their curves.
+# Misfits of these runs up to the strain at which sets are compared (near), and over the whole laboratory curve (whole); and their curves.
 $(C2O)/%/check_near.tsv $(C2O)/%/check_whole.tsv $(C2O)/%/check_curves.tsv: $(C2O)/%/checked $(BIN)/pf-weight
 	@$(c2_check) runs --until $(C2_STRAIN) $(call whole,$(@D)/check_near.tsv)
 	@$(foreach of,whole:runs curves:curves,$(c2_check) $(lastword $(subst :, ,$(of))) $(call whole,$(@D)/check_$(firstword $(subst :, ,$(of))).tsv) || exit;)

@@ -50,7 +50,7 @@ class Case:
 
 
 def settling(case):
-    """Returns the way of the mean friction angle per strain in the last 1.5 % of axial strain, over that in the first 1.5 %."""
+    """Returns how fast the mean friction angle moves over strain in the last 1.5 % of axial strain, over its speed in the first 1.5 %."""
     case.demand_curve()
     strain, mean = case.steps[0]["strain_axial"], case.steps[0]["friction_angle"]
     if len(strain) <= 10:
@@ -65,7 +65,7 @@ def settling(case):
 def misfit(case, table, column, which=0):
     """Returns the misfit (%) of a checked set, 0 the identified one, 1 the thesis's: mean and deviation over twins.
 
-    Raises NotMade where the set was not run or none of its runs went through.
+    Raises NotMade if the set was not run or all of its runs failed.
     """
     case.demand_curve()
     check = case.folder(f"check_{table}")
@@ -77,7 +77,7 @@ def misfit(case, table, column, which=0):
 
 
 def excess(case, *of):
-    """Returns by how much the misfit of the identified set exceeds that of the thesis's."""
+    """Returns the misfit of the identified set less the misfit of the thesis's set."""
     return misfit(case, *of)[0] - misfit(case, *of, which=1)[0]
 
 
@@ -94,7 +94,7 @@ OF_A_CASE = [
 
 
 def measure(study, cases):
-    """Measures each case; from 0.2 to 8 MPa, how much a parameter grows in the direction of the thesis, as a share."""
+    """Measures each case, and the relative change of parameters from 0.2 to 8 MPa. It is positive in the direction of the thesis."""
     def case(name):
         if name not in cases:
             raise NotMade(f"case {name} is not among C2_CASES")
@@ -107,7 +107,7 @@ def measure(study, cases):
 
 
 def draw_identified(study, cases):
-    """The answer: each parameter over the thesis's."""
+    """Draws the answer: each identified parameter over the thesis's value."""
     known = [case for case in cases if case.curve and case.thesis()]
     if not known:
         return "the parameters beside the thesis's, which has none for these cases"
@@ -130,7 +130,7 @@ def draw_identified(study, cases):
 
 
 def draw_means(law, number):
-    """Returns what draws Fig. 2.1 or 2.2: weighted means over axial strain at 0.2 MPa."""
+    """Returns the function that draws Fig. 2.1 or 2.2: weighted means over axial strain at 0.2 MPa."""
     def draw(study, cases):
         own = [case for case in cases if case.law == law and case.pressure == "0.2"]
         if not own:
@@ -145,7 +145,7 @@ def draw_means(law, number):
 
 
 def draw_pressure(study, cases):
-    """Fig. 2.3: identified means over confining pressure."""
+    """Draws Fig. 2.3: identified means over confining pressure."""
     means = []
     for law, colour in zip(LAWS, figures.SERIES, strict=False):
         own = sorted((case for case in cases if case.law == law and case.grains == 1000), key=lambda case: float(case.pressure))
@@ -160,7 +160,7 @@ def draw_pressure(study, cases):
 
 
 def draw_prediction(study, cases):
-    """Fig. 2.4: the test with the identified parameters, and with the thesis's, beside the laboratory."""
+    """Draws Fig. 2.4: the test with the identified parameters, and with the thesis's, beside the laboratory."""
     panels = []
     for case in [case for case in cases if case.curve]:
         laboratory, curves = Table.read(LABORATORY.format(case.pressure)), case.folder("check_curves")
@@ -177,7 +177,7 @@ def draw_prediction(study, cases):
 
 
 def draw_density(study, case):
-    """Marginal posterior densities at several stations of the first round, and of all rounds at the end."""
+    """Draws marginal posterior densities: of the first round at several stations, and of all rounds at the end."""
     def density(table, at, k, name):
         rows = table.rows((table("parameter", "1") == k) & numpy.isclose(table(*case.station), at))
         return Series({name: rows("value", "its own") / (1e9 if quantity(name).unit == "GPa" else 1), "density": rows("density", "1 per its own")})
@@ -192,7 +192,7 @@ def draw_density(study, case):
 
 
 def draw(study, cases):
-    """All figures, and a remark on those that these cases and rounds do not give."""
+    """Draws all figures, and adds a remark on figures that these cases and rounds do not give."""
     drawers = (draw_identified, draw_means("cl", "Fig. 2.1"), draw_means("hm", "Fig. 2.2"), draw_pressure, draw_prediction)
     left_out = [reason for drawer in drawers if (reason := drawer(study, cases))]
     for case in cases:

@@ -14,7 +14,7 @@ RECORDED = "data/discrete_element/soilbag_uniaxial_{}.tsv"
 
 @functools.cache
 def yarns_cut():
-    """Returns how many yarns of a face and of a side of the thesis's bag a plane in its middle cuts."""
+    """Returns how many yarns of a face and of a side a plane through the middle of the thesis's bag cuts."""
     with open(HERE / "bag.toml", "rb") as file:
         return tomllib.load(file)["geotextile_mesh"]["cells"][1:]
 
@@ -41,10 +41,10 @@ class Record(Series):
 
 
 class Bag(Series):
-    """A bag under load from the end of the preload on, which is its row 0 and the zero of its settlement.
+    """A bag under load. Row 0 is the end of the preload, where the settlement is 0.
 
-    parts: a function that returns a table of the bag: its "groups" along x and its "fabric", both of its recorded states, and
-    its stress paths up to the first break, "path", of the whole soil and then of the groups.
+    parts: a function that returns a table of the bag by its name. "groups" along x and "fabric" are tables of the recorded states.
+    "path" has the stress paths up to the first break, first of the whole soil, then of each group.
     """
 
     derived = {"around": Record.derived["around"],
@@ -73,7 +73,7 @@ class Bag(Series):
         return int(numpy.flatnonzero(pressure >= 0.98 * pressure.max())[-1])
 
     def before_end(self, row, what):
-        """Returns the row. Raises NotMade where it is the last one, so that nothing tells whether `what` has come by then."""
+        """Returns the row. Raises NotMade if it is the last one, since `what` may then come later."""
         if row == len(self) - 1:
             raise NotMade(f"{what} does not come before {self.last('strain_axial'):.0f} %")
         return row
@@ -102,7 +102,7 @@ class Bag(Series):
         return self._parts("path")[name]
 
     def middle_over_edge(self, name, step):
-        """Returns the mean of the groups between the outermost two over that of these two."""
+        """Returns the mean over the inner groups over the mean over the two outermost groups."""
         values = self.groups(name, step)
         return values[1:-1].mean() / values[[0, -1]].mean()
 
@@ -133,8 +133,8 @@ class Recorded(Series):
 class Runs:
     """The tables of a folder: those that the study has just made, or those kept of its runs at full size.
 
-    full: whether grains and yarns have the thesis's size. loads: dead loads of the bags in simple shear, N; without them all whose
-    tables there are. absent: why a table may be missing; without it each missing table is an error.
+    full: whether grains and yarns have the thesis's size. loads: dead loads (N) of the bags in simple shear; by default
+    all whose tables exist. absent: why a table may be missing; without it each missing table is an error.
     """
 
     def __init__(self, folder, full, loads=(), absent=""):

@@ -1,4 +1,6 @@
-"""Broken yarns, from a table of all: where they are, and how near the seam of their face or side: 0 in its middle, 1 on its edge.
+"""Finds the broken yarns in a table of all yarns: their places, and how near the seam they lie.
+
+Nearness is 0 in the middle of the face or side of a yarn, and 1 on its edge, the seam.
 
 usage: homogenize RUN --state last --table yarns --tsv | python3 -m ch3.breaks > table
 """
@@ -13,7 +15,7 @@ FACE = 0  # family of the yarns on the faces; the others are on the sides
 
 
 def breaks(yarns):
-    """Returns the columns of the table of broken yarns. The edge is as far out as the outermost yarn of all, whole or broken."""
+    """Returns the columns of the table of broken yarns. The outermost yarn, whole or broken, marks the edge."""
     x, y, z = (yarns(f"position_{axis}", "mm") for axis in "xyz")
     face, broken = yarns("family", "1") == FACE, yarns("broken", "1") == 1
     out = numpy.where(face, numpy.maximum(abs(x), abs(y)), abs(z))

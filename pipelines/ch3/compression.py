@@ -22,7 +22,7 @@ def peak(bag, name):
 
 
 def left_over(bag, record, name):
-    """Returns what is left of a stress after failure, of its greatest, over the same of the record, where the shorter one ends."""
+    """Returns the residual of a stress, over its greatest value, at the end of the shorter series; divided by the same ratio of the record."""
     bag.before_end(bag.failed, "failure")
     end = min(bag.last("strain_axial"), record.last("strain_axial"))
     own, recorded = (series.where("strain_axial", end, name) / series[name].max() for series in (bag, record))
@@ -36,13 +36,13 @@ def obliquity_ratio(bag, record, strain):
 
 
 def slope(record):
-    """Returns the slope of the line through the origin that is nearest to the path of a record in p and q up to its first break."""
+    """Returns the slope q/p of the least-squares line through the origin for a record's stress path up to the first break."""
     p, q = record["mean_stress"][record.whole], record["deviatoric_stress"][record.whole]
     return (p * q).sum() / (p * p).sum()
 
 
 def side_share(bag, strain):
-    """Returns how much of what the faces' yarns stretch those do that run around the sides."""
+    """Returns the strain of the yarns around the sides over the strain of the faces' yarns, at an axial strain (%)."""
     side, face = (bag.where("strain_axial", strain, name) for name in ("strain_yarn_side_around", "strain_yarn_face"))
     return side / face
 
@@ -76,29 +76,29 @@ def rises(bag, name):
 
 
 def taut(bag, record):
-    """Returns the rows of the record from the tension of the bag's first station on.
+    """Returns the rows of the record from the first one with the yarn tension of the bag's first station on.
 
-    Stresses are no straight line between the preload and that station.
+    Between the preload and that station, stresses are too curved to be interpolated.
     """
     first = numpy.flatnonzero(record["tension_yarn_face"] >= bag["tension_yarn_face"][min(1, len(bag) - 1)])
     return numpy.arange(first[0] if len(first) else len(record) - 1, len(record))
 
 
 def to_peak(bag, record):
-    """Returns these rows up to the greatest recorded axial stress."""
+    """Returns the rows of taut() up to the greatest recorded axial stress."""
     rows = taut(bag, record)
     return rows[rows <= record.most("axial_stress")]
 
 
 def unbroken(bag, record):
-    """Returns these rows up to the tension of the bag's first break, before strength has its part."""
+    """Returns the rows of taut() up to the tension of the bag's first break, where the strength of yarns has no effect yet."""
     rows = taut(bag, record)
     beyond = record["tension_yarn_face"][rows] > bag["tension_yarn_face"][bag.broken]
     return rows[:beyond.argmax() if beyond.any() else None]
 
 
 def from_3(bag, record):
-    """Returns these rows from 3 % of axial strain to the greatest recorded axial stress."""
+    """Returns the rows of to_peak() from 3 % of axial strain on."""
     rows = to_peak(bag, record)
     return rows[record["strain_axial"][rows] >= 3]
 
@@ -111,9 +111,9 @@ def greatest(differences, what):
 
 
 def equal(name, along, rows):
-    """Returns the measure: greatest difference (%) of a column from the recorded one where `along` is as recorded, in some rows.
+    """Returns a measure: the greatest difference (%) of a column from the record at equal values of `along`, in some rows.
 
-    Where the bag does not come to a recorded tension, its greatest stands for that.
+    A recorded tension that the bag does not reach is replaced by the greatest one of the bag.
     """
     def measured(bag, record):
         chosen = rows(bag, record)
@@ -126,8 +126,8 @@ def equal(name, along, rows):
 def block(bag, record):
     """Returns the greatest difference (%) of the volumetric strain, dilation positive, of the block between the faces.
 
-    The faces' yarns stretch as it is pressed flat: twice their strain less the axial one. It leaves out the sides, and the
-    Delaunay tetrahedra that span what is hollow there.
+    The dilation is twice the strain of the faces' yarns less the axial strain. It leaves out the sides, unlike the Delaunay
+    volume, whose tetrahedra also span hollows there.
     """
     rows = from_3(bag, record)
     stretch = [bag.where("strain_axial", axial, "strain_yarn_face") - bag["strain_yarn_face"][0] for axial in record["strain_axial"][rows]]
@@ -135,7 +135,7 @@ def block(bag, record):
 
 
 COLUMNS = {"lateral": "lateral_stress", "axial": "axial_stress", "pressure": "plate_pressure", "tension": "tension_yarn_face"}
-# Where a bag is held beside its record: at equal values of which column, in which rows, which of COLUMNS.
+# Comparisons of a bag with its record: name, column of equal values, function that chooses the rows, compared COLUMNS.
 EQUAL = (("tension", "tension_yarn_face", to_peak, ("lateral", "axial", "pressure")),
          ("around", "around", to_peak, ("lateral",)),
          ("unbroken", "tension_yarn_face", unbroken, ("lateral", "axial", "pressure")),
@@ -208,7 +208,7 @@ def measure(study, runs):
 
 
 def measure_breaks(study, runs):
-    """Measures how near the seam yarns broke in the mean between smooth and rough plates: 0 in the middle of their face or side, 1 on its edge."""
+    """Measures the mean nearness to the seam (breaks.py) of yarns broken between smooth plates, and of yarns broken between rough plates."""
     def seam(table):
         if not len(table):
             raise NotMade("no yarn is broken")

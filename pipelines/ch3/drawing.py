@@ -1,4 +1,4 @@
-"""Figures of chapter 3: curves of this run, of the kept one at full size where that is another (dashed), and points of the record."""
+"""Figures of chapter 3: curves of this run; dashed, curves of the kept full-size run if this run is smaller; points of the record."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 from study import Drawn, Series, figures, panel
 
@@ -11,12 +11,12 @@ LOADS = dict(zip((1330, 1870, 2410, 12050, 24100, 36150), figures.SERIES, strict
 
 
 def of_both(runs, kept):
-    """Returns (runs, line, note) of what is drawn as curves: this run, and the kept one where that is another."""
+    """Returns (runs, line, note) of the drawn curves: this run, and the kept full-size run if there is one."""
     return [(runs, "o-", ""), *([(kept, "--", "full size")] if kept else [])]
 
 
 def draw_compressed(study, runs, kept):
-    """Figs. 3.7, 3.10, 3.12, 3.15 and 3.17: what is drawn of the compressed bags."""
+    """Draws Figs. 3.7, 3.10, 3.12, 3.15 and 3.17, of the compressed bags."""
     bags = [Drawn(g, bag, COLOURS[g], line, note) for of, line, note in of_both(runs, kept) for g, bag in of.bags().items()]
     beside = bags + [Drawn(g, record, COLOURS[g], "o", "record") for g, record in runs.record.items()]
     states = [Drawn(d.name, d.of.recorded(), d.colour, d.line, d.note) for d in bags]
@@ -29,7 +29,7 @@ def draw_compressed(study, runs, kept):
 
 
 def draw_sheared(study, runs, kept):
-    """Figs. 3.8, 3.11, 3.16 and 3.18: what is drawn of the sheared bags."""
+    """Draws Figs. 3.8, 3.11, 3.16 and 3.18, of the sheared bags."""
     bags = {(load, note): Drawn(f"{load / 1000:g} kN", bag, LOADS[load], line, note)
             for of, line, note in of_both(runs, kept) for load, bag in of.sheared().items()}
     states = [Drawn(d.name, d.of.recorded(), d.colour, d.line, d.note) for d in bags.values()]
@@ -41,7 +41,7 @@ def draw_sheared(study, runs, kept):
 
 
 def draw_shape(study, runs, _):
-    """Figs. 3.2 and 3.4."""
+    """Draws Figs. 3.2 and 3.4."""
     figure, (histogram, rose) = figures.panels(2)
     for k, (name, words) in enumerate((("rv", "representative volume"), ("bag", "bag"), ("bag_soil", "bag, soil with soil"))):
         colour, table = figures.SERIES[k], runs.table(f"{name}_histogram")
@@ -72,7 +72,7 @@ def draw_growth(study, runs, kept):
 
 
 def draw_strip_and_box(study, runs, _):
-    """Figs. 3.3 and 3.5."""
+    """Draws Figs. 3.3 and 3.5."""
     strips = [Drawn(g, making.Strip(runs.table(f"strip_{g}")), COLOURS[g], "o-") for g in GEOTEXTILES]
     boxes = {angle: runs.table(f"box_{angle}") for angle in making.FRICTION}
     boxes = [Drawn(f"{angle}° ({making.FRICTION[angle]})", making.Box(box.rows(box["stage"] > 0)), COLOURS[making.FRICTION[angle]], "o-")

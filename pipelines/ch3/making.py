@@ -1,4 +1,4 @@
-"""The bag before loading: its making, the spread of its contacts against the representative volume's, its geotextile alone."""
+"""Measures of the bag before loading: its generation, its contacts beside the representative volume's, tests of the geotextile alone."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import tomllib
@@ -10,7 +10,7 @@ from study.units import factor
 from .bag import GEOTEXTILES, HERE
 
 CURVE = "data/geotextiles/{}.toml"
-FRICTION = {21: "PP", 25: "PE"}  # degrees between nodes and soil in the shear boxes, and whose they are
+FRICTION = {21: "PP", 25: "PE"}  # friction angle (deg) of nodes and soil in the shear boxes: geotextile
 # Quantities compared between the bag and the representative volume.
 SPREADS = {"contact_number": "number of contacts", "orientation": "angle of contacts from the vertical",
            "soil_contact_number": "number of contacts, soil with soil alone",
@@ -18,7 +18,7 @@ SPREADS = {"contact_number": "number of contacts", "orientation": "angle of cont
 
 
 def shares(table, kind):
-    """Returns the numbers that fall into each class: grains by contacts (histogram), or contacts by their angle from the vertical."""
+    """Returns the count of each class: grains by number of contacts (histogram), or contacts by angle from the vertical (rose)."""
     return table["grains"] if kind == "histogram" else table.rows(table["plane"] == 0)["contacts"]
 
 
@@ -30,18 +30,18 @@ def distance(one, other):
 
 
 def chance(one, other):
-    """Returns the distance that two samples of these sizes exceed with a chance of 5 %."""
+    """Returns the distance that two samples of these sizes from one distribution exceed with a probability of 5 %."""
     return 1.358 * numpy.sqrt(1 / one.sum() + 1 / other.sum())
 
 
 def spread(runs, name):
-    """Returns what one of SPREADS compares: the numbers by class of the bag and of the representative volume."""
+    """Returns the counts by class of the bag and of the representative volume for one of SPREADS."""
     kind = "rose" if name.endswith("orientation") else "histogram"
     return [shares(runs.table(f"{of}_{kind}"), kind) for of in ("bag_soil" if name.startswith("soil") else "bag", "rv")]
 
 
 def spread_table(runs):
-    """Returns the columns of a table: sizes of both samples, their distance and the one that is chance."""
+    """Returns the columns of a table: sizes of both samples, their distance, and the distance of chance()."""
     pairs = [spread(runs, name) for name in SPREADS]
     return {"compared": list(SPREADS.values()), "bag [1]": [f"{bag.sum():.0f}" for bag, _ in pairs],
             "representative volume [1]": [f"{rv.sum():.0f}" for _, rv in pairs],
@@ -71,18 +71,18 @@ class Strip(Series):
                "tension": ("N", "tension of a yarn", lambda s: abs(s.table("force_right_y", "N")) / strip_size()[0])}
 
     def stiffness(self, geotextile):
-        """Returns the force of a yarn at 1 % of strain over that of the curve it was given."""
+        """Returns the force of a yarn at 1 % of strain over the force on the geotextile's curve."""
         with open(CURVE.format(geotextile), "rb") as file:
             curve = tomllib.load(file)
         return self["tension"][1] / (0.01 * curve["yarn_tension"][0] / curve["yarn_strain"][0])
 
     def strength(self):
-        """Returns the force (N) of a yarn when its yarns are tautest."""
+        """Returns the mean force (N) of a yarn at the strip's greatest yarn tension."""
         return self["tension"][numpy.nanargmax(self.table("yarn_tension_face", "N"))]
 
 
 class Box(Series):
-    """A shear box on a fixed sheet. The walls push as the sheet holds the soil back."""
+    """A shear box on a fixed sheet. Its shear force is what the walls transfer to the soil, and the soil to the sheet."""
 
     derived = {"displacement": ("mm", "displacement", lambda b: b.table("displacement_left_x", "mm")),
                "shear": ("N", "shear force", lambda b: abs(b.table("force_left_x", "N") + b.table("force_right_x", "N"))),
@@ -90,7 +90,7 @@ class Box(Series):
                "ratio": ("1", "shear over normal force", lambda b: b["shear"] / b["normal"])}
 
     def friction(self):
-        """Returns the friction angle (deg) of the interface: mean of the second half of the way."""
+        """Returns the friction angle (deg) of the interface: mean over the second half of the displacement."""
         shear, normal = (self[name][len(self) // 2:].sum() for name in ("shear", "normal"))
         return numpy.degrees(numpy.arctan2(shear, normal))
 

@@ -20,7 +20,7 @@ def laid_out(axes, y, height):
 
 
 def draw_breaks(study, runs, _):
-    """Fig. 3.6."""
+    """Draws Fig. 3.6."""
     figure, axes = figures.panels(2, height=4.6)
     for a, name, words in zip(axes, ("uc_PE_breaks", "uc_PE_rough_breaks"), ("smooth plates", "rough plates"), strict=True):
         table = runs.table(name)
@@ -59,7 +59,7 @@ def face(axes, yarns):
 
 
 def draw_bag(study, runs, kept):
-    """Figs. 3.12 and 3.14: there are too many marks for a drawing."""
+    """Draws Figs. 3.12 and 3.14, as a picture, since there are too many marks for a drawing."""
     bag = runs.bag("uc_PE")
     figure, axes = figures.panels(len(STATES), rows=2, width=11, height=5.4)
     for k, above, below in zip(STATES, axes[:len(STATES)], axes[len(STATES):], strict=True):

@@ -21,13 +21,13 @@ class Shear:
         return self.bag["step"][first[-1]]
 
     def lag(self, row):
-        """Returns by how much the stress ratio of the soil is behind that of the plates."""
+        """Returns the stress ratio of the plates less the stress ratio of the soil."""
         return self.bag["shear_ratio"][row] - self.bag["soil_ratio"][row]
 
     def unsteadiness(self):
-        """Returns the root mean square of what the shear deviates from the mean of its neighbours, over its mean.
+        """Returns the root mean square difference of the shear force from the mean of the rows before and after, over the mean shear force.
 
-        Counted are rows from the least thickness on.
+        Rows count from the least thickness on.
         """
         later = self.bag["plate_shear"][self.thinnest:]
         jumps = later[1:-1] - (later[:-2] + later[2:]) / 2
@@ -44,7 +44,7 @@ class Shear:
         return self.bag["settlement"].max() - self.bag.last("settlement")
 
     def group_change(self, name, which):
-        """Returns a stress of some groups at the end over that at the recorded state."""
+        """Returns the mean stress of some groups at the end over its value at state()."""
         end, state = (self.bag.groups(name, step)[which].mean() for step in (self.bag.last("step"), self.state()))
         return end / state
 
@@ -77,7 +77,7 @@ OF_ONE_BAG = (
     ("shear_sides_over_faces", "1", max, lambda s: 0.5 * (s.tension("side_around") + s.tension("side_up")) / s.tension("face")),
     ("shear_hoop", "1", max, lambda s: s.tension("side_around") / s.tension("side_up")),
 )
-# Each measure of how the greatest load differs from a lesser one: name, unit, the lesser one, value of one bag.
+# Differences between the greatest load and a lesser load: name, unit, lesser load, value of one bag.
 BETWEEN_LOADS = (
     ("shear_ratio_falls", "1", min, ratio),
     ("shear_soil_ratio_falls", "1", min, lambda s: s.bag["soil_ratio"].max()),
@@ -85,7 +85,7 @@ BETWEEN_LOADS = (
     ("shear_critical_c_falls", "1", min, lambda s: s.bag.fabric("a_c", s.bag.last("step"))),
     ("shear_slope_falls", "1", LARGE, Shear.slope),
 )
-# Each measure that has to hold for all loads from LARGE on: name, the worst of them, value of one bag.
+# Measures of all loads from LARGE on: name, function that chooses the worst value, value of one bag.
 OF_ALL = (
     ("shear_path_nears", min, lambda s: s.slope() - s.bag["obliquity"][0]),
     ("shear_path_leaves", max, lambda s: s.bag.last("obliquity") - s.slope()),
@@ -106,14 +106,14 @@ def chosen(bags, which):
 
 
 def between(bags, lesser, value):
-    """Returns a measure under the greatest load less that under a lesser one."""
+    """Returns a measure under the greatest load less its value under a lesser load."""
     if chosen(bags, max) is chosen(bags, lesser):
         raise NotMade("one load alone tells nothing of how loads differ")
     return value(chosen(bags, max)) - value(chosen(bags, lesser))
 
 
 def worst_of_large(bags, worst, value):
-    """Returns the worst of a measure under all loads from LARGE on, of which there has to be one."""
+    """Returns the worst value of a measure under all loads from LARGE on. Raises NotMade without such a load."""
     return worst(map(value, [bags[load] for load in bags if load >= LARGE] or [chosen(bags, LARGE)]))
 
 

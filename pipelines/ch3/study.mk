@@ -5,9 +5,8 @@
 STUDIES += ch3
 C3 := pipelines/ch3
 C3O := $(OUT)/ch3
-# The full-size bag of this one of three representative volumes is nearest to their mean in axial stress and load at
-# equal tension
-# (kept/bulging_thesis.tsv). In the quick profile it is the one for which the void ratio below was chosen.
+# Seed of the representative volume. The full-size bag of seed 3 is the nearest of three to their mean, in axial stress and load at equal
+# tension (kept/bulging_thesis.tsv). The void ratio below was chosen for seed 1 in the quick profile.
 C3_SEED_quick := 1
 C3_SEED_thesis := 3
 C3_SEED := $(C3_SEED_$(PROFILE))
@@ -23,14 +22,14 @@ C3_GRAINS_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set 
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025
 C3_MOMENTS_quick := --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 \
   $(foreach m,0 1,--set material.$(m).rolling.stiffness=1.04 --set material.$(m).twisting.stiffness=1.04)
-# Delaunay's tetrahedra leave out twice as much along the walls: of 0.615 and 0.6 the one whose load from 2 % on is the nearer to the
-# recorded one, for this representative volume. The coarser full bag presses by more for as many contacts.
+# Delaunay tetrahedra of coarser grains leave out twice as much along the walls. With a void ratio of 0.6 the load from 2 % on is nearer to
+# the recorded load than with 0.615, for this representative volume. Contacts of coarser grains also press harder in a full bag.
 C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.6 --set growth.measure_every=6 --set growth.overlap=2e-4 \
   --set contact.rolling.stiffness=1.04 --set contact.twisting.stiffness=1.04 --set material.0.rolling.stiffness=1.04 \
   --set material.0.twisting.stiffness=1.04
-# A yarn stands for two of the thesis's yarns.
+# One yarn represents two of the thesis's yarns.
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
-# Runs side by side use the cores better than threads within one; of the full size there is one at a time.
+# Runs side by side use the cores better than threads within one run. Full-size runs are made one at a time.
 C3_THREADS_quick := 1
 C3_THREADS_thesis := 2
 C3_THREADS ?= $(C3_THREADS_$(PROFILE))
@@ -40,7 +39,7 @@ C3_FILL_THREADS ?= $(C3_THREADS)
 ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,000 grains)
 
 .PRECIOUS: $(C3O)/%.h5
-# Its seed hangs on the profile.
+# The seed depends on the profile.
 $(C3O)/rv.h5: $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
@@ -51,10 +50,10 @@ $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter
 	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_FILL_THREADS) --quiet --resume --force \
 	  --history $(C3O)/generation.tsv -o $(C3O)/bag.h5
 
-# $(call compress,GEOTEXTILE,HOW FAR,OPTIONS): the bag that is named first, between plates
+# $(call compress,GEOTEXTILE,HOW FAR,OPTIONS) compresses the first prerequisite, a bag, between plates.
 compress = $(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(2) --set geotextile.0.curve=$(1) $(3) \
   --threads $(C3_THREADS) --quiet --resume --force -o $@
-# Chapter 5 takes the full-size bags of PE and PP for its own, and draws more states of that of PP.
+# Chapter 5 uses the full-size bags of PE and PP, too, and draws more states of the bag of PP.
 C3_RECORD_thesis_PP := --set record.strains=[0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14,0.16]
 # % is the geotextile.
 $(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
@@ -81,7 +80,7 @@ $(C3O)/sheet.h5: $(C3O)/rv.h5 $(C3)/sheet.toml $(BIN)/filter-expand
 $(C3O)/box_%.h5: $(C3O)/sheet.h5 $(C3)/box.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@$(BIN)/run-dem $< $(C3)/box.toml --set material.0.friction_angle=$* --threads 1 --quiet --resume --force -o $@
 
-# Bags give their loading, strips and boxes the series of their parts.
+# Tables of the runs: "loading" for bags, "series" for strips and boxes.
 C3_STRIPS_AND_BOXES := $(foreach run,strip_PE strip_PP box_21 box_25,$(C3O)/$(run).tsv)
 $(C3O)/%.tsv: $(C3O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
@@ -97,7 +96,7 @@ C3_YARNS := step,family,position_x,position_y,position_z,direction_x,direction_y
 $(C3O)/%_breaks.tsv: $(C3O)/%.h5 $(C3)/breaks.py $(BIN)/homogenize
 	@$(BIN)/homogenize $< --state last --table yarns --columns $(C3_YARNS) --tsv | $(STUDY_PY) -m ch3.breaks $(call whole,$@)
 
-# Contacts of the bag, those of its soil alone, and those of the representative volume it is made of, unloaded until it has as few.
+# Contacts of the bag, of its soil alone, and of its representative volume, which is unloaded until it has as few contacts.
 C3_ROSES := $(foreach of,rv bag bag_soil,$(C3O)/$(of)_histogram.tsv $(C3O)/$(of)_rose.tsv)
 $(C3O)/rv_unloaded.h5: $(C3O)/rv.h5 $(C3)/rv.toml $(BIN)/run-dem
 	@$(BIN)/run-dem $< $(C3)/rv.toml --threads 1 --quiet --force -o $@
@@ -120,7 +119,7 @@ $(C3O)/uc_PE_yarns_%.tsv: $(C3O)/uc_PE.h5 $(BIN)/homogenize
 $(C3O)/provenance.txt: $(C3O)/uc_PE.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 
-# Measurements of each run, so small that those of full-size runs can be kept and compared without the runs.
+# Tables of each run. They are so small that tables of full-size runs are kept, and compared without the runs.
 C3_UC := uc_PE uc_PP
 C3_SS := $(C3_LOADS:%=ss_%)
 C3_OF_RUNS := $(foreach run,$(C3_UC) $(C3_SS),$(run) $(run)_fabric $(run)_groups) \
@@ -136,7 +135,7 @@ KEEPING += ch3
 C3_ENDED := $(patsubst $(C3O)/%.h5,%,$(wildcard $(C3O)/uc_*.h5 $(C3O)/ss_*.h5))
 ENDED_ch3 := $(C3_ENDED) bag
 C3_OF_ENDED := $(filter $(foreach table,fabric groups path breaks,$(C3_ENDED:%=%_$(table))) $(C3_ENDED),$(C3_OF_RUNS))
-ch3-keep: $(C3_OF_ENDED:%=$(C3O)/%.tsv) $(C3_OF_BAG) ## keep what the thesis-size runs of ch3 that have ended leave (PROFILE=thesis)
-ch3-compare: $(C3_PY) ## compare and draw anew what is kept of ch3
+ch3-keep: $(C3_OF_ENDED:%=$(C3O)/%.tsv) $(C3_OF_BAG) ## keep the tables of finished thesis-size runs of ch3 (PROFILE=thesis)
+ch3-compare: $(C3_PY) ## compare and draw the kept runs of ch3 anew
 
 include $(C3)/variants.mk

@@ -10,7 +10,7 @@ from study import Cells, Study, main
 MEASURES = (making.measure, compression.measure, compression.measure_breaks, shear.measure)
 # OF_ALL: figures of this run and of the kept full-size runs. OF_RUNS: figures of this run alone.
 OF_ALL = (drawing.draw_compressed, drawing.draw_sheared, drawing.draw_shape, drawing.draw_growth)
-# J, kinetic energy at rest (thesis §3.3.1)
+# Kinetic energy at rest, J (thesis §3.3.1)
 THESIS_ENERGY = 1e-5
 OF_RUNS = (drawing.draw_strip_and_box, pictures.draw_breaks, pictures.draw_bag)
 
@@ -21,7 +21,7 @@ def given(name):
 
 
 def span(*descriptions, digits=0, bags=("bulging_seed_1", "bulging_seed_2", "bulging_seed_3")):
-    """Returns "2 to 5", or "2" where both are equal, for the least and greatest value of bags in rows of the kept table of bulging bags."""
+    """Returns the range of values in rows of the kept table of bulging bags as text: "2 to 5", or "2" if both ends are equal."""
     bulging = Cells(HERE / "kept" / "bulging_thesis.tsv", "description")
     values = [bulging(description, bag) for description in descriptions for bag in bags]
     low, high = (f"{value:.{digits}f}" for value in (min(values), max(values)))

@@ -1,8 +1,8 @@
-# The bag of PE varied in one thing at a time (variants.tsv), to tell what a difference from the published figures comes from, and what
-# one packing differs from the next by. All are compressed at 2 %/s with a given drag and the thesis's limit of the kinetic energy at rest,
-# the bag itself too: slowly enough for inertia to be no part of it, and so that a variant may load it otherwise. The results are kept, variant
-# by variant as they end, in pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows. Full-size variants, which are not soon repeated,
-# are kept with their histories. The tables rates_*_PROFILE.tsv beside it compare fast and slow plates.
+# The bag of PE varied in one thing at a time (variants.tsv). This shows the causes of differences from the published figures, and how much
+# packings differ. All bags, also the unvaried one, are compressed at 2 %/s with a given drag and the thesis's limit of the kinetic energy at
+# rest. That is slow enough for inertia to have no effect, and lets a variant change the loading. Each finished variant is kept in
+# pipelines/ch3/kept/variants_PROFILE.tsv, which the page shows. Full-size variants are kept with their histories, since they are
+# expensive to repeat. The tables rates_*_PROFILE.tsv beside it compare fast and slow plates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
@@ -16,7 +16,7 @@ C3V_STATES_quick := [0.04,0.08,0.12,0.16]
 C3V_STATES_thesis := [0.04,0.08]
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set record.strains=$(C3V_STATES_$(PROFILE))
 C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
-# All volumes except the study's own, which the bag itself is made of, and bags that exist at full size only.
+# All rows of variants.tsv except the seed of the study's own bag, and bags that exist at full size only.
 C3_VARIANTS_quick := $(filter-out name seed_$(C3_SEED) bulging_seed_%,$(shell sed '/^#/d' $(C3)/variants.tsv | cut -f 1))
 # Effect of the speed of the plates: fast ones beside slow ones. At full size this is the only variant.
 C3V_RATES := paced fast held_often followed
@@ -27,13 +27,13 @@ C3V_SLOW_followed := slowest
 C3_VARIANTS_thesis := bag $(foreach r,$(C3V_RATES),$(r) $(C3V_SLOW_$(r)))
 C3_VARIANTS := $(C3_VARIANTS_$(PROFILE))
 C3V_ENDED := $(patsubst $(C3V)/%/uc_PE.h5,%,$(wildcard $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5)))
-# $(call of_variant,NAME,PART): the settings of its bag or its load, as options
+# $(call of_variant,NAME,PART): the settings of a variant's bag or load, as options
 of_variant = $$($(C3V_PY) options $(1) $(2))
 
 .PHONY: ch3-variants ch3-variants-keep
-ch3-variants: $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5) ## vary the bag of ch3 in one thing at a time, and keep what each is worth
+ch3-variants: $(C3_VARIANTS:%=$(C3V)/%/uc_PE.h5) ## vary the bag of ch3 in one thing at a time, and keep the effect of each
 	@$(MAKE) --no-print-directory ch3-variants-keep && cat $(C3_KEPT)/variants_$(PROFILE).tsv
-ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep what the variants of ch3 that have ended are worth
+ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep the effects of the finished variants of ch3
 	@kept=$(C3_KEPT)/variants_$(PROFILE).tsv; $(C3V_PY) merge $$kept < $< $(call whole,$$kept)
 	@$(foreach r,$(C3V_RATES),$(if $(filter-out $(C3V_ENDED),$(r) $(C3V_SLOW_$(r))),,\
 	  $(C3V_PY) rates $(C3V)/$(r) $(C3V)/$(C3V_SLOW_$(r)) $(call whole,$(C3_KEPT)/rates_$(r)_$(PROFILE).tsv) || exit;))
@@ -60,7 +60,7 @@ $(C3V)/variants.tsv: $(C3_PY) $(STUDY) $(patsubst %,$(C3V)/%/uc_PE.tsv,bag $(fil
 
 # Causes of a misfit of the study: bags of another shape or filling, and bags of other representative volumes, which
 # show how much is chance.
-# The runs use the study's own rate and go past the greatest stress.
+# The runs have the study's own rate and go past the greatest stress.
 C3K := $(C3O)/causes
 C3K_UC := --set stage.1.strain=0.15 --set record.strains=[0.04,0.08,0.12]
 C3_CAUSES_quick := bulging_corners round_corners sharp_corners unstretched meshed_evenly round_sides flatter_sides
@@ -83,9 +83,9 @@ seeds_ended := $(call ended,$(C3_SEEDS))
 C3K_WITH_RUNS := $(foreach of,$(C3K_TABLES),$(if $($(of)_ended),$(of)))
 
 .PHONY: ch3-causes ch3-causes-keep
-ch3-causes: $(C3K_RUNS:%=$(C3K)/%.h5) ## compress bags otherwise shaped, filled or packed as the study does, and keep how near each is to the record
+ch3-causes: $(C3K_RUNS:%=$(C3K)/%.h5) ## compress bags with another shape, filling or packing as ch3 does, and keep how near each is to the record
 	@$(MAKE) --no-print-directory ch3-causes-keep && cat $(C3K_TABLES:%=$(C3_KEPT)/%_$(PROFILE).tsv)
-ch3-causes-keep: $(C3K_WITH_RUNS:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near such bags that have ended are to the record
+ch3-causes-keep: $(C3K_WITH_RUNS:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near the finished bags of ch3-causes are to the record
 	@$(foreach of,$(C3K_WITH_RUNS),cp $(C3K)/$(of).tsv $(C3_KEPT)/$(of)_$(PROFILE).tsv || exit; $(if $(filter thesis,$(PROFILE)), \
 	  for run in $(filter $($(of)_ended:%=%/%),$(C3K_ENDED)); do echo "== $$run" && $(BIN)/to-vtk --history $(C3K)/$$run.h5 || exit; done \
 	  $(call whole,$(C3_KEPT)/$(of)_thesis.txt) || exit;))
@@ -98,7 +98,7 @@ $(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@$(call compress,$(patsubst uc_%,%,$(*F)),$(C3K_UC))
 
-# % is what the bags differ in; the first one is the study's own. With mean and deviation of the others, or of all.
+# % is causes, bulging or seeds. The first bag is the study's own. apart adds mean and deviation of the other bags, scatter of all bags.
 C3K_BESIDE_bulging := apart
 C3K_BESIDE_seeds := scatter
 c3k_runs = $(C3K_YARNS_$(PROFILE):%=$(C3O)/uc_%) $(filter $(foreach run,$($(1)_ended),$(C3K)/$(run)/%),$(C3K_ENDED:%=$(C3K)/%))

@@ -1,8 +1,8 @@
-"""The bag varied in one thing at a time: what each variant is worth, what the speed of plates is worth, what causes a misfit.
+"""Tables of the bag varied in one thing at a time: effects of the variants, of the speed of the plates, and of causes of a misfit.
 
 usage: python3 -m ch3.variants COMMAND NAME... > table; variants.mk calls it. Commands: options VARIANT bag|load; seed VARIANT;
-table FOLDER VARIANT...; rates FAST SLOW; merge KEPT < NEW; beside [NAME=]FOLDER..., scatter FOLDER... with mean and deviation, apart
-FOLDER... with those of all but the first.
+table FOLDER VARIANT...; rates FAST SLOW; merge KEPT < NEW; beside [NAME=]FOLDER...; scatter FOLDER..., with mean and deviation;
+apart FOLDER..., with mean and deviation of all but the first.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
@@ -24,7 +24,7 @@ COLUMNS = ("name", "seed", "bag", "load", "description")
 
 
 def cell(name, column):
-    """Returns what variants.tsv has of a variant. Raises StudyError for an unknown one."""
+    """Returns the entry of a variant in a column of variants.tsv. Raises StudyError for an unknown one."""
     rows = {row["name"]: row for _, row in read_words(HERE / "variants.tsv", COLUMNS)[1]}
     if name not in rows:
         raise StudyError(f"{HERE / 'variants.tsv'}: has no variant {name}{suggestion(name, rows)}")
@@ -47,9 +47,9 @@ def as_text(rows):
 
 
 def table(folder, names):
-    """Returns the table of variants as text: what each carries at STRAINS and at most, and where its first yarn breaks.
+    """Returns the table of variants as text: their loads at STRAINS and at most, and the strain at the first broken yarn.
 
-    The first name is the bag itself, which the others are told as differences from.
+    The first name is the unvaried bag. The others are given as differences from it.
     """
     heads = ["variant", "what is varied", "void ratio under the preload"]
     for s in STRAINS:
@@ -99,7 +99,7 @@ def rates(fast, slow):
 
 
 def verdicts(folder):
-    """Returns what a folder's compressed bags have of the published values, by description, as comparison.tsv shows it."""
+    """Returns the Verdicts of comparison.tsv for a folder's compressed bags, by description."""
     study = Study("ch3", "", folder, "quick")
     compression.measure(study, Runs(folder, False, absent="not compressed"))
     stated = [s for s in read_statements(HERE / "expected.tsv") if s.name in study.measures]
@@ -107,11 +107,11 @@ def verdicts(folder):
 
 
 def beside(folders, scatter=False, apart=False):
-    """Returns what several bags have of the published values as text, a line a value, a column a bag.
+    """Returns a table of several bags beside the published values as text: a line for each value, a column for each bag.
 
-    folders: each names its bag by its last part, or is written NAME=FOLDER. Left out are values after failure, which shorter
-    runs cannot tell, and those that the first bag alone has. scatter: with mean and standard deviation of a sample. apart: the
-    first bag is no part of these.
+    folders: paths whose last part names the bag, or NAME=FOLDER. The table leaves out values after failure, which shorter runs
+    do not reach, and values that only the first bag has. scatter: adds mean and standard deviation of a sample. apart: leaves
+    the first bag out of both.
     """
     pairs = [(name or pathlib.Path(folder).name, verdicts(folder)) for name, _, folder in (words.rpartition("=") for words in folders)]
     of_each = [of for _, of in pairs]
@@ -128,9 +128,9 @@ def beside(folders, scatter=False, apart=False):
 
 
 def entries(text, where):
-    """Returns the head of a table of variants, or none of histories, and what there is of each variant, by name.
+    """Splits a table or histories of variants: returns the head (empty for histories), and the text of each variant by name.
 
-    A table has a line for each variant, a history begins with "== NAME".
+    A table has a line for each variant. A history begins with "== NAME".
     """
     if text.startswith("variant\t"):
         lines = text.splitlines(keepends=True)
@@ -142,9 +142,9 @@ def entries(text, where):
 
 
 def merge(new, kept, where):
-    """Returns the new table or histories with those variants from the kept one that the new one lacks.
+    """Returns the new table or histories, with the variants of the kept text that the new text lacks.
 
-    Raises StudyError where differences of the kept table are from another bag, unless none of them stays.
+    Raises StudyError if kept rows that stay are differences from another bag.
     """
     head, rows = entries(new, "the new ones")
     _, old = entries(kept, where)
@@ -155,7 +155,7 @@ def merge(new, kept, where):
 
 
 def merged(path):
-    """Returns what standard input holds, merged with what is kept at a path, where there is something."""
+    """Returns standard input, merged with the kept file at a path if it exists."""
     new, kept = sys.stdin.read(), pathlib.Path(path)
     return merge(new, kept.read_text(encoding="utf-8"), kept) if kept.exists() else new
 

@@ -14,7 +14,7 @@ FORMS = ("wrapped", "layered")
 GEOTEXTILES = ("PE", "PP", "5PP")  # from soft to stiff
 MIDDLING = "PP"  # the geotextile that Fig. 4.6 shows
 TWIN = "PE"  # the geotextile whose wrapped cell is also sheared at a tenth of the rate, in the fewest steps of all
-GROUPS = ("1", "2", "3")  # of the reinforced soil, from its edge to its middle
+GROUPS = ("1", "2", "3")  # groups of the reinforced soil, from its edge to its middle
 SHEAR = 1  # number of the stage in triaxial.toml
 EARLIEST = 2  # % of axial strain from which on the forms are compared
 
@@ -50,7 +50,7 @@ def grouped(k, stress_of, words):
 
 
 class Soil(Series):
-    """A cell of soil alone, from the start of shear on, and what the forms have in common with it."""
+    """A cell of soil alone, from the start of shear on. Cell has the same columns, and more."""
 
     derived = {"strain": ("%", "axial strain", lambda c: 100 * -numpy.expm1(-c.table("strain_axial", "1"))),
                "ratio": stress("stress_zz", "σₐ/σ_c"),
@@ -95,9 +95,9 @@ class Cell(Soil):
         return slice(int(broken[0]) if len(broken) else len(self))
 
     def path(self, of=""):
-        """Returns the slope q/p of the stress path up to the peak and how far it is from a line, % of the greatest q.
+        """Returns the slope q/p of the stress path up to the peak, and the greatest distance from a line of that slope, % of the greatest q.
 
-        The line is that through the origin that fits by least squares. of: a group, or the whole reinforced soil.
+        The line is the least-squares line through the origin. of: a group; by default the whole reinforced soil.
         """
         rows = slice(self.peak + 1)
         p, q = self[f"p{of}"][rows], self[f"q{of}"][rows]

@@ -11,7 +11,7 @@ from .cells import FORMS, GEOTEXTILES, GROUPS, MIDDLING
 
 LINES = {"wrapped": "-", "layered": "--"}
 PARTS = ((0, "#b98d4f"), (1, "#d9d5cb"), (2, "#33475b"))  # reinforced soil, fill, nodes: numbers of the column "part"
-EDGE = "#00000050"  # of grains among grains of one colour
+EDGE = "#00000050"  # edge of a grain among grains of one colour
 STATES = (("least", "densest"), ("greatest", "loosest"))
 MOST_STRAIN = 0.6  # deviatoric strain at the end of the scale of colours
 
@@ -32,7 +32,7 @@ def soil(runs):
 
 
 def draw_response(study, runs):
-    """Fig. 4.4: above the cells, below their reinforced soil."""
+    """Draws Fig. 4.4: above the cells, below their reinforced soil."""
     cells = of_cells(runs)
     study.curves("response", panel("strain", "ratio", [*cells, soil(runs)], legend=False),
                  panel("strain", "contraction", [*cells, soil(runs)], legend=False), panel("strain", "broken", cells, legend=False),
@@ -41,7 +41,7 @@ def draw_response(study, runs):
 
 
 def draw_paths(study, runs):
-    """Fig. 4.5: a panel for each geotextile, in which each group of both forms has a colour."""
+    """Draws Fig. 4.5: a panel for each geotextile, in which each group of both forms has a colour."""
     figure, axes = figures.panels(len(GEOTEXTILES), width=11)
     for a, g in zip(axes, GEOTEXTILES, strict=True):
         for form in FORMS:
@@ -60,7 +60,7 @@ def draw_paths(study, runs):
 
 
 def draw_volumes(study, runs):
-    """Fig. 4.6 a, b."""
+    """Draws Fig. 4.6 a, b."""
     cells = [Drawn(form, runs.cell(form, MIDDLING), figures.GEOTEXTILE[MIDDLING], LINES[form]) for form in FORMS]
     study.curves("volumes", panel("strain", "e", cells), panel("strain", "e_inside", cells))
 
@@ -74,7 +74,7 @@ def circles(axes, x, y, radius, **colours):
 
 
 def draw_sections(study, runs):
-    """Fig. 4.6 c to f: there are too many marks for a drawing."""
+    """Draws Fig. 4.6 c to f, as a picture, since there are too many marks for a drawing."""
     figure, axes = figures.panels(2, rows=2, width=11, height=5.4)
     for a, ((which, words), form) in zip(axes, ((state, form) for state in STATES for form in FORMS), strict=True):
         cut = runs.folder(f"section_{form}_{MIDDLING}_{which}")
@@ -95,7 +95,7 @@ def draw_sections(study, runs):
 
 
 def draw_assemblies(study, runs):
-    """Fig. 4.3: both cells from above one corner, without the fill and the nodes in front of their middle. Too many marks, too."""
+    """Draws Fig. 4.3, as a picture: both cells from above one corner, without the fill and the nodes in front of their middle."""
     figure, axes = figures.panels(2, width=11, height=4.2)
     for a, form in zip(axes, FORMS, strict=True):
         grains = runs.folder(f"grains_{form}")
@@ -103,7 +103,7 @@ def draw_assemblies(study, runs):
         part, radius = grains("part", "1"), grains("radius", "mm")
         place = place - (place.max(axis=0) + place.min(axis=0)) / 2
         shown = ~((place[:, 0] > 0) & (place[:, 1] < 0) & (part != PARTS[0][0]))
-        # Along these the drawing has its right, its up, and what is nearer.
+        # Directions in the cell that point right, up, and towards the viewer in the drawing.
         right, up, near = numpy.array([1, 1, 0]) / 2**0.5, numpy.array([-0.35, 0.35, 0.87]), numpy.array([0.61, -0.61, 0.5])
         order = numpy.argsort(place[shown] @ near)
         colours = numpy.empty((len(part), 3))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares loadings of one cell: tables of axial over lateral stress by axial strain, and of the steps that each took.
+"""Compares loadings of one cell: prints axial over lateral stress by axial strain, or the steps of each run.
 
 usage: python3 -m ch4.loading stresses|steps NAME=series.tsv ...   Runs named `study` and `slow` have to be among them.
 """
@@ -24,13 +24,13 @@ def stresses(runs):
 
 
 def steps(runs):
-    """Returns lines of the steps that each run took and those of them that waited for rest."""
+    """Returns lines of the steps that each run took and of the steps among them that waited for rest."""
     return ["loading\tsteps [1]\twaiting for rest [1]", *(
         f"{name}\t{run.table('step', '1')[-1]:.0f}\t{run.table('steps_waiting', '1')[-1]:.0f}" for name, run in runs.items())]
 
 
 def told(what, words):
-    """Returns the lines of a table of `words`, NAME=PATH each. Throws StudyError for another table and for missing runs."""
+    """Returns the lines of a table of `words`, NAME=PATH each. Raises StudyError for another table and for missing runs."""
     tables = {"stresses": stresses, "steps": steps}
     paths = {name: path for name, equals, path in (word.partition("=") for word in words) if equals}
     if what not in tables or len(paths) != len(words) or not {"study", "slow"} <= paths.keys():

@@ -3,7 +3,7 @@
 usage: homogenize RUN --table grains --tsv | python3 -m ch4.sections cut|bands > table
        homogenize RUN --table cell --columns step --tsv | python3 -m ch4.sections least|greatest LOADING
 
-The latter tells the number of the state in which the reinforced soil is the densest or the loosest.
+The commands least and greatest print the number of the state in which the reinforced soil is the densest or the loosest.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import sys
@@ -14,8 +14,8 @@ from study.tables import write_table
 
 from .cells import Cell
 
-SOIL = 0  # its number in the column "part"
-CLASSES = 10  # of distances
+SOIL = 0  # number of the reinforced soil in the column "part"
+CLASSES = 10  # number of classes of distances
 
 
 def cut(grains):
@@ -32,7 +32,7 @@ def cut(grains):
 def bands(grains):
     """Returns counts of the reinforced soil's grains, and of those sheared above twice the mean, by distance from the middle in plan.
 
-    The distance is the greater of |x| and |y| from the middle, over the farthest grain's. Each class is told by its upper end.
+    The distance is the greater of |x| and |y| from the middle, over the farthest grain's. Each class is named by its upper end.
     """
     soil = grains.rows(grains("part", "1") == SOIL)
     x, y, strain = soil("position_x", "mm"), soil("position_y", "mm"), soil("strain_deviatoric", "1", missing=True)
@@ -50,7 +50,7 @@ def middle(values):
 
 
 def state(steps, loading, which):
-    """Returns the number of the state, of those with these steps, in which reinforced soil is the densest or the loosest."""
+    """Returns the index of the state, in a list of recorded steps, in which the reinforced soil is the densest or the loosest."""
     cell = Cell(loading)
     e = cell["e_inside"]
     step = cell["step"][e.argmin() if which == "least" else e.argmax()]

@@ -20,7 +20,7 @@ C4_BAG := $(C4_BAG_$(PROFILE))
 C4_GRAINS_quick := 500 --aspect 1
 C4_GRAINS_thesis := 1000
 c4_moments = $(foreach t,contact $(1),--set $(t).rolling.stiffness=1.04 --set $(t).twisting.stiffness=1.04)
-# A bag of few grains that hardly bear would yield in the cell by more than a large one: it is filled until it bears some of the pressure.
+# In the cell, a small bag with hardly loaded grains would yield more than a large one. So it is filled until it bears some of the pressure.
 C4_FILL_quick := --set grains.scale=1.94 --set container.copies=[5,5,1] --set geotextile_mesh.cells=[45,45,10] \
   --set geotextile_mesh.node_radius=0.005 --set geotextile_mesh.offset=0.0025 --set growth.measure_every=6 $(call c4_moments,material.0) \
   --set growth.delaunay_void_ratio=0.57 --set growth.overlap=2e-4 --set growth.coordination_number=3.5 \
@@ -76,7 +76,7 @@ $(C4_SLOW_thesis:%=$(C4O)/%.h5): $(C4O)/%.h5:
 	@echo '  run   $@'
 	@$(call c4_shear,--set stage.1.rate=0.01)
 
-# The layered cell with PP, loaded otherwise than the study loads it, to tell how near that is to slow loading.
+# The layered cell with PP under other loadings. They show how near the study's loading is to slow loading.
 C4_LOADINGS := told slow limit_0.06
 C4_LOADING_told := --set grains.mass_scaling=none --set stage.0.rest_drag=0 --set stage.1.rest_drag=0 --set stage.1.way_unbalanced_force=0
 C4_LOADING_slow := --set stage.1.way_unbalanced_force=0 --set stage.1.rate=0.01
@@ -92,7 +92,7 @@ $(C4O)/loading/%.tsv: $(C4O)/loading/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table series --tsv $(call whole,$@)
 c4_loaded = $(foreach run,$(C4_LOADINGS) study,$(run)=$(C4O)/loading/$(run).tsv)
 .PHONY: ch4-loading
-ch4-loading: $(C4)/loading.py $(foreach run,$(C4_LOADINGS) study,$(C4O)/loading/$(run).tsv) ## compare loadings of a cell of ch4, and keep what each is worth
+ch4-loading: $(C4)/loading.py $(foreach run,$(C4_LOADINGS) study,$(C4O)/loading/$(run).tsv) ## compare loadings of a cell of ch4, and keep the comparison
 	@$(STUDY_PY) -m ch4.loading stresses $(c4_loaded) $(call whole,$(C4)/kept/loading_$(PROFILE).tsv)
 	@$(STUDY_PY) -m ch4.loading steps $(c4_loaded) $(call whole,$(C4)/kept/loading_steps_$(PROFILE).tsv)
 
@@ -137,5 +137,5 @@ ENDED_ch4 := $(patsubst $(C4O)/%.h5,%,$(wildcard $(C4_RUNS:%=$(C4O)/%.h5) $(C4_P
 # Sections are those of a run, FORM_GEOTEXTILE; a packing, FORM, has none.
 c4_of = $(C4O)/$(1).tsv $(C4O)/$(1)_shape.tsv $(C4O)/$(1)_rose.tsv $(if $(findstring _,$(1)),$(C4O)/bands_$(1)_%.tsv)
 C4_OF_ENDED := $(foreach run,$(ENDED_ch4),$(filter $(call c4_of,$(run)),$(C4_TABLES)))
-ch4-keep: $(C4_OF_ENDED) ## keep what the thesis-size runs of ch4 that have ended leave (PROFILE=thesis)
-ch4-compare: $(C4_PY) ## compare and draw anew what is kept of ch4
+ch4-keep: $(C4_OF_ENDED) ## keep the tables of finished thesis-size runs of ch4 (PROFILE=thesis)
+ch4-compare: $(C4_PY) ## compare and draw the kept runs of ch4 anew

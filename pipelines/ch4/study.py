@@ -11,7 +11,7 @@ from study import NotMade, Study, main
 
 
 def measure_start(study, runs):
-    """At rest under the confining pressure: void ratios and contacts."""
+    """Measures void ratios and contacts at rest under the confining pressure."""
     for form in FORMS:
         for name, column, unit, factor in (("e", "e", "1", 1), ("e_inside", "e_inside", "1", 1), ("fill", "fill", "%", 100)):
             study.measure(f"{name}_{form}", lambda f=form, c=column, k=factor: k * runs.cell(f, MIDDLING)[c][0], unit)
@@ -36,14 +36,14 @@ def contractions(runs, form):
 def dilations(pair):
     """Returns the dilation of the wrapped cell at its peak over that of the layered one.
 
-    Where the layered form does not dilate the wrapped one has no half of that: any dilation is then too much.
+    A layered cell that does not dilate counts as dilating by 0.01 %, so that any clear dilation of the wrapped cell is too much.
     """
     wrapped, layered = (max(0.0, -cell["contraction"][cell.peak]) for cell in pair)
     return wrapped / max(layered, 0.01)
 
 
 def measure_cells(study, runs):
-    """Under load: stresses and volumes of the cells."""
+    """Measures stresses and volumes of the cells under load."""
     for g in GEOTEXTILES:
         for form in FORMS:
             study.measure(f"peak_{form}_{g}", lambda f=form, g=g: runs.cell(f, g)["ratio"].max(), "1")
@@ -63,7 +63,7 @@ def inside(pairs, name):
 
 
 def residuals(runs, form):
-    """Returns the lateral stress of the reinforced soil at the end over the confining one, with each geotextile, and at the start."""
+    """Returns the lateral stress of the reinforced soil over the confining one, at the end and at the start, with each geotextile."""
     return [(ratio[-1], ratio[0]) for ratio in (runs.cell(form, g)["inside_lateral"] for g in GEOTEXTILES)]
 
 
@@ -74,7 +74,7 @@ def axial_below_lateral(pair):
 
 
 def measure_inside(study, runs):
-    """Stresses of the reinforced soil over the confining one."""
+    """Measures the stresses of the reinforced soil over the confining one."""
     study.measure("inside_above", lambda: min(r.min() for name in ("inside_axial", "inside_lateral") for r in inside(runs.pairs, name)), "1")
     for name in ("axial", "lateral"):
         study.measure(f"inside_gap_{name}", lambda n=name: min(
@@ -85,7 +85,7 @@ def measure_inside(study, runs):
 
 
 def inwards(cell):
-    """Returns p of the second group over that of the first, at the edge, at the cell's peak."""
+    """Returns p of the second group over p of the first group, which lies at the edge, at the cell's peak."""
     return cell["p2"][cell.peak] / cell["p1"][cell.peak]
 
 
@@ -95,7 +95,7 @@ def edges(runs, form):
 
 
 def measure_paths(study, runs):
-    """Stress paths of the reinforced soil and of its groups up to the peak."""
+    """Measures the stress paths of the reinforced soil and of its groups up to the peak."""
     def paths(geotextile, parts=("", *GROUPS)):
         return [runs.cell(form, geotextile).path(of) for form, of in itertools.product(FORMS, parts)]
 
@@ -114,7 +114,7 @@ def measure_paths(study, runs):
 
 
 def fall(cell, name):
-    """Returns by how much a column of a cell falls at most from its first row."""
+    """Returns the first value of a column less its least value."""
     return cell[name][0] - cell[name].min()
 
 
@@ -125,7 +125,7 @@ def banded(bands, zone):
 
 
 def measure_volumes(study, runs):
-    """Void ratios of the cell and of the reinforced soil with PP, and where grains shear."""
+    """Measures void ratios of the cell and of the reinforced soil with PP, and where grains shear."""
     def both(of):
         wrapped, layered = (of(cell) for cell in runs.pair(MIDDLING))
         return wrapped - layered
@@ -143,7 +143,7 @@ def measure_volumes(study, runs):
 
 
 def measure_chain(study, runs):
-    """Whether the runs are what they should be; of kept ones, those that there are."""
+    """Measures whether the runs are sound. Runs that are not kept are left out."""
     def most(of):
         return lambda: max(of(cell) for cell in runs.cells())
     study.measure("lateral_held", most(lambda cell: 100 * abs(cell["lateral"] - 1).max()), "%")
@@ -155,7 +155,7 @@ def measure_chain(study, runs):
 
 
 def slowed(runs):
-    """Returns by how much the cell's axial stress differs at most at a tenth of the rate, % of the greatest. Raises NotMade."""
+    """Returns the greatest change of the cell's axial stress at a tenth of the rate, % of the greatest stress. Raises NotMade without that run."""
     slow, usual = runs.slow()["ratio"], runs.cell("wrapped", TWIN)["ratio"]
     if len(slow) != len(usual):
         raise NotMade("it has not come to the end")

@@ -1,4 +1,4 @@
-"""Runs of grains of chapter 5: seven bags between plates, nine cells of wrapped soil, what is identified from them, their model."""
+"""DEM runs of chapter 5: seven bags between plates, nine cells of wrapped soil, the constants identified from them, the model."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import functools
 import pathlib
@@ -11,10 +11,10 @@ from study import Folder, NotMade, Series, Table
 UNIAXIAL = ("PE", "0.5PP", "PP", "2PP", "3PP", "4PP", "5PP")  # from soft to stiff, PE aside
 RECORDED = ("PE", "PP", "3PP")  # geotextiles whose discrete-element series are public
 SHEARED, PRESSURES = ("PE", "PP", "5PP"), ("10", "50", "100")  # kPa
-SOILS = {"": "Table 5.2", "own_": "own constants"}  # of whose constants a solution is, by the beginning of its table's name
+SOILS = {"": "Table 5.2", "own_": "own constants"}  # whose constants a solution has, by the prefix of its table's name
 SHEAR = 1  # number of the stage of a cell's run
-FACE_YARNS, SIDE_YARNS = 91, 20  # of a vertical hoop: those that run along a face, and up the sides
-STRENGTH_OF = {"PE": "PE"}  # whose curve a geotextile has; the others are multiples of PP
+FACE_YARNS, SIDE_YARNS = 91, 20  # yarns of a vertical hoop along a face, and up the sides
+STRENGTH_OF = {"PE": "PE"}  # geotextiles with a curve of their own; the others are multiples of PP
 
 
 def strength(geotextile):
@@ -25,7 +25,7 @@ def strength(geotextile):
 
 
 def hoop_strain(face, around, up):
-    """Returns the mean strain of the hoops: the horizontal ones, and the vertical ones over faces and sides.
+    """Returns the mean strain of horizontal and vertical hoops.
 
     A vertical hoop runs over both faces, 2 x 400 mm, and both sides, 2 x 80 mm.
     """
@@ -33,7 +33,7 @@ def hoop_strain(face, around, up):
 
 
 def vertical_hoop(face, up):
-    """Returns the mean tension of the yarns of the vertical hoops, by their number."""
+    """Returns the mean tension of the vertical hoops: faces and sides weighted by their numbers of yarns."""
     return (FACE_YARNS * face + SIDE_YARNS * up) / (FACE_YARNS + SIDE_YARNS)
 
 
@@ -59,7 +59,7 @@ class Pressed(Series):
 
 
 class Bag(ch3.Bag, Pressed):
-    """A bag under load from the end of the preload on. stiffness: of its geotextile in the model, kN/m."""
+    """A bag under load from the end of the preload on. stiffness: the geotextile's in the model, kN/m."""
 
     derived = ch3.Bag.derived | {
         "radial_stress": ("kPa", "lateral stress", lambda b: b["lateral_stress"]),
@@ -79,7 +79,7 @@ class Bag(ch3.Bag, Pressed):
 class Cell(Pressed):
     """A cell of wrapped soil in triaxial compression. Its surcharge is the cell's axial stress, stresses and volume are the soil's.
 
-    Strains are engineering ones, as the bags' and the solution's.
+    Strains are engineering strains, like those of the bags and of the solution.
     """
 
     derived = {
@@ -171,7 +171,7 @@ class Copies:
         return self.table(f"principal_{number}", "kPa")
 
     def direction(self, number, axis):
-        """Returns a component of its unit direction."""
+        """Returns a component of the unit direction of principal stress 1, 2 or 3 in each copy."""
         return self.table(f"direction_{number}{axis}", "1")
 
     def place(self, axis):

@@ -55,7 +55,7 @@ def tension_at_peak(bag, geotextile):
 
 
 def hoops(load, tension, whole, scales):
-    """Returns the slope of a scaled tension on the scaled load, through the origin, and its deviation, % of the tension at the greatest load.
+    """Returns the slope of scaled tension over scaled load, through the origin, and the deviation, % of the tension at the greatest load.
 
     whole: how many rows come before the first break. scales: load and tension with PP at its greatest load.
     """
@@ -139,7 +139,7 @@ def preload_obliquity(record):
 def kappa_of_strained(points):
     """Returns kappa of the near-failure line, M_f - q/p = kappa/(eps_d + lambda) - xi (thesis Eq. 5.4), without the states under the preload.
 
-    For a lambda, kappa and xi follow by linear least squares. The lambda, in steps of 0.002 up to 6, is that of the least sum.
+    Each lambda from 0.2 to 6 % in steps of 0.002 gives kappa and xi by linear least squares. The lambda of the least sum of squares is taken.
     """
     strained = points["strain_deviatoric"] > 0
     strain, distance = points("strain_deviatoric", "%")[strained], points("distance_to_failure", "1")[strained]
@@ -223,9 +223,9 @@ def added_confinement(cell):
 
 
 def near_failure(grains, geotextile, pressure):
-    """Returns the distance of q/p of a cell from that of the bag of the same geotextile at 8 % of deviatoric strain.
+    """Compares the distance to failure of a cell and of the bag with the same geotextile at 8 % of deviatoric strain.
 
-    Both are taken less the failure-state line, which falls with the mean stress.
+    Returns the difference. The distance is the failure-state line, which falls with the mean stress, less q/p.
     """
     cell, bag = grains.cell(geotextile, pressure), grains.bag(geotextile)
     distances = []
@@ -243,10 +243,10 @@ def failure(grains, p):
 
 
 def misfit(model, run):
-    """Returns what the model's answer differs by from a run, up to the run's greatest surcharge, as a dictionary of numbers.
+    """Returns the differences of the model from a run, up to the run's greatest surcharge, as numbers by name.
 
-    capacity, axial, lateral: greatest values over the run's; settlement: difference in %; rms_...: root mean square of the
-    differences at equal axial strain over the run's greatest, %; volumetric: difference of the volumetric strain at the end, %.
+    capacity, axial, lateral: the model's greatest values over the run's. settlement, volumetric: difference in % at the end. rms_...:
+    root mean square of the differences at equal axial strain, % of the run's greatest value.
     """
     rows = slice(run.peak + 1)
     strain = run["strain_axial"][rows]

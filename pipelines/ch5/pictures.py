@@ -12,7 +12,7 @@ AXES = ((3, figures.GREEN), (2, figures.BLUE))  # minor and medium stress, as th
 
 
 def draw_directions(study, grains):
-    """Fig. 5.4: the copies of the bag of PP from above, where the soil is densest and at the greatest axial stress."""
+    """Draws Fig. 5.4: the copies of the bag of PP from above, where the soil is densest and at the greatest axial stress."""
     bag = grains.bag("PP")
     rows = int(bag["delaunay_void_ratio"].argmin()), bag.most("axial_stress")
     figure, axes = figures.panels(2, height=4.6)
@@ -35,7 +35,7 @@ def draw_directions(study, grains):
 
 
 def draw_friction(study, grains):
-    """Fig. 5.5: bags solid, cells at the least lateral stress dashed."""
+    """Draws Fig. 5.5: bags solid, cells at the least lateral stress dashed."""
     bags, cells = grains.bags(), grains.cells()
     drawn = [Drawn(g, bags[g], COLOURS[g]) for g in ("PE", "PP") if g in bags]
     drawn += [Drawn(f"{g}, 10 kPa", cells[g, "10"], COLOURS[g], "--") for g in ("PE", "PP") if (g, "10") in cells]
@@ -44,7 +44,7 @@ def draw_friction(study, grains):
 
 
 def draw_states(study, grains):
-    """Fig. 5.6: void ratio and stresses of the soil in the bags, and the failure-state line."""
+    """Draws Fig. 5.6: void ratio and stresses of the soil in the bags, and the failure-state line."""
     bags = [Drawn(g, bag, COLOURS[g]) for g, bag in grains.bags().items()]
     figure, axes = figures.panels(3, width=11)
     p = numpy.geomspace(2, max(d.of["mean_stress"].max() for d in bags), 100)
@@ -63,7 +63,7 @@ def draw_states(study, grains):
 
 
 def draw_hoops(study, grains):
-    """Fig. 5.8: load over tension of both sets of hoops, over those of the bag of PP at its greatest load."""
+    """Draws Fig. 5.8: load and tension of both sets of hoops, each over its value in the bag of PP at the greatest load."""
     bags = grains.bags()
     figure, (axes,) = figures.panels(1)
     for g, bag in bags.items():
@@ -86,7 +86,7 @@ def scatter(axes, table, x, y):
 
 
 def draw_own_lines(study, grains):
-    """Figs. 5.7, 5.10, 5.12 and 5.14, of these bags."""
+    """Draws Figs. 5.7, 5.10, 5.12 and 5.14 for these bags."""
     given = grains.solutions("constants")
     constant = {name: given(f"{name}_given", "1")[0] for name in ("C_t", "kappa", "lambda", "xi", "p_1", "p_2", "beta")}
     figure, axes = figures.panels(2, rows=2, height=7.6)

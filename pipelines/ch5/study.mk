@@ -58,7 +58,7 @@ $(C5O)/sensitivity.txt: $(BIN)/gws-solve $(C5_CATALOGUE)
 # The bags, to the greatest load and beyond. % is the geotextile. States of PP are kept for the principal stresses of its copies.
 C5_GEOTEXTILES := PE 0.5PP PP 2PP 3PP 4PP 5PP
 C5_UC := $(C5_GEOTEXTILES:%=$(C5O)/uc_%.h5)
-# How far: by 2 % or more past the greatest load, which comes later the stiffer the geotextile. A torn bag takes most of the steps.
+# Final strains, 2 % or more past the greatest load. Stiffer geotextiles reach it later. A torn bag takes most of the steps.
 C5_FAR_quick := PE=0.15 0.5PP=0.15 PP=0.14 2PP=0.16 3PP=0.17 4PP=0.18 5PP=0.19
 C5_FAR_thesis := $(C5_GEOTEXTILES:%=%=0.20)
 c5_far = --set stage.1.strain=$(patsubst $*=%,%,$(filter $*=%,$(C5_FAR_$(PROFILE))))
@@ -98,8 +98,8 @@ $(patsubst %,$(C5O)/%.tsv,$(filter %_10kPa,$(C5_CELLS))): $(C5O)/cell_%_10kPa.ts
 	@mkdir -p $(@D)
 	@cp $< $@
 
-# Constants and lines that are identified from these bags, and the solution with these constants: of the runs, and of what is kept of
-# them, since seven full-size bags are seldom compressed in one sitting. The argument is the folder of the bags' tables.
+# Constants and lines identified from these bags, and the solution with these constants. They are made both from the runs and from the kept
+# tables, since seven full-size bags are seldom compressed in one sitting. The argument is the folder of the bags' tables.
 C5_OWN_NAMES := own_constants own_compression_line own_near_failure_line own_dilatancy_line own_stiffness
 C5_SOLVED := $(patsubst $(C5O)/%.tsv,own_%,$(C5_UNIAXIAL) $(C5_TRIAXIAL))
 define c5_own
@@ -118,7 +118,7 @@ $(C5_TRIAXIAL:$(C5O)/%=$(1)/own_%): $(1)/own_triaxial_%.tsv: $$(BIN)/gws-solve $
 	  $$(call whole,$$@)
 endef
 $(foreach f,$(C5O) $(C5)/kept,$(eval $(call c5_own,$(f))))
-# Chapters 3 and 4 keep the bags and the cells that are their own.
+# Bags and cells that chapters 3 and 4 keep are copied from there.
 C5_KEPT_BAGS := $(foreach g,$(C5_OF_C3_thesis),$(C5)/kept/uc_$g.tsv $(C5)/kept/uc_$g.txt)
 C5_KEPT_CELLS := $(foreach g,PE PP 5PP,$(C5)/kept/cell_$g_10kPa.tsv $(C5)/kept/cell_$g_10kPa.txt)
 $(C5_KEPT_BAGS): $(C5)/kept/%: $(C3)/kept/%
@@ -126,7 +126,7 @@ $(C5_KEPT_BAGS): $(C5)/kept/%: $(C3)/kept/%
 .SECONDEXPANSION:
 $(C5_KEPT_CELLS): $(C5)/kept/cell_%: $(C4)/kept/wrapped_$$(subst _10kPa,,$$*)
 	@mkdir -p $(@D) && cp $< $@
-# The lines of the runs, and of what is kept, once there are all seven bags.
+# The lines of the runs, and of the kept tables once there are all seven bags.
 C5_OWN_TABLES := $(C5_OWN_NAMES:%=$(C5O)/%.tsv) $(C5_SOLVED:%=$(C5O)/%.tsv)
 C5_KEPT_OWN := $(if $(filter-out $(C5_KEPT_BAGS) $(wildcard $(C5)/kept/uc_*.tsv),$(C5_BAGS_$(C5)/kept)),,$(patsubst %,$(C5)/kept/%.tsv,$(C5_OWN_NAMES) $(C5_SOLVED)))
 
@@ -144,5 +144,5 @@ KEEPING += ch5
 BESIDE_ch5 := --solutions $(C5O)
 ENDED_ch5 := $(patsubst $(C5O)/%.h5,%,$(wildcard $(C5_UC) $(C5_PRESSED:%=$(C5O)/%.h5)))
 C5_OF_ENDED := $(filter $(ENDED_ch5:%=$(C5O)/%.tsv),$(C5_OF_RUNS)) $(if $(filter uc_PP,$(ENDED_ch5)),$(C5O)/volumes_PP.tsv)
-ch5-keep: $(C5_OF_ENDED) ## keep what the thesis-size runs of ch5 that have ended leave (PROFILE=thesis)
-ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_KEPT_BAGS) $(C5_KEPT_CELLS) $(C5_KEPT_OWN) ## compare and draw anew what is kept of ch5
+ch5-keep: $(C5_OF_ENDED) ## keep the tables of finished thesis-size runs of ch5 (PROFILE=thesis)
+ch5-compare: $(C5_PY) $(C5_UNIAXIAL) $(C5_TRIAXIAL) $(C5_LINES) $(C5_KEPT_BAGS) $(C5_KEPT_CELLS) $(C5_KEPT_OWN) ## compare and draw the kept runs of ch5 anew

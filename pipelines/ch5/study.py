@@ -29,7 +29,7 @@ class Solution(Series):
 
 
 class Recorded(Series):
-    """A recorded series of discrete elements, whose fabric is of yarns 5 mm apart: N over 5 mm are kN/m over 5."""
+    """A recorded series of discrete elements. Yarns are 5 mm apart, so that a tension in N over 5 is in kN/m."""
 
     derived = {"tensile_strain": ("%", "tensile strain", lambda r: r["strain_yarn_face"]),
                "tension": ("kN/m", "tension", lambda r: r["tension_yarn_face"] / 5),
@@ -55,7 +55,7 @@ class Runs:
 
 
 def between(table, x, x_unit, y, y_unit, at):
-    """Returns the column y where the column x is `at`, linearly between rows; beyond the ends from the two rows there.
+    """Returns the column y where the column x is `at`, linear between rows, and extrapolated beyond the ends.
 
     A recorded bag may settle by a little more than the solution, which ends at half the strength of the geotextile.
     """
@@ -65,7 +65,7 @@ def between(table, x, x_unit, y, y_unit, at):
 
 
 def last(table, name, unit):
-    """Returns the last value of a column: that at the ultimate load."""
+    """Returns the last value of a column, which belongs to the ultimate load."""
     return table(name, unit)[-1]
 
 
@@ -75,7 +75,7 @@ def hoop(recorded):
 
 
 def measure_beside_record(study, g, model, recorded):
-    """One geotextile beside its recorded series, up to the greatest recorded surcharge."""
+    """Measures the solution of one geotextile beside its recorded series, up to the greatest recorded surcharge."""
     peak = int(recorded("surcharge", "kPa").argmax())
     strain = recorded("strain_axial", "%")[:peak + 1]
     study.measure(f"ultimate_{g}", last(model, "surcharge", "kPa"), "kPa")
@@ -155,7 +155,7 @@ def measure_triaxial(study, runs):
 
 
 def measure_constants(study, runs):
-    """The constants identified from the recorded series, beside Table 5.2."""
+    """Measures the constants identified from the recorded series, beside Table 5.2."""
     line = runs.lines["near_failure_line"]
     distance = line("distance_to_failure", "1")
     study.measure("nfsl", 1 - sum(line("residual", "1")**2) / sum((distance - distance.mean())**2), "1")
@@ -181,7 +181,7 @@ def compared(runs, grains, some):
 
 
 def draw_uniaxial(study, runs, grains=None):
-    """Figs. 5.2, 5.15 and 5.16."""
+    """Draws Figs. 5.2, 5.15 and 5.16."""
     study.curves("surcharge", *(panel("strain_axial", "surcharge", compared(runs, grains, some), xlim=(0, 20), ylim=(0, None))
                                 for some in (UNIAXIAL[:3], UNIAXIAL[3:])))
     tension = [drawn for g in ("PE", "PP") for drawn in (
@@ -202,7 +202,7 @@ def scatter_of_series(axes, table, x, y):
 
 
 def draw_lines(study, runs):
-    """Figs. 5.6c, 5.7, 5.10 and 5.12."""
+    """Draws Figs. 5.6c, 5.7, 5.10 and 5.12."""
     figure, axes = figures.panels(2, rows=2, height=7.6)
     pure = ["(p/pₐ)^0.3", "q/p at failure", "M_f − q/p", "M_f − M + dε_v^p/dε_d^p"]
     line = runs.lines["failure_line"]
@@ -237,7 +237,7 @@ def draw_lines(study, runs):
 
 
 def draw_stiffness(study, runs):
-    """Figs. 5.13 and 5.14."""
+    """Draws Figs. 5.13 and 5.14."""
     figure, (left, right) = figures.panels(2)
     increments, moduli = runs.lines["increments"], runs.lines["stiffness"]
     for k, g in enumerate(ANALYSED):
@@ -259,7 +259,7 @@ def draw_stiffness(study, runs):
 
 
 def draw_triaxial(study, runs, grains=None):
-    """Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made."""
+    """Draws Figs. 5.17 to 5.20: solutions, and points of the cells of grains where they are made."""
     cells, marks = grains.cells() if grains else {}, dict(zip(PRESSURES, ("x", "+", "."), strict=True))
     for x, y in (("strain_axial", "surcharge"), ("strain_axial", "axial_stress"), ("strain_axial", "radial_stress"),
                  ("strain_deviatoric", "strain_volumetric")):
@@ -326,7 +326,7 @@ def draw_of_grains(study, grains):
 def build_kept(arguments):
     """Compares and draws what is kept of the runs of grains at full size, beside the solutions made last."""
     study = Study.of(HERE, arguments, digits=None)
-    study.groups, study.checks = [], []  # those of the solution need no run of grains
+    study.groups, study.checks = [], []  # statements on the solution need no run of grains
     study.expect(HERE / "grains.tsv", GRAINS, table="grains")
     grains = Grains(study.out, arguments.solutions, "not among the kept runs")
     build_of_grains(study, grains)

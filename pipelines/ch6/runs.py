@@ -12,9 +12,9 @@ STRETCH = 3.0  # cm of pull that curves are averaged over: the few rods of a pac
 
 @dataclasses.dataclass(frozen=True)
 class Size:
-    """The runs of a profile, each named SQUARES_SPEED: squares along a side, cm/s. study.mk has the same.
+    """The runs of a profile, each named SQUARES_SPEED: squares along a side, cm/s. study.mk has the same names.
 
-    main: the one whose fields and points are looked at. meshes, speeds: those that differ in one of them alone.
+    main: the run whose fields and points are measured. meshes, speeds: runs that differ from each other in the mesh or the speed alone.
     """
 
     grains: int
@@ -53,7 +53,7 @@ def label(case):
 class Curve(Series):
     """A column of a run's table "loading" over the pull of the sheet's end (cm), in the rows where it has a value.
 
-    Friction has none while soil and sheet do not touch.
+    Friction has no value while soil and sheet do not touch.
     """
 
     def __init__(self, table, name):
@@ -71,7 +71,7 @@ class Curve(Series):
 
     @property
     def end(self):
-        """The pull at the end, cm; the quarter of a metre that is asked for, where the last row lies beyond."""
+        """The pull at the end, cm, at most the quarter of a metre that the run is asked for."""
         return min(self.pull[-1], 25.0)
 
     def mean(self, start, end):
@@ -79,7 +79,7 @@ class Curve(Series):
         return self.at(numpy.linspace(start, end, 21)).mean()
 
     def onset(self):
-        """Returns the pull at which the mean over 1 cm first passes a tenth of the mean over the last 3 cm: hardening begins."""
+        """Returns the pull where hardening begins: the mean over 1 cm first exceeds a tenth of the mean over the last 3 cm."""
         last = self.mean(self.end - STRETCH, self.end)
         for start in numpy.arange(0, 24, 0.25):
             if self.mean(start, start + 1) > 0.1 * last:
@@ -93,7 +93,7 @@ class Curve(Series):
 
 
 def spread(curves, start):
-    """Returns the greatest difference between means of curves over stretches from a pull on, over the greatest mean."""
+    """Returns the greatest difference between curves, averaged over stretches of STRETCH from a pull on, over the greatest average."""
     end = min(c.end for c in curves)
     starts = numpy.arange(start, end - 0.01, STRETCH)
     means = numpy.array([[c.mean(a, min(a + STRETCH, end)) for a in starts] for c in curves])
@@ -101,13 +101,13 @@ def spread(curves, start):
 
 
 class History(Series):
-    """The history of a point, output by output. Its parts are named by shares of the pull, which is even in time."""
+    """The history of a point, output by output. Parts of it are given as shares of the pull, which has a constant speed."""
 
     derived = {"pull": ("cm", "pulled", lambda h: 25 * h.table["time"] / h.table["time"][-1]),
                "p": ("kPa", "p", lambda h: h.table["mean_stress"]), "q": ("kPa", "q", lambda h: h.table["deviatoric_stress"]),
                "shear": ("%", "ε_q", lambda h: h.table["strain_shear"]),
                "volumetric": ("%", "ε_v, contraction positive", lambda h: h.table["strain_volumetric"]),
-               # Nothing is drawn where a point carries nothing, 1e-3 kPa, or has no contacts, which F_a says with -1.
+               # Points below 1e-3 kPa have no q/p. Points without contacts, which have F_a = -1 in the table, have no F_a.
                "obliquity": ("1", "q/p", lambda h: h["q"] / numpy.where(h["p"] > 1e-3, h["p"], math.nan)),
                "touching": ("1", "F_a", lambda h: numpy.where(h["anisotropy"] >= 0, h["anisotropy"], math.nan))}
 
@@ -128,7 +128,7 @@ class History(Series):
 
     @property
     def loosest(self):
-        """The output at which the point is most dilated; the first one where it never is looser than at the start."""
+        """The output at which the point is most dilated, or the first output if it never dilates."""
         return int(numpy.argmin(self["volumetric"]))
 
     @property

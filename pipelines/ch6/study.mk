@@ -4,8 +4,8 @@
 STUDIES += ch6
 C6 := pipelines/ch6
 C6O := $(OUT)/ch6
-# Runs are EXAMPLE_SQUARES_SPEED: squares along a side (two elements each), speed in cm/s. Of each profile the main one and all, as
-# in runs.py. quick: fewer elements and grains, and pulled faster.
+# Runs are EXAMPLE_SQUARES_SPEED: squares along a side (two elements each), speed in cm/s. Each profile has a main run and a
+# list of all runs, as in runs.py. quick: fewer elements and grains, and a faster pull.
 C6_GRAINS_quick := 100
 C6_GRAINS_thesis := 400
 C6_MAIN_quick := 4_3
@@ -61,7 +61,7 @@ $(C6O)/shape_%.check: $(C6_RODS)_loose.h5 $(C6)/shape.toml $(BIN)/fem-dem
 $(C6O)/pullout_%.check $(C6O)/swinging_%.check: $(C6_RODS)_k0.h5 $(C6)/pullout.toml $(BIN)/fem-dem
 	@$(call c6_pull) --check --threads 1 2>&1 $(call whole,$@)
 
-# Tables: how each run was loaded; of the main ones the history of point A or B, and the last state.
+# Tables: the loading of each run; for main runs also the history of point A or B, and the last state.
 C6_KINDS := local elements points nodes bars
 C6_TABLES := $(C6_RUNS:%=$(C6O)/loading_%.tsv) $(foreach kind,$(C6_KINDS),$(C6_MAINS:%=$(C6O)/$(kind)_%.tsv))
 C6_LOCAL := time,strain_shear,strain_volumetric,mean_stress,deviatoric_stress,anisotropy
@@ -88,8 +88,8 @@ $(C6O)/page.html: $(C6)/study.py $(C6_PY) $(STUDY) $(C6_TABLES) $(wildcard $(C6)
 
 KEEPING += ch6
 ENDED_ch6 := $(patsubst $(C6O)/%.h5,%,$(wildcard $(C6_RUNS:%=$(C6O)/%.h5)))
-ch6-keep: $(foreach run,$(ENDED_ch6),$(filter %_$(run).tsv,$(C6_TABLES))) ## keep what the thesis-size runs of ch6 that have ended leave (PROFILE=thesis)
-ch6-compare: $(C6_PY) ## compare anew what is kept of ch6
+ch6-keep: $(foreach run,$(ENDED_ch6),$(filter %_$(run).tsv,$(C6_TABLES))) ## keep the tables of finished thesis-size runs of ch6 (PROFILE=thesis)
+ch6-compare: $(C6_PY) ## compare the kept runs of ch6 anew
 
 # Kept, since every table is made from them.
 .PRECIOUS: $(C6O)/%.h5

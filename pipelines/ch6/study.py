@@ -23,7 +23,7 @@ def given(name):
 
 
 def measure_shape(study, runs):
-    """Shape-forming: stresses at the bottom, point A under the top, the last state."""
+    """Measures shape-forming: stresses at the bottom, point A under the top, the last state."""
     curves, main_run = {c: runs.curve("shape", c) for c in runs.size.cases}, runs.curve("shape")
     coarsest, finest = (curves[runs.size.meshes[k]] for k in (0, -1))
     study.measure("shape_mesh_spread", spread([curves[c] for c in runs.size.meshes], 6), "1")
@@ -90,7 +90,7 @@ def draw_field(field):
         soil.set_clim(0 if name == "anisotropy" else None, None)
         a.add_collection(soil)
         if name == "deviatoric_stress":
-            # The sheet is the thicker the more of its strength it carries.
+            # The sheet is drawn thicker where it carries more of its strength.
             widths = 0.8 + 2.2 * tension[:-1].clip(0) / max(tension.max(), 1e-12)
             a.add_collection(LineCollection(numpy.stack([line[:-1], line[1:]], axis=1), colors=figures.ORANGE, linewidths=widths))
         else:
@@ -106,20 +106,20 @@ def draw_field(field):
 
 
 def responses(runs, kept, example):
-    """Returns the curves of every run; beside a kept set of full size this run's main one alone, dashed."""
+    """Returns the curves of all runs. If there are kept full-size runs, returns theirs, and this run's main curve, dashed."""
     whole = kept or runs
     drawn = [Drawn(label(case), whole.curve(example, case), colour) for case, colour in zip(whole.size.cases, figures.SERIES, strict=False)]
     return drawn + ([Drawn(f"this run: {label(runs.size.main)}", runs.curve(example), figures.GREY, "--")] if kept else [])
 
 
 def histories(runs, kept, example):
-    """Returns a point's history, solid at full size, else dashed."""
+    """Returns a point's histories: at full size solid, of a smaller run dashed."""
     own = Drawn(str(runs.size), runs.history(example), figures.GREY if kept else figures.BLUE, "--" if kept else "-")
     return ([Drawn(str(kept.size), kept.history(example), figures.BLUE)] if kept else []) + [own]
 
 
 def draw(study, runs, kept):
-    """Each figure of the thesis: at full size, with this run dashed or below where it is another."""
+    """Draws each figure of the thesis at full size. A smaller run is dashed in it, or has its own figure below."""
     study.curves("curves", *(panel("pull_end", name, responses(runs, kept, example), xlim=(0, 25), ylim=(0, None))
                              for example, name in (("shape", "traction_y_bottom"), ("pullout", "interface_friction"))))
     for example, point in (("shape", "A"), ("pullout", "B")):

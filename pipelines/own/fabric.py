@@ -19,13 +19,13 @@ KEYS = {"stiffness": "N/m", **POINTS, "machine": dict, "cross": dict}
 # Keys of files of geotextiles that the solution does not need.
 ASIDE = ("name", "yarn_strain", "yarn_tension", "unloading_slope")
 DIRECTIONS = ("machine", "cross")
-# Between which values (N/m) geotextiles lie: nets and light nonwovens have more than the least (lib/gws/solution/geotextile.cpp).
+# Ranges of geotextiles (N/m). Nets and light nonwovens still exceed the lower ends (lib/gws/solution/geotextile.cpp).
 RANGES = {"stiffness": (2e3, 1e9), "strength": (500, 1e7), "tension_at_2": (10, 1e7), "tension_at_5": (25, 1e7)}
 
 
 @dataclasses.dataclass
 class Fabric:
-    """A geotextile: stiffness, the secant to failure where none is given (N/m), the points of its sheet by key, and doubts about it."""
+    """A geotextile: stiffness (N/m; the secant to failure by default), the points of its data sheet by key, and doubts about it."""
 
     stiffness: float
     points: dict
@@ -49,7 +49,7 @@ def _strain_at(side, tension):
 
 
 def _lesser(path, machine, cross):
-    """Returns the lesser tension of each point, and the greater strain of both at the lesser strength, so that no direction is stiffer or stronger.
+    """Returns the lesser tension of each point, and the greater strain at the lesser strength: both directions are at least as stiff and strong.
 
     Raises StudyError where one direction lacks a point.
     """

@@ -13,7 +13,7 @@ from study import StudyError
 
 SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"
 # Bodies and steps of a bag, and the time of its filling over that of its compression, measured on the bags of chapter 3. A body of a bag takes
-# longer than one of the trial, which lies in the caches: 2.2 times with 13,800 bodies, 3.6 times with 92,600.
+# longer than a body of the trial, which fits into the caches: 2.2 times with 13,800 bodies, 3.6 times with 92,600.
 BODIES = {"quick": 13800, "thesis": 92600}
 STEPS = {"quick": 85000, "thesis": 170000}
 SLOWER = {"quick": 2.2, "thesis": 3.6}

@@ -3,7 +3,7 @@
 
 That is inputs.mk, variables of make; inputs.said, what is doubtful; failure.tsv, q/p at failure of each test; a geotextile of each
 stiffness that bags are made with; and copies of all that own.toml names. A file is written only if its content is another than before,
-so that make makes anew what hangs on it, wherever the tables lie and however they are named.
+so that make repeats only what depends on it, wherever the tables lie and however they are named.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
@@ -26,7 +26,7 @@ KEYS = {"name": str, "grading": str, "void_ratio": float, "packing_void_ratio": 
         "factors": dict, "strength_fraction": "1", "test": list}
 OPTIONAL = ("factors", "packing_void_ratio", "strength_fraction")
 BAG = {"width": "m", "height": "m"}
-# Sizes of a bag (m) and surcharges (Pa) of the solution (bag_extent, surcharge_range), less what is smaller or greater than any bag has.
+# Ranges of sizes (m) and surcharges (Pa) that bags have. The solution takes more (bag_extent, surcharge_range).
 EXTENT, SURCHARGE = (0.01, 100), (1e3, 1e7)
 # Heights over width like that of the bags of grains that were run (lib/gws/solution/doubts.cpp).
 SHAPE = (0.1, 0.4)
@@ -36,9 +36,9 @@ SHARE = 0.5
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
 # Stiffnesses of the bags over the asked geotextile's, and the width of a yarn, m: the yarns of bags are this far apart.
 STIFFNESSES, YARN = (0.25, 0.5, 1, 2), 5e-3
-# The bag among these that has the asked stiffness, and the further bags with it, each of a packing and a set of the posterior of its own.
+# Number of the bag with the asked stiffness; numbers of further bags with it, each with its own packing and set of the posterior.
 SAME, OTHERS = STIFFNESSES.index(1) + 1, (1, 2, 3, 4)
-# Strain up to which the yarns of these bags are whole: identification ends at the first broken one.
+# Failure strain of the yarns of these bags. It is large, since identification ends at the first broken yarn.
 WHOLE = 0.5
 # Constant and exponent of Toyoura's failure line (thesis Table 5.2), and the greatest p_c (Pa) that the solution takes.
 M, EXPONENT, GREATEST_P_C = 1.35, 0.0723, 1e12
@@ -77,8 +77,8 @@ class Inputs:
     def strength_fraction(self):
         """The share of the reduced strength at which the bag fails.
 
-        Of the product's own strength it leaves the share of coarse nodes or the reduced strength, whichever is less: both count once,
-        and no greater factor gives a greater share.
+        The bag fails at SHARE of the product's strength (coarse nodes) or at the reduced strength, whichever is less. So neither
+        effect counts twice, and greater reduction factors never raise the strength at which the bag fails.
         """
         return self.values.get("strength_fraction", min(1.0, SHARE * self.reduction))
 
@@ -150,13 +150,13 @@ def read(path, catalogue="data/geotextiles", until=1e3):
 
 
 def failures(curves):
-    """Returns confining pressure (kPa) and greatest q/p of each test, and the names of those whose last row is their greatest."""
+    """Returns confining pressure (kPa) and greatest q/p of each test, and the names of tests whose last row is the greatest."""
     most = [(one.test.pressure / 1e3, one.strength) for one in curves]
     return [(sigma, 3 * (r - 1) / (r + 2)) for sigma, r in most], [one.test.name for one in curves if one.still_rises]
 
 
 def doubts(own):
-    """Returns sentences on what may be right in own.toml and its tables, but is unusual, or lacks a basis."""
+    """Returns sentences on values of own.toml and its tables that are unusual or lack a basis."""
     said = [line for one in own.curves + own.predicted for line in plausible.doubts(one)]
     said += plausible.compared(own.curves + own.predicted)
     rows, _ = failures(own.curves)
@@ -181,7 +181,7 @@ def _at_failure(rows):
 
 
 def falls(rows):
-    """Returns whether q/p at failure falls with the pressure so that a failure line M_f = M (p/p_c)^-n (thesis Eq. 5.3) goes through it."""
+    """Returns whether a failure line M_f = M (p/p_c)^-n (thesis Eq. 5.3) fits: q/p at failure falls with the pressure, but not too steeply."""
     if len({round(sigma, 3) for sigma, _ in rows}) < 2:
         return False
     p, eta = _at_failure(rows)
@@ -190,7 +190,7 @@ def falls(rows):
 
 
 def failure_options(rows, path):
-    """Returns what tells gws-solve the failure line: the points, or p_c by Toyoura's exponent through their mean where they give none."""
+    """Returns the failure line as an option of gws-solve: the points, or, if no line fits, p_c of one with Toyoura's exponent through their mean."""
     if falls(rows):
         return f"--failure {path}"
     p, eta = _at_failure(rows)
@@ -198,7 +198,7 @@ def failure_options(rows, path):
 
 
 def _put_new(path, content):
-    """Writes a file unless it has this content already: what hangs on it is then not made anew."""
+    """Writes a file unless it has this content already, so that make does not repeat what depends on it."""
     content = content.encode() if isinstance(content, str) else content
     path.parent.mkdir(parents=True, exist_ok=True)
     if not (path.exists() and path.read_bytes() == content):

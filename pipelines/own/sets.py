@@ -13,7 +13,7 @@ NAMES = [name for name, _, _ in PARAMETERS]
 
 
 def drawn(sets, weights, count):
-    """Returns rows of the sets that stand for their weights: the middles of `count` equal parts of the weight, by friction angle.
+    """Returns `count` rows that represent the weighted sets: in the order of friction angle, the middles of equal parts of the weight.
 
     Neighbours in friction are put apart, so that the angle does not rise with the number of the bag.
     """
@@ -36,9 +36,9 @@ def table(sets, rows, twins):
 
 
 def options(sets, row, scale):
-    """Returns the contact parameters of a row as --set options. scale: of the grains' size over that of the calibration's.
+    """Returns the contact parameters of a row as --set options. scale: size of the grains over their size in the calibration.
 
-    A rolling stiffness in N m/rad stands for the same resistance in grains of another size if it grows with the cube of it.
+    Grains of another size have the same rolling resistance if the rolling stiffness (N m/rad) grows with the cube of the size.
     """
     value = {name: float(sets(name, unit)[row]) for name, _, unit in PARAMETERS}
     rolling = value["rolling_stiffness"] * scale**3

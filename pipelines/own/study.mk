@@ -1,5 +1,5 @@
 # A soil and a bag of one's own, from a grading curve, triaxial tests and a data sheet to a design: make own SOIL=FOLDER (own.toml in
-# it, README.md here). Not among STUDIES: it takes a soil, and an hour. The bag is the one of ch3, with the same plates and rates.
+# it, README.md here). It is not among STUDIES, since it needs a soil and takes an hour. The bag is the one of ch3, with the same plates and rates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 OWN := pipelines/own
 SOIL ?= data/own/example
@@ -26,14 +26,14 @@ OWN_ROUNDS := 5
 OWN_SIZE := 12
 # Axial strain (%) up to which tests are compared, standard deviations of their error, and the rate (1/s).
 OWN_UNTIL := 8
-# Rows of a test that are compared: as few as the curves have independent parts, since what a model misses, it misses all along.
+# Compared rows of a test. They are few, because the errors of a model are alike all along a curve: more rows are not independent.
 OWN_STATIONS := 5
 OWN_ERROR := stress_ratio=0.2,strain_volumetric=0.3
 OWN_RATE := try
 OWN_PRIOR := $(OWNO)/prior.toml
 # Options of the bag and its load, the size of its grains over those of the calibration, and how far it is compressed.
-# More copies of the representative volume than cover the bag: how many do depends on the soil, and those outside are cut away.
-# Delaunay's tetrahedra leave out a part along the walls, by which ch3's bag of coarse and of fine grains is denser than their volume.
+# The number of copies of the representative volume that cover a bag depends on the soil. 14 x 14 x 2 are more than enough; copies outside are
+# cut away. OWN_DENSER: Delaunay tetrahedra leave out a part along the walls, which lowers the void ratio of ch3's bags by this much.
 OWN_DENSER_quick := 0.08
 OWN_DENSER_thesis := 0.005
 OWN_BAG ?= $(C3_BAG_$(PROFILE)) --set container.copies=[14,14,2] \
@@ -51,11 +51,11 @@ OWN_CAL := $(OWNO)/calibration
 .PHONY: own own-check
 own: ## your soil, your bag: make own SOIL=FOLDER with own.toml (example: data/own/example)
 	+@$(AGAIN) $(OWNO)/page.html
-own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## what make own SOIL=FOLDER will take
+own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## how long make own SOIL=FOLDER will take
 	@BIN=$(BIN) $(OWN_PY)/forecast.py $(SOIL) $(OWNO) --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --until $(OWN_UNTIL) \
 	  --profile $(PROFILE) --cores $(shell nproc)
 
-# Only where it is asked for: own.toml is read before anything is made, and what is wrong in it ends make with its line.
+# For these targets alone, own.toml is read before anything is made. An error in it ends make with a message.
 ifneq ($(filter own-check $(OWNO)/%,$(MAKECMDGOALS)),)
 OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) --until $(OWN_UNTIL) 2>&1)
 $(if $(OWN_WRONG),$(error $(OWN_WRONG)))
@@ -63,7 +63,7 @@ $(shell cat $(OWNO)/inputs.said >&2)
 include $(OWNO)/inputs.mk
 endif
 
-# Settings on which packings, calibration and bags depend; another surcharge makes none of them anew.
+# Settings on which packings, calibration and bags depend. The surcharge is not among them, so another one makes none of them anew.
 $(OWNO)/settings: always $(OWNO)/inputs.mk
 	@$(call remember,$(PROFILE) $(OWN_VOID_RATIO) $(OWN_GRAINS) $(OWN_RADIUS))
 $(OWN_CAL)/settings: always $(OWNO)/inputs.mk
@@ -85,7 +85,7 @@ $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py draw $(OWN_CAL) $(words $(OWN_OTHERS)) $(call whole,$@)
 $(OWNO)/heaviest.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
 	@$(OWN_PY)/sets.py heaviest $(OWN_CAL) $(OWN_TWINS) $(call whole,$@)
-# Twins of two volumes with the heaviest set, in the first test: what chance is worth. % is the seed.
+# Twins of two volumes with the heaviest set, in the first test, show the scatter by chance. % is the seed.
 $(OWNO)/checked_%: $(OWNO)/heaviest.tsv $(OWNO)/packing_%.h5
 	@BIN=$(BIN) pipelines/calibration/ensemble.sh $< $(OWNO)/check_$* hm $(OWNO)/packing_$*.h5 pipelines/calibration/hertz-mindlin.toml \
 	  $(OWN_PRESSURE) $(OWN_UNTIL)
@@ -94,21 +94,21 @@ $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 	@$(BIN)/pf-weight assimilate $(OWNO)/heaviest.tsv $(OWN_CAL)/$(OWN_FIRST).tsv --prior $(OWN_PRIOR) --runs '$(OWNO)/check_$*/runs/{id:06}/series.h5' \
 	  --where stage=1 --station strain_axial --observe stress_ratio --error 1 --quiet --tsv --table curves $(call whole,$@)
 
-# (c) Bags are filled with the heaviest set. Four of one packing and this set tell how the load hangs on the stiffness, with nothing else
-# between them. Further ones have the asked stiffness and each a set of the posterior and a packing of its own: what soil and packing are worth.
+# (c) Bags are filled with the heaviest set. Four bags of one packing and this set differ in their stiffness alone, and show its effect.
+# Further bags have the asked stiffness, each with its own packing and set of the posterior. They show the scatter by soil and packing.
 own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
 $(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
 	@contact=$(call own_contact,$(OWNO)/heaviest.tsv,0) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
 	  --force --history $(@:.h5=.tsv) -o $@
-# $(call own_compress,SETS,ROW,GEOTEXTILE): the bag that is named first, with these contact parameters
+# $(call own_compress,SETS,ROW,GEOTEXTILE) compresses the first prerequisite, a bag, with these contact parameters.
 own_compress = contact=$(call own_contact,$(1),$(2)) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
   --set stage.1.strain=$(OWN_STRAIN) --set record.strains=[$(OWN_STRAIN)] --set stage.1.plate_friction_angle=0 \
   --set geotextile.0.curve=$(3) --threads 1 --quiet --resume --force -o $@
 $(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/heaviest.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
 	@$(call own_compress,$(OWNO)/heaviest.tsv,0,$(OWNO)/geotextile_$*.toml)
-# The first bag is of packing 1, the first further one of packing 2.
+# uc_% compresses bag_1, cut from packing 1. other_1 compresses bag_2, cut from packing 2, and so on.
 own_bag = $(OWNO)/bag_$(words 1 $(wordlist 1,$*,$(OWN_OTHERS))).h5
 .SECONDEXPANSION:
 $(OWNO)/other_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_$$(OWN_SAME).toml $(C3)/uc.toml $(BIN)/run-dem
@@ -124,9 +124,9 @@ $(OWNO)/other_%.tsv: $(OWNO)/other_%.h5 $(BIN)/homogenize
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
 own_identify = $(BIN)/gws-solve identify $(OWN_RUNS) $(OWN_BAGS:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
-# All constants at once; where the paths do not determine all that come from them, line by line; where that has no solution, those that the
-# paths determine, with Toyoura sand's for the others. The status is then 1 or 65; a tool that was killed or could not write has others.
-# Doubts of the fit that is taken are told once.
+# Fits all constants at once (path). If the paths do not determine all of them, fits line by line (thesis). If that has no solution either, keeps
+# the first fit, with Toyoura sand's values for the other constants. Fits without a solution have status 1 or 65. Any other status is an error,
+# such as a killed tool or a full disk. Only the doubts of the chosen fit are printed.
 own_try = $(own_identify) --fit $(1) --toml --quiet > $@.$(1) 2> $@.said; $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) cat $@.said >&2; exit $$$(1) ;; esac
 own_fit = $(call own_try,path); fit=path; \
   if [ $$path != 0 ] || grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path; then \
@@ -136,8 +136,8 @@ $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws
 	  $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; status=$$?; cat $(OWNO)/identified.said >&2; \
 	  [ $$status = 0 ] || exit $$status; $(OWN_NAMED) $@.$$fit $(call whole,$@)
 
-# (e) The bag of own.toml, with the share of its geotextile's strength that inputs.py tells, and a bag like those of grains. What these
-# carry over what the model gives for such a bag is a factor on the model's answers (transfer.py).
+# (e) The model's response for the bag of own.toml, with the share of strength from inputs.py, and for a bag like the simulated ones. The
+# simulated over the modelled load of such a bag is a factor on the model's answers (transfer.py).
 own_case = --soil $(OWNO)/soil.toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
 own_said = 2> $(@:.tsv=.said) $(call whole,$@) || { status=$$?; cat $(@:.tsv=.said) >&2; exit $$status; }
 $(OWNO)/bands.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve

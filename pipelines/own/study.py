@@ -21,7 +21,7 @@ COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
 def doubts(out, names):
-    """Returns what the tools doubted when they made some files, each once, without the tool's name."""
+    """Returns the doubts that tools printed when they made some files, each once, without the tool's name."""
     said = []
     for name in names:
         text = (out / f"{name}.said").read_text(encoding="utf-8")
@@ -30,7 +30,7 @@ def doubts(out, names):
 
 
 def borrowed(identified, own):
-    """Returns in words the lines of Toyoura sand that stand for those of this soil: those that the report of gws-solve identify lacks."""
+    """Returns the names of lines that are Toyoura sand's, since the report of gws-solve identify has none of this soil."""
     missing = [name for name in LINES if not re.search(rf"^{name}: \d+ points", identified, re.MULTILINE)]
     exponent = not falls(failures(own.curves)[0])
     return ["exponent of the failure line" if name == "failure_line" and exponent else LINES[name] for name in missing]
@@ -69,12 +69,12 @@ def twins(table):
 
 
 def distinct(draws):
-    """Returns how many of the sets that the bags were given are different ones: a posterior of few sets gives one to several bags."""
+    """Returns how many different sets the bags have. A posterior of few sets gives several bags the same one."""
     return len(set(zip(*(draws(name, unit) for name, _, unit in PARAMETERS), strict=True)))
 
 
 def draw(study, own, folder, transfer):
-    """The answer, the chart, the bags and the tests."""
+    """Draws the answer, the chart, the bags and the tests."""
     settlements = numpy.linspace(0, transfer.end, 30)[1:]
     rows = numpy.array([transfer.at(s) for s in settlements])
     figure, (left, right) = figures.panels(2)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""From the model to the asked bag: by what the bags of grains with the asked stiffness carry more than the model, and how they scatter."""
+"""Corrects the model's answers for the asked bag by the loads of simulated bags with the asked stiffness, and by the scatter of these."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import pathlib
@@ -21,17 +21,17 @@ def bags(out):
 
 
 def scatter(loads):
-    """Returns the half width of the 80 % in which the logarithm of a further load lies, from loads of independent bags (Student's t)."""
+    """Returns the half width of the 80 % interval for the logarithm of a further bag's load, from independent bags (Student's t)."""
     n = len(loads)
     return STUDENT[n - 2] * float(numpy.std(numpy.log(loads), ddof=1)) * numpy.sqrt(1 + 1 / n)
 
 
 class Transfer:
-    """The asked bag's load by settlement: the model's, times what bags of grains carry over what the model gives for such a bag.
+    """The asked bag's load by settlement: the model's load times a factor, the ratio of simulated to modelled loads of bags of grains.
 
-    asked, grains: responses (gws-solve respond) of the asked bag, with its samples, and of a bag like those of grains. loads: tables of
-    these. The factor takes out what the model misses alike in both. The middle 80 % hold the scatter of the bags, whose packings and
-    contact parameters differ, and that of the constants; both are taken for independent and log-normal.
+    asked, grains: the model's responses (gws-solve respond) for the asked bag, with samples, and for a bag like the simulated ones. loads:
+    tables of the simulated bags. The factor removes errors that the model makes alike in both. The middle 80 % combine two scatters,
+    as independent and log-normal: of the bags, whose packings and contact parameters differ, and of the constants.
     """
 
     def __init__(self, asked, grains, loads):
@@ -45,7 +45,7 @@ class Transfer:
         return cls(Table.read(out / "bands.tsv"), Table.read(out / "of_grains.tsv"), bags(out))
 
     def compared(self, settlement):
-        """Returns the loads of the bags (kPa), and the model's for such a bag, at a settlement; beyond the last simulated one, there."""
+        """Returns the simulated loads and the model's load for such a bag (kPa) at a settlement, or at the last simulated one before it."""
         at = min(settlement, self.simulated)
         return [_at(table, at, "strain_axial") for table in self.loads], _at(self.grains, at, "settlement")
 
@@ -54,7 +54,7 @@ class Transfer:
         return tuple(_at(self.asked, settlement, "settlement", "surcharge" + end) for end in ("", "_low", "_high"))
 
     def factor(self, settlement):
-        """Returns by what factor the bags of grains (their geometric mean) carry more than the model. Raises StudyError where one carries nothing."""
+        """Returns the geometric mean of the simulated loads over the model's load. Raises StudyError if a bag carries nothing."""
         loads, model = self.compared(settlement)
         if not min(*loads, model) > 0:
             raise StudyError(f"a bag of grains carries nothing at a settlement of {settlement:.3g}: no factor on the model can be told; see the "
@@ -81,7 +81,7 @@ def _at(table, where, along, column="surcharge"):
 
 
 def loads_of_design(transfer, surcharge, settlement):
-    """Returns the surcharges for which the model designs the geotextile: for the asked one in the middle, and at the low end of the 80 %."""
+    """Returns the two surcharges of the model's design: the bag then carries the asked one in the median, or at the low end of the 80 %."""
     at = min(settlement, transfer.end)
     middle = surcharge / transfer.factor(at)
     return middle, float(middle * numpy.exp(transfer.spread(at)))

@@ -26,8 +26,8 @@ $(PKO)/packing_%.h5: $(BIN)/pack-generate
 	@pipelines/resume.sh $@ $(BIN)/pack-generate --grains $(call pk_word,1) --pressure $(call pk_word,2) --seed $(call pk_word,3) \
 	  --void-ratio 0.68
 
-# Loaded at 0.2 MPa from the loose end, 1 kPa, as fast as the packing that they are compared with; twin 0 is the packing itself, the
-# others are moved by 1e-6 r.
+# Packings made at 1 kPa are loaded at 0.2 MPa, as fast as the packing that they are compared with. Twin 0 is the packing itself. The
+# grains of other twins are moved by 1e-6 r.
 $(PKO)/triaxial_%.h5: $(PK_PACKINGS:%=$(PKO)/packing_%.h5) $(PK_SCENARIO) $(BIN)/run-dem
 	@echo '  run   $@'
 	@pipelines/resume.sh $@ $(BIN)/run-dem $(PKO)/packing_$(call pk_word,1)_1e3_$(call pk_word,2).h5 $(PK_SCENARIO) \

@@ -24,7 +24,7 @@ def strength(table):
 
 
 def measure(study, seeds):
-    """Void ratios, unbalanced forces and strengths: means over the twins of each seed, then over the seeds."""
+    """Measures void ratios, unbalanced forces and strengths: means over the twins of each seed, then over the seeds."""
     means = []
     for n in GRAINS[study.profile]:
         for p in PRESSURES:
@@ -41,7 +41,7 @@ def measure(study, seeds):
 
 
 def draw(study, seeds):
-    """Each packing's test, one line a seed, and the strength that they are held against."""
+    """Draws the test of each packing, a colour for each seed, and the strength that it is compared with."""
     n = GRAINS[study.profile][-1]
     tests = {(s, twin): Table.read(study.out / f"series_triaxial_{n}_{s}_{twin}.tsv") for s in seeds for twin in TWINS[study.profile]}
     runs = [Drawn("" if twin else f"seed {s}", Series(table.rows(table["stage"] == SHEAR)), colour)

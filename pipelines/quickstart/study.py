@@ -13,7 +13,7 @@ SHEAR = 1  # number of the stage in triaxial.toml
 
 
 class Fabric(Series):
-    """The fabric of the recorded states of a shear stage. Strains count from the first of them: its own is that of the compression."""
+    """The fabric of the recorded states of a shear stage. Strains count from the first of them, whose recorded strain is left over from the compression."""
 
     derived = {"strain_axial": ("%", "axial strain", lambda f: numpy.where(numpy.arange(len(f)) > 0, f.table["strain_axial"], 0)),
                "from_stress": ("1", "q/p", lambda f: f.table("stress_obliquity", "1")),
@@ -36,7 +36,7 @@ class Runs:
 
 
 def measure_packings(study, runs):
-    """Before loading: what the packings are, as means over their seeds."""
+    """Measures the packings before loading, as means over their seeds."""
     for name, unit, tables, value in (
             ("void_ratio", "1", runs.cells, lambda t: t["void_ratio"][0]),
             ("coordination_number", "1", runs.fabrics, lambda t: t["coordination_number"][0]),
@@ -47,7 +47,7 @@ def measure_packings(study, runs):
 
 
 def measure_tests(study, runs):
-    """Under load: peaks and volumes of the mean curves, balances of all runs."""
+    """Measures the tests: peaks and volumes of the mean curves, energy balances of all runs."""
     for p, mean in runs.means.items():
         study.measure(f"peak_ratio_{p}", mean.greatest("stress_ratio"), "1")
         study.measure(f"contraction_{p}", mean.greatest("strain_volumetric"), "%")
@@ -58,12 +58,12 @@ def measure_tests(study, runs):
     fabrics, tests = ([one for of in by_pressure.values() for one in of] for by_pressure in (runs.sheared_fabrics, runs.shear))
     study.measure("stress_force_fabric", 100 * max(abs(f["from_fabric"] / f["from_stress"] - 1)[f["strain_axial"] > 0.5].max() for f in fabrics), "%")
     study.measure("unbalanced_force", max(t["unbalanced_force"].max() for t in tests), "1")
-    # Shares of next to no work mean nothing: they count from 1 % of axial strain.
+    # Errors count from 1 % of axial strain on, since their share of hardly any work means nothing.
     study.measure("energy_error", max((abs(t["energy_error"]) / t["boundary_work"])[t["strain_axial"] > 1].max() for t in tests), "1")
 
 
 def draw_packing(study, runs):
-    """The first packing: a rose of its contacts, and its grains by their number."""
+    """Draws the first packing: a rose of its contacts, and its grains by their number of contacts."""
     figure, (left, right) = figures.panels(2)
     vertical = runs.rose.rows(runs.rose["plane"] == 2)
     angle, density = numpy.radians(vertical["angle"]), vertical["density"]
@@ -84,7 +84,7 @@ def draw_packing(study, runs):
 
 
 def draw(study, runs):
-    """Curves of the tests, a colour for each pressure."""
+    """Draws curves of the tests, a colour for each pressure."""
     whole = {"xlim": (0, 10)}
     means = [Drawn(f"{p} MPa", mean, COLOURS[p], spread=mean.spread) for p, mean in runs.means.items()]
     beside = means + [Drawn(f"{p} MPa", Series(t.rows(numpy.arange(len(t)) % 3 == 0)), COLOURS[p], "o", "laboratory") for p, t in runs.laboratory.items()]

@@ -1,4 +1,4 @@
-"""The shape of a command of the package, like that of the tools: options from one table, help, manual page, completion, statuses."""
+"""A command of the package with the interface of the C++ tools: a table of options, help, manual page, completion, exit statuses."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import contextlib
 import dataclasses
@@ -39,7 +39,7 @@ GENERAL = (Option(("--force",), "", "overwrite an existing output file"), Option
 
 @dataclasses.dataclass(frozen=True)
 class Command:
-    """A command and its description of itself. words: of the choices of the first operand, by name."""
+    """A command and its texts. words: explanations of the first operand's choices, by name."""
 
     name: str
     sentence: str
@@ -85,7 +85,7 @@ class Command:
         return given, operands
 
     def about(self, given):
-        """Returns the text that --help and its like ask for; None where none of them is given."""
+        """Returns the text for --help, --version, --man or --completion; None without such an option."""
         for name, text in (("--help", self.help), ("--version", self.version), ("--man", self.man), ("--completion", self.completion)):
             if given[name]:
                 return text()
@@ -146,7 +146,7 @@ complete -o filenames -F _{self.name} {self.name}
 """
 
     def run(self, act, arguments):
-        """Calls act(options, operands) and returns the exit status; what goes wrong is said in lines that begin with the name."""
+        """Calls act(options, operands) and returns the exit status. Error messages begin with the command's name."""
         try:
             given, operands = self.parse(arguments)
             text = self.about(given)
@@ -162,14 +162,14 @@ complete -o filenames -F _{self.name} {self.name}
 
 
 def say(line):
-    """Writes a line to standard error, control characters escaped. Where it cannot be written, nothing is lost but the line."""
+    """Writes a line to standard error with control characters escaped. A line that cannot be written is no error."""
     shown = "".join(c if c.isprintable() else c.encode("unicode_escape", "surrogatepass").decode() for c in line)
     with contextlib.suppress(OSError):
         print(shown, file=sys.stderr, flush=True)
 
 
 def put_out(text):
-    """Writes text or bytes to standard output. A reader that has seen enough is no error; a full disk is one."""
+    """Writes text or bytes to standard output. A closed pipe is no error; a full disk is one."""
     try:
         sys.stdout.flush()
         sys.stdout.buffer.write(text if isinstance(text, bytes) else text.encode())

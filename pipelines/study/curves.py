@@ -11,7 +11,7 @@ _LINE = {"linewidth": 1.3, "markersize": 2.5}
 class Drawn:
     """A run as figures draw it: its name and a note for the legend, its Series, its colour and line; "o" are published points.
 
-    spread: a Series of what its values scatter by, which is drawn as a band.
+    spread: a Series of the deviations of its values, drawn as a band.
     """
 
     name: str
@@ -22,7 +22,7 @@ class Drawn:
     spread: object = None
 
     def words(self, line=None):
-        """Returns its entry in a legend: of one column among several where a line is given, else of the run."""
+        """Returns the entry in a legend: the words of `line` if it is given, else the name of the run."""
         return ", ".join(text for text in (line.words if line else self.name, self.note) if text)
 
 
@@ -72,7 +72,7 @@ def draw(axes, one):
 
 
 def _plain(axis, low, high):
-    """Gives a logarithmic axis plain numbers, and those between powers of ten where it has less than a decade."""
+    """Labels a logarithmic axis with plain numbers, also between the powers of ten if it spans less than a decade."""
     axis.set_major_formatter("{x:g}")
     axis.set_minor_formatter("{x:g}" if high < 10 * low else "")
 
@@ -80,7 +80,7 @@ def _plain(axis, low, high):
 def figure(panels, columns=None, width=None, height=None):
     """Returns a figure of panels, in rows of so many columns; without a number all are in one row.
 
-    Where no panel has a legend and a place is left, that of the first one stands there.
+    If no panel has a legend and a place is left, the legend of the first panel goes there.
     """
     columns = columns or len(panels)
     rows = -(-len(panels) // columns)

@@ -39,7 +39,7 @@ _LABEL = re.compile(r".*\(.+\)$|.*\[.+\]$")
 
 @functools.cache
 def pyplot():
-    """Returns matplotlib's pyplot with this style. Its import takes most of a second, which programs spare that draw nothing."""
+    """Returns matplotlib's pyplot with this style. It is imported here, since that takes most of a second and some programs draw nothing."""
     import matplotlib
     matplotlib.use("svg")
     from matplotlib import pyplot as module  # the backend has to be chosen before
@@ -87,14 +87,14 @@ def png(figure, path):
 def panes(figure):
     """Returns the panels of a figure as SVG texts of their own, which a narrow page can put below each other.
 
-    Axes in one place (twins) and colour bars stay with theirs. A figure with a title or a legend of its own stays whole.
+    Twin axes and colour bars stay with their panel. A figure with a title or a legend of its own stays whole.
     """
     if figure.legends or figure._suptitle is not None or len(figure.axes) < 2:  # pylint: disable=protected-access
         return [_saved(figure)]
     from matplotlib import transforms
     figure.draw_without_rendering()
     groups = _groups(figure)
-    # In inches, since saving changes how many dots there are to one.
+    # Boxes are in inches, since saving changes the dots per inch.
     boxes = [transforms.Bbox.union([a.get_tightbbox() for a in group]).transformed(figure.dpi_scale_trans.inverted()).padded(0.05)
              for group in groups]
     texts = []

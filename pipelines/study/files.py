@@ -1,4 +1,4 @@
-"""Writes files so that no reader meets half of one."""
+"""Writes files so that no reader sees half of one."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import contextlib
 import errno
@@ -11,7 +11,7 @@ import stat
 
 
 def followed(path):
-    """Returns the file that a name leads to, through links, whether or not it is there.
+    """Returns the file that a path leads to through links. The file need not exist.
 
     Raises PermissionError for a link that another user put into a folder of all users, such as /tmp.
     """
@@ -24,10 +24,10 @@ def followed(path):
 
 
 def put(path, content):
-    """Writes text or bytes under a name that nobody can foretell and renames it, so that nobody meets half of it.
+    """Writes text or bytes to a temporary file with an unpredictable name and renames it, so that no reader sees half of it.
 
-    A link keeps pointing to its file; what is replaced keeps its permissions; devices and pipes are written in place. What a
-    killed process left of such a file goes. Raises OSError; nothing is replaced then.
+    A link keeps pointing to its file. A replaced file keeps its permissions. Devices and pipes are written in place. Temporary
+    files of killed processes are removed. Raises OSError; nothing is replaced then.
     """
     target, content = followed(path), content.encode() if isinstance(content, str) else content
     old = target.stat() if target.exists() else None
@@ -54,7 +54,7 @@ def put(path, content):
 
 
 def _remove_left(folder, prefix):
-    """Removes temporary files of a name that no process holds any more."""
+    """Removes temporary files with this prefix that no process writes any more."""
     for entry in os.scandir(folder):
         if entry.name.startswith(prefix) and re.fullmatch(r"[0-9a-f]{16}\.tmp", entry.name[len(prefix):]):
             with contextlib.suppress(OSError), open(entry.path, "rb", opener=_no_link) as file:

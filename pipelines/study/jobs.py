@@ -1,7 +1,7 @@
-"""Commands at once: by GNU parallel on this machine or the hosts of SSHLOGINFILE, which see the same folder, or by Slurm.
+"""Runs commands side by side: by GNU parallel on this machine or on the hosts of SSHLOGINFILE, which see the same folder, or by Slurm.
 
-With ENGINE=slurm they are an array job of at most SLURM_ARRAY_SIZE tasks; SLURM_FLAGS are further options of sbatch. JOBS: at once.
-The standard library is enough, since nodes of a cluster run this file, too: python3 -m study.jobs FILE MOST runs one task's share.
+ENGINE=slurm makes an array job of at most SLURM_ARRAY_SIZE tasks. SLURM_FLAGS: further options of sbatch. JOBS: commands at once.
+Nodes of a cluster run this file, too, so that it needs the standard library alone: python3 -m study.jobs FILE MOST runs one task's share.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
 import contextlib
@@ -33,9 +33,9 @@ def one_at_a_time(folder):
 
 
 def _by_parallel(jobs, words, joblog, lock):
-    """Starts GNU parallel on the commands of a file; returns what says after a wait of some seconds whether it still runs.
+    """Starts GNU parallel on the commands of a file; returns a function that waits some seconds and returns whether it still runs.
 
-    Names of folders and files reach a command as they are, whatever is in them: parallel quotes what it takes from a file.
+    Names of folders and files may hold any characters, since parallel quotes the words of the file.
     """
     hosts = os.environ.get("SSHLOGINFILE")
     command = ["parallel", "--quote", "--colsep", "\t", "--trim", "n", "--jobs", os.environ.get("JOBS", "100%"), "--joblog", str(joblog),
@@ -54,7 +54,7 @@ def _by_parallel(jobs, words, joblog, lock):
 
 
 def _by_slurm(folder, jobs, count):
-    """Submits the commands of a file as an array job; returns what says after a wait of some seconds whether it still runs."""
+    """Submits the commands of a file as an array job; returns a function that waits some seconds and returns whether it still runs."""
     most = int(os.environ.get("SLURM_ARRAY_SIZE", "1000"))  # tasks; Slurm's own limit is MaxArraySize, 1001 unless configured
     share = [sys.executable, "-P", "-m", "study.jobs", str(jobs), str(most)]
     command = ["sbatch", "--parsable", "--job-name", folder.name, "--array", f"0-{min(count, most) - 1}", "--cpus-per-task", "1",
@@ -67,7 +67,7 @@ def _by_slurm(folder, jobs, count):
     job = said.strip().partition(";")[0]
 
     def interrupted(*_):
-        # An interrupted make takes its job along.
+        # An interrupted make cancels its job.
         subprocess.run(["scancel", job], check=False)
         sys.exit(143)
     signal.signal(signal.SIGTERM, interrupted)
@@ -76,13 +76,13 @@ def _by_slurm(folder, jobs, count):
     def runs(seconds):
         time.sleep(min(seconds, float(os.environ.get("SLURM_POLL", "10"))))
         asked = subprocess.run(["squeue", "--noheader", "--job", job, "--format", "%i"], capture_output=True, text=True, check=False)
-        # A job that ended a while ago is not known any more; where Slurm does not answer, nobody knows that it has ended.
+        # Slurm forgets a job some time after its end. Without an answer from Slurm, the job counts as running.
         return bool(asked.stdout.strip()) or (asked.returncode != 0 and "Invalid job id" not in asked.stderr)
     return runs
 
 
 def task(jobs, most):
-    """Runs the commands that fall to one task of an array job, every `most`-th of the file; returns the exit status."""
+    """Runs the share of one task of an array job, every `most`-th command of the file; returns the greatest exit status."""
     lines = pathlib.Path(jobs).read_text(encoding="utf-8", errors="surrogateescape").splitlines()
     own = lines[int(os.environ["SLURM_ARRAY_TASK_ID"])::int(most)]
     return max((subprocess.run(line.split("\t"), check=False).returncode for line in own), default=0)

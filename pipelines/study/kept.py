@@ -1,4 +1,4 @@
-"""Measurements of a run at full size, kept in the repository: its comparison.tsv, read beside today's statements."""
+"""Reads the kept measurements of a run at full size, its comparison.tsv, and matches them to the present statements."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .comparison import Verdict
 from .errors import StudyError, suggestion
@@ -10,8 +10,8 @@ COLUMNS = ("description", "unit", "published", "tolerance", "measured", "differe
 def read_kept(path, statements):
     """Returns the Verdict of a kept comparison for each of the statements that it has, as (statement, verdict) pairs.
 
-    Rows belong to statements by their description; equal descriptions in their order. Raises StudyError where a row fits no
-    statement, or is held against another value than the statement has today: then it has to be compared anew.
+    Rows are matched to statements by their description, equal descriptions in their order. Raises StudyError for a row without a
+    statement, or with another published value than the statement has now. The kept run has to be compared anew then.
     """
     left, verdicts = list(statements), []
     for number, row in read_words(path, COLUMNS)[1]:

@@ -7,8 +7,8 @@ from .quantities import Line, quantity
 
 @dataclasses.dataclass(frozen=True)
 class Panel:
-    """Curves over one abscissa. each: a curve, or a tuple of which the first that all tables have is drawn. label: of the
-    ordinate where there are several curves. log: whether the abscissa is logarithmic."""
+    """Curves over one abscissa. each: curves; a tuple holds alternatives, of which the first that all tables have is drawn.
+    label: the ordinate's, if there are several curves. log: whether the abscissa is logarithmic."""
 
     abscissa: Line
     each: tuple
@@ -18,7 +18,7 @@ class Panel:
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """A kind of plot. words: what it shows. table: of which tool it is made. whole: of all stages, not of the last alone."""
+    """A kind of plot. words: what it shows. table: the tool, and its table that is drawn. whole: shows all stages, not the last one alone."""
 
     words: str
     table: tuple

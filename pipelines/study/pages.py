@@ -19,13 +19,13 @@ _COORDINATES = re.compile(r' (?:d|x|y|transform|viewBox)="[^"]*"')
 
 
 def inline(svg, prefix, words=""):
-    """Returns SVG as it stands inside a page: without prologue, size and style sheet, with identifiers of its own alone.
+    """Returns an SVG for use inside a page: without prologue, size and style sheet, and with unique identifiers.
 
-    prefix: comes before each identifier. words: what a reader hears who does not see the figure.
+    prefix: comes before each identifier. words: alternative text for readers who cannot see the figure.
     """
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<metadata>.*?</metadata>|<style[^>]*>.*?</style>", "", svg, flags=re.DOTALL)
-    # Most identifiers are referred to by nothing, and fonts are the page's own.
+    # Drops identifiers that nothing refers to, which are most of them. Fonts are the page's own.
     used = set(re.findall(r"#([^\"')]+)", svg))
     svg = re.sub(r' id="([^"]*)"', lambda match: f' id="{prefix}_{match[1]}"' if match[1] in used else "", svg)
     svg = re.sub(r"'DejaVu Sans'[^;\"]*", "sans-serif", svg)
@@ -41,13 +41,13 @@ def inline(svg, prefix, words=""):
 
 
 def pane(svg, prefix, words):
-    """Returns an SVG in a box that knows its natural width, so that panels share a line as they share a figure."""
+    """Returns an SVG in a box with its natural width, so that panels stand side by side as in the figure."""
     width = float(re.search(r'viewBox="0 0 ([\d.]+)', svg)[1])
     return Markup(f'<div class="pane" style="--w:{width:.0f}">{inline(svg, prefix, words)}</div>')
 
 
 def picture(path, words):
-    """Returns a PNG or JPEG file as an image that the page holds itself."""
+    """Returns a PNG or JPEG file as an image embedded in the page."""
     path = pathlib.Path(path)
     kind = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg"}.get(path.suffix)
     if kind is None:

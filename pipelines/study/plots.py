@@ -36,7 +36,7 @@ def is_hdf5(path):
 def stage_of(table, stage, kind):
     """Returns the rows of a stage: its number, "all", "last", or "" for what the kind shows by default.
 
-    A bag is by default shown from the row on that its settlement counts from, with all that follows.
+    A bag is by default shown from the row where its settlement is 0 to its end.
     """
     if len(table) == 0:
         raise StudyError(f"{table.where}: has no rows below its header")
@@ -54,7 +54,7 @@ def stage_of(table, stage, kind):
 def bag_series(kind, series, loading):
     """Returns the table of a bag between plates that has the columns of a kind: its loading, or else its series.
 
-    The cell of a bag is open and has no strain, so that the series takes that of the loading, row by row.
+    The cell of a bag is open and has no strain, so that the series takes the strain of the loading, row by row.
     """
     if all(any(loading.has(line.column) for line in _choices(entry)) for panel in kind.panels for entry in panel.each):
         return loading
@@ -78,12 +78,12 @@ def strained(fabric, series):
 
 
 def _choices(entry):
-    """Returns the curves of which a panel draws one: an entry of Panel.each as a tuple."""
+    """Returns an entry of Panel.each, alternatives of which one is drawn, as a tuple."""
     return entry if isinstance(entry, tuple) else (entry,)
 
 
 def _chosen(tables, beside, entry):
-    """Returns the curve that all tables have a column of, the first of those that most of the tables beside them have."""
+    """Returns the curve that all tables have; of several such curves, the one that the most tables in `beside` have."""
     common = [line for line in _choices(entry) if all(table.has(line.column) for _, table in tables)]
     return max(common or _choices(entry)[:1], key=lambda line: sum(table.has(line.column) for _, table in beside))
 
@@ -130,14 +130,14 @@ def _pairs(table, panel, line):
 
 
 def _dots(x, y):
-    """Returns how a curve marks its points without a neighbour, which a line alone would not show."""
+    """Returns matplotlib's options that mark points without a neighbour, which a line alone would not show."""
     known = numpy.pad(~numpy.isnan(x + y), 1)
     alone = numpy.flatnonzero(known[1:-1] & ~known[:-2] & ~known[2:])
     return {"marker": "o", "markersize": 3.5, "markevery": list(alone)} if len(alone) else {}
 
 
 def _colours(names):
-    """Returns a colour for each: that of the geotextile which its name has between its dots, dashes and blanks, or the next one."""
+    """Returns a colour for each name: the geotextile's, if a word of the name is a geotextile, or else the next free colour."""
     given = []
     for name in names:
         textile = next((word for word in re.split(r"[^0-9A-Za-z.]+|\.(?=[A-Za-z])", name) if word in figures.GEOTEXTILE), None)
@@ -182,7 +182,7 @@ def draw(name, tables, beside=()):
 
 
 def _curves(axes, panel, lines, tables):
-    """Draws each line of each table: one table's in a colour each; of several, colours tell tables apart and dashes columns."""
+    """Draws each line of each table. Lines of one table differ in colour. With several tables, colours show the table, dashes the column."""
     several = len(tables) > 1
     colours = _colours([label for label, _ in tables]) if several or len(lines) == 1 else figures.SERIES
     for t, (label, table) in enumerate(tables):
@@ -197,7 +197,7 @@ def _curves(axes, panel, lines, tables):
 
 
 def _beside(axes, panel, lines, beside):
-    """Draws test data as points; returns a note for each line that they have no column of."""
+    """Draws test data as points; returns a note for each line without a column in them."""
     notes = []
     inks = (figures.INK, figures.GREY, figures.RED)
     for t, (label, table) in enumerate(beside):

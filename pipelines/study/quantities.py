@@ -16,7 +16,7 @@ class Line:
 
     @property
     def axis(self):
-        """The label of an axis that it alone gives its name."""
+        """The label of an axis that shows this column alone."""
         return self.words if self.unit == "1" else f"{self.words} ({self.unit})"
 
 
@@ -104,7 +104,7 @@ QUANTITIES = {line.column: line for line in _LINES}
 
 
 def quantity(name):
-    """Returns the Line of a column. Raises StudyError for one that none is known of."""
+    """Returns the Line of a column. Raises StudyError for an unknown column."""
     if name not in QUANTITIES:
         raise StudyError(f"'{name}' has no unit of its own; ask for it in one, or name it in study/quantities.py{suggestion(name, QUANTITIES)}")
     return QUANTITIES[name]

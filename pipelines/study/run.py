@@ -18,7 +18,7 @@ from .tables import write_table
 from .texts import Texts
 from .words import quantity, spell
 
-FIRST_SCREEN = 100  # words that lead and headline may have together; how long the score below them is depends on the runs
+FIRST_SCREEN = 100  # most words of lead and headline together; the score below them varies in length
 
 
 @dataclasses.dataclass
@@ -78,8 +78,8 @@ class Study:
     name: its folder in pipelines/. judged: whether this run has the full size, for which published values hold. The page of a smaller
     run shows published values beside its own and those of a kept full-size run, and judges the kept run alone.
     lead: what was done. headline: what came out, in one sentence with numbers from say(). Both are text or markup
-    (markupsafe.Markup), together not longer than FIRST_SCREEN. history: how a file of the study came to be.
-    digits: to which measures are kept before they are compared; six are those of measured.tsv, None keeps all.
+    (markupsafe.Markup), together not longer than FIRST_SCREEN. history: the provenance of a file of the study.
+    digits: significant digits of measures, to which they are rounded before they are compared; measured.tsv has six, None keeps all.
     """
 
     def __init__(self, name, title, out, profile, judged=True, digits=6):
@@ -116,8 +116,8 @@ class Study:
     def tell(self, **values):
         """Takes the texts of the page from words.toml: lead, headline, remarks, reasons, appendix, and captions of figures that follow.
 
-        values: what its texts may name, beside say() and published() of the study, `kept` (of say: the kept run's numbers are
-        told, since this one is not judged), `profile` and `judged`.
+        values: names that the texts may use, beside say(), published(), `profile`, `judged`, and `kept`. `kept` is an argument for say(): it
+        is true if this run is not judged, and say() then gives the kept run's numbers.
         """
         self._values = {"say": self.say, "published": self.published, "kept": not self.judged, "judged": self.judged, "profile": self.profile,
                         **values}
@@ -146,7 +146,7 @@ class Study:
         return self._texts.fill(text, self._values)
 
     def _caption(self, name, sentence, number, claim, measures):
-        """Returns these of a figure or, without a sentence, those that words.toml has."""
+        """Returns the given caption of a figure or, without a sentence, the caption in words.toml."""
         if sentence or self._texts is None:
             return sentence, number, claim, measures
         if not self._values:
@@ -155,7 +155,7 @@ class Study:
         return *(self._fill(said.get(key, "")) for key in ("sentence", "number", "claim")), [self._fill(name) for name in said.get("measures", ())]
 
     def measure_each(self, rows, of, ending=""):
-        """Measures (name, unit, value) rows, each name with an ending: value(*of()), where either may raise NotMade."""
+        """Adds a measure name + ending for each (name, unit, value) row: value(*of()). Both functions may raise NotMade."""
         for name, unit, value in rows:
             self.measure(name + ending, lambda value=value: value(*of()), unit)
 
@@ -191,8 +191,8 @@ class Study:
         """Adds the statements of a table like expected.tsv, under a heading of their own where one is given.
 
         note: what the page says below the table. table: name of the file, less .tsv, that they are written to with what was
-        measured; without a heading it is comparison. judged: whether this run has the size for those under the heading, where
-        that is not the study's own answer; the kept ones of a run that has are read from kept/ then.
+        measured; without a heading it is comparison. judged: whether this run has the size for these statements,
+        by default as the study. If it is False, values of a kept full-size run are read from kept/.
         """
         group = Group(heading, self.judged if judged is None else judged) if heading else self.groups[0]
         if heading:
@@ -212,14 +212,14 @@ class Study:
         self._reasons[name] = text
 
     def kept(self, path):
-        """Reads what a run at full size measured: its comparison.tsv. The statements that it has are added before."""
+        """Reads what a run at full size measured: its comparison.tsv. Its statements have to be added before."""
         pairs = read_kept(path, [s for group in self.groups for s in group.statements])
         self._kept += pairs
 
     def say(self, name, digits=3, unit=None, deviation=False, kept=False):
-        """Returns a measure as a sentence holds it, "585 kPa", to so many significant digits.
+        """Returns a measure as text for a sentence, such as "585 kPa", to so many significant digits.
 
-        unit: to which it is converted. deviation: with its standard deviation. kept: of the kept run, to the digits there.
+        unit: converts to this unit. deviation: adds the standard deviation. kept: takes the kept run's value, with its digits.
         """
         if kept:
             verdict = next((v for s, v in self._kept if s.name == name), None)
@@ -236,7 +236,7 @@ class Study:
         return quantity(text, unit or measure.unit)
 
     def published(self, name):
-        """Returns the published value of a statement as a sentence holds it, with its unit, to the digits of its table."""
+        """Returns the published value of a statement as text for a sentence: with its unit and the digits of its table."""
         stated = [s for group in self.groups for s in group.statements]
         found = next((s for s in stated if s.name == name), None)
         if found is None:
@@ -265,7 +265,7 @@ class Study:
     def figure(self, name, figure, sentence="", number="", claim="", measures=()):
         """Adds a figure drawn with study.figures; the first one opens the page and is on the study's card.
 
-        sentence: beneath it. number: of the thesis's figure, as in "Fig. 3.8". claim: the thesis's sentence that it bears out
+        sentence: beneath it. number: of the thesis's figure, as in "Fig. 3.8". claim: the thesis's sentence that it supports
         or not. measures: names of the statements whose verdicts are shown with it. Without a sentence, words.toml has all four.
         """
         if not self.pageless:
@@ -276,7 +276,7 @@ class Study:
         self._drawings[name] = figures.svg(figure)
 
     def picture(self, path, sentence="", number="", claim="", measures=(), name=""):
-        """Adds a picture, a .png or .jpg, where figure() adds a drawing. name: by which words.toml has its sentence."""
+        """Adds a picture, a .png or .jpg, as figure() adds a drawing. name: its name in words.toml."""
         if self.pageless:
             return
         sentence, number, claim, measures = self._caption(name, sentence, number, claim, measures)
@@ -300,7 +300,7 @@ class Study:
         return groups
 
     def score(self, groups):
-        """Returns the Score of this run, or of the kept one where this is not judged."""
+        """Returns the Score of this run, or of the kept run if this one is not judged."""
         parts, met, total = self._tally([pair for pair in groups if pair[0].judged])
         coarse = [pair for pair in groups if not pair[0].judged]
         if self.judged and not coarse:
@@ -321,7 +321,7 @@ class Study:
         return Score(". ".join(sentences) + ".", met + of_these, total + of_all)
 
     def _tally(self, groups):
-        """Returns how many values and statements of some groups are met, in words, and both numbers."""
+        """Returns, for some groups, how many values and statements are met in words, then the number of met ones and of all."""
         parts, met, total = [], 0, 0
         for values, words in ((True, "published values within tolerance"), (False, "statements met")):
             verdicts = [r.verdict for group, rows in groups if (group is self.groups[0]) == values for r in rows if r.verdict]
@@ -331,7 +331,7 @@ class Study:
         return parts, met, total
 
     def write(self):
-        """Writes all files of the study into its folder, each at once whole."""
+        """Writes all files of the study into its folder. Each file appears whole."""
         groups = self.rows()
         score = self.score(groups)
         self._check_first_screen()
@@ -350,7 +350,7 @@ class Study:
         print(f"{self.name}: {score} ({self.out}/page.html)")
 
     def _shown(self):
-        """Returns the figures in the order of words.toml, those that it does not have after them as they were added."""
+        """Returns the figures in the order of words.toml, then all others in the order in which they were added."""
         order = list(self._texts.figures if self._texts else ())
         return [self._figures[name] for name in sorted(self._figures, key=lambda name: order.index(name) if name in order else len(order))]
 

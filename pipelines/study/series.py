@@ -9,8 +9,8 @@ from .quantities import Line, quantity
 class Series:
     """The rows of a table, in the order of loading: series["axial_stress"] is an array in kPa.
 
-    table: a Table, or a dictionary of columns that are in these units already. derived: what a kind of series has beyond the columns of its table, by name: the unit, the words along an axis and a function
-    that makes it of the series.
+    table: a Table, or a dictionary of columns that are in these units already. derived: columns beyond those
+    of the table, by name: the unit, the words along an axis, and a function that computes the column from the series.
     """
 
     derived = {}
@@ -53,7 +53,7 @@ class Mean(Series):
     """Means of a column over several tables of equally many rows, row by row. spread: standard deviations, row by row."""
 
     def __init__(self, tables, how=None):
-        """how: what is made of the values of each row, the mean where none is given. Raises StudyError for tables of other lengths."""
+        """how: function of the values of each row, by default their mean. Raises StudyError for tables of other lengths."""
         super().__init__(tables[0])
         if len({len(t) for t in tables}) > 1:
             raise StudyError(f"{tables[0].where}: has another number of rows than the tables beside it")

@@ -31,7 +31,7 @@ class Table:
 
     @classmethod
     def parse(cls, text, path):
-        """Makes a table of the text of one. path: what messages call it."""
+        """Returns the table that a text holds. path: its name in messages."""
         lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
         if not lines:
             raise StudyError(f"{path}: holds no table; begin with a header of names such as \"time [s]\"")
@@ -72,7 +72,7 @@ class Table:
         return len(self._rows)
 
     def __call__(self, name, unit, missing=False):
-        """Returns the column in the unit asked for. missing: NaN, which stands for "no value", is allowed in it."""
+        """Returns the column in the unit asked for. missing: allows NaN, which represents "no value"."""
         if name not in self._units:
             raise StudyError(f"{self.where}: has no column {name}{suggestion(name, self._units)}")
         try:
@@ -106,7 +106,7 @@ class Table:
 class Folder:
     """The tables of a folder: folder("bag") is the Table of bag.tsv, read once.
 
-    absent: why one may be missing, which is then NotMade; without it a missing table is an error.
+    absent: why a table may be missing, as the reason of NotMade; without it a missing table is an error.
     """
 
     def __init__(self, path, absent=""):

@@ -16,10 +16,10 @@ _ENVIRONMENT = jinja2.Environment(undefined=jinja2.StrictUndefined)
 
 
 class Texts:
-    """The texts of a study. Each may hold {{ say("name") }} and the like, which fill() gives their numbers."""
+    """The texts of a study. Each may hold placeholders such as {{ say("name") }}, which fill() replaces by numbers."""
 
     def __init__(self, path):
-        """Raises StudyError naming the file and the word for what no text of a page is."""
+        """Raises StudyError, with file and key, for an unknown or missing key and for a value of the wrong type."""
         self.path = path
         try:
             with open(path, "rb") as file:
@@ -55,7 +55,7 @@ class Texts:
                 raise StudyError(f"{self.path}: {where}has no {key}")
 
     def figure(self, name):
-        """Returns what is said of a figure. Raises StudyError where nothing is."""
+        """Returns the table of a figure. Raises StudyError if there is none."""
         if name not in self.figures:
             raise StudyError(f"{self.path}: has no figure.{name}{suggestion(name, self.figures)}")
         return self.figures[name]

@@ -46,7 +46,7 @@ _UNITS = {
     "1 per its own": ("density of a parameter", 1.0),
 }
 
-# Characters of tables, and the characters that stand for them in the names above.
+# Characters of tables, and the characters that replace them in the names above.
 _WRITTEN = str.maketrans({"²": "2", "³": "3", "\u00b5": "u", "\u03bc": "u"})
 
 

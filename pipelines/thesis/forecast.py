@@ -51,7 +51,7 @@ def rate_of(text):
 
 
 def between(rates, bodies):
-    """Returns the Rate of so many bodies: costs rise with the logarithm of the number, as caches are outgrown; constant beyond both."""
+    """Returns the Rate for a number of bodies, linear in its logarithm between both trials (caches are outgrown), constant beyond."""
     small, large = rates
     share = (math.log(bodies) - math.log(small.bodies)) / (math.log(large.bodies) - math.log(small.bodies))
     share = min(1.0, max(0.0, share))
@@ -59,7 +59,7 @@ def between(rates, bodies):
 
 
 def tiled(text, copies=COPIES):
-    """Returns the text of copies, along x and y, of a periodic packing's text (to-vtk --text). Raises StudyError for one that is not."""
+    """Returns the text of copies, along x and y, of a periodic packing's text (to-vtk --text). Raises StudyError if it is not periodic."""
     size, grains = None, []
     for line in text.splitlines():
         if line.startswith("##PERIODIC::"):
@@ -76,7 +76,7 @@ def tiled(text, copies=COPIES):
 
 
 def mean_runtime(joblog):
-    """Returns the mean seconds of a job in a log of GNU parallel: the trial may end with one core at work. Raises StudyError for none."""
+    """Returns the mean seconds of a job in a log of GNU parallel. The time of the whole trial would count idle cores at its end."""
     head, *rows = [line.split("\t") for line in joblog.splitlines()]
     if not rows:
         raise StudyError("the trial of chapter 2 ran no test")
@@ -148,7 +148,7 @@ class Chapter:
 
 
 def of_products(some, rates, out):
-    """Returns the Chapter that these products are; what a folder of results has already takes nothing."""
+    """Returns the cost of these products of one chapter. Finished products in the folder of results cost nothing."""
     chapter = Chapter(some[0].chapter)
     for product in some:
         left = product.left(out)

@@ -13,7 +13,7 @@ COLUMNS = ("chapter", "product", "bodies", "links", "steps", "megabytes", "basis
 
 @dataclasses.dataclass(frozen=True)
 class Product:
-    """A file CHAPTER/NAME.h5. bodies, links: passed over in each step; steps: of the whole run; basis: where they come from."""
+    """A file CHAPTER/NAME.h5. bodies, links: numbers of them in each step. steps: of the whole run. basis: source of the steps."""
 
     chapter: str
     name: str
@@ -51,7 +51,7 @@ def _kept_steps(chapter, name, pipelines):
 
 
 def read(path=HERE / "products.tsv", pipelines=HERE.parent):
-    """Returns the Products of a table, with the steps of kept runs. Raises StudyError for a row that cannot be."""
+    """Returns the Products of a table, with the steps of kept runs. Raises StudyError for a row without whole numbers above 0."""
     products = []
     for line, row in read_words(path, COLUMNS)[1]:
         try:

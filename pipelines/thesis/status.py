@@ -14,7 +14,7 @@ from study.plain_text import read_text
 from thesis import products
 from thesis.forecast import Rate, between
 
-# A run writes a checkpoint every five minutes; one that has not for three times as long is stopped.
+# A run writes a checkpoint every five minutes. Without one for three times as long, it counts as stopped.
 SILENT = 900
 # The page loads itself anew, and is written, this often (s).
 EVERY = 30
@@ -23,12 +23,12 @@ _SAID = re.compile(r"^[a-z0-9-]+(?: [a-z]+)?: (?!doubt)")
 
 
 def hours(seconds):
-    """Returns a time as a reader says it: minutes below two hours."""
+    """Returns a time as text, in minutes below two hours."""
     return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
 
 
 def failures(log):
-    """Returns the reasons of what failed, by file: the last message of a tool before make gave a target up, and its exit status.
+    """Returns the reasons of failures by file: the last message of a tool before make gave up a target, and the exit status.
 
     A target that was made again later did not fail.
     """
@@ -93,7 +93,7 @@ def known_rates(out):
 
 
 def others(out, chapter, names, failed):
-    """Returns the Rows of files whose steps no table tells: done, failed or waiting."""
+    """Returns the Rows of files whose steps are in no table: done, failed, running or waiting."""
     rows = []
     for name in names:
         path = pathlib.Path(out) / chapter / name

@@ -1,9 +1,9 @@
-# Every chapter at the thesis's own size, from one command: hours, which go on where they were stopped. What they will take is told before
-# they begin, and a page beside the results tells how far they are.
+# Every chapter at the thesis's own size, from one command. It takes hours, and goes on where it was stopped. thesis-forecast says beforehand
+# how long it takes, and a page beside the results shows the progress.
 # SPDX-License-Identifier: GPL-3.0-or-later
 THESIS := pipelines/thesis
 THESIS_OUT ?= $(OUT)/thesis
-# Single runs come side by side, one a core; each ensemble of chapter 2 then uses all cores, hosts or Slurm's nodes by itself.
+# Single runs go side by side, one on each core. Then each ensemble of chapter 2 uses all cores, hosts or Slurm nodes by itself.
 THESIS_MAKE = $(MAKE) --no-print-directory PROFILE=thesis OUT=$(THESIS_OUT) C3_THREADS=1
 THESIS_CASES := --cases $(C2_CASES_thesis) --two-scales $(foreach e,shape pullout,$(C6_CASES_thesis:%=$(e)_%.h5)) swinging_$(C6_MAIN_thesis).h5
 THESIS_STATUS = $(STUDY_PY) $(THESIS)/status.py $(THESIS_OUT) $(THESIS_CASES)
@@ -22,7 +22,7 @@ thesis-status: ## write OUT/thesis/status.html anew: what is done, running (time
 	@mkdir -p $(THESIS_OUT)
 	@$(THESIS_STATUS) && echo "$(THESIS_OUT)/status.html"
 
-# The runs of chapter 6 forecast themselves from their packings, which take a minute.
+# fem-dem --check forecasts each run of chapter 6 from its packing. The packings take a minute.
 C6_SAID := $(foreach e,shape pullout,$(C6_CASES_thesis:%=$(THESIS_OUT)/ch6/$(e)_%.check)) $(THESIS_OUT)/ch6/swinging_$(C6_MAIN_thesis).check
 thesis-forecast: ## hours, memory and disk of make thesis by chapter, from a trial of about a minute
 	@$(AGAIN) all

@@ -65,7 +65,7 @@ Identification identified(const std::vector<BagSeries>& series) {
   return identify(series, {"test", {}, {}}, {}, {}, Difference::central, Method::path);
 }
 
-/// The constants whose interval does not hold the value they were made with.
+/// Returns the constants whose interval does not hold the true value.
 std::vector<std::string> missed(const Identification& found, const Soil& truth) {
   std::vector<std::string> keys;
   for (const Line& line : found.lines)
@@ -178,7 +178,7 @@ TEST(GwsPathFit, ReinforcedSoilInACellServesTheNearFailureLineAlone) {
   EXPECT_NEAR(found.soil.soil.kappa, soil.kappa, 1e-3);
   ASSERT_EQ(found.left_out.size(), 1u);
   EXPECT_NE(found.left_out[0].find("no series begins at rest"), std::string::npos);
-  // Beside bags that begin at rest, its rows join theirs.
+  // With bags that begin at rest, the fit takes the rows of all three series.
   std::mt19937_64 random(1);
   const Identification both = identified({bag, made("PE", soil, 20, {}, random), made("PP", soil, 20, {}, random)});
   ASSERT_EQ(both.lines.size(), 4u) << joined(both.left_out);

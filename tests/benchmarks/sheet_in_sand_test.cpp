@@ -119,8 +119,7 @@ TEST(SheetInSand, AnyPlaneBearsTheStressOfTheCell) {
 
 // Four of 300 grains are nodes. Twins differ in that their grains are moved by a hundredth of a radius. Student's t of
 // the difference between packings with and without a slack sheet stays within its 95 % of 14 degrees of freedom.
-// Rotations of nodes are blocked, so that the sheet strengthens soil whose grains roll freely (by 5 %); these resist
-// rolling.
+// The grains resist rolling, since nodes, whose rotation is blocked, would strengthen freely rolling soil by 5 %.
 TEST(SheetInSand, ASlackSheetAnswersAsSoil) {
   const Scenario plan = scenario(1e-3, 0.02);
   const auto ratio = [&](const io::Snapshot& start) {

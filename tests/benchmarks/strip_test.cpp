@@ -48,8 +48,8 @@ void expect_curve(int n, double tolerance, double speed = slow) {
 
 TEST(Strip, OfOneYarnCarriesItsCurveUnloadsAtTheSlopeAndBreaks) { expect_curve(1, 1e-6); }
 
-// Yarns in a row yield one before the other, because the pull sends a wave along: its speed over that of the wave, 1e-3
-// over 8.8 m/s, is the difference in strain. A pull five times slower is five times nearer to the curve.
+// Yarns in a row yield one after the other, because the pull sends a wave along the strip. Their strains differ by the
+// speed of the pull over the speed of the wave, 1e-3 over 8.8 m/s. A pull five times slower is five times nearer.
 TEST(Strip, OfSeveralYarnsDoesSoInTheLimitOfASlowPull) {
   for (const double speed : {slow, slow / 5}) expect_curve(4, 0.5 * speed, speed);
 }

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-# The crosscheck's two tables beside each other, with a verdict for every line; exits with 1 where one is missed.
+# Compares the two tables of the crosscheck, with a verdict for every line; exits with 1 if a bound is missed.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
 import sys
 
-# The lattice follows the same path in the same steps: what is left is the order of sums, and the peer's rotation of the
+# The lattice follows the same path in the same steps. The remaining differences are the order of sums, and the peer's rotation of the
 # shear force to first order.
 STRESS_TOLERANCE = 1e-8
 VOID_RATIO_TOLERANCE = 5e-4
 STRESS_RATIO_TOLERANCE = 0.02
 VOLUMETRIC_TOLERANCE = 3e-4
 STRAINS = (0.005, 0.01, 0.02)
-# Beyond this strain chaos has parted the twins: the scatter of the means is allowed for as well.
+# Beyond this strain chaos has parted the twins, so that the scatter of the means is allowed for as well.
 LAST_BEFORE_SCATTER = 0.01
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # run-dem and its peers at the same packings, law and loading, alternating in one sitting: steps per second and their
-# ratios, each with the bar it is held to.
+# ratios, each with its required least value.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make bench-peers, with SOILWEAVE_REFERENCE at the folder of recorded packings. Peers that are missing are skipped: YADE
 # (2023.02a was used), LAMMPS with GRANULAR as `lmp`, LIGGGHTS as `liggghts`. ROUNDS (default 3), CASES (default: all of
 # 1000 70000 disks). YADE has servo, stress and time step in every step, as run-dem has; the others deform the
-# cell at a fixed time step. On two cores that nobody else uses, or the figures mean nothing. Exits with 1 where a bar is missed.
+# cell at a fixed time step. The figures hold only on two cores that nobody else uses. Exits with 1 where a bar is missed.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -146,8 +146,8 @@ bar() { # WORDS CASE NUMERATOR DENOMINATOR BAR
     met = a / b >= bar; printf "  %s: %.3g times, at least %s: %s\n", words, a / b, bar, met ? "met" : "MISSED"; exit !met }' || missed=1
 }
 
-# A packing of 70,000 grains runs so many steps that making the simulation counts little; the peers' warm-up includes
-# that.
+# A packing of 70,000 grains runs so many steps that the set-up of the simulation counts little. The peers' warm-up
+# includes their set-up.
 declare -A strain=([1000]=0.05 [70000]=0.006 [disks]=0.05) peer_steps=([1000]=1000 [70000]=30 [disks]=8000)
 # Disks get the same force per side, over YADE's thickness of 0.03 m.
 declare -A peer_pressure=([1000]=2e5 [70000]=2e5 [disks]=3.333e6)

@@ -26,7 +26,7 @@ GIB = 1 << 30
 CPU = 5  # s; run-dem and its like stop at the signal and end with 75
 DOCUMENTED = {0, 1, 64, 65, 66, 70, 73, 74, 75}
 STEPPING = {"pack-generate", "filter-expand", "run-dem", "fem-dem"}
-# A command of each tool and verb that is right but for what is put behind it; names in braces are prepared files.
+# A valid command of each tool and verb, to which a hostile input is added. Names in braces are prepared files.
 RIGHT = {
     ("pack-generate",): "--grains 10 --pressure 1e5 --tolerance 0.1 -o out.h5",
     ("filter-expand",): "{packing.h5} {cut.toml} -o out.h5",

@@ -222,7 +222,7 @@ def change_hdf5(chance, path, seeds):
     kind = chance.randrange(10)
     if kind <= 2:
         data = bytearray(path.read_bytes())
-        # The first kilobytes hold what describes the rest.
+        # The first kilobytes hold the metadata that describe the rest.
         reach = len(data) if chance.random() < 0.5 else min(len(data), 4096)
         for _ in range(chance.choice([1, 1, 4, 16])):
             data[chance.randrange(reach)] = chance.choice([0, 255, chance.randrange(256)])

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fuzzes every reader for some time each: seeds are what the repository has of its kind, and what earlier findings left in
-# tests/fuzz/corpus. A finding ends it, with its bytes kept there once it is named.
+# Fuzzes every reader for some time each. Seeds are the repository's files of that kind, and earlier findings in
+# tests/fuzz/corpus/READER. A finding ends the script and leaves its bytes in tests/fuzz/corpus/READER-*.
 # SPDX-License-Identifier: GPL-3.0-or-later
 # usage: BIN=build/bin [FUZZ_TIME=600] tests/fuzz/run.sh TARGET...   (each build/fuzz/tests/NAME)
 set -euo pipefail

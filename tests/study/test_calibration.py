@@ -1,4 +1,4 @@
-"""Calibration: tests of the laboratory brought to natural strains and stations, what a posterior predicts, options that are wrong."""
+"""Calibration: laboratory tests in natural strains at stations, predictions of a posterior, wrong options."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
 import types

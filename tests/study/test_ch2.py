@@ -1,4 +1,4 @@
-"""Chapter 2: its measures on small tables by hand, what a single round gives, the rows of an ensemble."""
+"""Chapter 2: its measures on small tables by hand, the results of a single round, the rows of an ensemble."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import pathlib

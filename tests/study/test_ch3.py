@@ -1,4 +1,4 @@
-"""Chapter 3: its measures on small tables by hand, and on what is kept of its runs at full size."""
+"""Chapter 3: its measures on small tables by hand, and on its kept full-size runs."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import io
 import math

@@ -1,4 +1,4 @@
-"""Chapter 6: its measures on small tables by hand, and on what is kept of its runs at full size."""
+"""Chapter 6: its measures on small tables by hand, and on its kept full-size runs."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import math
 import types
@@ -90,7 +90,7 @@ def test_the_point_is_loosest_in_one_output_and_its_obliquity_is_of_means(histor
 
 
 def square(folder, rise=(-0.001, 0, 0.002), **points):
-    """A square of 1.2 m of two by two squares, eight triangles; the columns of nodes rise by what is given."""
+    """A square of 1.2 m of two by two squares, eight triangles. rise: of each column of nodes, m."""
     at = numpy.array([[i, j] for j in range(3) for i in range(3)]) * 0.6
     up = numpy.tile(rise, 3)
     corners = []

@@ -88,7 +88,7 @@ def test_test_data_of_other_columns_are_refused_by_the_column_that_they_have():
     ratio = Table.parse("strain_axial [%]\tstress_ratio\n0\t1\n1\t3\n", "b2.tsv")
     with pytest.raises(StudyError, match="b: has deviatoric_stress, but stress_ratio is drawn of the other tables; draw it without them"):
         plots.draw("stress-strain", [("run", run)], [("b", stress), ("b2", ratio)])
-    # One that has a column of the other panel is drawn there; what most have is drawn here.
+    # A table with a column of the other panel is drawn there. This panel draws the column that most tables have.
     both = Table.parse("strain_axial [%]\tstress_ratio\tstrain_volumetric [%]\n0\t1\t0\n1\t3\t1\n", "b3.tsv")
     volume = Table.parse("strain_axial [%]\tstrain_volumetric [%]\n0\t0\n1\t1\n", "b.tsv")
     figure, notes = plots.draw("stress-strain", [("run", run)], [("b", volume), ("b3", both)])

@@ -71,7 +71,7 @@ def results(tmp_path_factory):
 
 
 def fault(page):
-    """Returns what is wrong with a page; nothing where it is sound."""
+    """Returns the faults of a page; nothing for a sound page."""
     structure = Structure(page.read_text(encoding="utf-8"))
     twice = sorted({i for i in structure.ids if structure.ids.count(i) > 1})
     outside = [link for link in structure.links if not link.startswith(("#", "data:")) and link != "../report.html"]

@@ -1,4 +1,4 @@
-"""The studies' package: what it reads, refuses, compares, draws and writes, on small tables."""
+"""The studies' package on small tables: reading, refusals, comparisons, figures and pages."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import math

@@ -1,4 +1,4 @@
-"""Every chapter at full size: what a forecast is made of, and what the status page says of each file."""
+"""Every chapter at full size: the parts of a forecast, and the state of each file on the status page."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 

@@ -1,4 +1,4 @@
-"""The studies' package: pages told by words.toml, figures told in a few words, what studies share of reading tables."""
+"""The studies' package: pages from words.toml, figures from short descriptions, shared ways to read tables."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import types
 
@@ -34,7 +34,7 @@ tables = ["told", "causes"]
 
 
 class Compressed(Series):
-    """A bag whose load is also told in half."""
+    """A bag with a derived column, half of the load."""
     derived = {"half": ("kPa", "half of the load", lambda s: s["plate_pressure"] / 2)}
 
 

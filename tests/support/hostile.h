@@ -6,8 +6,8 @@
 
 namespace soilweave::hostile {
 
-/// Each function reads the bytes in every way that tools do, and uses the result a little. Errors of the library are
-/// the right answer; anything else passes through.
+/// Each function reads the bytes in every way that tools do, and uses the result a little. It catches errors of the
+/// library, which are the right answer, and nothing else.
 void scenario(std::string_view bytes);  // TOML: scenarios, plans, materials, priors, soils, geotextiles
 void table(std::string_view bytes);     // tab-separated text: series, gradings, observations
 void spheres(std::string_view bytes);   // x y z r

@@ -1,4 +1,4 @@
-// A strip of yarns between two clamps, with what pulls it.
+// A strip of yarns between two clamps, and the stages that pull it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

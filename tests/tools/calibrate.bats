@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# pipelines/calibrate.sh: rounds over two tests together, what they leave, that they go on, what is refused before anything runs.
+# pipelines/calibrate.sh: rounds over two tests together, their files, resuming, and refusals before anything runs.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The data that studies read are the ones described, and what is kept of them is compared anew.
+# The data that studies read are the described ones, and kept results are compared anew.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 setup() {

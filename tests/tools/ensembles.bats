@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# Ensembles of runs: what was stopped goes on and ends in the same bytes, failed rows are told, changed inputs run anew.
+# Ensembles of runs: stopped ones go on and end in the same bytes, failed rows are reported, changed inputs run anew.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common
@@ -126,7 +126,7 @@ small_inputs() {
 
 @test "rows go to the hosts of SSHLOGINFILE, names unharmed" {
   small_inputs
-  # Stands for ssh HOST -- COMMAND, and runs here.
+  # Replaces ssh HOST -- COMMAND, and runs the command here.
   cat > hop <<'SH'
 #!/bin/sh
 echo "$1" >> "${0%/*}/called"
@@ -144,7 +144,7 @@ SH
 @test "ENGINE=slurm: rows are an array job, which an interrupted make takes along" {
   small_inputs
   mkdir slurm
-  # Stands for sbatch: the job runs at once, one task after another, and is over when squeue is asked.
+  # Replaces sbatch: the job runs at once, one task after another, and is over when squeue is asked.
   cat > slurm/sbatch <<'SH'
 #!/bin/sh
 for word; do case $before in --array) last=${word#0-} ;; --wrap) job=$word ;; esac; before=$word; done

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The files tools exchange: other programs open them, pipes carry them, damage is told, histories reach their origin.
+# The files tools exchange: other programs open them, pipes carry them, damage is reported, histories reach their origin.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common
@@ -68,7 +68,7 @@ every_file() {
     [[ $output == *"0. pack-generate "* ]] || show "$file does not reach pack-generate"
   done
   [[ $(to-vtk --history fields.h5 | grep -c '^[0-9]') -eq 3 ]]
-  # The digest in the chain is that of the file.
+  # The chain has the digest of the file.
   to-vtk --history run.h5 | grep -q "made by 0, sha256 $(sha256sum packing.h5 | cut -d ' ' -f 1)"
 }
 

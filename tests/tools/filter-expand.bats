@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# filter-expand and what run-dem does with its bags: the same bytes each time, stopped or not; what is refused.
+# filter-expand, and run-dem with its bags: the same bytes each time, stopped or not; refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common
@@ -100,11 +100,9 @@ PY
   refuses 65 homogenize "bag.h5: has no series: it is a packing" --table loading --tsv bag.h5
 }
 
-# stops_when_full HISTORY VOID_RATIO LARGEST_COORDINATION_NUMBER: demands that grains grow until the first measurement
-# that meets
-# all criteria (steady volume, overlap, contacts, void ratio) and then come to rest. The last state is the first one at
-# rest that meets
-# them too, with no more contacts than requested.
+# stops_when_full HISTORY VOID_RATIO LARGEST_COORDINATION_NUMBER: demands that grains grow until the first measurement that
+# meets all criteria (steady volume, overlap, contacts, void ratio), and then come to rest. The last state is the first one
+# at rest that meets the criteria too, with no more contacts than requested.
 stops_when_full() {
   table '
     ended { fault("the row before misses nothing and is at rest") }

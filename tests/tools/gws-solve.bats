@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# gws-solve: what its verbs print and write, loops that close, what is refused, and what each verb says about itself.
+# gws-solve: the output of its verbs, loops that close, refusals, and the help of each verb.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common

@@ -13,7 +13,7 @@ setup_file() {
   export PARAVIEW=${PARAVIEW:-$(command -v pvpython)}
   [ -n "$PARAVIEW" ] || return 0
   cd "$BATS_FILE_TMPDIR" || return
-  # Debian's ParaView draws with X only, and is sent away while a server resets itself after its last client. bats waits until its
+  # Debian's ParaView draws with X only. A server that resets itself after its last client would refuse it. bats waits until its
   # descriptor 3 is closed.
   if [ -z "${DISPLAY:-}" ] && command -v Xvfb > /dev/null; then
     Xvfb -noreset -displayfd 7 -screen 0 1600x1200x24 7> display 2> xvfb.log 3>&- &

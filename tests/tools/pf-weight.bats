@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# pf-weight: what its verbs print and write, the tables of thesis chapter 2, pipes, what is refused and what is told.
+# pf-weight: what its verbs print and write, the tables of thesis chapter 2, pipes, refusals and reports.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common
@@ -414,7 +414,7 @@ logs() {
   [[ $kept -eq 121 ]] || show "three rounds of 40: $kept"
   holds '(a - 0.3) ^ 2 < 0.05 ^ 2 && (b + 0.4) ^ 2 < 0.05 ^ 2 && size > 10' a="$(value steps3.tsv a last)" \
     b="$(value steps3.tsv b last)" size="$(value steps3.tsv effective_size last)"
-  # A table does not tell what its sets were drawn from.
+  # A table does not hold the densities that its sets were drawn from.
   pf-weight resample posterior1.h5 -n 20 --seed 9 --tsv --quiet > alone.tsv
   awk -F '\t' 'BEGIN { print "id\tt\tone\ttwo" } NR > 1 { for (t = 1; t <= 5; ++t) print $1 "\t" t "\t" $2 "\t" $3 }' alone.tsv > alone_runs.tsv
   pf-weight assimilate alone.tsv observed.tsv --prior prior.toml --runs alone_runs.tsv --variance 1e-2 --quiet -o alone.h5 > /dev/null

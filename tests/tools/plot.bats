@@ -96,7 +96,7 @@ setup() {
   ln -s "$BIN/homogenize" there/bin
   cp -r "$BATS_TEST_DIRNAME/../../pipelines/study" there/share/soilweave/python/study
   exits 0 env PATH=/usr/bin:/bin there/bin/plot e-log-p run.h5 -o there/e.svg
-  # A link to plot in a folder of one's own finds the tools beside what it leads to.
+  # Through a link in another folder, plot finds the tools beside the real file.
   mkdir home
   ln -s "$PWD/there/bin/plot" home/plot
   exits 0 env PATH=/usr/bin:/bin home/plot e-log-p run.h5 -o home/e.svg

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The recipes of pipelines/recipes/README.md run as they stand, and what they leave is what a reader is told.
+# The recipes of pipelines/recipes/README.md run unchanged, and their results are sound.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 load common

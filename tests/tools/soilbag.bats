@@ -11,10 +11,10 @@ study() {
   env -u MAKEFLAGS -u MAKELEVEL make --no-print-directory -s -C "$ROOT" BIN="$BIN" OUT="$BATS_FILE_TMPDIR" PROFILE=quick "$@" >&2
 }
 
-# A bag must widen as it is compressed, against the inertia of its scaled density, and lags behind plates of 10 %/s, by 6 % at 1 %. Plates
-# that slow down where the unbalanced force would be too large do not tell which rate they were given: what is left is chance (three pairs
-# of twins of such a bag, their grains moved by a millionth of their radius at first, differ by 1.2 % in the mean of a station at most,
-# twice in 24 stations by 2.3 %).
+# A bag must widen as it is compressed, against the inertia of its scaled density. It lags behind plates of 10 %/s, by 6 % at 1 %. Plates
+# slow down where the unbalanced force would be too large, so that the result does not depend on the given rate. The remaining difference
+# is chance: three pairs of twins of such a bag, whose grains start a millionth of their radius apart, differ by at most 1.2 % in the mean
+# of a station, and by 2.3 % in two of 24 stations.
 @test "compressed ten times slower, a bag carries the same" {
   local of=$BATS_FILE_TMPDIR/ch3/variants
   study C3V_UC='--set stage.1.strain=0.03 --set record.strains=[0.03]' "$of/paced/uc_PE.tsv" "$of/slow_paced/uc_PE.tsv"

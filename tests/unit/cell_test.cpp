@@ -60,7 +60,7 @@ TEST(Simulation, TurnsAGrainAboutXAndThenAboutY) {
   EXPECT_LT((q - Vec4(cb * ca, cb * sa, sb * ca, -sb * sa)).norm(), 1e-7) << q.transpose();
 }
 
-// Disks are per metre: how thick a cell is said to be changes no area, stress or void ratio, and is kept.
+// Disks are per metre. The given thickness of their cell changes no area, stress or void ratio, and is kept.
 TEST(Disks, NothingDependsOnTheThicknessOfTheirCell) {
   io::Snapshot thin = support::packed(support::linear_sand(), 1e3, 60, 2), thick = thin;
   thin.cell.matrix(2, 2) = 1, thick.cell.matrix(2, 2) = 3;

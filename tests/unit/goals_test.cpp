@@ -254,7 +254,7 @@ TEST(Forecast, CountsTheStepsOfAStressByTheStiffness) {
   EXPECT_NEAR(loaded(1e-3) - loaded(2e-3), strain / dt * (1e3 - 5e2), 1e-9 * loaded(1e-3));
 }
 
-// Two hundred timed steps stand for all.
+// Two hundred timed steps represent all steps.
 TEST(Forecast, ItsTimeIsThatOfTheStepsTriedForAllOfThem) {
   const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   const Scenario plan = scenario(

@@ -68,7 +68,7 @@ TEST(Guard, StopsWhereAGrainSpansHalfTheCell) {
   Mat3 gradient = Mat3::Zero();
   gradient(2, 2) = -10;
   s.set_velocity_gradient(gradient);
-  // e^-1.6: 20 mm to 4 mm, twice a grain.
+  // A strain of -1.6 shortens 20 mm to 4 mm, twice the diameter of a grain.
   io::test::expect_error<PhysicsError>([&] { run(s, 400); },
                                        "wide along axis z, and the largest grain is 0.002 m across");
   EXPECT_NEAR(s.cell_matrix()(2, 2), 0.004, 0.0005);

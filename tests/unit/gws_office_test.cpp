@@ -230,8 +230,8 @@ TEST(GwsEstimate, ASofterSoilSettlesMore) {
       }
 }
 
-// Returns the ultimate surcharges of the solution over those of the kept runs, bags ("0, bag") or cells ("10"), as
-// read.
+// Returns the ratios of ultimate surcharges, solution over kept run, from misfits.tsv: for bags ("0, bag") or cells
+// ("10").
 std::vector<double> kept_ratios(const std::string& lateral) {
   std::ifstream file("pipelines/ch5/kept/misfits.tsv");
   EXPECT_TRUE(file) << "run the tests from the top folder";

@@ -109,7 +109,7 @@ TEST(Run, PlatesKeepTheirFrictionUntilAStageGivesThemAnother) {
     state.contacts = {};
     return state;
   }();
-  // Between plates the series has no stress of a cell, so that places of grains tell runs apart.
+  // Between plates the series has no cell stress, so the positions of grains distinguish the runs.
   const auto moved = [](const io::Snapshot& start, const std::string& text) {
     const Scenario plan = scenario(text);
     const Outcome outcome = run(prepare(start, plan), plan, {});

@@ -77,7 +77,7 @@ TEST(Motion, DampingGoesByTheWorkOfTheForceOverTheStep) {
   }
 }
 
-// The lighter of two grains that press each other gains all of the bound, if it moves against its force and gravity.
+// The lighter of two touching grains changes its speed by the whole bound if it moves against its force and gravity.
 TEST(Motion, NoGrainGainsMoreThanTheBoundAndOneGainsAllOfIt) {
   const double dt = 1e-6, g = 10, damping = 0.3;
   const Sphere low = free_sphere(Vec3(0, 0, 5));
@@ -144,7 +144,7 @@ TEST(Motion, ShearForcesTurnAboutTheNormalByTheMeanSpin) {
 
 // ---- Steps with several settings.
 
-// Only strained axes slow down; stresses are held as fast as ever.
+// Only strained axes slow down. Stresses are held at the full rate.
 TEST(Servo, APaceIsThatOfTheStrainedAxesAlone) {
   const auto rates = [](double pace) {
     Simulation s(support::packed(support::sand(), 1e5, 60), support::sand(), {});

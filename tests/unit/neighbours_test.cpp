@@ -113,7 +113,7 @@ TEST_P(NeighboursIn, ListAllThatTouchesAndLast) {
     const auto known = listed(flight.contacts), touching = near_by(flight.bodies, flight.cell, 0);
     ASSERT_TRUE(std::includes(known.begin(), known.end(), touching.begin(), touching.end())) << "step " << k;
     ASSERT_GT(touching.size(), 20u);
-    // A single skin for all that lasts as long is twice the largest one needed.
+    // A single skin for all grains that lasts as long has to be twice the largest leeway.
     ASSERT_LT(known.size(), near_by(flight.bodies, flight.cell, 2 * flight.longest_leeway()).size());
   }
   EXPECT_GT(flight.lists, 10);

@@ -1,4 +1,4 @@
-// History of contacts that only one law keeps: in files, in records, and in what checks them.
+// History of contacts that only one law keeps: in files, in records, and in their checks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

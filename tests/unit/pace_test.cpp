@@ -14,7 +14,8 @@ constexpr double wanted = 0.02;
 constexpr std::int64_t look = 16;
 constexpr std::size_t grains = 8000;  // a wave crosses them in 200 steps
 
-// Grains whose unbalanced force follows the speed with a delay of one crossing; `per_speed` of it in steady motion.
+// Grains whose unbalanced force lags behind the speed by one crossing. In steady motion it is `per_speed` times the
+// speed.
 struct Delayed {
   double top_speed, per_speed, unbalanced = 1e-3, speed = 0, largest = 0;
 

@@ -68,7 +68,7 @@ TEST(Recorded, DeviatoricStrainsAreThoseOfTheirSpace) {
   }
 }
 
-// The length of an axis without periodic faces is not that of the grains.
+// Along an axis without periodic faces, the length of the cell is not the extent of the grains.
 TEST(Recorded, ACellThatDoesNotFollowItsGrainsHasNoStressStrainOrVoidRatio) {
   io::Snapshot state = scene({at(0), at(1.99 * R), at(3.98 * R)}, false);
   state.grains.material_id.assign(3, 0);
@@ -135,7 +135,7 @@ TEST(Recorded, GrowingGrainsLeaveWhatTheLawHasTaken) {
               1e-9 * after.stored());
 }
 
-// The fastest grain moves a hundredth of the smallest radius in a step, and no slower than it may.
+// The step becomes so short that the fastest grain moves a hundredth of the smallest radius, and no shorter.
 TEST(Recorded, AFastGrainShortensTheStep) {
   Sphere slow = at(0.02), fast = at(0.1, 2 * R);
   fast.velocity = Vec3(0, 3000, 4000);
@@ -216,7 +216,7 @@ TEST(Energies, AShareIsCountedOnce) {
   EXPECT_EQ(e.initial(), e.stored());
 }
 
-// Powers of two tell which terms a sum has.
+// Powers of two show which terms a sum has.
 TEST(Energies, EnterTheBalanceByTheirRoles) {
   Archive::Numbers numbers = {{"energy_initial", {1}}, {"energy_turned_over", {0}}};
   for (const EnergyTerm& t : energy_terms()) numbers["energy_" + std::string(t.name)] = {0};

@@ -1,4 +1,4 @@
-// Forecast of the waits for rest: their terms by hand, and runs whose steps lie in the range that was told.
+// Forecast of the waits for rest: their terms by hand, and runs whose steps lie in the range that it gives.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem/run/rest.h"
 
@@ -28,7 +28,7 @@ Arrival sheared(double rate, double pressure) {
   return arrival;
 }
 
-// A wait is ln(U/limit) e-folds of 0.45 inertial times d sqrt(rho/p), U = 0.43 I^0.6, times 1.7, for a damping of 0.5.
+// At a damping of 0.5 a wait takes 1.7 * 0.45 ln(U/limit) inertial times d sqrt(rho/p), with U = 0.43 I^0.6.
 TEST(RestEstimate, CountsInertialTimesInACell) {
   const io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   const Scenario plan = scenario(triaxial, "[numerics]\ndamping = 0.5\n[equilibrium]\nunbalanced_force = 1e-4\n");
@@ -48,7 +48,7 @@ TEST(RestEstimate, CountsInertialTimesInACell) {
       << "grains that hardly move have come to rest on the way";
 }
 
-// The tried steps tell that the time step falls with the pressure to the power 1/6, as for Hertz's contacts.
+// The tried steps show that the time step falls with the pressure to the power 1/6, as for Hertz's contacts.
 TEST(RestEstimate, LearnsHowTheTimeStepFallsWithThePressure) {
   const Scenario plan = scenario(triaxial);
   const Simulation soft(support::packed(support::sand(), 1e5, 60), plan.model, plan.numerics);
@@ -62,8 +62,8 @@ TEST(RestEstimate, LearnsHowTheTimeStepFallsWithThePressure) {
   EXPECT_LT(rest.step_share(sheared(0.1, 1e6)), 0.8);
 }
 
-// Grains between plates under a drag of 2 half: the energy left of the field falls at twice the rate
-// half - sqrt(half^2 - w^2), w half of the affine swing.
+// Between plates under a drag of 2 half, the remaining energy of the velocity field falls at the rate
+// 2 (half - sqrt(half^2 - w^2)), where w is half the frequency of the slowest affine swing.
 TEST(RestEstimate, TakesTheSlowestSwingUnderADrag) {
   io::Snapshot start = support::packed(support::sand(), 1e5, 60);
   start.cell.periodic = {false, false, false};

@@ -251,7 +251,7 @@ TEST_F(PartTest, FollowsNoLinkOutOfItsFolder) {
   io::test::expect_error<CannotCreate>([&] { part(); }, "is a link");
 }
 
-// Going on would make the state again, so no remedy concerns the file.
+// The error is not about the file, since a resumed run would compute the same state again.
 TEST_F(PartTest, AStateThatNoFileMayHoldIsTheRunsOwnFault) {
   auto kept = part();
   io::Checkpoint wrong = checkpoint(7);

@@ -15,7 +15,7 @@ TEST(Spin, LeavesAUnitQuaternionHoweverFast) {
   Numerics numerics;
   numerics.damping = 0;
   const double dt = Simulation(start, support::sand(), numerics).time_step();
-  // Angles per step, rad; every grain of a pass spins at another one, slow ones beside fast ones.
+  // Angles per step, rad. Grains of one pass spin at different angles, so that slow grains lie beside fast grains.
   constexpr double paces[] = {0, 1e-3, 0.05, 0.077, 0.08, 0.18, 1, 3, 100, 1e6};
   start.contacts = {};
   for (std::size_t i = 0; i < start.grains.size(); ++i) {

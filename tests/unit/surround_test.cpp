@@ -1,4 +1,4 @@
-// Reinforced soil in a periodic cell: what is put around it, and what the cell's strain does to it.
+// Reinforced soil in a periodic cell: the soil around it, and the effect of the cell's strain on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -190,8 +190,7 @@ TEST(Surround, WhatIsHeldStandsWhateverItsVelocity) {
   EXPECT_GT((now[0] - cloud.grains.position[0]).norm(), 1e-9);
 }
 
-// Fill that is equally loose all over is equally dense in the end where the room above the reinforced part and all of
-// it become smaller by one factor.
+// Evenly loose fill ends evenly dense if the room above the reinforced part and the whole room shrink by one factor.
 TEST(Surround, TheRoomAboveAndBesideTheBagCloseByOneFactor) {
   const io::Snapshot one = bag();
   const Surrounded cell = surround(one, around(), 0);

@@ -10,7 +10,7 @@
 
 namespace soilweave::dem {
 
-/// The law. Its members are those that laws.h demands.
+/// The law. It has the members that laws.h requires.
 struct Toy {
   static constexpr std::string_view name = "toy";
   static constexpr std::array<std::string_view, 2> examples = Linear::examples;

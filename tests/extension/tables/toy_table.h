@@ -8,7 +8,7 @@
 
 namespace soilweave::packing::tables {
 
-/// The table. Its members are those that run_tables.h demands.
+/// The table. It has the members that run_tables.h requires.
 struct ToyTable {
   static constexpr const char* name = "toy-table";
   static constexpr const char* long_name = "grains of each state";
