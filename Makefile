@@ -390,7 +390,7 @@ check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tes
 	@mkdir -p $(dir $(SKIPPED)) && : > $(SKIPPED)
 	@$(AGAIN) lint all $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
 	@$(AGAIN) warnings
-	@$(AGAIN) test-release
+	@$(AGAIN) test-release test-install
 	@$(AGAIN) NARROW=1 test-tools test-sanitized test-extensions test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
@@ -651,6 +651,22 @@ install: all $(MAN) $(COMPLETION) ## tools, manual pages and completion into DES
 	install -m 644 $(COMPLETION) '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
 	install -d '$(DESTDIR)$(PREFIX)/share/soilweave/python/study'
 	install -m 644 pipelines/study/*.py '$(DESTDIR)$(PREFIX)/share/soilweave/python/study'
+
+.PHONY: uninstall
+uninstall: ## remove from DESTDIR/PREFIX the files that install puts there
+	rm -f $(foreach t,$(TOOLS:$(B)/bin/%=%),$(foreach f,bin/$t share/man/man1/$t.1 share/bash-completion/completions/$t,'$(DESTDIR)$(PREFIX)/$f'))
+	rm -rf '$(DESTDIR)$(PREFIX)/share/soilweave'
+
+# Installed tools find their data and the package of plot. uninstall removes nothing else. The path has a blank, as paths may have.
+INSTALLED := build/a root
+.PHONY: test-install
+test-install: all $(MAN) $(COMPLETION)
+	@rm -rf '$(INSTALLED)' && $(AGAIN) -s install 'DESTDIR=$(CURDIR)/$(INSTALLED)' PREFIX=/usr && cd '$(INSTALLED)/usr' && touch bin/other && \
+	  for tool in bin/*; do [ $$tool = bin/other ] || env -u SOILWEAVE_DATA PATH=/usr/bin:/bin ./$$tool --version > /dev/null || exit; done && \
+	  env -u SOILWEAVE_DATA ./bin/gws-solve respond --soil toyoura-gws --geotextile PE --surcharge 1e5 --quiet > /dev/null && \
+	  $(MAKE) -s --no-print-directory -C '$(CURDIR)' uninstall 'DESTDIR=$(CURDIR)/$(INSTALLED)' PREFIX=/usr && \
+	  [ "$$(find . -type f)" = ./bin/other ] || { echo "make test-install: files are left, or a tool does not work" >&2; exit 1; }
+	@echo "== install and uninstall: clean"
 
 # ---- Studies --------------------------------------------------------------------------------------------------------
 # pipelines/study.mk adds each study to STUDIES and gives it a target of its name; report collects them.
