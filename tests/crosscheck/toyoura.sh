@@ -10,7 +10,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 BIN=$(cd "${BIN:-$root/build/bin}" && pwd)
-profile=${PROFILE:-quick} settlement=0.05 surcharge=200e3
+profile=${PROFILE:-quick} settlement=0.05 surcharge='200 kPa'
 export BIN LC_ALL=C.UTF-8
 command -v parallel > /dev/null || { echo "crosscheck: no GNU parallel here; skipped"; exit 0; }
 if [[ -n ${WORK:-} ]]; then
@@ -25,7 +25,7 @@ soil=$work/toyoura
 mkdir -p "$soil"
 cp "$root/data/gradings/toyoura.tsv" "$soil/grading.tsv"
 {
-  printf 'name = "Toyoura sand"\ngrading = "grading.tsv"\nvoid_ratio = 0.68\ngeotextile = "PP"\nsurcharge = %s\nsettlement = %s\n' "$surcharge" "$settlement"
+  printf 'name = "Toyoura sand"\ngrading = "grading.tsv"\nvoid_ratio = 0.68\ngeotextile = "PP"\nsurcharge = "%s"\nsettlement = %s\n' "$surcharge" "$settlement"
   printf 'bag = {width = "400 mm", height = "80 mm"}\n'
   for MPa in 0.2 0.5; do
     printf '[[test]]\ntable = "%s"\nconfining_pressure = "%s MPa"\nstrains = "natural"\n' "drained_${MPa}MPa.tsv" "$MPa"
