@@ -81,8 +81,9 @@ def chosen(case):
         share = difference(fast, slow) if slow else numpy.inf
         if share <= NEGLIGIBLE:
             case.scenario = _with_rate(case, rate)
-            return f"loading rate: {rate:g} 1/s, half of it moves the curves by {share:.2g} of the tests' error"
+            return f"loading rate: {rate:g} 1/s, half of it changes the curves by {share:.2g} of the tests' error"
         rate, fast = rate / 2, slow
     case.scenario = _with_rate(case, rate)
-    reason = "the middle of the prior cannot be run" if fast is None else f"half of twice that still moves the curves by {share:.2g} of the tests' error"
-    return f"loading rate: {rate:g} 1/s, where the response may still depend on it: {reason}"
+    reason = ("the middle of the prior cannot be run" if fast is None else
+              f"halving it from {2 * rate:g} 1/s still changed the curves by {share:.2g} of the tests' error")
+    return f"loading rate: {rate:g} 1/s, at which the response may still depend on the rate: {reason}"

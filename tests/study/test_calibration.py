@@ -213,6 +213,22 @@ def test_the_middle_of_a_prior_and_a_rate_of_a_scenario(tmp_path):
         rate.chosen(case)
 
 
+@pytest.mark.parametrize(("changes", "chosen", "said"), [
+    ([0.2], 0.1, "0.1 1/s, half of it changes the curves by 0.2 of the tests' error"),
+    ([0.9, 0.3], 0.05, "0.05 1/s, half of it changes the curves by 0.3 of the tests' error"),
+    ([0.9, 0.5], 0.025, "at which the response may still depend on the rate: halving it from 0.05 1/s still changed the curves by 0.5 of the tests' error"),
+    ([None], 0.1, "the middle of the prior cannot be run")])
+def test_the_trial_takes_the_fastest_rate_whose_half_changes_little(tmp_path, monkeypatch, changes, chosen, said):
+    scenario = tmp_path / "s.toml"
+    scenario.write_text("[[stage]]\nrate = 0.1\n")
+    case = types.SimpleNamespace(given=types.SimpleNamespace(rate="try", scenario=scenario), folder=tmp_path, tests=[types.SimpleNamespace(kind="natural")])
+    monkeypatch.setattr(rate, "_curves", lambda *_: changes[0] and "curves")
+    left = iter(changes)
+    monkeypatch.setattr(rate, "difference", lambda *_: next(left))
+    assert said in rate.chosen(case)
+    assert pathlib.Path(case.scenario).read_text() == f"[[stage]]\nrate = {chosen:g}\n"
+
+
 @pytest.mark.parametrize(("words", "status", "said"), [
     ("--test t.tsv", 64, "write TABLE PRESSURE KIND"), ("--test t.tsv 1kPa true", 64, "KIND one of engineering"),
     ("--test t.tsv 1kPa natural", 64, "has no packing"), ("--test t.tsv 1kPa natural gone.h5", 66, "t.tsv: is not there"),
