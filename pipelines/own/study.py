@@ -17,16 +17,28 @@ HERE = pathlib.Path(__file__).parent
 # Lines of the wrapped soil as gws-solve identify names them, and in words.
 LINES = {"compression_line": "compression line", "failure_line": "failure line", "near_failure_line": "near-failure line",
          "dilatancy_line": "dilatancy line", "stiffness": "stiffness"}
+# Options that messages of the tools name, and the variables of make that set them.
+IN_MAKE = {"--grains": "OWN_GRAINS", "--rounds": "OWN_ROUNDS", "--samples": "OWN_SAMPLES"}
+NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 COMPRESSION = 1  # number of the stage in pipelines/ch3/uc.toml
 
 
+def in_make(words):
+    """Returns a message of a tool with the variables of make in place of the tool's options, so that its remedy can be followed."""
+    for option, variable in IN_MAKE.items():
+        words = re.sub(rf"{option}\b", variable, words)
+    return words
+
+
 def doubts(out, names):
-    """Returns the doubts that tools printed when they made some files, each once, without the tool's name."""
-    said = []
+    """Returns the doubts that tools printed when they made some files, without the tool's name. Of doubts that differ in numbers alone, the first."""
+    said = {}
     for name in names:
-        text = (out / f"{name}.said").read_text(encoding="utf-8")
-        said += [line.partition("doubt: ")[2] for line in text.splitlines() if "doubt: " in line]
-    return list(dict.fromkeys(said))
+        for line in (out / f"{name}.said").read_text(encoding="utf-8").splitlines():
+            if "doubt: " in line:
+                words = in_make(line.partition("doubt: ")[2])
+                said.setdefault(NUMBER.sub("#", words), []).append(words)
+    return [words + (f" (and {len(more)} more with other numbers)" if (more := set(alike) - {words}) else "") for words, *alike in said.values()]
 
 
 def borrowed(identified, own):
@@ -113,7 +125,7 @@ def build(arguments):
     folder = Folder(study.out)
     transfer = Transfer.of(study.out)
     measure(study, own, folder, transfer)
-    said = [line for line in (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("doubt: ")]
+    said = [in_make(line) for line in (study.out / "calibration/said.txt").read_text(encoding="utf-8").splitlines() if not line.startswith("doubt: ")]
     identified = (study.out / "identified.txt").read_text(encoding="utf-8")
     rising = re.search(r"OWN_RISING := *(.*)", (study.out / "inputs.mk").read_text(encoding="utf-8"))[1].split()
     values, at = own.values, study.measures["at"].value

@@ -347,7 +347,7 @@ class Study:
             "title": self.title, "headline": str(Markup.escape(self.headline)), "score": dataclasses.asdict(score), "figure": opening,
             "width": shown[0].width},
             ensure_ascii=False, indent=1) + "\n")
-        print(f"{self.name}: {score} ({self.out}/page.html)")
+        print(f"{self.name}: {f'{score} (' if str(score) else '('}{self.out}/page.html)")
 
     def _shown(self):
         """Returns the figures in the order of words.toml, then all others in the order in which they were added."""

@@ -386,6 +386,15 @@ def test_the_page_says_which_share_of_the_strength_counts_and_why(out, soil, mon
     assert any(said in text.replace("\xa0", " ") for text in out(0.1).remarks)
 
 
+def test_doubts_that_differ_in_numbers_are_one_and_name_variables_of_make(tmp_path):
+    for k, (wide, grains) in enumerate((("2.99", 528), ("2.98", 534), ("2.99", 528))):
+        (tmp_path / f"{k}.said").write_text(f"made\npack-generate: doubt: the cell is {wide} wide: about {grains} grains (--grains)\n")
+    (tmp_path / "3.said").write_text("gws-solve: doubt: p_0 is -1.8e+03\ngws-solve: doubt: p_0 is -1.8e+03\n")
+    assert page.doubts(tmp_path, ["0", "1", "2", "3"]) == [
+        "the cell is 2.99 wide: about 528 grains (OWN_GRAINS) (and 1 more with other numbers)", "p_0 is -1.8e+03"]
+    assert page.in_make("give more --rounds or --samples") == "give more OWN_ROUNDS or OWN_SAMPLES"
+
+
 def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monkeypatch):
     monkeypatch.setattr(page, "draw", lambda *_: None)
     study = out(0.04)
