@@ -19,9 +19,10 @@ SETTLEMENTS = (0.01, 0.02, 0.03, 0.05, 0.07)
 
 
 def judged(what, value, low, high, given):
-    """Prints one comparison and returns whether the value of the table lies inside. A NaN lies outside."""
-    inside = bool(low <= given <= high)
-    print(f"{what:28s} {value:10.4g}  {low:10.4g} to {high:10.4g}  table {given:10.4g}  {'inside' if inside else 'outside'}")
+    """Prints one comparison and returns whether the value of the table lies inside: False for a NaN, None without an interval."""
+    inside = bool(low <= given <= high) if numpy.isfinite([low, high]).all() else None
+    word = {True: "inside", False: "outside", None: "not determined"}[inside]
+    print(f"{what:28s} {value:10.4g}  {low:10.4g} to {high:10.4g}  table {given:10.4g}  {word}")
     return inside
 
 
@@ -33,7 +34,7 @@ def constants(text):
 
 
 def compare(own, response, chart, asked):
-    """Prints every comparison; returns of each kind how many lie inside, and how many there are."""
+    """Prints every comparison; returns by kind how many values lie inside, and how many have an interval."""
     transfer = Transfer.of(own)
     inside = {"constants": [judged(*row) for row in constants((own / "identified.txt").read_text(encoding="utf-8"))]}
     inside["surcharges"] = []
@@ -45,12 +46,12 @@ def compare(own, response, chart, asked):
         inside["surcharges"].append(judged(f"surcharge (kPa) at {100 * settlement:g} %", value, low, high, given))
     ours, spread = Table.read(own / "chart.tsv"), transfer.spread(asked)
     stiffness, allowable = ours("stiffness", "kN/m"), transfer.factor(asked) * ours("allowable_surcharge", "kPa", missing=True)
-    inside["chart"] = []
+    inside["points of the chart"] = []
     for at, given in zip(chart("stiffness", "kN/m"), chart("allowable_surcharge", "kPa", missing=True), strict=True):
         if stiffness[0] <= at <= stiffness[-1] and given == given:
             value = float(numpy.exp(numpy.interp(numpy.log(at), numpy.log(stiffness), numpy.log(allowable))))
-            inside["chart"].append(judged(f"allowed (kPa), J {at:.0f} kN/m", value, value * numpy.exp(-spread), value * numpy.exp(spread), given))
-    return {kind: (sum(some), len(some)) for kind, some in inside.items()}
+            inside["points of the chart"].append(judged(f"allowed (kPa), J {at:.0f} kN/m", value, value * numpy.exp(-spread), value * numpy.exp(spread), given))
+    return {kind: ([one for one in some if one is not None].count(True), sum(one is not None for one in some)) for kind, some in inside.items()}
 
 
 def main():
