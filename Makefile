@@ -655,17 +655,22 @@ install: all $(MAN) $(COMPLETION) ## tools, manual pages and completion into DES
 .PHONY: uninstall
 uninstall: ## remove from DESTDIR/PREFIX the files that install puts there
 	rm -f $(foreach t,$(TOOLS:$(B)/bin/%=%),$(foreach f,bin/$t share/man/man1/$t.1 share/bash-completion/completions/$t,'$(DESTDIR)$(PREFIX)/$f'))
-	rm -rf '$(DESTDIR)$(PREFIX)/share/soilweave'
+	rm -f $(foreach f,$(patsubst data/%,%,$(wildcard data/geotextiles/*.toml data/soils/*.toml)) $(patsubst pipelines/%,python/%,$(wildcard pipelines/study/*.py)),\
+	  '$(DESTDIR)$(PREFIX)/share/soilweave/$f')
+	@for d in soilweave/python/study soilweave/python soilweave/geotextiles soilweave/soils soilweave; do \
+	  [ ! -d '$(DESTDIR)$(PREFIX)/share/'$$d ] || rmdir --ignore-fail-on-non-empty '$(DESTDIR)$(PREFIX)/share/'$$d || exit; done
 
 # Installed tools find their data and the package of plot. uninstall removes nothing else. The path has a blank, as paths may have.
 INSTALLED := build/a root
 .PHONY: test-install
 test-install: all $(MAN) $(COMPLETION)
-	@rm -rf '$(INSTALLED)' && $(AGAIN) -s install 'DESTDIR=$(CURDIR)/$(INSTALLED)' PREFIX=/usr && cd '$(INSTALLED)/usr' && touch bin/other && \
+	@rm -rf '$(INSTALLED)' && $(AGAIN) -s install 'DESTDIR=$(CURDIR)/$(INSTALLED)' PREFIX=/usr && cd '$(INSTALLED)/usr' && \
+	  touch bin/other share/soilweave/soils/mine.toml && \
 	  for tool in bin/*; do [ $$tool = bin/other ] || env -u SOILWEAVE_DATA PATH=/usr/bin:/bin ./$$tool --version > /dev/null || exit; done && \
 	  env -u SOILWEAVE_DATA ./bin/gws-solve respond --soil toyoura-gws --geotextile PE --surcharge 1e5 --quiet > /dev/null && \
 	  $(MAKE) -s --no-print-directory -C '$(CURDIR)' uninstall 'DESTDIR=$(CURDIR)/$(INSTALLED)' PREFIX=/usr && \
-	  [ "$$(find . -type f)" = ./bin/other ] || { echo "make test-install: files are left, or a tool does not work" >&2; exit 1; }
+	  [ "$$(find . -type f | LC_ALL=C sort | xargs)" = "./bin/other ./share/soilweave/soils/mine.toml" ] && [ ! -e share/soilweave/python ] || \
+	  { echo "make test-install: files are left, or a tool does not work" >&2; exit 1; }
 	@echo "== install and uninstall: clean"
 
 # ---- Studies --------------------------------------------------------------------------------------------------------
