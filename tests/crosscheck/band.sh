@@ -16,14 +16,8 @@ soils=${SOILS:-10} jobs=${JOBS:-$(nproc)}
 # The soils run side by side, so that each of them has one core.
 export BIN root OMP_NUM_THREADS=1 LC_ALL=C.UTF-8 JOBS=1
 export GRAINS=300 UNTIL=6 FRACTION=0.05 PACKING=101 BAG=102
-command -v parallel > /dev/null || { echo "crosscheck: no GNU parallel here; skipped"; exit 0; }
-if [[ -n ${WORK:-} ]]; then
-  mkdir -p "$WORK"
-  work=$(cd "$WORK" && pwd)
-else
-  work=$(mktemp -d)
-  trap 'rm -rf "$work"' EXIT
-fi
+# shellcheck source=tests/crosscheck/work.sh
+source "$here/work.sh"
 cd "$work"
 
 # Writes a test of the series of a run: a row per 0.25 %, with the noise of a good laboratory.

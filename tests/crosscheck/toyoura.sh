@@ -12,14 +12,8 @@ root=$(cd "$here/../.." && pwd)
 BIN=$(cd "${BIN:-$root/build/bin}" && pwd)
 profile=${PROFILE:-quick} settlement=0.05 surcharge='200 kPa'
 export BIN LC_ALL=C.UTF-8
-command -v parallel > /dev/null || { echo "crosscheck: no GNU parallel here; skipped"; exit 0; }
-if [[ -n ${WORK:-} ]]; then
-  mkdir -p "$WORK"
-  work=$(cd "$WORK" && pwd)
-else
-  work=$(mktemp -d)
-  trap 'rm -rf "$work"' EXIT
-fi
+# shellcheck source=tests/crosscheck/work.sh
+source "$here/work.sh"
 
 soil=$work/toyoura
 mkdir -p "$soil"

@@ -11,14 +11,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 BIN=$(cd "${BIN:-$here/../../build/bin}" && pwd)
 export BIN PATH=$BIN:$PATH OMP_NUM_THREADS=1 LC_ALL=C.UTF-8
 study=$here/../../pipelines/calibration priors=$here/../../pipelines/ch2 law=${LAW:-cl} sets=${SETS:-60}
-command -v parallel > /dev/null || { echo "crosscheck: no GNU parallel here; skipped"; exit 0; }
-if [[ -n ${WORK:-} ]]; then
-  mkdir -p "$WORK"
-  work=$WORK
-else
-  work=$(mktemp -d)
-  trap 'rm -rf "$work"' EXIT
-fi
+# shellcheck source=tests/crosscheck/work.sh
+source "$here/work.sh"
 cd "$work"
 
 scenario=$study/linear.toml truth=(5.2e8 0.12 0.5 0.22 30.5)
