@@ -3,10 +3,13 @@
 import numpy
 from study import StudyError, Table
 
-# Diameters (mm) of silt, sand, gravel and cobbles (ISO 14688-1), and the one below which grains are silt.
+# Diameters (mm) of silt, sand, gravel and cobbles (ISO 14688-1), as in lib/packing/generate/doubtful.cpp, and the one below which
+# grains are silt.
 SIZES, SILT = (0.002, 200), 0.063
 # Fewer grains than this over the height of a bag do not act as a continuum.
 OVER_HEIGHT = 4
+# How far the last share may lie from 1, as in lib/packing/generate/grading.cpp.
+LAST = 1e-12
 
 
 def read(path):
@@ -18,7 +21,7 @@ def read(path):
     _refuse(table, ~((sizes >= SIZES[0]) & (sizes <= SIZES[1])), lambda k: (
         f"diameter is {sizes[k]:.4g} mm, where granular soils have {SIZES[0]:g} to {SIZES[1]:g} mm: check its unit, or leave the row out"))
     _refuse(table, ~((finer >= 0) & (finer <= 1)), lambda k: f"finer_by_mass is {100 * finer[k]:.4g} %: it lies between 0 and 100 %; check its unit")
-    if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) < 1e-6):
+    if not ((numpy.diff(sizes) > 0).all() and (numpy.diff(finer) >= 0).all() and abs(finer[-1] - 1) <= LAST):
         raise StudyError(f"{table.where}: diameters have to rise and finer_by_mass to end at 1 (100 %); sort or complete the rows")
     return sizes, finer
 

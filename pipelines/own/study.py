@@ -31,7 +31,7 @@ def in_make(words):
 
 
 def doubts(out, names):
-    """Returns the doubts that tools printed when they made some files, without the tool's name. Of doubts that differ in numbers alone, the first."""
+    """Returns the doubts that tools printed when they made some files, without the tool's name. Doubts that differ only in numbers are given once."""
     said = {}
     for name in names:
         for line in (out / f"{name}.said").read_text(encoding="utf-8").splitlines():

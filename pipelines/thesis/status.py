@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes out/thesis/status.html, which says of each file of make thesis whether it is done, running, stopped, failed or still to come."""
+"""Writes status.html beside the results of make thesis: which files are done, running, stopped, failed or still to come."""
 # SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import dataclasses

@@ -25,7 +25,7 @@ struct Entry {
   std::string name;
   /// Letter, "n" for -n.
   std::string letter;
-  /// Placeholder of the value in help: its unit, or the kind of text.
+  /// Text shown for the value in help: its unit, or the kind of text.
   std::string metavar;
   /// Sentence without a full stop.
   std::string sentence;
