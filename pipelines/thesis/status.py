@@ -19,6 +19,8 @@ SILENT = 900
 # The page loads itself anew, and is written, this often (s).
 EVERY = 30
 _FAILED = re.compile(r"^make(?:\[\d+\])?: \*\*\* \[[^\]]*?: (?P<target>[^\]\s]+)\] Error (?P<status>\d+)")
+# make thesis writes this line into its log when it begins.
+BEGUN = "thesis: begins"
 _SAID = re.compile(r"^[a-z0-9-]+(?: [a-z]+)?: (?!doubt)")
 
 
@@ -30,10 +32,13 @@ def hours(seconds):
 def failures(log):
     """Returns the reasons of failures by file: the last message of a tool before make gave up a target, and the exit status.
 
-    A target that was made again later did not fail.
+    A target that was made again later did not fail. Every beginning of make thesis tries all targets again.
     """
     found, said = {}, ""
     for line in log.splitlines():
+        if line == BEGUN:
+            found, said = {}, ""
+            continue
         match = _FAILED.match(line)
         if match:
             found[match["target"]] = f"{said or 'it said nothing'} (exit status {match['status']})"

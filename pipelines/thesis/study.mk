@@ -13,7 +13,7 @@ thesis: ## every chapter at full size, into OUT/thesis: goes on where it was sto
 	@$(AGAIN) deps
 	@$(AGAIN) all
 	@mkdir -p $(THESIS_OUT)
-	@$(THESIS_STATUS) --while $$$$ & \
+	@echo 'thesis: begins' >> $(THESIS_OUT)/log; $(THESIS_STATUS) --while $$$$ & \
 	  echo "thesis: $(THESIS_OUT)/status.html tells how far it is"; \
 	  { $(THESIS_MAKE) -k -j$(JOBS) ch3 ch4 ch5 ch6; a=$$?; $(THESIS_MAKE) -k ch2; b=$$?; [ $$a$$b = 00 ] && $(THESIS_MAKE) report; } 2>&1 | tee -a $(THESIS_OUT)/log; \
 	  status=$${PIPESTATUS[0]}; $(THESIS_STATUS); exit $$status

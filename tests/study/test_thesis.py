@@ -116,3 +116,6 @@ def test_the_page_tells_done_running_stopped_failed_and_waiting(tmp_path):
     assert rows[3].words == "run-dem: a grain is lost (exit status 70)"
     # A file that was made again has not failed.
     assert status.failures(log + f"  run   {tmp_path}/ch3/failed.h5\n") == {}
+    # make thesis tries every file again.
+    assert status.failures(f"{log}{status.BEGUN}\n") == {}
+    assert list(status.failures(f"{status.BEGUN}\n{log}")) == [f"{tmp_path}/ch3/failed.h5"]
