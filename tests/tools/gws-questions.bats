@@ -135,6 +135,8 @@ questions() {
 65;--factor-soil: 5 lowers M from 1.35 to;design --soil toyoura-gws --geotextile PP --surcharge "300 kPa" --chart --factor-soil 5
 65;a dilation angle of 30 deg is too near to the friction angle of 38 deg: q/p at failure would be M at no pressure of a test; take at most;respond --soil site.toml --geotextile PP --set estimate.dilation_angle=30
 0;Ultimate bearing capacity;respond --soil site.toml --geotextile PP --set estimate.dilation_angle=26.3
+0;soil toyoura-gws (changed), Young;respond --soil toyoura-gws --geotextile PP --set near_failure_line.kappa=1.2
+0;soil softer, Young;respond --soil toyoura-gws --geotextile PP --set near_failure_line.kappa=1.6 --set name=softer
 1;300 kPa are not reached: the bag bears;respond --soil toyoura-gws --geotextile PE --rf-creep 3 --rf-durability 1.5 --surcharge "300 kPa"
 1;no stiffness up to 1e+05 kN/m carries 300 kPa within a settlement of 0.1 %; allow more;design --soil toyoura-gws --surcharge "300 kPa" --settlement "0.1 %"
 TABLE

@@ -197,6 +197,8 @@ SoilFile find_soil(const std::string& name, const std::vector<std::string>& assi
   SoilFile read = read_soil(document, {file ? name : path.string(), assignments});
   sources.insert(sources.end(), read.sources.begin(), read.sources.end());
   document.finish();
+  const auto renames = [](const std::string& assignment) { return assignment.starts_with("name"); };
+  if (!assignments.empty() && std::ranges::none_of(assignments, renames)) read.name += " (changed)";
   resolved = document.resolved();
   return read;
 }

@@ -105,7 +105,7 @@ struct CaseOptions {
   LateralStress read_lateral(std::vector<io::Source>& sources) const;
 };
 
-/// Returns a soil by name (data/soils) or from a TOML file, with --set assignments applied.
+/// Returns a soil by name (data/soils) or from a TOML file. With --set assignments, "(changed)" is added to its name.
 SoilFile find_soil(const std::string& name, const std::vector<std::string>& assignments,
                    std::vector<io::Source>& sources, std::string& resolved);
 
