@@ -12,12 +12,12 @@ from own.inputs import OTHERS, STIFFNESSES, read
 from study import StudyError
 
 SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"
-# Bodies and steps of a bag, and the time of its filling over that of its compression, measured on the bags of chapter 3. A body of a bag takes
-# longer than a body of the trial, which fits into the caches: 2.2 times with 13,800 bodies, 3.6 times with 92,600.
+# Bodies of a bag, steps of its compression, and the time of its filling over that of its compression, measured on the bags of data/own/example and
+# of chapter 3. A body of a bag takes longer than a body of the trial, which fits into the caches, by these factors (beside other tenants).
 BODIES = {"quick": 13800, "thesis": 92600}
-STEPS = {"quick": 85000, "thesis": 170000}
-SLOWER = {"quick": 2.2, "thesis": 3.6}
-FILLING = 0.5
+STEPS = {"quick": 29000, "thesis": 63000}
+FILLING = {"quick": 1.4, "thesis": 1.0}
+SLOWER = {"quick": 1.2, "thesis": 1.8}
 
 
 def seconds_of(text):
@@ -40,11 +40,12 @@ def main(own, out, given):
     steps, bodies, rate = seconds_of(done.stdout)
     tests = given.samples * given.rounds * len(own.tests) * steps / rate
     bag = STEPS[given.profile] * BODIES[given.profile] / (rate * bodies) * SLOWER[given.profile]
-    # A bag has one thread, and is filled before it is compressed.
-    bags = seconds_at_once(bag, len(STIFFNESSES) + len(OTHERS), given.cores) + seconds_at_once(FILLING * bag, 1 + len(OTHERS), given.cores)
+    # A run has one thread, and a bag is filled before it is compressed.
+    runs = len(STIFFNESSES) + len(OTHERS) * given.varied
+    bags = seconds_at_once(bag, runs, given.cores) + seconds_at_once(FILLING[given.profile] * bag, 1 + len(OTHERS), given.cores)
     tests /= given.cores
     for words, seconds in ((f"calibration, at most {given.rounds} rounds of {given.samples} sets", tests),
-                           (f"{len(STIFFNESSES) + len(OTHERS)} bags, and filling {1 + len(OTHERS)}", bags), ("all", tests + bags)):
+                           (f"{runs} compressions of bags, and filling {1 + len(OTHERS)}", bags), ("all", tests + bags)):
         print(f"{words}: {seconds / 3600:.2g} h on {given.cores} {'core' if given.cores == 1 else 'cores'}")
 
 
@@ -52,7 +53,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("soil", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
-    for name, kind in (("samples", int), ("rounds", int), ("until", float), ("profile", str), ("cores", int)):
+    for name, kind in (("samples", int), ("rounds", int), ("until", float), ("profile", str), ("varied", int), ("cores", int)):
         parser.add_argument(f"--{name}", type=kind, required=True)
     arguments = parser.parse_args()
     try:

@@ -44,6 +44,8 @@ OWN_SCALE_thesis := 1
 OWN_SCALE := $(OWN_SCALE_$(PROFILE))
 OWN_STRAIN := 0.12
 OWN_TWINS := 2
+# Geotextiles of the bags of each further packing. The constants need three at least.
+OWN_VARIED := 1 2 3 4
 OWN_DRAWS := 500
 OWN_PY := $(STUDY_PY) $(OWN)
 OWN_CAL := $(OWNO)/calibration
@@ -53,7 +55,7 @@ own: ## your soil, your bag: make own SOIL=FOLDER with own.toml (example: data/o
 	+@$(AGAIN) $(OWNO)/page.html
 own-check: $(OWNO)/inputs.mk $(OWNO)/packing_1.h5 $(BIN)/run-dem ## how long make own SOIL=FOLDER will take
 	@BIN=$(BIN) $(OWN_PY)/forecast.py $(SOIL) $(OWNO) --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --until $(OWN_UNTIL) \
-	  --profile $(PROFILE) --cores $(shell nproc)
+	  --profile $(PROFILE) --varied $(words $(OWN_VARIED)) --cores $(shell nproc)
 
 # For these targets alone, own.toml is read before anything is made. An error in it ends make with a message.
 ifneq ($(filter own-check $(OWNO)/%,$(MAKECMDGOALS)),)
@@ -94,47 +96,61 @@ $(OWNO)/check_%.tsv: $(OWNO)/checked_% $(BIN)/pf-weight
 	@$(BIN)/pf-weight assimilate $(OWNO)/heaviest.tsv $(OWN_CAL)/$(OWN_FIRST).tsv --prior $(OWN_PRIOR) --runs '$(OWNO)/check_$*/runs/{id:06}/series.h5' \
 	  --where stage=1 --station strain_axial --observe stress_ratio --error 1 --quiet --tsv --table curves $(call whole,$@)
 
-# (c) Bags are filled with the heaviest set. Four bags of one packing and this set differ in their stiffness alone, and show its effect.
-# Further bags have the asked stiffness, each with its own packing and set of the posterior. They show the scatter by soil and packing.
-own_contact = $$($(OWN_PY)/sets.py options $(1) $(2) $(OWN_SCALE))
-$(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
+# (c) Bag 1, cut from packing 1, has the heaviest set. It is compressed with four geotextiles (uc_1 to uc_4), and shows their effect.
+# Each further bag has a packing and a set of the posterior of its own. other_1_3 is bag 2 with geotextile 3. These bags show the scatter by soil
+# and packing: with the asked stiffness, that of loads; with some of the other geotextiles, that of the constants.
+# $(call own_set,BAG): table and row of the set of a bag.
+own_set = $(if $(filter 1,$(1)),$(OWNO)/heaviest.tsv 0,$(OWNO)/draws.tsv $$(($(1) - 2)))
+own_contact = contact=$$($(OWN_PY)/sets.py options $(call own_set,$(1)) $(OWN_SCALE))
+$(OWNO)/bag_%.h5: $(OWNO)/packing_%.h5 $(OWNO)/heaviest.tsv $(OWNO)/draws.tsv $(OWNO)/loading $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
-	@contact=$(call own_contact,$(OWNO)/heaviest.tsv,0) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
+	@$(call own_contact,$*) && $(BIN)/filter-expand $< $(C3)/bag.toml $(OWN_BAG) $$contact --threads 1 --quiet --resume \
 	  --force --history $(@:.h5=.tsv) -o $@
-# $(call own_compress,SETS,ROW,GEOTEXTILE) compresses the first prerequisite, a bag, with these contact parameters.
-own_compress = contact=$(call own_contact,$(1),$(2)) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
+# $(call own_compress,BAG,GEOTEXTILE) compresses the first prerequisite, a bag.
+own_compress = $(call own_contact,$(1)) && $(BIN)/run-dem $< $(C3)/uc.toml $(OWN_LOAD) $$contact \
   --set stage.1.strain=$(OWN_STRAIN) --set record.strains=[$(OWN_STRAIN)] --set stage.1.plate_friction_angle=0 \
-  --set geotextile.0.curve=$(3) --threads 1 --quiet --resume --force -o $@
-$(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/heaviest.tsv $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
+  --set geotextile.0.curve=$(OWNO)/geotextile_$(2).toml --threads 1 --quiet --resume --force -o $@
+$(OWNO)/uc_%.h5: $(OWNO)/bag_1.h5 $(OWNO)/geotextile_%.toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(call own_compress,$(OWNO)/heaviest.tsv,0,$(OWNO)/geotextile_$*.toml)
-# uc_% compresses bag_1, cut from packing 1. other_1 compresses bag_2, cut from packing 2, and so on.
-own_bag = $(OWNO)/bag_$(words 1 $(wordlist 1,$*,$(OWN_OTHERS))).h5
+	@$(call own_compress,1,$*)
+own_names = $(subst _, ,$*)
+own_bag = $(words 1 $(wordlist 1,$(firstword $(own_names)),$(OWN_OTHERS)))
 .SECONDEXPANSION:
-$(OWNO)/other_%.h5: $$(own_bag) $(OWNO)/draws.tsv $(OWNO)/geotextile_$$(OWN_SAME).toml $(C3)/uc.toml $(BIN)/run-dem
+$(OWNO)/other_%.h5: $(OWNO)/bag_$$(own_bag).h5 $(OWNO)/geotextile_$$(lastword $$(own_names)).toml $(C3)/uc.toml $(BIN)/run-dem
 	@echo '  run   $@'
-	@$(call own_compress,$(OWNO)/draws.tsv,$$(($* - 1)),$(OWNO)/geotextile_$(OWN_SAME).toml)
+	@$(call own_compress,$(own_bag),$(lastword $(own_names)))
 own_loading = $(BIN)/homogenize $< --table loading --tsv $(call whole,$@)
 $(OWNO)/uc_%.tsv: $(OWNO)/uc_%.h5 $(BIN)/homogenize
 	@$(own_loading)
 $(OWNO)/other_%.tsv: $(OWNO)/other_%.h5 $(BIN)/homogenize
 	@$(own_loading)
 
-# (d) From the bags of one soil.
+$(OWNO)/varied: always $(OWNO)/inputs.mk
+	@$(call remember,$(OWN_VARIED))
+
+# (d) From the bags of one soil. $(call own_identify,RUN_%,GEOTEXTILES): RUN_% is the name of the runs.
 OWN_RUNS = $(OWN_BAGS:%=$(OWNO)/uc_%.h5)
-own_identify = $(BIN)/gws-solve identify $(OWN_RUNS) $(OWN_BAGS:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
+own_identify = $(BIN)/gws-solve identify $(2:%=$(OWNO)/$(1).h5) $(2:%=--geotextile $(OWNO)/geotextile_%.toml) $(OWN_FAILURE) --difference backward
 OWN_NAMED := sed 's/^name = .*/name = "own"/'
 # Fits all constants at once (path). If the paths do not determine all of them, fits line by line (thesis). If that has no solution either, keeps
 # the first fit, with Toyoura sand's values for the other constants. Fits without a solution have status 1 or 65. Any other status is an error,
 # such as a killed tool or a full disk. Only the doubts of the chosen fit are printed.
-own_try = $(own_identify) --fit $(1) --toml --quiet > $@.$(1) 2> $@.said; $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) cat $@.said >&2; exit $$$(1) ;; esac
+own_first = $(call own_identify,uc_%,$(OWN_BAGS))
+own_try = $(own_first) --fit $(1) --toml --quiet > $@.$(1) 2> $@.said; $(1)=$$?; case $$$(1) in 0 | 1 | 65) ;; *) cat $@.said >&2; exit $$$(1) ;; esac
 own_fit = $(call own_try,path); fit=path; \
   if [ $$path != 0 ] || grep -Eq '^\# Not identified.*given: (all constants|near_failure_line|compression_line|dilatancy_line)' $@.path; then \
     $(call own_try,thesis); [ $$thesis != 0 -a $$path = 0 ] || fit=thesis; fi
 $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws-solve
 	@trap 'rm -f $@.path $@.thesis $@.said' EXIT; $(own_fit); \
-	  $(own_identify) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; status=$$?; cat $(OWNO)/identified.said >&2; \
+	  $(own_first) --fit $$fit > $(OWNO)/identified.txt 2> $(OWNO)/identified.said; status=$$?; cat $(OWNO)/identified.said >&2; \
 	  [ $$status = 0 ] || exit $$status; $(OWN_NAMED) $@.$$fit $(call whole,$@)
+# The other packings, by the same fit. Where it has no solution, the file is empty, and constants.tsv has fewer packings.
+$(OWNO)/soil_%.toml: $$(foreach k,$$(OWN_VARIED),$(OWNO)/other_$$*_$$(k).h5) $(OWNO)/varied $(OWNO)/soil.toml $(BIN)/gws-solve
+	@trap 'rm -f $@.given $@.said' EXIT; grep -q '^# All constants together' $(OWNO)/soil.toml && fit=path || fit=thesis; \
+	  $(call own_identify,other_$*_%,$(OWN_VARIED)) --fit $$fit --toml --quiet > $@.given 2> $@.said; status=$$?; \
+	  case $$status in 0) $(OWN_NAMED) $@.given $(call whole,$@) ;; 1 | 65) cat $@.said >&2; : > $@ ;; *) cat $@.said >&2; exit $$status ;; esac
+$(OWNO)/constants.tsv: $(OWNO)/soil.toml $$(foreach k,$$(OWN_OTHERS),$(OWNO)/soil_$$(k).toml) $(OWN)/constants.py $(OWN)/transfer.py
+	@$(OWN_PY)/constants.py $(OWNO) $(call whole,$@)
 
 # (e) The model's response for the bag of own.toml, with the share of strength from inputs.py, and for a bag like the simulated ones. The
 # simulated over the modelled load of such a bag is a factor on the model's answers (transfer.py).
@@ -144,7 +160,7 @@ $(OWNO)/bands.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond $(own_case) --samples $(OWN_DRAWS) --points 40 --tsv $(own_said)
 $(OWNO)/of_grains.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond --soil $< --geotextile $(OWNO)/geotextile_$(OWN_SAME).toml --points 400 --tsv $(own_said)
-OWN_ASKED = $(OWN_RUNS:.h5=.tsv) $(OWN_OTHERS:%=$(OWNO)/other_%.tsv)
+OWN_ASKED = $(OWN_RUNS:.h5=.tsv) $(OWN_OTHERS:%=$(OWNO)/other_%_$(OWN_SAME).tsv)
 # The surcharges of the design: in the middle, and at the low end of the band.
 $(OWNO)/loads: $$(OWN_ASKED) $(OWNO)/bands.tsv $(OWNO)/of_grains.tsv $(OWN)/transfer.py
 	@$(OWN_PY)/transfer.py $(OWNO) $(OWN_SURCHARGE) $(OWN_SETTLEMENT) $(call whole,$@)
@@ -161,7 +177,7 @@ $(OWNO)/chart.tsv: $(OWNO)/loads $(BIN)/gws-solve
 	  --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') $(call whole,$@)
 
 # (f)
-OWN_LEFT = $(OWN_ASKED) $(OWNO)/design.tsv $(OWNO)/design_high.tsv $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
+OWN_LEFT = $(OWN_ASKED) $(OWNO)/constants.tsv $(OWNO)/design.tsv $(OWNO)/design_high.tsv $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv
 $(OWNO)/provenance.txt: $(OWNO)/uc_1.h5 $(BIN)/to-vtk
 	@$(BIN)/to-vtk --history $< $(call whole,$@)
 $(OWNO)/page.html: $$(OWN_LEFT) $(OWNO)/provenance.txt $(OWNO)/own.toml $(OWNO)/inputs.mk $(OWN)/study.py $(OWN)/transfer.py $(OWN)/words.toml $(STUDY)

@@ -8,7 +8,7 @@ import re
 import numpy
 from calibration import predicted
 from calibration.ensemble import PARAMETERS
-from own.inputs import OTHERS, STIFFNESSES, failures, falls, read
+from own.inputs import OTHERS, SAME, STIFFNESSES, failures, falls, read
 from own.transfer import Transfer
 from study import Drawn, Folder, Mean, NotMade, Series, Study, figures, main, panel
 from study.words import quantity, spell
@@ -107,7 +107,7 @@ def draw(study, own, folder, transfer):
     def drawn(name, label, colour):
         run = folder(name)
         return Drawn(label, Series(run.rows(run("stage", "1") == COMPRESSION)), colour)
-    bags = [drawn(f"other_{k}", "J, other sets" if k == OTHERS[0] else "", figures.GREY) for k in OTHERS]
+    bags = [drawn(f"other_{k}_{SAME}", "J, other sets" if k == OTHERS[0] else "", figures.GREY) for k in OTHERS]
     bags += [drawn(f"uc_{k}", f"{share:g} J", colour) for k, (share, colour) in enumerate(zip(STIFFNESSES, figures.SERIES, strict=False), start=1)]
     study.curves("bags", panel("strain_axial", "surcharge", bags), panel("mean_stress", "deviatoric_stress", bags, legend=False))
     panels = []
@@ -145,6 +145,8 @@ def build(arguments):
     study.history = (study.out / "provenance.txt").read_text(encoding="utf-8")
     study.text("Identified contact parameters", study.out / "calibration/posterior.txt")
     study.text("Identified constants of the wrapped soil", study.out / "identified.txt")
+    study.appendix("Constants of the wrapped soil over packings (packing_1: soil.toml; low and high: middle 80 and 95 % of one more packing's)",
+                   study.out / "constants.tsv")
     study.appendix("RMS difference of the posterior's mean from each test", study.out / "calibration/misfits.tsv")
     return study
 

@@ -9,21 +9,26 @@ import numpy
 from own.inputs import OTHERS, SAME
 from study import StudyError, Table
 
-# Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives. Student's deviates of 80 % for 1, 2, ... degrees of freedom.
+# Normal deviate of the middle 80 %, and of the 95 % that gws-solve respond gives. Student's deviates by share (%) for 1, 2, ... degrees of freedom.
 DEVIATE, OF_SOLVE = 1.2816, 1.9600
-STUDENT = (3.0777, 1.8856, 1.6377, 1.5332, 1.4759)
+STUDENT = {80: (3.0777, 1.8856, 1.6377, 1.5332, 1.4759), 95: (12.7062, 4.3027, 3.1824, 2.7764, 2.5706)}
 
 
 def bags(out):
     """Returns the loading tables of the bags with the asked stiffness, from the end of the preload on."""
-    tables = [Table.read(out / f"{name}.tsv") for name in (f"uc_{SAME}", *(f"other_{k}" for k in OTHERS))]
+    tables = [Table.read(out / f"{name}.tsv") for name in (f"uc_{SAME}", *(f"other_{k}_{SAME}" for k in OTHERS))]
     return [table.rows(table("strain_axial", "1") > -1e-9) for table in tables]
 
 
+def half_width(values, share=80):
+    """Returns the half width of the middle 80 or 95 % of a further value, from two or more independent ones (Student's t)."""
+    n = len(values)
+    return STUDENT[share][n - 2] * float(numpy.std(values, ddof=1)) * numpy.sqrt(1 + 1 / n)
+
+
 def scatter(loads):
-    """Returns the half width of the 80 % interval for the logarithm of a further bag's load, from independent bags (Student's t)."""
-    n = len(loads)
-    return STUDENT[n - 2] * float(numpy.std(numpy.log(loads), ddof=1)) * numpy.sqrt(1 + 1 / n)
+    """Returns the half width of the 80 % interval for the logarithm of a further bag's load, from independent bags."""
+    return half_width(numpy.log(loads))
 
 
 class Transfer:

@@ -68,7 +68,7 @@ one_soil() {
     echo
   } > "$true/draws.tsv"
   cp "$true/draws.tsv" "$true/heaviest.tsv"
-  make -s -C "$root" "${smaller[@]}" OUT="$PWD/true" own_bag="$true/bag_$BAG.h5" -o "$true/draws.tsv" -o "$true/heaviest.tsv" "$true/other_1.tsv" &> "$soil/true.log" \
+  make -s -C "$root" "${smaller[@]}" OUT="$PWD/true" own_bag="$BAG" own_set="$true/heaviest.tsv 0" -o "$true/draws.tsv" -o "$true/heaviest.tsv" "$true/other_1_3.tsv" &> "$soil/true.log" \
     || { echo "no bag: $(tail -n 1 "$soil/true.log")" > "$soil/verdict"; return 0; }
   make -s -C "$root" "${smaller[@]}" OUT="$PWD/out" "$own/page.html" &> "$soil/chain.log" \
     || { echo "no answer: $(tail -n 1 "$soil/chain.log")" > "$soil/verdict"; return 0; }
@@ -80,7 +80,7 @@ one_soil() {
     file == 2 { value[$1] = $2 }
     END { if (unit ~ /\[Pa\]/) load /= 1e3
       printf "%.6g\t%.6g\t%.6g\t%.6g\n", load, value["carried_low"], value["carried"], value["carried_high"] }' \
-    "$true/other_1.tsv" "$own/measured.tsv" > "$soil/verdict"
+    "$true/other_1_3.tsv" "$own/measured.tsv" > "$soil/verdict"
 }
 export -f one_soil observe homogenize_tsv
 

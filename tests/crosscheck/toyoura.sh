@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # make crosscheck-toyoura. PROFILE: quick (default) or thesis. WORK: a folder to keep and go on with. Exits with 1 where a constant lies
-# outside the chain's 95 %, or a surcharge outside its 80 %.
+# outside the 95 % of one more packing, or a surcharge or a point of the chart outside the chain's middle 80 %.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)

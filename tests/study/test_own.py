@@ -1,5 +1,6 @@
 """A soil of one's own: own.toml refused by key, sets of a posterior, intervals of the answer, the forecast."""
 # SPDX-License-Identifier: GPL-3.0-or-later
+import math
 import os
 import pathlib
 import re
@@ -9,7 +10,7 @@ import types
 
 import numpy
 import pytest
-from own import forecast, inputs, sets, transfer
+from own import constants, forecast, inputs, sets, transfer
 from own import study as page
 from study import StudyError, Table
 
@@ -339,7 +340,7 @@ def results(soil, tmp_path, monkeypatch):
             columns(out / f"{name}.tsv", stiffness=("N/m", [1e5]), strength=("N/m", [5e3]), settlement=("1", [0.05]))
         for name, said in (("bands", "gws-solve respond: doubt: it is extrapolated\n"), ("design", "")):
             (out / f"{name}.said").write_text(said)
-        for name, share in zip([f"uc_{k}" for k in range(1, 5)] + [f"other_{k}" for k in range(1, 5)], (1, 1, 1, 1, 1.2, 1 / 1.2, 1.1, 1 / 1.1), strict=True):
+        for name, share in zip([f"uc_{k}" for k in range(1, 5)] + [f"other_{k}_3" for k in range(1, 5)], (1, 1, 1, 1, 1.2, 1 / 1.2, 1.1, 1 / 1.1), strict=True):
             columns(out / f"{name}.tsv", stage=("1", [0, 1, 1]), strain_axial=("1", [-0.1, 0, 0.1]), surcharge=("Pa", [0, 0, 1e6 * share]),
                     mean_stress=("Pa", [1, 2, 3]), deviatoric_stress=("Pa", [1, 2, 3]))
         columns(out / "draws.tsv", id=("1", [0, 1, 2, 3]), young_modulus=("Pa", [4e9] * 4), poisson_ratio=("1", [0.2] * 4),
@@ -356,6 +357,7 @@ def results(soil, tmp_path, monkeypatch):
         for test in ("drained_100kPa_100kPa", "drained_400kPa_400kPa", "drained_200kPa_200kPa"):
             columns(out / f"calibration/predicted_{test}.tsv", strain_axial=("%", [1.0, 2.0, 3.0]), **heads)
         columns(out / "calibration/misfits.tsv", stress_ratio=("1", [0.1]))
+        columns(out / "constants.tsv", middle=("1", [1.0]))
         for name in ("calibration/said.txt", "calibration/posterior.txt", "identified.txt", "provenance.txt"):
             (out / name).write_text("effective sample size 20\n")
         return page.build(types.SimpleNamespace(out=out, profile="quick", soil=soil.parent, kept=False))
@@ -393,6 +395,30 @@ def test_doubts_that_differ_in_numbers_are_one_and_name_variables_of_make(tmp_pa
     assert page.doubts(tmp_path, ["0", "1", "2", "3"]) == [
         "the cell is 2.99 wide: about 528 grains (OWN_GRAINS) (and 1 more with other numbers)", "p_0 is -1.8e+03"]
     assert page.in_make("give more --rounds or --samples") == "give more OWN_ROUNDS or OWN_SAMPLES"
+
+
+def test_constants_have_the_ranges_of_one_more_packing(tmp_path):
+    def soil(kappa, xi=None):
+        text = f"[near_failure_line]\nkappa = {kappa}\nxi = {xi or 0}\n[stiffness]\nalpha = 1e7\n[failure_line]\nM = 1.35\nn = 0.1\n"
+        text += "[scatter.near_failure_line]\nkappa = 0.1\nfreedom = 3\n" + ("xi = 0.01\ncorrelation = [1, 0, 0, 1]\n" if xi else "")
+        return text + "[scatter.failure_line]\nexact = true\n"
+    for name, text in (("soil", soil(1, 0.1)), ("soil_1", soil(4, 0.3)), ("soil_2", soil(2, 0.2)), ("soil_3", soil(2)), ("soil_4", "")):
+        (tmp_path / f"{name}.toml").write_text(text)
+    (tmp_path / "constants.tsv").write_text(constants.table(tmp_path))
+    read = Table.read(tmp_path / "constants.tsv")
+    assert read("packings", "1").tolist() == [4, 3] and len(read) == 2
+    # Student's deviates of 80 %: 1.6377 for four values, 1.8856 for three.
+    kappa = math.log(2) * 1.6377 * math.sqrt(2 / 3 * 5 / 4)
+    for name, expected in (("packing_1", [1, 0.1]), ("middle", [2, 0.2]), ("low_80", [2 * math.exp(-kappa), 0.2 - 0.18856 * math.sqrt(4 / 3)]),
+                           ("high_80", [2 * math.exp(kappa), 0.2 + 0.18856 * math.sqrt(4 / 3)]),
+                           ("high_95", [2 * math.exp(kappa * 3.1824 / 1.6377), 0.2 + 0.43027 * math.sqrt(4 / 3)])):
+        assert read(name, "1").tolist() == pytest.approx(expected, rel=1e-5)
+    # One packing has no range.
+    for k in (1, 2, 3):
+        (tmp_path / f"soil_{k}.toml").write_text("")
+    (tmp_path / "constants.tsv").write_text(constants.table(tmp_path))
+    read = Table.read(tmp_path / "constants.tsv")
+    assert read("packings", "1").tolist() == [1, 1] and numpy.isnan(read("low_95", "1", missing=True)).all()
 
 
 def test_the_page_says_where_the_geotextile_ends_before_the_settlement(out, monkeypatch):
