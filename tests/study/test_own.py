@@ -526,3 +526,22 @@ def test_make_keeps_what_the_identification_doubts_for_the_page(soil, tmp_path, 
         bag.touch()
     said = make(soil.parent, tmp_path / "out", tools, *(word for bag in bags for word in ("-o", bag)), out / "soil.toml")[1]
     assert (out / "soil.toml").exists() and "the scatter is unknown" in (out / "identified.said").read_text() and "the scatter is unknown" in said
+
+
+@pytest.mark.parametrize(("status", "left"), [(0, 'name = "own"\n'), (1, ""), (65, ""), (74, None)])
+def test_a_packing_without_a_solution_has_no_constants_and_an_error_none_at_all(soil, tmp_path, tools, status, left):
+    out = tmp_path / "out/own/soil"
+    for name in ("gws-solve", "run-dem", "filter-expand"):
+        (tools / name).write_text(f"#!/bin/sh\necho \"$*\" >> {tools}/called\necho 'name = \"x\"'\necho 'gws-solve: that is why' >&2\nexit {status}\n")
+        (tools / name).chmod(0o755)
+    make(soil.parent, tmp_path / "out", tools, out / "inputs.mk")
+    made = [out / "soil.toml", *(out / f"other_2_{k}.h5" for k in (2, 3))]
+    for path in made:
+        path.touch()
+    said = make(soil.parent, tmp_path / "out", tools, *(word for path in made for word in ("-o", path)), "OWN_VARIED=2 3", out / "soil_2.toml")[1]
+    assert (out / "soil_2.toml").read_text() == left if left is not None else not (out / "soil_2.toml").exists()
+    assert ("that is why" in said) == (status != 0) and (out / "varied").read_text() == "2 3\n"
+    called = (tools / "called").read_text()
+    assert f"identify {out}/other_2_2.h5 {out}/other_2_3.h5 --geotextile {out}/geotextile_2.toml --geotextile {out}/geotextile_3.toml" in called
+    # The soil's file does not say that all constants were fitted together.
+    assert "--fit thesis" in called
