@@ -148,7 +148,8 @@ $(OWNO)/soil.toml: $$(OWN_RUNS) $(OWNO)/inputs.mk $(OWNO)/failure.tsv $(BIN)/gws
 $(OWNO)/soil_%.toml: $$(foreach k,$$(OWN_VARIED),$(OWNO)/other_$$*_$$(k).h5) $(OWNO)/varied $(OWNO)/soil.toml $(BIN)/gws-solve
 	@trap 'rm -f $@.given $@.said' EXIT; grep -q '^# All constants together' $(OWNO)/soil.toml && fit=path || fit=thesis; \
 	  $(call own_identify,other_$*_%,$(OWN_VARIED)) --fit $$fit --toml --quiet > $@.given 2> $@.said; status=$$?; \
-	  case $$status in 0) $(OWN_NAMED) $@.given $(call whole,$@) ;; 1 | 65) cat $@.said >&2; : > $@ ;; *) cat $@.said >&2; exit $$status ;; esac
+	  case $$status in 0) $(OWN_NAMED) $@.given $(call whole,$@) ;; \
+	  1 | 65) sed 's/^[a-z-]*/own: packing $(own_bag) gives no constants/' $@.said >&2; : > $@ ;; *) cat $@.said >&2; exit $$status ;; esac
 $(OWNO)/constants.tsv: $(OWNO)/soil.toml $$(foreach k,$$(OWN_OTHERS),$(OWNO)/soil_$$(k).toml) $(OWN)/constants.py $(OWN)/transfer.py
 	@$(OWN_PY)/constants.py $(OWNO) $(call whole,$@)
 

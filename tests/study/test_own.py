@@ -540,7 +540,7 @@ def test_a_packing_without_a_solution_has_no_constants_and_an_error_none_at_all(
         path.touch()
     said = make(soil.parent, tmp_path / "out", tools, *(word for path in made for word in ("-o", path)), "OWN_VARIED=2 3", out / "soil_2.toml")[1]
     assert (out / "soil_2.toml").read_text() == left if left is not None else not (out / "soil_2.toml").exists()
-    assert ("that is why" in said) == (status != 0) and (out / "varied").read_text() == "2 3\n"
+    assert ("packing 3 gives no constants: that is why" in said) == (left == "") and ("that is why" in said) == (status != 0) and (out / "varied").read_text() == "2 3\n"
     called = (tools / "called").read_text()
     assert f"identify {out}/other_2_2.h5 {out}/other_2_3.h5 --geotextile {out}/geotextile_2.toml --geotextile {out}/geotextile_3.toml" in called
     # The soil's file does not say that all constants were fitted together.
