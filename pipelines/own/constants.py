@@ -14,8 +14,9 @@ from study.plain_text import read_text
 # Constants that cannot be negative: their logarithms are averaged, as gws-solve identify searches them. Units other than 1.
 POSITIVE = ("C_t", "p_0", "kappa", "lambda", "alpha")
 UNITS = {"p_0": "Pa", "alpha": "Pa"}
-# Keys of a line's scatter that are no constants (lib/gws/solution/soil.cpp).
+# Keys of a line's scatter that are no constants (lib/gws/solution/soil.cpp), and the line that the laboratory tests give.
 ASIDE = ("freedom", "correlation", "exact")
+OF_TESTS = "failure_line"
 HEADER = ("constant", "unit", "packing_1", "packings", "middle", "low_80", "high_80", "low_95", "high_95")
 SHARES = (80, 95)
 
@@ -23,7 +24,8 @@ SHARES = (80, 95)
 def identified(path):
     """Returns the constants that bags determined, by "line.constant", from a soil's file; {} for an empty file, where no fit had a solution."""
     document = tomllib.loads(read_text(path))
-    return {f"{line}.{key}": float(document[line][key]) for line, scatter in document.get("scatter", {}).items() for key in scatter if key not in ASIDE}
+    return {f"{line}.{key}": float(document[line][key]) for line, scatter in document.get("scatter", {}).items() if line != OF_TESTS
+            for key in scatter if key not in ASIDE}
 
 
 def ranges(key, values):

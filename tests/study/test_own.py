@@ -401,7 +401,7 @@ def test_constants_have_the_ranges_of_one_more_packing(tmp_path):
     def soil(kappa, xi=None):
         text = f"[near_failure_line]\nkappa = {kappa}\nxi = {xi or 0}\n[stiffness]\nalpha = 1e7\n[failure_line]\nM = 1.35\nn = 0.1\n"
         text += "[scatter.near_failure_line]\nkappa = 0.1\nfreedom = 3\n" + ("xi = 0.01\ncorrelation = [1, 0, 0, 1]\n" if xi else "")
-        return text + "[scatter.failure_line]\nexact = true\n"
+        return text + "[scatter.failure_line]\nn = 0.01\n"
     for name, text in (("soil", soil(1, 0.1)), ("soil_1", soil(4, 0.3)), ("soil_2", soil(2, 0.2)), ("soil_3", soil(2)), ("soil_4", "")):
         (tmp_path / f"{name}.toml").write_text(text)
     (tmp_path / "constants.tsv").write_text(constants.table(tmp_path))
