@@ -12,8 +12,8 @@ from own.inputs import OTHERS, STIFFNESSES, read
 from study import StudyError
 
 SCENARIO = pathlib.Path(__file__).parents[1] / "calibration/hertz-mindlin.toml"
-# Bodies of a bag, steps of its compression, and the time of its filling over that of its compression, measured on the bags of data/own/example and
-# of chapter 3. A body of a bag takes longer than a body of the trial, which fits into the caches, by these factors (beside other tenants).
+# Bodies of a bag, steps of its compression, and the time of its filling over that of its compression, measured on quick bags of Toyoura sand and on
+# chapter 3's full-size bag. A body of a bag takes longer than a body of the trial, which fits into the caches, by these factors (beside other tenants).
 BODIES = {"quick": 13800, "thesis": 92600}
 STEPS = {"quick": 29000, "thesis": 63000}
 FILLING = {"quick": 1.4, "thesis": 1.0}
