@@ -207,7 +207,10 @@ std::string identified_soil(const Identification& found, const std::vector<BagSe
                       "--fit {}, or bags "
                       "that begin at rest",
                       bag.name, soil.p_0, reason(end), method == Method::path ? "thesis" : "path"));
-  return soil_text(found.soil, comment);
+  SoilFile named = found.soil;
+  if (!named.name.starts_with("identified"))
+    named.name = fmt::format("identified (other constants: {})", found.soil.name);
+  return soil_text(named, comment);
 }
 
 std::string describe(const Design& design, const Demand& demand, const Case& bag) {

@@ -39,7 +39,7 @@ void check_table(const std::string& name, std::vector<std::string>& mistakes);
 std::vector<io::FieldsFile::Group> groups_of(const Identification& found);
 /// Describes lines, constants, intervals, changes, outliers, and missing lines.
 std::string describe(const Identification& found, const std::vector<BagSeries>& series, Method method);
-/// Returns the identified soil as TOML, with command, rows and runs in its comment.
+/// Returns the identified soil as TOML, with command, rows and runs in its comment. Its name says whose the others are.
 std::string identified_soil(const Identification& found, const std::vector<BagSeries>& series, Method method,
                             const std::string& command);
 
