@@ -63,6 +63,9 @@ OWN_WRONG := $(shell $(OWN_PY)/inputs.py $(SOIL) $(OWNO) --until $(OWN_UNTIL) 2>
 $(if $(OWN_WRONG),$(error $(OWN_WRONG)))
 $(shell cat $(OWNO)/inputs.said >&2)
 include $(OWNO)/inputs.mk
+ifneq ($(filter-out $(OWN_BAGS),$(OWN_VARIED) $(if $(strip $(OWN_VARIED)),,none)),)
+$(error OWN_VARIED=$(OWN_VARIED): give one or more of the numbers $(OWN_BAGS), as OWN_VARIED="1 3")
+endif
 endif
 
 # Settings on which packings, calibration and bags depend. The surcharge is not among them, so another one makes none of them anew.
