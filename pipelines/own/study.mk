@@ -83,7 +83,7 @@ $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
 	  --mean-radius $(OWN_RADIUS) --threads 1 --quiet --force -o $@ 2> $(@:.h5=.said); status=$$?; cat $(@:.h5=.said) >&2; exit $$status
 
 # (a) A status of 1 says that the effective size is not reached; the page tells it.
-$(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight
+$(OWN_CAL)/posterior.h5: $(OWNO)/packing_1.h5 $(OWN_PRIOR) $(OWN_CAL)/settings $(OWN_TABLES) pipelines/calibrate.sh $(C2_RUN) $(BIN)/pf-weight $(BIN)/plot
 	@BIN=$(BIN) pipelines/calibrate.sh --prior $(OWN_PRIOR) --packing $< $(OWN_TESTS) --until $(OWN_UNTIL) --stations $(OWN_STATIONS) --error $(OWN_ERROR) \
 	  --samples $(OWN_SAMPLES) --rounds $(OWN_ROUNDS) --effective-size $(OWN_SIZE) --rate $(OWN_RATE) $(OWN_CAL) || [ $$? = 1 -a -e $@ ]
 $(OWNO)/draws.tsv: $(OWN_CAL)/posterior.h5 $(OWN)/sets.py
