@@ -270,9 +270,17 @@ class Calibration:
         return name, size
 
 
+def refuse_missing_tools(folder):
+    """Raises Failure, 69, where a tool that a calibration calls is not in the folder: the last one is called after hours."""
+    missing = [name for name in ("run-dem", "homogenize", "pf-weight", "plot") if not os.access(folder / name, os.X_OK)]
+    if missing:
+        raise Failure(69, f"calibrate: {folder} lacks {', '.join(missing)}: make all builds them, and BIN=FOLDER names another folder")
+
+
 def main(words):
     """Calibrates as a command line says; returns 1 where the effective sample size that was asked for is not reached."""
     given = parse(words)
+    refuse_missing_tools(pathlib.Path(os.environ["BIN"]))
     case = Calibration(given)
     name, size = case.rounds()
     shutil.copyfile(case.folder / f"{name}_posterior.txt", case.folder / "posterior.txt")

@@ -18,7 +18,7 @@ def test_a_calibration_that_ends_in_an_error_leaves_no_posterior_of_other_tests(
         (cal / f"{name}.tsv").write_text("id [1]\tweight [1]\tyoung_modulus [Pa]\tpoisson_ratio [1]\trolling_stiffness [1]\trolling_limit [1]\tfriction_angle [deg]\n"
                                          "0\t1\t4e9\t0.2\t0.1\t0.1\t20\n")
     (cal / "posterior.h5").write_text("old")
-    for name in ("run-dem", "homogenize"):
+    for name in ("run-dem", "homogenize", "plot"):
         tool(tools, name, "echo 'cannot write: No space left on device' >&2; exit 74")
     called, said = make(soil.parent, out, tools, draws)
     assert "rows did not finish" in said and not draws.exists(), said

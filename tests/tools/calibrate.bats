@@ -34,6 +34,13 @@ calibrate() {
   [[ $output != *"  run  "* && $output == *"after 1 of 2 rounds; loading rate"* ]] || show "finished runs were made again, or rounds after the size"
 }
 
+@test "a tool that is missing is told before anything runs" {
+  mkdir some && ln -s "$BIN"/{run-dem,homogenize,pf-weight} some/
+  : > packing.h5
+  BIN=$PWD/some exits 69 calibrate --samples 5
+  [[ $stderr == "calibrate: $PWD/some lacks plot: make all builds them, and BIN=FOLDER names another folder" && ! -e case/runs ]] || show
+}
+
 @test "a test without a curve is its greatest stress ratio alone, weighed and predicted, whatever columns it has" {
   pack-generate --grains 200 --pressure 1e4 --void-ratio 0.8 --seed 1 --quiet -o packing.h5
   printf 'stress_ratio_peak [1]\n2.5\n' > alone.tsv
