@@ -35,3 +35,11 @@ def test_a_tool_that_is_killed_is_no_design_that_no_geotextile_meets(soil, tmp_p
         tool(tools, "gws-solve", end)
         make(soil.parent, out, tools, "-o", own / "loads", high)
         assert high.exists() == left, end
+
+
+def test_a_calibration_waits_for_the_tools_that_it_calls(soil, tmp_path, tools):
+    out = tmp_path / "out"
+    for name in ("run-dem", "homogenize"):
+        tool(tools, name, "exit 0")
+    said = make(soil.parent, out, tools, out / "own/soil/calibration/posterior.h5")[1]
+    assert f"No rule to make target '{tools}/plot'" in said and not (out / "own/soil/calibration/sets.tsv").exists(), said
