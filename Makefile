@@ -388,10 +388,11 @@ AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS))
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
 	@$(AGAIN) deps
 	@mkdir -p $(dir $(SKIPPED)) && : > $(SKIPPED)
-	@$(AGAIN) lint all $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
+	@$(AGAIN) all
+	@$(AGAIN) test-bag lint $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
 	@$(AGAIN) warnings
 	@$(AGAIN) test-release test-install
-	@$(AGAIN) NARROW=1 test-tools test-sanitized test-extensions test-study
+	@$(AGAIN) NARROW=1 BAG_TESTED=1 test-tools test-sanitized test-extensions test-study
 	@LC_ALL=C sort -u $(SKIPPED) | awk -f tests/skipped.awk
 
 # The sanitizers' tree is built beside the release's, so that no core waits for the last source of either.
@@ -438,16 +439,21 @@ test: $(TEST_PROGRAMS) ## unit, property and benchmark tests of the library
 test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tests (SANITIZE=1: under the sanitizers)
 	@$(call run_tests,$^)
 
-# Tests of tools wait for signals and disks, so that one test more than there are cores keeps all cores busy. The bag's test takes a
-# minute on one core. Begun last, it would leave the other cores idle.
-LONGEST_FIRST := tests/tools/soilbag.bats $(filter-out tests/tools/soilbag.bats,$(sort $(wildcard tests/tools/*.bats)))
+# $(call run_bats,FOLDER,TESTS): FOLDER below B/tests takes the report. Tests of tools wait for signals and disks, so that one test more than there
+# are cores keeps all cores busy.
+run_bats = mkdir -p $(B)/tests/$(1) && BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $$(($(JOBS) + 1)) \
+  --report-formatter tap --output $(B)/tests/$(1) $(2) && \
+  sed -n 's/^ok [0-9]* \(.*\) \# skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/$(1)/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
+# The bag's test takes some minutes on one core. Begun last, it would leave the other cores idle, so a check runs it while it compiles.
+BAG_TEST := tests/tools/soilbag.bats
+.PHONY: test-bag
+test-bag: $(TOOLS)
+	@echo "== $(BAG_TEST)"
+	@$(call run_bats,bag,$(BAG_TEST))
 .PHONY: test-tools
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
-	@mkdir -p $(B)/tests/tools
-	@BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $$(($(JOBS) + 1)) \
-	  --report-formatter tap --output $(B)/tests/tools $(LONGEST_FIRST)
-	@sed -n 's/^ok [0-9]* \(.*\) # skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/tools/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
+	@$(call run_bats,tools,$(if $(BAG_TESTED),,$(BAG_TEST)) $(filter-out $(BAG_TEST),$(sort $(wildcard tests/tools/*.bats))))
 
 # Tests that read, compare and write run again in a locale with a decimal comma, if there is one.
 PYTEST = $(STUDY_PY) -m pytest -q -p no:cacheprovider
