@@ -388,8 +388,7 @@ AGAIN = $(MAKE) --no-print-directory $(if $(findstring --jobserver,$(MAKEFLAGS))
 check: ## format, lint, unit, property and benchmark tests, sanitizers, tool tests; installs what is missing first
 	@$(AGAIN) deps
 	@mkdir -p $(dir $(SKIPPED)) && : > $(SKIPPED)
-	@$(AGAIN) all
-	@$(AGAIN) test-bag lint $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
+	@$(AGAIN) test-bag lint all $(filter-out %/unit,$(TEST_PROGRAMS)) build/sanitize/tests/unit fused format-check test-man
 	@$(AGAIN) warnings
 	@$(AGAIN) test-release test-install
 	@$(AGAIN) NARROW=1 BAG_TESTED=1 test-tools test-sanitized test-extensions test-study
@@ -440,7 +439,8 @@ test-unit: $(filter %/unit %/property,$(TEST_PROGRAMS)) ## unit and property tes
 	@$(call run_tests,$^)
 
 # $(call run_bats,FOLDER,TESTS): FOLDER below B/tests takes the report. Tests of tools wait for signals and disks, so that one test more than there
-# are cores keeps all cores busy.
+# are cores keeps all cores busy. The longest files come first, so that none of them is left alone at the end.
+LONGEST := $(patsubst %,tests/tools/%.bats,filter-expand ensembles checkpoints surround calibrate recipes plot)
 run_bats = mkdir -p $(B)/tests/$(1) && BIN=$(CURDIR)/$(B)/bin OMP_NUM_THREADS=1 bats --jobs $$(($(JOBS) + 1)) \
   --report-formatter tap --output $(B)/tests/$(1) $(2) && \
   sed -n 's/^ok [0-9]* \(.*\) \# skip *\(.*\)$$/tools\t\1\t\2/p' $(B)/tests/$(1)/report.tap >> "$${SOILWEAVE_SKIPPED:-/dev/null}"
@@ -453,7 +453,8 @@ test-bag: $(TOOLS)
 .PHONY: test-tools
 test-tools: $(TOOLS) ## the tools as a user meets them, with bats
 	@echo "== tests/tools"
-	@$(call run_bats,tools,$(if $(BAG_TESTED),,$(BAG_TEST)) $(filter-out $(BAG_TEST),$(sort $(wildcard tests/tools/*.bats))))
+	@$(call run_bats,tools,$(if $(BAG_TESTED),,$(BAG_TEST)) $(LONGEST) \
+	  $(filter-out $(BAG_TEST) $(LONGEST),$(sort $(wildcard tests/tools/*.bats))))
 
 # Tests that read, compare and write run again in a locale with a decimal comma, if there is one.
 PYTEST = $(STUDY_PY) -m pytest -q -p no:cacheprovider
