@@ -1,5 +1,5 @@
 # A soil and a bag of one's own, from a grading curve, triaxial tests and a data sheet to a design: make own SOIL=FOLDER (own.toml in
-# it, README.md here). It is not among STUDIES, since it needs a soil and takes an hour. The bag is the one of ch3, with the same plates and rates.
+# it, README.md here). It is not among STUDIES, since it needs a soil and takes half an hour. The bag is the one of ch3, with the same plates and rates.
 # SPDX-License-Identifier: GPL-3.0-or-later
 OWN := pipelines/own
 SOIL ?= data/own/example
@@ -44,7 +44,7 @@ OWN_SCALE_thesis := 1
 OWN_SCALE := $(OWN_SCALE_$(PROFILE))
 OWN_STRAIN := 0.12
 OWN_TWINS := 2
-# Geotextiles of the bags of each further packing. The constants need three at least.
+# Geotextiles of the bags of each further packing. Alpha and beta of one packing need three at least.
 OWN_VARIED := 1 2 3 4
 OWN_DRAWS := 500
 OWN_PY := $(STUDY_PY) $(OWN)
