@@ -107,7 +107,7 @@ def draw(study, own, folder, transfer):
     def drawn(name, label, colour):
         run = folder(name)
         return Drawn(label, Series(run.rows(run("stage", "1") == COMPRESSION)), colour)
-    bags = [drawn(f"other_{k}_{SAME}", "J, other sets" if k == OTHERS[0] else "", figures.GREY) for k in OTHERS]
+    bags = [drawn(f"other_{k}_{SAME}", "J, other packings" if k == OTHERS[0] else "", figures.GREY) for k in OTHERS]
     bags += [drawn(f"uc_{k}", f"{share:g} J", colour) for k, (share, colour) in enumerate(zip(STIFFNESSES, figures.SERIES, strict=False), start=1)]
     study.curves("bags", panel("strain_axial", "surcharge", bags), panel("mean_stress", "deviatoric_stress", bags, legend=False))
     panels = []
