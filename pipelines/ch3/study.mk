@@ -138,4 +138,4 @@ C3_OF_ENDED := $(filter $(foreach table,fabric groups path breaks,$(C3_ENDED:%=%
 ch3-keep: $(C3_OF_ENDED:%=$(C3O)/%.tsv) $(C3_OF_BAG) ## keep the tables of finished thesis-size runs of ch3 (PROFILE=thesis)
 ch3-compare: $(C3_PY) ## compare and draw the kept runs of ch3 anew
 
-include $(C3)/variants.mk
+include $(C3)/variants.mk $(C3)/loadings.mk

@@ -7,8 +7,9 @@
 C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
 C3V_PY := $(STUDY_PY) -m ch3.variants
-C3V_LOADING := --set stage.1.rate=0.02 --set stage.1.way_unbalanced_force=0 --set stage.1.homogeneous_start=false \
-  --set stage.1.rest_drag=60 --set grains.mass_scaling=none --set equilibrium.kinetic_energy=1e-5
+C3V_GIVEN := --set stage.1.way_unbalanced_force=0 --set stage.1.homogeneous_start=false --set stage.1.rest_drag=60 \
+  --set grains.mass_scaling=none --set equilibrium.kinetic_energy=1e-5
+C3V_LOADING := --set stage.1.rate=0.02 $(C3V_GIVEN)
 # Strain past the greatest load; at full size, past the first yarn's break.
 C3V_END_quick := 0.16
 C3V_END_thesis := 0.10

@@ -87,10 +87,16 @@ C5_CELLS := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa))
 C5_PRESSED := $(filter-out %_10kPa,$(C5_CELLS))
 c5_geotextile = $(word 1,$(subst _, ,$*))
 c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
+# Axial strains in % just past the greatest stress. Torn cells would take as many steps again to 20 %.
+C5_CELL_FAR_thesis := PE=17 PP=16 5PP=18
+c5_cell_far = $(patsubst $(c5_geotextile)=%,%,$(filter $(c5_geotextile)=%,$(C5_CELL_FAR_$(PROFILE))))
+# The stations of the scenario, one for each 1 % of strain.
+c5_stations = $(shell tr -d '\n' < $(C4)/triaxial.toml | sed 's/.*stations = \[\([^]]*\)\].*/\1/; s/ //g' | cut -d , -f 1-$(c5_cell_far))
 $(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) \
+	  $(if $(c5_cell_far),--set stage.1.stations=[$(c5_stations)]) \
 	  --set stage.0.pressure=$(c5_pressure) --set stage.1.confining_pressure=$(c5_pressure) --threads $(C4_THREADS) --quiet --resume --force -o $@
 $(C5_PRESSED:%=$(C5O)/%.tsv): $(C5O)/%.tsv: $(C5O)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --table reinforced --tsv $(call whole,$@)

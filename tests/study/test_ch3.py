@@ -8,7 +8,7 @@ import types
 
 import numpy
 import pytest
-from ch3 import breaks, compression, drawing, making, pictures, shear, variants
+from ch3 import breaks, compression, drawing, loadings, making, pictures, shear, variants
 from ch3 import study as chapter
 from ch3.bag import HERE, Bag, Record, Runs
 from matplotlib import pyplot
@@ -303,6 +303,35 @@ def test_the_commands_of_study_mk_end_in_one_line_where_they_cannot(capsys, monk
     monkeypatch.setattr(sys, "stdin", io.StringIO("variant\tload\n"))
     variants.main()
     assert capsys.readouterr().out == "variant\tload\n"
+
+
+def loads(folder, geotextile, loading, by, steps):
+    """Writes a bag whose load rises by `by` kPa at each per cent up to 14 %, in steps of `steps`, and then falls."""
+    pressure = [1000 * by * k for k in range(15)] + [0]
+    bag(folder / f"{geotextile}_{loading}.tsv", stage=[0] + [1] * 15, strain_axial=numpy.arange(16) / 100, plate_pressure=pressure,
+        step=100 + steps * numpy.arange(16))
+
+
+def test_loadings_are_compared_by_the_mean_over_volumes(tmp_path):
+    for volume, fast in (("4", 9), ("5", 7)):
+        for geotextile in ("PE", "PP"):
+            for loading, by, steps in (("slow", 10, 30), ("fast", fast, 20), ("study", 10, 5)):
+                loads(tmp_path / volume, geotextile, loading, by, steps)
+    told = loadings.stresses(tmp_path, ["4", "5"]).splitlines()
+    assert told[1] == "PE\t1\t2\t10.0\t-20.00\t10.00\t+0.00\t0.00" and told[-1] == "PP\tgreatest\t2\t140.0\t-20.00\t10.00\t+0.00\t0.00"
+    assert loadings.stresses(tmp_path, ["4"]).splitlines()[1] == "PE\t1\t1\t10.0\t-10.00\tnone\t+0.00\tnone"
+    assert loadings.steps(tmp_path, ["4", "5"]).splitlines()[1:4] == ["PE\tslow\t360\t1.500", "PE\tfast\t240\t1.000", "PE\tstudy\t60\t0.250"]
+
+
+def test_a_loading_that_ends_before_its_greatest_load_is_told(tmp_path, capsys, monkeypatch):
+    for loading in ("slow", "fast", "study"):
+        bag(tmp_path / "4" / f"PE_{loading}.tsv", stage=[0] + [1] * 6, strain_axial=numpy.arange(7) / 100, plate_pressure=numpy.arange(7))
+    monkeypatch.setattr(sys, "argv", ["loadings", "stresses", str(tmp_path), "4"])
+    with pytest.raises(SystemExit) as end:
+        loadings.main()
+    told = capsys.readouterr().err
+    assert end.value.code == 65 and told.count("\n") == 1
+    assert "PE_slow.tsv: the greatest plate pressure does not come before 6 %; give the run a greater strain in loadings.mk" in told
 
 
 def test_a_series_of_another_unit_is_refused(tmp_path):

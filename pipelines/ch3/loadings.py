@@ -1,0 +1,90 @@
+"""Compares the loading of the study with slower and faster plates, on bags of several representative volumes.
+
+usage: python3 -m ch3.loadings stresses|steps FOLDER VOLUME... > table; loadings.mk calls it. The loads of a bag are in
+FOLDER/VOLUME/GEOTEXTILE_LOADING.tsv.
+"""
+# SPDX-License-Identifier: GPL-3.0-or-later
+import argparse
+import pathlib
+import statistics
+import sys
+
+from study import NotMade, StudyError, Table
+
+from . import compression
+from .bag import GEOTEXTILES, Bag
+from .variants import as_text
+
+LOADINGS = ("fast", "study")  # beside slow plates
+STRAINS = (1, 2, 3, 4, 5)  # %
+COUNTED_TO = 12  # % of strain up to which steps are counted
+
+
+def bags(folder, volumes, geotextile):
+    """Returns the bags of each loading in the order of the volumes, by loading. Raises StudyError where some are missing."""
+    def absent(_):
+        raise NotMade("not recorded")
+    paths = {of: [folder / volume / f"{geotextile}_{of}.tsv" for volume in volumes] for of in ("slow", *LOADINGS)}
+    return {of: [Bag(Table.read(path), absent) for path in each] for of, each in paths.items()}
+
+
+def load(bag, strain):
+    """Returns the load at an axial strain (%), or the greatest load, kPa. Raises NotMade for one that the run does not reach."""
+    try:
+        return bag["plate_pressure"][compression.peak(bag, "plate_pressure") if strain == "greatest" else bag.row_at(strain)]
+    except NotMade as error:
+        raise NotMade(f"{bag.table.where}: {error}; give the run a greater strain in loadings.mk") from error
+
+
+def scattered(values):
+    """Returns the mean and its standard error as words, %. One value has no error."""
+    error = statistics.stdev(values) / len(values)**0.5 if len(values) > 1 else None
+    return [f"{statistics.mean(values):+.2f}", f"{error:.2f}" if error is not None else "none"]
+
+
+def stresses(folder, volumes):
+    """Returns the table of loads as text: the mean over the volumes under slow plates, and the differences from it.
+
+    A difference is the mean over pairs of bags of one volume. Behind it stands the standard error of this mean.
+    """
+    rows = [["geotextile", "axial strain [%]", "volumes", "slow plates [kPa]",
+             *(head for of in LOADINGS for head in (f"{of} [%]", "standard error [%]"))]]
+    for geotextile in GEOTEXTILES:
+        each = bags(folder, volumes, geotextile)
+        for strain in (*STRAINS, "greatest"):
+            slow = [load(bag, strain) for bag in each["slow"]]
+            differences = [scattered([100 * (load(bag, strain) / beside - 1) for bag, beside in zip(each[of], slow, strict=True)])
+                           for of in LOADINGS]
+            rows.append([geotextile, str(strain), str(len(slow)), f"{statistics.mean(slow):.1f}", *(word for pair in differences for word in pair)])
+    return as_text(rows)
+
+
+def steps(folder, volumes):
+    """Returns the table of the steps of loading to COUNTED_TO as text: the mean over the volumes of each loading, and its share of fast plates'."""
+    rows = [["geotextile", "loading", f"steps to {COUNTED_TO} % [1]", "over those of fast plates [1]"]]
+    for geotextile in GEOTEXTILES:
+        mean = {of: statistics.mean(bag.step_at(COUNTED_TO) - bag["step"][0] for bag in each)
+                for of, each in bags(folder, volumes, geotextile).items()}
+        rows += [[geotextile, of, f"{value:.0f}", f"{value / mean['fast']:.3f}"] for of, value in mean.items()]
+    return as_text(rows)
+
+
+COMMANDS = {"stresses": stresses, "steps": steps}
+
+
+def main():
+    """Prints what loadings.mk asks for. Errors are one line, status 65."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=COMMANDS)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("volumes", nargs="+")
+    arguments = parser.parse_args()
+    try:
+        sys.stdout.write(COMMANDS[arguments.command](arguments.folder, arguments.volumes))
+    except (StudyError, NotMade, OSError) as error:
+        print(f"study: {error}", file=sys.stderr)
+        sys.exit(65)
+
+
+if __name__ == "__main__":
+    main()
