@@ -23,10 +23,10 @@ ch3-loadings: $(C3L_RUNS:%=%.tsv) ## compare the loading of ch3 with slow and fa
 .PRECIOUS: $(C3L)/%/rv.h5 $(C3L)/%/bag.h5 $(C3L)/%.h5
 $(C3L)/%/rv.h5: $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
-	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $* --threads 1 --quiet --force -o $@
+	@$(call pack_volume,$*)
 $(C3L)/%/bag.h5: $(C3L)/%/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
-	@$(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@
+	@$(call fill_bag)
 # The file's name is GEOTEXTILE_LOADING.
 c3l = $(word $(1),$(subst _, ,$(basename $(@F))))
 $(C3L_RUNS:%=%.h5): $(C3L)/%.h5: $(C3L)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)

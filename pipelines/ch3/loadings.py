@@ -4,16 +4,14 @@ usage: python3 -m ch3.loadings stresses|steps FOLDER VOLUME... > table; loadings
 FOLDER/VOLUME/GEOTEXTILE_LOADING.tsv.
 """
 # SPDX-License-Identifier: GPL-3.0-or-later
-import argparse
 import pathlib
 import statistics
-import sys
 
-from study import NotMade, StudyError, Table
+from study import NotMade, Table
 
 from . import compression
 from .bag import GEOTEXTILES, Bag
-from .variants import as_text
+from .variants import as_text, main
 
 LOADINGS = ("fast", "study")  # beside slow plates
 STRAINS = (1, 2, 3, 4, 5)  # %
@@ -33,7 +31,7 @@ def load(bag, strain):
     try:
         return bag["plate_pressure"][compression.peak(bag, "plate_pressure") if strain == "greatest" else bag.row_at(strain)]
     except NotMade as error:
-        raise NotMade(f"{bag.table.where}: {error}; give the run a greater strain in loadings.mk") from error
+        raise NotMade(f"{bag.table.where}: {error}; remove the run, and give it a greater C3L_END in loadings.mk") from error
 
 
 def scattered(values):
@@ -69,22 +67,8 @@ def steps(folder, volumes):
     return as_text(rows)
 
 
-COMMANDS = {"stresses": stresses, "steps": steps}
-
-
-def main():
-    """Prints what loadings.mk asks for. Errors are one line, status 65."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", choices=COMMANDS)
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("volumes", nargs="+")
-    arguments = parser.parse_args()
-    try:
-        sys.stdout.write(COMMANDS[arguments.command](arguments.folder, arguments.volumes))
-    except (StudyError, NotMade, OSError) as error:
-        print(f"study: {error}", file=sys.stderr)
-        sys.exit(65)
-
+COMMANDS = {"stresses": lambda folder, *volumes: stresses(pathlib.Path(folder), volumes),
+            "steps": lambda folder, *volumes: steps(pathlib.Path(folder), volumes)}
 
 if __name__ == "__main__":
-    main()
+    main(COMMANDS, __doc__)

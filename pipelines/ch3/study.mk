@@ -38,12 +38,15 @@ C3_FILL_THREADS ?= $(C3_THREADS)
 .PHONY: ch3
 ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=thesis: 69,000 grains)
 
+# $(call pack_volume,SEED) and $(call fill_bag,OPTIONS) make a representative volume and a bag of the first prerequisite, a volume.
+pack_volume = $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(1) --threads 1 --quiet --force -o $@
+fill_bag = $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $(1) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@
 .PRECIOUS: $(C3O)/%.h5
 # The seed depends on the profile.
 $(C3O)/rv.h5: $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
-	@$(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(C3_SEED) --threads 1 --quiet --force -o $@
+	@$(call pack_volume,$(C3_SEED))
 
 $(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
 	@echo '  fill  $(C3O)/bag.h5'

@@ -7,6 +7,7 @@
 C3_KEPT := $(C3)/kept
 C3V := $(C3O)/variants
 C3V_PY := $(STUDY_PY) -m ch3.variants
+# Plates of a given rate, and grains of unscaled masses.
 C3V_GIVEN := --set stage.1.way_unbalanced_force=0 --set stage.1.homogeneous_start=false --set stage.1.rest_drag=60 \
   --set grains.mass_scaling=none --set equilibrium.kinetic_energy=1e-5
 C3V_LOADING := --set stage.1.rate=0.02 $(C3V_GIVEN)
@@ -44,13 +45,12 @@ ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep the effects of the 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
 $(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate $(OUT)/profile
 	@mkdir -p $(@D)
-	@seed=$$($(C3V_PY) seed $*) && $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $${seed/#-/$(C3_SEED)} --threads 1 \
-	  --quiet --force -o $@
+	@seed=$$($(C3V_PY) seed $*) && $(call pack_volume,$${seed/#-/$(C3_SEED)})
 # Variants that only load differently use the bag itself.
 $(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand
 	@echo '  fill  $@'
 	@seed=$$($(C3V_PY) seed $*) && options=$(call of_variant,$*,bag) && if [ "$$seed$$options" = - ]; then cp $(C3O)/bag.h5 $@; else \
-	  $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $$options --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@; fi
+	  $(call fill_bag,$$options); fi
 $(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
 	@echo '  run   $@'
 	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) $(C3V_LOADING),$$options)

@@ -166,14 +166,15 @@ COMMANDS = {"options": lambda name, part: options(name, part) + "\n", "seed": la
             "apart": lambda *folders: beside(folders, True, True)}
 
 
-def main():
-    """Prints what study.mk asks for. Errors are one line, status 65."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("command", choices=COMMANDS)
+def main(commands=None, description=__doc__):
+    """Prints what the pipeline asks for. commands: functions of names by the command's name, COMMANDS unless given. Errors are one line, status 65."""
+    commands = commands or COMMANDS
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=commands)
     parser.add_argument("names", nargs="+")
     arguments = parser.parse_args()
     try:
-        sys.stdout.write(COMMANDS[arguments.command](*arguments.names))
+        sys.stdout.write(commands[arguments.command](*arguments.names))
     except (StudyError, NotMade, OSError) as error:
         print(f"study: {error}", file=sys.stderr)
         sys.exit(65)

@@ -98,6 +98,19 @@ class Cell(Pressed):
         super().__init__(table.rows(table["stage"] == SHEAR))
 
     @functools.cached_property
+    def peak(self):
+        """Row of the greatest surcharge. Raises NotMade if it is the last one, since a greater surcharge may come later."""
+        row = self.most("surcharge")
+        if row == len(self) - 1:
+            raise NotMade(f"the greatest stress of the cell does not come before {self.last('strain_axial'):.0f} %")
+        return row
+
+    @property
+    def capacity(self):
+        """The greatest surcharge, kPa. Raises NotMade as peak does."""
+        return self["surcharge"][self.peak]
+
+    @functools.cached_property
     def broken(self):
         """Row of the first broken yarn, or the last row."""
         broken = numpy.flatnonzero(self["broken_yarns"] > 0)

@@ -189,10 +189,10 @@ def measure_cells(study, grains):
     def not_rising(value):
         found = {key: value(grains.cell(*key)) for key in itertools.product(SHEARED, PRESSURES)}
         return sum(found[g, high] <= found[g, low] for g in SHEARED for low, high in itertools.pairwise(PRESSURES))
-    study.measure("cell_capacity_falls", lambda: not_rising(lambda c: c["surcharge"].max()), "1")
+    study.measure("cell_capacity_falls", lambda: not_rising(lambda c: c.capacity), "1")
     study.measure("cell_settlement_falls", lambda: not_rising(lambda c: c["strain_axial"][c.peak]), "1")
     study.measure("cell_spread_falls", lambda: least_rise(
-        [-grains.cell(g, "100")["surcharge"].max() / grains.cell(g, "10")["surcharge"].max() for g in SHEARED]), "1")
+        [-grains.cell(g, "100").capacity / grains.cell(g, "10").capacity for g in SHEARED]), "1")
     study.measure("cell_first_slope_least", lambda: min(c.path_slopes[0] for c in every_cell(grains)), "1")
     study.measure("cell_first_slope_most", lambda: max(c.path_slopes[0] for c in every_cell(grains)), "1")
     study.measure("cell_dilation_spreads", lambda: 100 * relative_range([c.dilation for c in every_cell(grains)]), "%")
@@ -204,7 +204,7 @@ def measure_cells(study, grains):
         max(grains.cell(g, "10")[f"face_friction_{axis}"].max() for axis in "xyz") for g in ("PE", "PP")), "deg")
     study.measure("cell_near_failure", lambda: max(near_failure(grains, g, p) for g in SHEARED for p in PRESSURES), "1")
     for g, p in itertools.product(SHEARED, PRESSURES):
-        study.measure(f"cell_peak_{g}_{p}", lambda g=g, p=p: grains.cell(g, p)["surcharge"].max(), "kPa")
+        study.measure(f"cell_peak_{g}_{p}", lambda g=g, p=p: grains.cell(g, p).capacity, "kPa")
 
 
 def every_cell(grains):
@@ -294,7 +294,7 @@ def measure_model(study, grains):
         found = misfits(grains, "")
         missing = [key for key in itertools.product(some, PRESSURES) if key not in found]
         if missing:
-            raise NotMade(f"cell_{'_'.join(missing[0])}kPa: this profile does not make the run")
+            raise NotMade(f"cell_{'_'.join(missing[0])}kPa: this profile makes no run past the greatest stress")
         return numpy.array([[found[g, p][name] for p in PRESSURES] for g in some])
 
     def bags(name):

@@ -87,7 +87,8 @@ C5_CELLS := $(foreach g,PE PP 5PP,$(foreach s,10 50 100,cell_$(g)_$(s)kPa))
 C5_PRESSED := $(filter-out %_10kPa,$(C5_CELLS))
 c5_geotextile = $(word 1,$(subst _, ,$*))
 c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
-# Axial strains in % just past the greatest stress. Torn cells would take as many steps again to 20 %.
+# Axial strains in % past the greatest stress of the cells at 10 kPa, which comes at 11 to 16 %. From there to 20 % torn cells of PP and 5PP
+# take three quarters as many steps again.
 C5_CELL_FAR_thesis := PE=17 PP=16 5PP=18
 c5_cell_far = $(patsubst $(c5_geotextile)=%,%,$(filter $(c5_geotextile)=%,$(C5_CELL_FAR_$(PROFILE))))
 # The stations of the scenario, one for each 1 % of strain.

@@ -328,10 +328,10 @@ def test_a_loading_that_ends_before_its_greatest_load_is_told(tmp_path, capsys, 
         bag(tmp_path / "4" / f"PE_{loading}.tsv", stage=[0] + [1] * 6, strain_axial=numpy.arange(7) / 100, plate_pressure=numpy.arange(7))
     monkeypatch.setattr(sys, "argv", ["loadings", "stresses", str(tmp_path), "4"])
     with pytest.raises(SystemExit) as end:
-        loadings.main()
+        variants.main(loadings.COMMANDS)
     told = capsys.readouterr().err
     assert end.value.code == 65 and told.count("\n") == 1
-    assert "PE_slow.tsv: the greatest plate pressure does not come before 6 %; give the run a greater strain in loadings.mk" in told
+    assert "PE_slow.tsv: the greatest plate pressure does not come before 6 %; remove the run, and give it a greater C3L_END in loadings.mk" in told
 
 
 def test_a_series_of_another_unit_is_refused(tmp_path):

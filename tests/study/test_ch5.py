@@ -242,3 +242,12 @@ def test_every_column_is_missed_by_name(folder, monkeypatch):
             function(study, Grains(folder, folder))
         return reader
     assert demand_columns([run(f) for f in (*measures.MEASURES, *pictures.OF_ALL)]) > 100
+
+
+def test_a_cell_that_ends_at_its_greatest_stress_has_no_capacity():
+    table = Table.read(chapter.HERE / "kept/cell_PE_10kPa.tsv")
+    whole = grains.Cell(table)
+    assert whole.capacity == whole["surcharge"].max() and whole.peak == 11
+    ended = grains.Cell(table.rows(table["step"] <= whole["step"][whole.peak]))
+    with pytest.raises(NotMade, match="the greatest stress of the cell does not come before 11 %"):
+        ended.capacity  # pylint: disable=pointless-statement
