@@ -6,6 +6,7 @@ FOLDER/VOLUME/GEOTEXTILE_LOADING.tsv.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pathlib
 import statistics
+import sys
 
 from study import NotMade, Table
 
@@ -28,10 +29,28 @@ def bags(folder, volumes, geotextile):
 
 def load(bag, strain):
     """Returns the load at an axial strain (%), or the greatest load, kPa. Raises NotMade for one that the run does not reach."""
-    try:
-        return bag["plate_pressure"][compression.peak(bag, "plate_pressure") if strain == "greatest" else bag.row_at(strain)]
-    except NotMade as error:
-        raise NotMade(f"{bag.table.where}: {error}; remove the run, and give it a greater C3L_END in loadings.mk") from error
+    return bag["plate_pressure"][compression.peak(bag, "plate_pressure") if strain == "greatest" else bag.row_at(strain)]
+
+
+def loads(each, strain):
+    """Returns the loads of those volumes that have one under every loading, by loading, and says which volumes are left out and why.
+
+    A torn bag may bear more and more as it is flattened. It has no greatest load before its end.
+    """
+    found = {of: [] for of in each}
+    for bags_of_volume in zip(*each.values(), strict=True):
+        try:
+            values = [load(bag, strain) for bag in bags_of_volume]
+        except NotMade as error:
+            where = pathlib.Path(bags_of_volume[0].table.where).parent.name
+            print(f"study: volume {where} is left out of the {'greatest loads' if strain == 'greatest' else f'loads at {strain} %'}: {error}",
+                  file=sys.stderr)
+            continue
+        for of, value in zip(each, values, strict=True):
+            found[of].append(value)
+    if not found["slow"]:
+        raise NotMade("no volume has all loads: give the runs a greater strain, C3L_END in loadings.mk, and remove them to make them anew")
+    return found
 
 
 def scattered(values):
@@ -46,13 +65,13 @@ def stresses(folder, volumes):
     A difference is the mean over pairs of bags of one volume. Behind it stands the standard error of this mean.
     """
     rows = [["geotextile", "axial strain [%]", "volumes", "slow plates [kPa]",
-             *(head for of in LOADINGS for head in (f"{of} [%]", "standard error [%]"))]]
+             *(head for of in LOADINGS for head in (f"{of} [%]", f"standard error of {of} [%]"))]]
     for geotextile in GEOTEXTILES:
         each = bags(folder, volumes, geotextile)
         for strain in (*STRAINS, "greatest"):
-            slow = [load(bag, strain) for bag in each["slow"]]
-            differences = [scattered([100 * (load(bag, strain) / beside - 1) for bag, beside in zip(each[of], slow, strict=True)])
-                           for of in LOADINGS]
+            found = loads(each, strain)
+            slow = found["slow"]
+            differences = [scattered([100 * (one / beside - 1) for one, beside in zip(found[of], slow, strict=True)]) for of in LOADINGS]
             rows.append([geotextile, str(strain), str(len(slow)), f"{statistics.mean(slow):.1f}", *(word for pair in differences for word in pair)])
     return as_text(rows)
 
