@@ -35,6 +35,11 @@ whole = > $(1).$$$$ && mv $(1).$$$$ $(1) || { status=$$?; rm -f $(1).$$$$; (exit
 
 include $(sort $(wildcard pipelines/*/study.mk))
 
+# Options of a study that its rules keep in variables. Each of SETTINGS is STUDY/WHAT: the file OUT/STUDY/WHAT.settings holds the value of
+# SETTINGS_STUDY/WHAT and changes only when the value does. A run depends on the options that it has, so that an edited option makes it anew.
+$(SETTINGS:%=$(OUT)/%.settings): $(OUT)/%.settings: always
+	@$(call remember,$(strip $(SETTINGS_$*)))
+
 # Studies in KEEPING keep results of thesis-size runs, for readers who cannot spend the hours: tables, histories, comparisons and figures.
 # NAME-keep keeps the tables of finished runs (ENDED_NAME), which are its prerequisites. NAME-compare makes comparisons and figures from
 # the kept tables, without the runs; its prerequisites are the programs for this. BESIDE_NAME are further options of study.py.

@@ -29,6 +29,12 @@ C3_BAG_quick := $(C3_GRAINS_quick) --set growth.delaunay_void_ratio=0.6 --set gr
   --set material.0.twisting.stiffness=1.04
 # One yarn represents two of the thesis's yarns.
 C3_LOAD_quick := $(C3_MOMENTS_quick) --set geotextile.0.multiple=2 --set plane.0.point=[0,0,0.0475] --set plane.1.point=[0,0,-0.0475]
+SETTINGS += ch3/rv ch3/bag ch3/load ch3/uc ch3/ss
+SETTINGS_ch3/rv = $(C3_SEED)
+SETTINGS_ch3/bag = $(C3_BAG_$(PROFILE))
+SETTINGS_ch3/load = $(C3_LOAD_$(PROFILE))
+SETTINGS_ch3/uc = $(C3_UC_$(PROFILE)) $(foreach g,PE PP,$(C3_RECORD_$(PROFILE)_$g))
+SETTINGS_ch3/ss = $(C3_SS_$(PROFILE))
 # Runs side by side use the cores better than threads within one run. Full-size runs are made one at a time.
 C3_THREADS_quick := 1
 C3_THREADS_thesis := 2
@@ -42,13 +48,12 @@ ch3: $(C3O)/page.html ## the soilbag: generated, compressed, sheared (PROFILE=th
 pack_volume = $(BIN)/pack-generate --grains 1000 --void-ratio 0.68 --pressure 1e3 --seed $(1) --threads 1 --quiet --force -o $@
 fill_bag = $(BIN)/filter-expand $< $(C3)/bag.toml $(C3_BAG_$(PROFILE)) $(1) --threads $(C3_FILL_THREADS) --quiet --resume --force -o $@
 .PRECIOUS: $(C3O)/%.h5
-# The seed depends on the profile.
-$(C3O)/rv.h5: $(BIN)/pack-generate $(OUT)/profile
+$(C3O)/rv.h5: $(BIN)/pack-generate $(C3O)/rv.settings
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
 	@$(call pack_volume,$(C3_SEED))
 
-$(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
+$(C3O)/bag.h5 $(C3O)/generation.tsv &: $(C3O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(C3O)/bag.settings
 	@echo '  fill  $(C3O)/bag.h5'
 	@$(BIN)/filter-expand $(C3O)/rv.h5 $(C3)/bag.toml $(C3_BAG_$(PROFILE)) --threads $(C3_FILL_THREADS) --quiet --resume --force \
 	  --history $(C3O)/generation.tsv -o $(C3O)/bag.h5
@@ -59,15 +64,15 @@ compress = $(BIN)/run-dem $< $(C3)/uc.toml $(C3_LOAD_$(PROFILE)) $(2) --set geot
 # Chapter 5 uses the full-size bags of PE and PP, too, and draws more states of the bag of PP.
 C3_RECORD_thesis_PP := --set record.strains=[0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14,0.16]
 # % is the geotextile.
-$(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
+$(C3O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(C3O)/load.settings $(C3O)/uc.settings
 	@echo '  run   $@'
 	@$(call compress,$*,$(C3_UC_$(PROFILE)) $(C3_RECORD_$(PROFILE)_$*))
 # Rough plates instead of smooth ones.
-$(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
+$(C3O)/uc_%_rough.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(C3O)/load.settings $(C3O)/uc.settings
 	@echo '  run   $@'
 	@$(call compress,$*,$(C3_UC_$(PROFILE)),--set stage.1.plate_friction_angle=89.9)
 # % is the dead load in N.
-$(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem $(GEOTEXTILES)
+$(C3O)/ss_%.h5: $(C3O)/bag.h5 $(C3)/ss.toml $(BIN)/run-dem $(GEOTEXTILES) $(C3O)/load.settings $(C3O)/ss.settings
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C3)/ss.toml $(C3_LOAD_$(PROFILE)) $(C3_SS_$(PROFILE)) --set stage.0.load.0.force=$* --set stage.1.load.0.force=$* \
 	  --threads $(C3_THREADS) --quiet --resume --force -o $@

@@ -16,6 +16,8 @@ C3V_END_quick := 0.16
 C3V_END_thesis := 0.10
 C3V_STATES_quick := [0.04,0.08,0.12,0.16]
 C3V_STATES_thesis := [0.04,0.08]
+SETTINGS += ch3/variants
+SETTINGS_ch3/variants = $(C3V_UC) $(C3V_LOADING)
 C3V_UC := --set stage.1.strain=$(C3V_END_$(PROFILE)) --set record.strains=$(C3V_STATES_$(PROFILE))
 C3_SEEDS := $(filter-out seed_$(C3_SEED),seed_1 seed_2 seed_3)
 # All rows of variants.tsv except the seed of the study's own bag, and bags that exist at full size only.
@@ -43,15 +45,15 @@ ch3-variants-keep: $(C3V)/variants.tsv $(BIN)/to-vtk ## keep the effects of the 
 	  $(BIN)/to-vtk --history $(C3V)/$$run/uc_PE.h5 || exit; done | $(C3V_PY) merge $$kept $(call whole,$$kept))
 
 .PRECIOUS: $(C3V)/%/rv.h5 $(C3V)/%/bag.h5 $(C3V)/%/uc_PE.h5
-$(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate $(OUT)/profile
+$(C3V)/%/rv.h5: $(C3)/variants.tsv $(BIN)/pack-generate $(C3O)/rv.settings
 	@mkdir -p $(@D)
 	@seed=$$($(C3V_PY) seed $*) && $(call pack_volume,$${seed/#-/$(C3_SEED)})
 # Variants that only load differently use the bag itself.
-$(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand
+$(C3V)/%/bag.h5: $(C3V)/%/rv.h5 $(C3O)/bag.h5 $(C3)/bag.toml $(BIN)/filter-expand $(C3O)/bag.settings
 	@echo '  fill  $@'
 	@seed=$$($(C3V_PY) seed $*) && options=$(call of_variant,$*,bag) && if [ "$$seed$$options" = - ]; then cp $(C3O)/bag.h5 $@; else \
 	  $(call fill_bag,$$options); fi
-$(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
+$(C3V)/%/uc_PE.h5: $(C3V)/%/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(C3O)/load.settings $(C3O)/variants.settings
 	@echo '  run   $@'
 	@options=$(call of_variant,$*,load) && $(call compress,PE,$(C3V_UC) $(C3V_LOADING),$$options)
 
@@ -69,6 +71,8 @@ C3_CAUSES := $(C3_CAUSES_$(PROFILE))
 # At full size, one cause for three volumes: its effect beside the chance.
 C3_BULGING_thesis := bulging_seed_1 bulging_seed_2 bulging_seed_3
 C3_BULGING := $(C3_BULGING_$(PROFILE))
+SETTINGS += ch3/causes
+SETTINGS_ch3/causes = $(C3K_UC)
 C3K_YARNS_quick := PE
 C3K_YARNS_thesis := PE PP
 C3K_RUNS := $(foreach run,$(C3_CAUSES) $(C3_BULGING) $(C3_SEEDS),$(foreach g,$(C3K_YARNS_$(PROFILE)),$(run)/uc_$(g)))
@@ -94,7 +98,7 @@ ch3-causes-keep: $(C3K_WITH_RUNS:%=$(C3K)/%.tsv) $(BIN)/to-vtk ## keep how near 
 # % is BAG/uc_GEOTEXTILE.
 .PRECIOUS: $(C3K)/%.h5
 .SECONDEXPANSION:
-$(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES)
+$(C3K)/%.h5: $(C3V)/$$(*D)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(C3O)/load.settings $(C3O)/causes.settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(call compress,$(patsubst uc_%,%,$(*F)),$(C3K_UC))

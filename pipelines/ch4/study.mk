@@ -31,6 +31,13 @@ C4_PUT_quick := --set surround.copies=[5,5,1] --set surround.scale=1.94 $(C4_COA
 C4_LOAD_quick := $(C4_COARSE) --set equilibrium.unbalanced_force=2e-3
 # The ring of five by five copies is half a copy wide.
 C4_FORM_layered_quick := --set surround.rings=0.5
+SETTINGS += ch4/rv ch4/alone ch4/bag ch4/load $(C4_FORMS:%=ch4/%)
+SETTINGS_ch4/rv = $(C4_GRAINS_quick)
+SETTINGS_ch4/alone = $(C4_GRAINS_$(PROFILE))
+SETTINGS_ch4/bag = $(C4_FILL_quick)
+SETTINGS_ch4/wrapped = $(C4_PUT_$(PROFILE)) $(C4_FORM_wrapped_$(PROFILE))
+SETTINGS_ch4/layered = $(C4_PUT_$(PROFILE)) $(C4_FORM_layered_$(PROFILE))
+SETTINGS_ch4/load = $(C4_LOAD_$(PROFILE))
 # Runs side by side use the cores better than threads within one.
 C4_THREADS ?= 1
 
@@ -38,23 +45,23 @@ C4_THREADS ?= 1
 ch4: $(C4O)/page.html ## soil wrapped in a geotextile beside soil between two sheets (PROFILE=thesis: 100,000 grains)
 
 .PRECIOUS: $(C4O)/%.h5
-$(C4O)/rv.h5: $(BIN)/pack-generate
+$(C4O)/rv.h5: $(BIN)/pack-generate $(C4O)/rv.settings
 	@mkdir -p $(@D)
 	@echo '  pack  $@'
 	@$(BIN)/pack-generate --grains $(C4_GRAINS_quick) --void-ratio 0.68 --pressure 1e3 --seed 1 --threads 1 --quiet --force -o $@
-$(C4O)/bag.h5: $(C4O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(OUT)/profile
+$(C4O)/bag.h5: $(C4O)/rv.h5 $(C3)/bag.toml $(BIN)/filter-expand $(C4O)/bag.settings
 	@echo '  fill  $@'
 	@$(BIN)/filter-expand $< $(C3)/bag.toml $(C4_FILL_quick) --threads $(C4_THREADS) --quiet --resume --force -o $@
 # % is the form.
 C4_PACKINGS := $(C4_FORMS:%=$(C4O)/%.h5)
-$(C4_PACKINGS): $(C4O)/%.h5: $(C4_BAG) $(C4_RV) $(C4)/%.toml $(BIN)/filter-expand $(GEOTEXTILES) $(OUT)/profile
+$(C4_PACKINGS): $(C4O)/%.h5: $(C4_BAG) $(C4_RV) $(C4)/%.toml $(BIN)/filter-expand $(GEOTEXTILES) $(C4O)/%.settings
 	@mkdir -p $(@D)
 	@echo '  fill  $@'
 	@$(BIN)/filter-expand $< $(C4)/$*.toml --set surround.representative_volume=$(C4_RV) $(C4_PUT_$(PROFILE)) $(C4_FORM_$*_$(PROFILE)) \
 	  --history $(C4O)/$*_shape.tsv --threads $(C4_THREADS) --quiet --resume --force -o $@
 $(C4_FORMS:%=$(C4O)/%_shape.tsv): $(C4O)/%_shape.tsv: $(C4O)/%.h5 ;
 # Soil alone, at its true size in either profile.
-$(C4O)/alone.h5: $(BIN)/pack-generate $(OUT)/profile
+$(C4O)/alone.h5: $(BIN)/pack-generate $(C4O)/alone.settings
 	@mkdir -p $(@D)
 	@$(BIN)/pack-generate --grains $(C4_GRAINS_$(PROFILE)) --void-ratio 0.68 --pressure 1e4 --seed 1 --threads 1 --quiet --force -o $@
 $(C4O)/soil.h5: $(C4O)/alone.h5 $(C4)/triaxial.toml $(BIN)/run-dem
@@ -68,7 +75,7 @@ c4_shear = $(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) \
   --set geotextile.0.curve=$(word 2,$(subst _, ,$*)) $(c4_states) $(1) --threads $(C4_THREADS) --quiet --resume --force -o $@
 C4_ALL := $(C4_CELLS) $(C4_SLOW_thesis)
 $(foreach form,$(C4_FORMS),$(eval $(patsubst %,$(C4O)/%.h5,$(filter $(form)_%,$(C4_ALL))): $(C4O)/$(form).h5))
-$(C4_ALL:%=$(C4O)/%.h5): $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
+$(C4_ALL:%=$(C4O)/%.h5): $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(C4O)/load.settings
 $(C4_CELLS:%=$(C4O)/%.h5): $(C4O)/%.h5:
 	@echo '  run   $@'
 	@$(call c4_shear)
@@ -81,7 +88,10 @@ C4_LOADINGS := told slow limit_0.06
 C4_LOADING_told := --set grains.mass_scaling=none --set stage.0.rest_drag=0 --set stage.1.rest_drag=0 --set stage.1.way_unbalanced_force=0
 C4_LOADING_slow := --set stage.1.way_unbalanced_force=0 --set stage.1.rate=0.01
 C4_LOADING_limit_0.06 := --set stage.1.way_unbalanced_force=0.06
-$(C4_LOADINGS:%=$(C4O)/loading/%.h5): $(C4O)/loading/%.h5: $(C4O)/layered.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
+SETTINGS += ch4/loadings
+SETTINGS_ch4/loadings = $(foreach loading,$(C4_LOADINGS),$(C4_LOADING_$(loading)))
+$(C4_LOADINGS:%=$(C4O)/loading/%.h5): $(C4O)/loading/%.h5: $(C4O)/layered.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) \
+  $(C4O)/load.settings $(C4O)/loadings.settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=PP $(C4_LOADING_$*) --threads $(C4_THREADS) \

@@ -67,11 +67,14 @@ C5_OF_C3_thesis := PE PP
 C5_OF_C3 := $(C5_OF_C3_$(PROFILE):%=$(C5O)/uc_%.h5)
 C5_STATES := [0.04,0.08,0.12]
 C5_STATES_PP := [0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.10,0.11,0.12,0.13,0.14]
+SETTINGS += $(C5_GEOTEXTILES:%=ch5/uc_%)
+$(foreach g,$(C5_GEOTEXTILES),$(eval SETTINGS_ch5/uc_$g = $(filter $g=%,$(C5_FAR_$(PROFILE))) $(or $(C5_STATES_$g),$(C5_STATES))))
 .PRECIOUS: $(C5O)/%.h5
 $(C5_OF_C3): $(C5O)/uc_%.h5: $(C3O)/uc_%.h5
 	@mkdir -p $(@D)
 	@cat $< $(call whole,$@)
-$(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
+$(filter-out $(C5_OF_C3),$(C5_UC)): $(C5O)/uc_%.h5: $(C3O)/bag.h5 $(C3)/uc.toml $(BIN)/run-dem $(GEOTEXTILES) \
+  $(C3O)/load.settings $(C5O)/uc_%.settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(call compress,$*,$(c5_far) --set record.strains=$(or $(C5_STATES_$*),$(C5_STATES)))
@@ -91,9 +94,12 @@ c5_pressure = "$(patsubst %kPa,%,$(word 2,$(subst _, ,$*))) kPa"
 # take three quarters as many steps again.
 C5_CELL_FAR_thesis := PE=17 PP=16 5PP=18
 c5_cell_far = $(patsubst $(c5_geotextile)=%,%,$(filter $(c5_geotextile)=%,$(C5_CELL_FAR_$(PROFILE))))
+SETTINGS += $(C5_PRESSED:%=ch5/%)
+$(foreach c,$(C5_PRESSED),$(eval SETTINGS_ch5/$c = $(filter $(word 2,$(subst _, ,$c))=%,$(C5_CELL_FAR_$(PROFILE)))))
 # The stations of the scenario, one for each 1 % of strain.
 c5_stations = $(shell tr -d '\n' < $(C4)/triaxial.toml | sed 's/.*stations = \[\([^]]*\)\].*/\1/; s/ //g' | cut -d , -f 1-$(c5_cell_far))
-$(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) $(OUT)/profile
+$(C5_PRESSED:%=$(C5O)/%.h5): $(C5O)/cell_%.h5: $(C4O)/wrapped.h5 $(C4)/triaxial.toml $(BIN)/run-dem $(GEOTEXTILES) \
+  $(C4O)/load.settings $(C5O)/cell_%.settings
 	@mkdir -p $(@D)
 	@echo '  run   $@'
 	@$(BIN)/run-dem $< $(C4)/triaxial.toml $(C4_LOAD_$(PROFILE)) --set geotextile.0.curve=$(c5_geotextile) \

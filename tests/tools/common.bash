@@ -208,3 +208,10 @@ if [[ -n ${BATS_TEST_NAME:-} && ${0##*/} == bats-exec-test ]]; then
 elif [[ " ${FUNCNAME[*]} " == *" setup_file "* ]]; then
   limit_time $((3 * ${SOILWEAVE_TEST_LIMIT:-600}))
 fi
+
+# study_rules ARGUMENTS...: make with the rules of the studies alone, so that it builds no tool.
+study_rules() {
+  printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.SECONDARY:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
+    > "$BATS_TEST_TMPDIR/study.mk"
+  (cd "${BASH_SOURCE[0]%/*}/../.." && exec env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -r -f "$BATS_TEST_TMPDIR/study.mk" "$@")
+}

@@ -13,11 +13,9 @@ setup() {
 
 # Runs the studies' rules with the real tools, in a folder of the test's own, on a small ensemble.
 study() { # OUT TARGET...
-  printf 'SHELL := /bin/bash\n.SHELLFLAGS := -o pipefail -c\n.DELETE_ON_ERROR:\n.SECONDARY:\n.PHONY: always\nalways:\nB := unused\nSTUDIES :=\ninclude pipelines/study.mk\n' \
-    > "$BATS_TEST_TMPDIR/study.mk"
   local out=$1
   shift
-  (cd "$ROOT" && exec env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -r -f "$BATS_TEST_TMPDIR/study.mk" BIN="$BIN" OUT="$out" C2_CASES=hm_200_0.2 C2_SAMPLES="6 4" C2_STRAIN=0.5 "$@")
+  study_rules BIN="$BIN" OUT="$out" C2_CASES=hm_200_0.2 C2_SAMPLES="6 4" C2_STRAIN=0.5 "$@"
 }
 
 @test "an ensemble that is killed three times ends in the same bytes as one that is not" {
