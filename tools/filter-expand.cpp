@@ -70,6 +70,7 @@ struct FilterExpand {
     const io::History past = io::extend(sources, invocation, what.resolved);
     Doubts doubts(invocation.tool);
     doubts.add_all(analysis::material_doubts(start, what.model, what.numerics.gravity));
+    if (what.growth) doubts.add_all(analysis::mesh_doubts(start));
     const StopSignals signals;
     io::demand_no_input(history, past, "--history");
     io::SafeOutput safe(output, past, invocation);
@@ -83,6 +84,7 @@ struct FilterExpand {
     packing::Grown grown =
         packing::grow(start, what.model, what.numerics, *what.growth, report, {safe.part(), interval, &signals});
     if (!history.empty()) io::write_bytes(history, io::to_tsv(grown.history));
+    doubts.add_all(packing::filling_doubts(*what.growth, grown.fill));
     doubts.add_all(analysis::bag_doubts(grown.state));
     grown.cost.output += safe.write([&] { io::write_packing(output, grown.state, io::with_doubts(past, doubts)); });
     if (output == "-") return;

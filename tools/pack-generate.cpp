@@ -99,6 +99,7 @@ struct PackGenerate {
   }
 
   void run(const tool::Invocation& invocation) const {
+    if (invocation.seed != 0 && !import.empty()) throw UsageError("--seed has no effect with --import: leave it out");
     std::vector<io::Source> sources;
     std::optional<packing::Contacts> given;
     if (!material.empty()) {
@@ -128,8 +129,7 @@ struct PackGenerate {
     io::SafeOutput safe(output, history, invocation);
     if (safe.finished(progress)) return;
     if (as_is) {
-      const dem::Simulation checked(state, contacts.model,
-                                    contacts.numerics);  // throws for grains that overlap too much
+      const dem::Simulation checked(state, contacts.model, contacts.numerics);  // throws for too large overlaps
       Doubts doubts("pack-generate");
       doubts.add_all(about);
       return void(safe.write([&] { io::write_packing(output, state, io::with_doubts(history, doubts)); }));

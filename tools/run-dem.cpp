@@ -59,6 +59,8 @@ struct RunDem {
   void validate() const {}
 
   void run(const tool::Invocation& invocation) const {
+    if (invocation.seed != 0 && perturbation == 0)
+      throw UsageError("--seed has no effect without --perturb R: give both, or neither");
     const io::TextFile text = io::read_text(scenario, "scenario");
     dem::Scenario plan = dem::read_scenario(text.text, scenario.string(), overrides);
     plan.numerics.threads = invocation.threads;

@@ -31,7 +31,7 @@ $(PKO)/packing_%.h5: $(BIN)/pack-generate
 $(PKO)/triaxial_%.h5: $(PK_PACKINGS:%=$(PKO)/packing_%.h5) $(PK_SCENARIO) $(BIN)/run-dem
 	@echo '  run   $@'
 	@pipelines/resume.sh $@ $(BIN)/run-dem $(PKO)/packing_$(call pk_word,1)_1e3_$(call pk_word,2).h5 $(PK_SCENARIO) \
-	  --set stage.1.axial_strain=0.08 --set record.strains=[0.05,0.08] --set stage.1.rate=0.1 --perturb $(if $(filter 0,$(call pk_word,3)),0,1e-6) --seed $(call pk_word,2)
+	  --set stage.1.axial_strain=0.08 --set record.strains=[0.05,0.08] --set stage.1.rate=0.1 $(if $(filter-out 0,$(call pk_word,3)),--perturb 1e-6 --seed $(call pk_word,2))
 
 $(PKO)/cell_%.tsv: $(PKO)/%.h5 $(BIN)/homogenize
 	@$(BIN)/homogenize $< --tsv $(call whole,$@)

@@ -151,3 +151,56 @@ follows() {
     grep -qE "${word##*.}" "$root"/lib/*/*.md || show "no page has the key $word"
   done < <(grep -oE "[^a-z_.]$keys\.[a-z_]+(\.[a-z_]+)?" literals.txt | grep -oE '[a-z_.]+' | sort -u)
 }
+
+@test "a friction angle in radians is doubted wherever packings are made" {
+  local radians="doubt: a friction angle of 0.5 degrees is next to none; if radians are meant, write 28.65"
+  cat > material.toml << 'TOML'
+[contact]
+law = "hertz-mindlin"
+young_modulus = "4 GPa"
+poisson_ratio = 0.33
+friction_angle = 0.5
+TOML
+  exits 0 pack-generate --quiet --grains 60 --aspect 1 --pressure 1e5 --tolerance 1e-2 --material material.toml -o slippery.h5
+  [[ $stderr == *"pack-generate: $radians"* ]] || show "wanted: $radians"
+  printf '[container]\nshape = "box"\nlow = [-0.01, -0.01, -0.01]\nhigh = [0.01, 0.01, 0.01]\n' | cat - material.toml > box.toml
+  exits 0 filter-expand --quiet packing.h5 box.toml -o box.h5
+  [[ $stderr == *"filter-expand: $radians"* ]] || show "wanted: $radians"
+}
+
+@test "stresses of a few hundred pascals without a unit are doubted, with a unit they are not" {
+  local doubt="is 50 without a unit, which is 50 Pa: if 50 kPa is meant, write \"50 kPa\", else \"50 Pa\""
+  exits 0 pack-generate --quiet --grains 60 --aspect 1 --tolerance 1e-2 -o loose.h5
+  exits 0 run-dem --check loose.h5 short.toml --set stage.0.pressure=50 --set 'stage.1.confining_pressure="50 Pa"'
+  [[ $stderr == *"doubt: stage.0.pressure $doubt"* && $stderr != *"stage.1.confining"* ]] || show "wanted: $doubt"
+  exits 0 run-dem --check loose.h5 short.toml --set 'stage.0.pressure="50 Pa"' --set 'stage.1.confining_pressure="50 Pa"'
+  [[ $stderr != *"without a unit"* ]] || show "a unit was given"
+  exits 0 pack-generate --quiet --grains 60 --aspect 1 --tolerance 1e-2 --pressure 100 -o unit.h5
+  [[ $stderr == *"doubt: the packing bears "*" Pa: if "*" kPa was meant, write --pressure "*"kPa"* ]] || show "wanted a doubt"
+}
+
+@test "grains that an earlier run has scaled in mass are doubted under gravity" {
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > fall.toml << 'TOML'
+[numerics]
+gravity = [0, 0, -9.81]
+[equilibrium]
+unbalanced_force = 0.9
+[[plane]]
+point = "touch"
+normal = [0, 0, 1]
+[[stage]]
+path = "free"
+TOML
+  exits 0 pack-generate --quiet --grains 60 --density 2650 --pressure 1e4 --tolerance 1e-2 --seed 3 -o volume.h5
+  printf '[container]\nshape = "box"\nlow = [-0.015, -0.015, -0.015]\nhigh = [0.015, 0.015, 0.015]\n%s\n' "$(cat "$BATS_TEST_DIRNAME/sand.toml")" > box.toml
+  exits 0 filter-expand --quiet volume.h5 box.toml -o open.h5
+  exits 0 run-dem --quiet --check open.h5 fall.toml
+  [[ $stderr != *"grains of one material have"* ]] || show "nothing has changed their masses"
+  sed '/gravity/d' fall.toml > rest.toml
+  exits 0 run-dem --quiet open.h5 rest.toml --set grains.mass_scaling=equal-step -o scaled.h5
+  exits 0 run-dem --quiet --check scaled.h5 fall.toml
+  [[ $stderr == *"doubt: numerics.gravity acts, and grains of one material have "*"give their true density, as in grains.density = 2650"* ]] ||
+    show "wanted the weights"
+  exits 0 run-dem --quiet --check scaled.h5 fall.toml --set grains.density=2650
+  [[ $stderr != *"grains of one material have"* ]] || show "the remedy does not work"
+}

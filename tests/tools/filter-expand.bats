@@ -149,6 +149,15 @@ stops_when_full() {
     END { printf "%d %.9g\n", round, (before + rest) / 2 }' growth.tsv)
   refuses 1 filter-expand "fall apart as they come to rest" --quiet packing.h5 bag.toml --set growth.overlap="$between" --set growth.rounds="$round" -o out.h5
   refuses 1 filter-expand "without friction the grains press" --quiet packing.h5 bag.toml --set growth.factor=1.005 --set growth.void_ratio=0.6 -o out.h5
+  exits 0 filter-expand --quiet packing.h5 bag.toml --set growth.factor=1.005 --set growth.void_ratio=1.5 -o loose.h5
+  [[ $stderr == "filter-expand: doubt: the full container has a void ratio of "*", and growth.void_ratio asks for 1.5: "* ]] || show "wanted a doubt"
+}
+
+@test "openings through which grains may slip out are doubted before grains grow" {
+  call filter-expand --quiet packing.h5 bag.toml --set 'geotextile_mesh.cells=[4,4,2]' --set growth.rounds=1 -o out.h5
+  [[ $stderr == *"doubt: openings between the nodes of the geotextile are up to "*" grains are narrower: "* ]] || show "wanted a doubt"
+  call filter-expand --quiet packing.h5 bag.toml --set growth.rounds=1 -o out.h5
+  [[ $stderr != *"openings"* ]] || show "the example's mesh holds its grains"
 }
 
 # stl FILE OFFSET...: writes cubes of 40 mm around these points on the diagonal; LEAVE_OUT triangles are missing.
@@ -322,6 +331,18 @@ PY
   sed '/^\[container\]/,/^geotextile_id/d; /^\[\[geotextile\]\]/,$d' two.toml > material.toml
   pack-generate --quiet --import two.h5 --as-is --material material.toml -o again.h5
   refuses 65 pack-generate "has a geotextile, which is not compacted here: give --as-is" --import two.h5 --material material.toml -o out.h5
+}
+
+@test "a sheet within soil leaves out the grains that it cuts" {
+  printf '%s\n' '[container]' 'shape = "box"' 'low = [-0.02, -0.02, -0.02]' 'high = [0.02, 0.02, 0.02]' '[[sheet]]' 'cells = [8, 8, 1]' > cut.toml
+  sed -n '/^\[contact\]/,/^\[growth\]/p' bag.toml | sed '/^\[growth\]/d' >> cut.toml
+  filter-expand --quiet packing.h5 cut.toml -o cut.h5
+  homogenize cut.h5 --table grains --tsv --columns position_z,radius,copy > grains.tsv
+  # shellcheck disable=SC2016  # awk's own
+  table '{ z = c("position_z"); if (z < 0) z = -z; gap = z - c("radius") - 0.0025 }
+    c("copy") >= 0 { if (++soil == 1 || gap < least) least = gap }
+    END { printf "soil\tleast\n%d\t%.9g\n", soil, least }' grains.tsv > gap.tsv
+  holds 'soil > 20 && least >= -1e-9' soil="$(value gap.tsv soil 1)" least="$(value gap.tsv least 1)"
 }
 
 @test "keys and options that have no effect are refused" {

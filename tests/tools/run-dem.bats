@@ -59,6 +59,7 @@ off() {
   same_bytes one.h5 again.h5
   other_bytes one.h5 two.h5
   other_text <(homogenize --tsv one.h5) <(homogenize --tsv run.h5)
+  refuses 64 run-dem "--seed has no effect without --perturb R" --quiet --seed 2 packing.h5 short.toml -o out.h5
 }
 
 @test "the pipe through all tools gives the numbers of the files, and says nothing but doubts" {
@@ -152,6 +153,19 @@ off() {
   printf '1 1 1 0.5\n3 1 1 0.5\n' > open.txt
   pack-generate --quiet --import open.txt --as-is -o open.h5
   refuses 65 run-dem 'stage "triaxial" loads axis x' --quiet open.h5 short.toml -o out.h5
+}
+
+@test "errors: plates in a cell whose grains go on through its faces, gravity without a floor" {
+  local touching=() k
+  for k in 0 1 2 3 4 5; do touching+=(--set "plane.$k.point=touch"); done
+  refuses 65 run-dem "along which the cell is periodic and grains touch their images through its faces" --quiet packing.h5 \
+    "$BATS_TEST_DIRNAME/../../pipelines/recipes/oedometer.toml" "${touching[@]}" -o out.h5
+  printf '1 1 1 0.5\n3 1 1 0.5\n' > open.txt
+  pack-generate --quiet --import open.txt --as-is -o open.h5
+  cat "$BATS_TEST_DIRNAME/sand.toml" - > fall.toml <<< $'[numerics]\ngravity = [0, 0, -9.81]\n[[stage]]\npath = "free"'
+  refuses 65 run-dem "along z, along which no plane stops the grains: the grains would fall for ever" --quiet open.h5 fall.toml -o out.h5
+  printf '[[plane]]\npoint = "touch"\nnormal = [0, 0, 1]\n' >> fall.toml
+  exits 0 run-dem --quiet --check open.h5 fall.toml
 }
 
 @test "errors: TOML that is none names line and column" {

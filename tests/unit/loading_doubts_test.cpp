@@ -129,12 +129,15 @@ TEST(DoubtsOfLoading, AdhesionAcrossWideGaps) {
 }
 
 TEST(DoubtsOfLoading, FrictionAnglesInRadians) {
-  EXPECT_EQ(only(analysis::friction_doubts(plan(isotropic("1e5")))), "");
-  EXPECT_EQ(only(analysis::friction_doubts(plan(isotropic("1e5"), "0"))), "") << "none is meant";
-  EXPECT_NE(only(analysis::friction_doubts(plan(isotropic("1e5"), "0.5")))
-                .find("0.5 degrees is next to none; if radians are meant, write 28.65"),
+  const auto of_material = [](const std::string& angle) {
+    return only(analysis::material_doubts({}, plan(isotropic("1e5"), angle).model, Vec3::Zero()));
+  };
+  EXPECT_EQ(of_material("29"), "");
+  EXPECT_EQ(of_material("0"), "") << "none is meant";
+  EXPECT_NE(of_material("0.5").find("0.5 degrees is next to none; if radians are meant, write 28.65"),
             std::string::npos);
-  EXPECT_NE(only(analysis::friction_doubts(plan(isotropic("1e5") + "friction_angle = 0.6\n"))), "");
+  EXPECT_EQ(only(analysis::stage_friction_doubts(plan(isotropic("1e5"), "0.5"))), "");
+  EXPECT_NE(only(analysis::stage_friction_doubts(plan(isotropic("1e5") + "friction_angle = 0.6\n"))), "");
 }
 
 TEST(DoubtsOfLoading, GrainsTooSoftForTheirStress) {

@@ -71,8 +71,9 @@ TEST(Refused, GravityWithNothingToPressOn) {
   EXPECT_NO_THROW(demand_footing(closed, Vec3::Zero()));
   io::Snapshot open = closed;
   open.cell.periodic[2] = false;
-  EXPECT_NO_THROW(demand_footing(open, Vec3(1, 0, -9.81)));
+  expect_error<DataError>([&] { demand_footing(open, Vec3(0, 0, -9.81)); }, "no plane stops the grains");
   expect_error<DataError>([&] { demand_footing(open, Vec3(1, 0, 0)); }, "along x");
+  EXPECT_NO_THROW(demand_footing(open, Vec3(1, 0, -9.81), true));
   io::Snapshot floor = closed;
   floor.planes = {{Vec3(0, 0, -9)}, {Vec3::UnitZ()}, {Vec3::Zero()}, {0}, {0}};
   EXPECT_NO_THROW(demand_footing(floor, Vec3(0, 0, -9.81)));

@@ -199,7 +199,7 @@ std::vector<Doubt> history_doubts(const io::Snapshot& start, const dem::Scenario
 // Returns doubts that depend only on input and scenario, so that they are equal before and after a run.
 std::vector<Doubt> of_scenario(const io::Snapshot& start, const dem::Scenario& scenario, const io::Snapshot& begun) {
   std::vector<Doubt> doubts = material_doubts(start, scenario.model, scenario.numerics.gravity);
-  append(doubts, friction_doubts(scenario));
+  append(doubts, stage_friction_doubts(scenario));
   std::vector<Doubt> jumps = start_doubts(start, begun, scenario);
   // A jump at the start may cause later ones, so they are not reported.
   append(doubts, jumps.empty() ? jump_doubts(begun, scenario) : std::move(jumps));
@@ -294,6 +294,25 @@ std::vector<Doubt> bag_doubts(const io::Snapshot& state) {
                      "compress air first; let filter-expand grow it ([growth]), or load it first",
                      z, loosest_bag)});
   return doubts;
+}
+
+std::vector<Doubt> mesh_doubts(const io::Snapshot& state) {
+  if (state.yarns.size() == 0) return {};
+  const std::vector<Part> part = parts(state);
+  double node = INFINITY;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == Part::node) node = std::min(node, state.grains.radius[i]);
+  const double longest = *std::max_element(state.yarns.rest_length.begin(), state.yarns.rest_length.end());
+  // Diameter of the sphere that passes between four nodes at the corners of a square.
+  const double opening = std::sqrt(2.0) * longest - 2 * node;
+  std::size_t soil = 0, narrow = 0;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (part[i] == Part::soil) ++soil, narrow += 2 * state.grains.radius[i] < opening;
+  if (narrow == 0) return {};
+  return {{"mesh", fmt::format("openings between the nodes of the geotextile are up to {:.3g} mm across, and {} of {} "
+                               "grains are narrower: they may slip out as they grow; a finer mesh holds them "
+                               "(geotextile_mesh.cells or spacing)",
+                               1e3 * opening, narrow, soil)}};
 }
 
 double inertial_number(double rate, double diameter, double density, double pressure) {

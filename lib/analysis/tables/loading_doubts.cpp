@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
@@ -31,6 +32,8 @@ constexpr double largest_shift = 0.05;
 constexpr double largest_strain = 0.5;
 // Share of a stress below which lowering it is no common unloading. A stress in kPa read as Pa is a thousandth.
 constexpr double least_share = 0.02;
+// Stress below which a number without a unit is doubted, Pa: that of sand under 3 cm of sand.
+constexpr double least_stress = 500;
 
 bool strains(const dem::AxisGoal& goal) { return goal.kind == dem::AxisGoal::Kind::strain && goal.value != 0; }
 
@@ -144,6 +147,17 @@ std::vector<Doubt> stress_unit_doubts(const io::Snapshot& begun, const dem::Scen
   return {};
 }
 
+std::vector<Doubt> bare_stress_doubts(int dimension, const dem::Scenario& scenario) {
+  if (dimension != 3) return {};
+  for (const BareNumber& stress : scenario.bare_stresses)
+    if (stress.value > 0 && stress.value < least_stress)
+      return {
+          {"stress-unit", fmt::format("{0} is {1:.4g} without a unit, which is {1:.4g} Pa: if {1:.4g} kPa is meant, "
+                                      "write \"{1:.4g} kPa\", else \"{1:.4g} Pa\"",
+                                      stress.key, stress.value)}};
+  return {};
+}
+
 }  // namespace
 
 std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& begun, const dem::Scenario& scenario) {
@@ -198,14 +212,14 @@ std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& s
 
 std::vector<Doubt> unit_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {
   std::vector<Doubt> doubts = strain_doubts(begun.grains.dimension, scenario);
-  for (Doubt& doubt : stress_unit_doubts(begun, scenario)) doubts.push_back(std::move(doubt));
+  std::vector<Doubt> stresses = bare_stress_doubts(begun.grains.dimension, scenario);
+  if (stresses.empty()) stresses = stress_unit_doubts(begun, scenario);
+  std::move(stresses.begin(), stresses.end(), std::back_inserter(doubts));
   return doubts;
 }
 
-std::vector<Doubt> friction_doubts(const dem::Scenario& scenario) {
+std::vector<Doubt> stage_friction_doubts(const dem::Scenario& scenario) {
   std::vector<double> angles;
-  for (std::size_t m = 0; m < scenario.model.materials.size(); ++m)
-    angles.push_back(scenario.model.materials.at(m).friction_angle);
   for (const dem::Stage& stage : scenario.stages)
     for (const std::optional<double>& angle : {stage.friction, stage.plate_friction})
       if (angle) angles.push_back(*angle);

@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "analysis/measure/parts.h"
+#include "analysis/tables/loading_doubts.h"
 #include "dem/contact/thesis_soil.h"
 #include "dem/state/bodies.h"
 #include "dem/sweep/contact_sweep.h"
@@ -20,6 +24,8 @@ constexpr double far_off = 10;
 constexpr double longest_range = 0.1;
 // Limits of the density of grains, kg/m3. Pumice floats on water; the densest metal, osmium, has 22,600.
 constexpr double lightest = 500, heaviest = 20'000;
+// Ratio of the greatest to the least density of grains of one material that is still one density.
+constexpr double most_uneven = 1.01;
 // Density of quartz, kg/m3, which sand has.
 constexpr double quartz = 2650;
 
@@ -42,6 +48,23 @@ Bodies bodies(const io::Snapshot& state, bool of_nodes, std::int32_t material = 
     sum.volume += dem::grain_volume(g.dimension, g.radius[i]);
   }
   return sum;
+}
+
+// Returns the least and the greatest density of grains of soil, kg/m3, in the material where they differ most.
+std::pair<double, double> densities(const io::Snapshot& state) {
+  const std::vector<bool> node = io::nodes(state);
+  const io::GrainsRecord& g = state.grains;
+  std::map<std::int32_t, std::pair<double, double>> of;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (node[i]) continue;
+    const double density = g.mass[i] / dem::grain_volume(g.dimension, g.radius[i]);
+    auto& [light, heavy] = of.try_emplace(g.material_id[i], density, density).first->second;
+    light = std::min(light, density), heavy = std::max(heavy, density);
+  }
+  std::pair<double, double> most{1, 1};
+  for (const auto& [material, both] : of)
+    if (both.second * most.first > most.second * both.first) most = both;
+  return most;
 }
 
 bool is_far_off(const dem::Resistance& resistance, double fit) {
@@ -99,12 +122,24 @@ std::vector<Doubt> weight_doubts(const io::Snapshot& state, const Vec3& gravity)
                       fmt::format("numerics.gravity acts, and nodes of the geotextile have {:.3g} kg/m3, more than any "
                                   "fabric: give the [[material]] of the nodes its own density, or leave gravity out",
                                   fabric.density())});
+  if (doubts.empty()) {
+    const auto [light, heavy] = densities(state);
+    if (heavy > most_uneven * light)
+      doubts.push_back(
+          {"weights", fmt::format("numerics.gravity acts, and grains of one material have {:.4g} to {:.4g} kg/m3, as "
+                                  "after grains.mass_scaling = \"equal-step\", which changes what they weigh: give "
+                                  "their true density, as in grains.density = {:.0f}",
+                                  light, heavy, quartz)});
+  }
   return doubts;
 }
 
 std::vector<Doubt> material_doubts(const io::Snapshot& state, const dem::Model& model, const Vec3& gravity) {
   std::vector<Doubt> all = stiffness_doubts(state, model);
-  for (const std::vector<Doubt>& more : {range_doubts(state, model), weight_doubts(state, gravity)})
+  std::vector<double> angles;
+  for (std::size_t m = 0; m < model.materials.size(); ++m) angles.push_back(model.materials.at(m).friction_angle);
+  for (const std::vector<Doubt>& more :
+       {range_doubts(state, model), weight_doubts(state, gravity), radian_doubts(angles)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

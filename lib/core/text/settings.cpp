@@ -132,6 +132,7 @@ double Settings::number(const Parameter& parameter, std::optional<double> fallba
     if (!fallback) mistake(parameter.name, fmt::format("is missing; give {}", expected(parameter)));
     return fallback.value_or(harmless(parameter));
   }
+  document_->note(joined(path_, parameter.name), *node, parameter);
   try {
     return read(*node, parameter);
   } catch (const DataError& error) {
@@ -191,10 +192,16 @@ std::vector<double> Settings::numbers(const Parameter& parameter, std::optional<
   else
     for (std::size_t i = 0; i < array->size(); ++i) try {
         values.push_back(read((*array)[i], parameter));
+        document_->note(joined(path_, parameter.name), (*array)[i], parameter);
       } catch (const DataError& error) {
         mistake(parameter.name, fmt::format("entry {}: {}", i + 1, error.what()));
       }
   return values;
+}
+
+std::vector<BareNumber> Settings::bare(std::string_view unit) const {
+  const auto found = document_->bare.find(unit);
+  return found == document_->bare.end() ? std::vector<BareNumber>{} : found->second;
 }
 
 Vec3 Settings::vector(const Parameter& parameter, std::optional<Vec3> fallback) {

@@ -30,6 +30,12 @@ struct Word {
   constexpr Word(const Text& key) : name(key) {}
 };
 
+/// A number that was given without a unit, as `pressure = 100`: its full key, and its value in the key's own unit.
+struct BareNumber {
+  std::string key;
+  double value;
+};
+
 /// Returns numbers as a TOML list: "[1, 2]".
 std::string list_text(const std::vector<double>& numbers);
 
@@ -79,6 +85,8 @@ class Settings {
   void mistake(std::string_view key, std::string_view what);
   /// Throws DataError with all mistakes, unknown keys included. Call it once, after the last key.
   void finish() const;
+  /// Returns the numbers read so far, of keys in `unit`, that were given without a unit.
+  std::vector<BareNumber> bare(std::string_view unit) const;
   /// Returns the document with --set applied, as TOML text with sorted keys, for provenance.
   std::string resolved() const;
 

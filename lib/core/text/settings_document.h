@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -43,6 +45,8 @@ struct Settings::Document {
   std::set<std::string> unread;
   /// Full keys that are absent because they were misspelt.
   std::set<std::string> misspelt;
+  /// Unit of a key -> numbers of such keys that were given without a unit.
+  std::map<std::string, std::vector<BareNumber>, std::less<>> bare;
   /// Set if the document only notes what its reader asks for (keys.h).
   KeyRecorder* recorder = nullptr;
 
@@ -50,6 +54,11 @@ struct Settings::Document {
   bool is_unread(const std::string& path) const {
     return std::any_of(unread.begin(), unread.end(),
                        [&](const std::string& table) { return path == table || path.starts_with(table + "."); });
+  }
+  /// Notes the number in a node if it was given without a unit.
+  void note(const std::string& key, const toml::node& node, const Parameter& parameter) {
+    if (const auto value = node.is_number() ? node.value<double>() : std::nullopt)
+      bare[std::string(parameter.unit)].push_back({key, *value});
   }
   /// Adds a mistake about a key.
   void add(const std::string& key, std::uint32_t line, std::string_view what) {

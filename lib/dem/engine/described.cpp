@@ -4,11 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.h"
 #include "dem/state/cell.h"
 
 namespace soilweave::dem {
 namespace {
+
+// Part of a plane's unit normal along an axis below which the plane is parallel to it.
+constexpr double least_across = 1e-6;
 
 void demand_known(const std::vector<std::int32_t>& ids, std::size_t known, const char* has, const char* table) {
   for (const std::int32_t id : ids)
@@ -51,19 +57,32 @@ const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
   return state;
 }
 
-void demand_footing(const io::Snapshot& state, const Vec3& gravity) {
-  for (int a = 0; a < state.grains.dimension; ++a) {
-    if (gravity[a] == 0) continue;
-    if (!state.cell.periodic[static_cast<std::size_t>(a)]) return;
-    for (const Vec3& normal : state.planes.normal)
-      if (normal.dot(gravity) < 0) return;
+std::optional<std::pair<std::size_t, int>> plane_between_images(const io::Snapshot& state) {
+  const io::GrainsRecord& g = state.grains;
+  const double widest = 2 * *std::max_element(g.radius.begin(), g.radius.end());
+  for (int a = 0; a < g.dimension; ++a) {
+    if (!state.cell.periodic[static_cast<std::size_t>(a)]) continue;
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t i = 0; i < g.size(); ++i)
+      low = std::min(low, g.position[i][a] - g.radius[i]), high = std::max(high, g.position[i][a] + g.radius[i]);
+    if (state.cell.matrix(a, a) - (high - low) >= widest) continue;
+    for (std::size_t k = 0; k < state.planes.normal.size(); ++k)
+      if (std::abs(state.planes.normal[k].normalized()[a]) > least_across) return std::pair(k, a);
   }
+  return std::nullopt;
+}
+
+void demand_footing(const io::Snapshot& state, const Vec3& gravity, bool clamped) {
+  if (clamped || std::ranges::any_of(state.planes.normal, [&](const Vec3& n) { return n.dot(gravity) < 0; })) return;
   for (int a = 0; a < state.grains.dimension; ++a)
     if (gravity[a] != 0)
-      throw DataError(
-          fmt::format("numerics.gravity acts along {}, along which the cell is periodic: the grains would fall for "
-                      "ever; leave it out, or take a packing in a cell that is open along {} and give a [[plane]]",
-                      "xyz"[a], "xyz"[a]));
+      throw DataError(fmt::format(
+          "numerics.gravity acts along {}, along which {}: the grains would fall for ever; leave it out, or {}",
+          "xyz"[a],
+          state.cell.periodic[static_cast<std::size_t>(a)] ? "the cell is periodic" : "no plane stops the grains",
+          state.cell.periodic[static_cast<std::size_t>(a)]
+              ? fmt::format("take a packing in a cell that is open along {} and give a [[plane]]", "xyz"[a])
+              : "give a [[plane]] below them whose normal points up"));
 }
 
 }  // namespace soilweave::dem

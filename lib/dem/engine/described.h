@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <utility>
+
 #include "dem/contact/model.h"
 #include "files/records.h"
 
@@ -12,7 +16,12 @@ namespace soilweave::dem {
 /// A fabric may lie across a face if the positions of its nodes are not wrapped.
 const io::Snapshot& described(const io::Snapshot& state, const Model& model);
 
-/// Throws DataError if nothing holds grains up: gravity acts along periodic axes, and no plane opposes it.
-void demand_footing(const io::Snapshot& state, const Vec3& gravity);
+/// Returns a plane and an axis that it stands across, along which grains touch their own images through the faces of
+/// the cell: such a plane bears what these contacts leave to it. Empty where grains leave as much free room along each
+/// such axis as the largest is wide.
+std::optional<std::pair<std::size_t, int>> plane_between_images(const io::Snapshot& state);
+
+/// Throws DataError if nothing holds grains up: gravity (m/s2) acts, no plane opposes it, and no clamp holds a fabric.
+void demand_footing(const io::Snapshot& state, const Vec3& gravity, bool clamped = false);
 
 }  // namespace soilweave::dem

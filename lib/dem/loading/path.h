@@ -71,6 +71,10 @@ double read_max_rate(Settings& table);
 /// Reads a stress, Pa.
 double read_stress(Settings& table, std::string_view key, std::string_view sentence);
 
+/// Mistake of a key that gives the value at the start of a stage that goes to its end in one part.
+inline constexpr std::string_view begins_in_parts =
+    "has no effect with parts = 1, which goes to the end at once: give parts of 2 or more, or leave it out";
+
 /// Returns the names of all paths, for scenarios.
 std::vector<std::string> path_names();
 /// Reads the path `name`. Mistakes are collected in the table's document.

@@ -150,6 +150,16 @@ void demand_outside(const io::Snapshot& state, const Scenario& scenario) {
   }
 }
 
+void demand_free_faces(const io::Snapshot& state, const Scenario& scenario) {
+  if (const auto found = plane_between_images(state))
+    throw DataError(fmt::format(
+        "plane {} stands across {}, along which the cell is periodic and grains touch their images through its faces, "
+        "so "
+        "that the plane bears a part of the load only: fill a box from the packing first (filter-expand packing.h5 "
+        "box.toml -o box.h5, with a [container] of shape \"box\"), or leave the plane out",
+        name_of(found->first, scenario), "xyz"[found->second]));
+}
+
 void demand_held(const io::Snapshot& state, const Scenario& scenario) {
   for (const PartSetting& p : scenario.parts)
     if (p.part.is_clamp && nodes_within(state, p.low, p.high).empty())
@@ -274,8 +284,11 @@ io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {
   // Contacts with planes of an earlier run do not belong to new planes.
   if (!scenario.planes.point.empty() && !are_parallel(packing.planes, state.planes))
     state.contacts = without_planes(state.contacts);
+  demand_free_faces(state, scenario);
   demand_fit(state, scenario);
-  demand_footing(state, scenario.numerics.gravity);
+  const bool clamped =
+      std::ranges::any_of(scenario.parts, [](const PartSetting& setting) { return setting.part.is_clamp; });
+  demand_footing(state, scenario.numerics.gravity, clamped);
   demand_outside(state, scenario);
   demand_held(state, scenario);
   state.step = 0;

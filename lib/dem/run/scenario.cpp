@@ -267,6 +267,8 @@ Scenario read_scenario(Settings& document, const NamedFiles& files) {
   if (s.stages.empty() && !document.has("stage"))
     document.mistake("stage", "is missing: a scenario has at least one [[stage]] with a path");
   document.finish();
+  for (BareNumber& stress : document.bare("Pa"))
+    if (stress.key.starts_with("stage.")) s.bare_stresses.push_back(std::move(stress));
   s.resolved = document.resolved();
   return s;
 }

@@ -93,6 +93,8 @@ struct Scenario {
   std::vector<PartSetting> parts;
   /// Files that the scenario names.
   std::vector<io::Source> sources;
+  /// Stresses of stages that were given without a unit, Pa.
+  std::vector<BareNumber> bare_stresses;
   /// Text of the scenario with overrides applied, for provenance.
   std::string resolved;
 };

@@ -30,6 +30,9 @@ constexpr std::int64_t patience = 10;
 // move.
 constexpr double relief = 0.05;
 
+// Difference from the asked void ratio below which a container counts as filled as asked.
+constexpr double void_ratio_met = 0.01;
+
 // Present work: rounds of growth, with friction lowered if needed; then coming to rest at full friction.
 enum class Stage { growing, resting, done };
 
@@ -235,8 +238,7 @@ class Grower {
     return at_.standing && held();
   }
 
-  // Returns the void ratio in the target's measure.
-  double void_ratio() const { return growth_.by_delaunay ? fill_.delaunay_void_ratio : fill_.void_ratio; }
+  double void_ratio() const { return fill_.void_ratio_of(growth_); }
   bool loose() const { return growth_.void_ratio && void_ratio() > *growth_.void_ratio; }
 
   void lower_friction() {
@@ -280,6 +282,18 @@ class Grower {
 std::string Fill::text() const {
   return fmt::format("Delaunay volume {:.6f} m3, e {:.4f} ({:.4f} by that volume), mean overlap {:.2e}, Z {:.3f}",
                      volume, void_ratio, delaunay_void_ratio, overlap, coordination_number);
+}
+
+double Fill::void_ratio_of(const Growth& growth) const { return growth.by_delaunay ? delaunay_void_ratio : void_ratio; }
+
+std::vector<Doubt> filling_doubts(const Growth& growth, const Fill& fill) {
+  const double full = fill.void_ratio_of(growth);
+  if (!growth.void_ratio || full > *growth.void_ratio - void_ratio_met) return {};
+  const char* key = growth.by_delaunay ? "delaunay_void_ratio" : "void_ratio";
+  return {{"dense", fmt::format("the full container has a void ratio of {:.4g}, and growth.{} asks for {:.4g}: soil of "
+                                "this friction presses no looser; ask for less, leave the key out, or give the soil "
+                                "more friction while it grows",
+                                full, key, *growth.void_ratio)}};
 }
 
 Growth Growth::read(Settings& table) {

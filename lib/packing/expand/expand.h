@@ -9,7 +9,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/doubts.h"
 #include "core/progress.h"
 #include "core/text/settings.h"
 #include "dem/contact/model.h"
@@ -82,6 +84,8 @@ struct Fill {
   /// 2 Nc/N of the soil; contacts with nodes count once.
   double coordination_number = 0;
 
+  /// Returns the void ratio in the measure of the target of `growth`.
+  double void_ratio_of(const Growth& growth) const;
   /// Returns one line for progress.
   std::string text() const;
 };
@@ -97,6 +101,9 @@ struct Grown {
   /// Cost of the growth.
   dem::Cost cost;
 };
+
+/// Returns "dense" if the full container is denser than the void ratio that `growth` asks for, by more than 0.01.
+std::vector<Doubt> filling_doubts(const Growth& growth, const Fill& fill);
 
 /// Grows soil between the nodes of the geotextiles, which stand still. The grains must be nearly at rest. Throws
 /// TargetNotReached naming the missed criterion.

@@ -149,6 +149,17 @@ std::array<int, 3> copies_in(const io::Snapshot& volume, const Plan& plan) {
                   size.x(), size.y(), size.z(), n.prod() * static_cast<double>(volume.grains.size()), n.prod(), lack));
 }
 
+// Returns whether a grain neither stands in a sheet's nodes nor lies through its openings. A grain may touch the nodes.
+bool clears_sheets(const Vec3& position, double radius, const Plan& plan) {
+  constexpr double touching = 1 - 1e-9;
+  return std::ranges::none_of(plan.sheets, [&](const Plan::Sheet& s) {
+    const double reach = radius + s.nodes.radius;
+    return std::abs(position.x()) < 0.5 * s.cells[0] * s.spacing + reach &&
+           std::abs(position.y()) < 0.5 * s.cells[1] * s.spacing + reach &&
+           std::abs(position.z() - s.height) < touching * reach;
+  });
+}
+
 std::string nothing_fits(const io::Snapshot& block, const Plan& plan) {
   const Vec3 size = plan.container->high() - plan.container->low();
   return fmt::format(
@@ -303,7 +314,9 @@ io::Snapshot assemble(const io::Snapshot& representative_volume, const Plan& pla
     const io::Snapshot block = tile(volume, copies_in(volume, plan));
     demand_cover(block, plan);
     state = filter(block, [&](std::size_t i) {
-      return plan.container->depth(block.grains.position[i]) >= block.grains.radius[i] + plan.soil_depth();
+      const Vec3& x = block.grains.position[i];
+      const double r = block.grains.radius[i];
+      return plan.container->depth(x) >= r + plan.soil_depth() && clears_sheets(x, r, plan);
     });
     if (state.grains.size() == 0) throw DataError(nothing_fits(block, plan));
     if (plan.density > 0)

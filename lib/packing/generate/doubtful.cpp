@@ -9,6 +9,7 @@
 
 #include "analysis/measure/fabric.h"
 #include "analysis/measure/soundness.h"
+#include "analysis/measure/stress.h"
 #include "analysis/measure/tessellation.h"
 #include "analysis/measure/volume_of_interest.h"
 #include "analysis/tables/material_doubts.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr analysis::SoundLimits limits = analysis::made_packing;
 constexpr double most_overlap = 0.05;                         // mean overlap over the mean radius
+constexpr double least_pressure = 500;                        // Pa, that of sand under 3 cm of sand
 constexpr double median_error = 0.1;                          // share of the median diameter by mass
 constexpr double most_left_out = 0.1;                         // share of the mass finer than a grading's first point
 constexpr double finest_silt = 0.002, largest_cobbles = 200;  // mm, ISO 14688-1
@@ -53,6 +55,16 @@ void doubt_cell(const io::Snapshot& state, std::vector<Doubt>& doubts) {
        fmt::format("the cell is {:.3g} diameters of the largest grain wide, below {}: about {:.0f} grains (--grains) "
                    "would fill one wide enough",
                    ratio, limits.cell, more)});
+}
+
+// A number without a unit is read as Pa.
+void doubt_pressure(const io::Snapshot& state, std::vector<Doubt>& doubts) {
+  if (state.grains.dimension != 3) return;
+  const double pressure = mean(analysis::cell_stress(state), 3);
+  if (pressure >= least_pressure) return;
+  doubts.push_back({"pressure", fmt::format("the packing bears {0:.3g} Pa: if {0:.3g} kPa was meant, write "
+                                            "--pressure {0:.3g}kPa",
+                                            pressure)});
 }
 
 }  // namespace
@@ -122,6 +134,7 @@ std::vector<Doubt> doubts_about(const io::Snapshot& state, const Contacts& conta
                                      c.all, limits.coordination, c.backbone)});
   doubt_cell(state, doubts);
   doubt_stress(state, doubts);
+  doubt_pressure(state, doubts);
   double overlap = 0;
   for (const double u : state.contacts.overlap) overlap += u / static_cast<double>(state.contacts.size());
   if (const double share = overlap / mean_radius(state); share > most_overlap)

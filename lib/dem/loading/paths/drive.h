@@ -33,6 +33,8 @@ class Drive final : public Path {
       goal.end.value = entry.number(value);
       goal.end.speed = entry.number(speed);
       goal.start = kind == DriveGoal::Kind::load ? entry.number(from, goal.end.value) : 0.0;
+      if (kind == DriveGoal::Kind::load && entry.has(from.name) && path.parts_ == 1)
+        entry.mistake(from.name, begins_in_parts);
       path.goals_.push_back(goal);
     };
     for (Settings entry : table.tables("load")) take(entry, DriveGoal::Kind::load, force);

@@ -34,6 +34,7 @@ class Free final : public Path {
         goal.end.kind = AxisGoal::Kind::stress;
         goal.end.value = read_stress(axis, "stress", "stress at the end");
         goal.start = axis.number(from, goal.end.value);
+        if (axis.has(from.name) && path.parts_ == 1) axis.mistake(from.name, begins_in_parts);
       } else {
         goal.end.value = axis.number(strain, 0.0);
         goal.start = 0.0;
