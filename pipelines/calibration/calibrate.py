@@ -20,7 +20,7 @@ from study.errors import suggestion
 from study.files import put
 
 from . import ensemble, plausible, predicted, prior, rate
-from .laboratory import KINDS, OF_A_RUN, PEAK, Test, as_it_stands, curve, distinct_names, greatest, left_out, observed, pressure
+from .laboratory import KINDS, OF_A_RUN, PEAK, Test, as_it_stands, curve, distinct_names, greatest, observed, pressure
 
 HERE = pathlib.Path(__file__).parent
 SCENARIOS = {"hm": HERE / "hertz-mindlin.toml", "cl": HERE / "linear.toml"}
@@ -167,7 +167,6 @@ class Calibration:
         if self.given.stations == 0 and as_it_stands(found, self.observables(test)):
             return
         columns = observed(found, self.given.until, self.given.stations, self.observables(test))
-        self.said += filter(None, [left_out(found)])
         self._write(test, columns)
         # The run goes on to the next 0.1 % of strain beyond the last compared row, so that nothing is extrapolated.
         self.until[test.name] = f"{(int(10 * columns['strain_axial [%]'][-1]) + 1) / 10:g}"

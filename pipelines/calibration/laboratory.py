@@ -167,24 +167,16 @@ def curve(test):
     if not len(table):
         raise StudyError(f"{test.table}: holds no rows below its header")
     stress = _stress(table)
+    if abs(axial).argmax() == 0 and (numpy.diff(axial) < 0).sum() > len(axial) / 2:
+        raise StudyError(f"{test.table}: row 1 has the greatest axial strain, {axial[0]:.4g} %: sort the rows in the order of the test")
     if axial[-1] < 0 or table(stress, "kPa" if stress == "deviatoric_stress" else "1")[-1] < 0:
         raise StudyError(f"{test.table}: ends at an axial strain of {axial[-1]:.4g} %, or at a negative {stress}: compression is positive, and the "
                          "axial stress the greater one; change the signs")
     found = Curve(test, table, axial, volumetric, _ratio(table, test))
     if not found.rising.any():
-        raise StudyError(f"{test.table}: no row has an axial strain above 0")
+        raise StudyError(f"{test.table}: no row has an axial strain above 0: give the rows of the test, with compression positive")
     plausible.judge(found)
     return found
-
-
-def left_out(found):
-    """Returns a sentence on the rows that observed() leaves out because their axial strain does not rise, or "" if there are none.
-
-    Rows up to the first strain above 0 are the start of the test, and are not counted.
-    """
-    started = numpy.maximum.accumulate(found.axial) > 0
-    count = int((started & ~found.rising).sum())
-    return f"{found.test.name}: {count} of {len(found.axial)} rows are left out, since the axial strain does not rise there (unloading)" if count else ""
 
 
 def as_it_stands(found, names):

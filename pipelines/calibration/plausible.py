@@ -23,6 +23,16 @@ CLEAR_RATIO, CLEAR_VOLUME = 0.3, 0.25
 BEGUN, CLEAR_AXIAL = 1.1, 0.5
 # Expansion before the greatest contraction that exceeds the scatter: over that contraction, and in %.
 EXPANSION, LEAST_EXPANSION = 0.01, 0.1
+# Axial strain (%) that tests to failure exceed. A fraction in a column headed [%] ends far below it.
+LEAST_AXIAL = 0.5
+# Range of volumetric strains (%) that a drained test exceeds, and its least and greatest share of the greatest axial strain. A test that
+# dilates early has contracted by 0.1 % before; at large strains the volume has changed by more.
+LEAST_VOLUMETRIC, LEAST_SHARE, GREATEST_SHARE = 0.1, 0.01, 0.05
+# A row falls back if it lies below this share of the greatest axial strain before it, which a loop of unloading hardly does; a second
+# test begins below the other share. Share of all rows that may fall back.
+BACK, BEGINS_AGAIN, MOST_BACK = 0.95, 0.2, 0.2
+# Share of rows at which the stress ratio may turn by more than CLEAR_RATIO: rows of two tests, sorted by strain, turn at most rows.
+TURNING = 0.1
 # Greatest variation of the pore pressure in a drained test, over the confining pressure.
 DRAINED = 0.1
 # An outlier differs from the rows beside it by more than TOWERING times the range of all other rows, and by more than STEPS of the
@@ -63,7 +73,8 @@ def _refusals(curve):
         f"axial over radial stress is {ratio[k]:.4g}, where no soil bears more than {GREATEST_RATIO}: check {source} and the confining pressure")
     yield (axial <= AT_REST) & (ratio > SEATED), lambda k: (
         f"axial over radial stress is {ratio[k]:.4g} at an axial strain of {axial[k]:.3g} %, where tests from isotropic stress have 1: check "
-        f"{curve.stress}" + (", which is the axial less the radial stress" if curve.stress == "deviatoric_stress" else ""))
+        f"{curve.stress}" + (", which is the axial less the radial stress" if curve.stress == "deviatoric_stress" else "")
+        + (f", and the axial strain, which ends at {axial.max():.2g} %, as a fraction headed [%] does" if axial.max() < LEAST_AXIAL else ""))
     most = numpy.minimum(VOLUMETRIC, numpy.maximum.accumulate(abs(axial)) + VOLUMETRIC_BEYOND_AXIAL)
     yield ~(abs(volumetric) < most), lambda k: (
         f"the volumetric strain is {volumetric[k]:.4g} % at an axial strain of {axial[k]:.4g} %, more than a drained test has: correct the row, or "
@@ -73,9 +84,27 @@ def _refusals(curve):
             f"{name} falls to nothing at an axial strain of {axial[k]:.4g} %, where rows beside it do not: leave out rows without a value")
 
 
+def constant_volume(curve):
+    """Returns whether the volumetric strain changes so little as in an undrained test with noise."""
+    axial = curve.axial.max()
+    return bool(numpy.ptp(curve.volumetric) < min(max(LEAST_VOLUMETRIC, LEAST_SHARE * axial), GREATEST_SHARE * axial))
+
+
+def _disorder(curve):
+    """Yields pairs like _refusals(): rows of a second test, and rows in another order than the test's."""
+    before = numpy.maximum.accumulate(numpy.append(0, curve.axial[:-1]))
+    yield (before > CLEAR_AXIAL) & (curve.axial < BEGINS_AGAIN * before), lambda k: (
+        f"the axial strain falls back from {before[k]:.4g} to {curve.axial[k]:.4g} %, as where a second test begins: give each test a table of its "
+        "own, with its rows in the order of the test, or correct the row")
+    back = curve.axial < BACK * before
+    yield back & (back.sum() > max(1, MOST_BACK * len(back))), lambda k: (
+        f"here the axial strain first falls back, from {before[k]:.4g} to {curve.axial[k]:.4g} %, and {back.sum()} of {len(back)} rows lie below a strain "
+        "before them: sort the rows in the order of the test, give each test a table of its own, or leave out rows of unloading")
+
+
 def judge(curve):
     """Raises StudyError, with file and row, for a curve that no drained test from isotropic stress gives."""
-    for wrong, said in _refusals(curve):
+    for wrong, said in (*_refusals(curve), *_disorder(curve)):
         if wrong.any():
             row = int(numpy.argmax(wrong))
             raise StudyError(f"{curve.test.table}: row {row + 1}: {said(row)}")
@@ -84,9 +113,11 @@ def judge(curve):
                          "the confining pressure")
     for name in curve.pore_pressures:
         pore = curve.table(name, "Pa", missing=True)
-        if numpy.nanmax(pore) - numpy.nanmin(pore) > DRAINED * curve.test.pressure or not curve.volumetric.any():
-            raise StudyError(f"{curve.test.table}: is an undrained test by its {name}, at "
-                             f"{'a constant volume' if not curve.volumetric.any() else 'rising or falling pore pressure'}: give drained ones")
+        if constant_volume(curve):
+            raise StudyError(f"{curve.test.table}: is an undrained test by its {name}, at a constant volume: give drained ones, or correct the unit of the "
+                             "volumetric strain")
+        if numpy.nanmax(pore) - numpy.nanmin(pore) > DRAINED * curve.test.pressure:
+            raise StudyError(f"{curve.test.table}: is an undrained test by its {name}, at rising or falling pore pressure: give drained ones")
 
 
 def _towering(strain, values, clear):
@@ -111,13 +142,31 @@ def _towering(strain, values, clear):
     return None
 
 
+def _of_units_and_order(curve):
+    """Yields sentences on strains that look like another unit, and on rows that are left out or mixed."""
+    for name in curve.without_unit:
+        yield f"{name} has no unit and is taken for a fraction; write [%] or [1]"
+    if curve.axial.max() < LEAST_AXIAL:
+        yield (f"the axial strain ends at {curve.axial.max():.3g} %, where tests to failure reach some per cent: if it is a fraction, head its column [1] "
+               "in place of [%]")
+    if constant_volume(curve):
+        yield (f"the volumetric strain changes by {numpy.ptp(curve.volumetric):.2g} % in all, while the axial strain reaches {curve.axial.max():.3g} %: give a "
+               "drained test if this one is undrained, or head the column [1] if it is a fraction headed [%]")
+    # Rows up to the first strain above 0 are the start of the test.
+    count = int(((numpy.maximum.accumulate(curve.axial) > 0) & ~curve.rising).sum())
+    if count:
+        yield (f"{count} of {len(curve.axial)} rows are left out, since the axial strain does not rise there, as in unloading: check the order of the rows "
+               "if the test was not unloaded")
+    steps = numpy.diff(curve.ratio[curve.rising])
+    turns = int(((steps[1:] * steps[:-1] < 0) & (numpy.minimum(abs(steps[1:]), abs(steps[:-1])) > CLEAR_RATIO)).sum())
+    if turns > max(2, TURNING * len(steps)):
+        yield (f"{curve.stress} jumps up and down at {turns} of {len(steps)} rows, as where rows of two tests are mixed: give each test a table of its own, "
+               "or leave out rows that are errors")
+
+
 def doubts(curve):
     """Returns sentences on what is unusual in the table of a test."""
-    said, rows = [], numpy.flatnonzero(curve.rising)
-    for name in curve.without_unit:
-        said.append(f"{name} has no unit and is taken for a fraction; write [%] or [1]")
-    if not curve.volumetric.any():
-        said.append("the volumetric strain is 0 in all rows, as in an undrained test: give a drained one, or the strain")
+    said, rows = list(_of_units_and_order(curve)), numpy.flatnonzero(curve.rising)
     begun = int(rows[0]) if curve.ratio[rows[0]] < BEGUN else 0
     for name, value, clear in (("axial", curve.axial[begun], CLEAR_AXIAL), ("volumetric", curve.volumetric[begun], CLEAR_VOLUME)):
         if curve.ratio[begun] < BEGUN and abs(value) > clear:

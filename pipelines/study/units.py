@@ -34,6 +34,7 @@ _UNITS = {
     "kN": ("force", 1e3),
     "N/m": ("line force", 1.0),
     "kN/m": ("line force", 1e3),
+    "N/mm": ("line force", 1e3),
     "J": ("energy", 1.0),
     "J m-1": ("energy per width", 1.0),
     "deg": ("angle", 1.0),
@@ -53,9 +54,10 @@ _WRITTEN = str.maketrans({"²": "2", "³": "3", "\u00b5": "u", "\u03bc": "u"})
 def factor(given, wanted):
     """Returns the factor from the unit `given` to the unit `wanted`. Raises StudyError if they do not fit."""
     given, wanted = (unit.translate(_WRITTEN) for unit in (given, wanted))
-    for unit in (given, wanted):
+    for unit, other in ((given, wanted), (wanted, given)):
         if unit not in _UNITS:
-            raise StudyError(f"'{unit}' is not a known unit{suggestion(unit, _UNITS)}")
+            alike = [name for name in _UNITS if other not in _UNITS or measured(name) == measured(other)]
+            raise StudyError(f"'{unit}' is not a known unit{suggestion(unit, alike)}")
     if _UNITS[given][0] != _UNITS[wanted][0]:
         raise StudyError(f"'{given}' is a unit of {_UNITS[given][0]}, '{wanted}' of {_UNITS[wanted][0]}")
     return _UNITS[given][1] / _UNITS[wanted][1]

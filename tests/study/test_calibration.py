@@ -7,7 +7,7 @@ import numpy
 import pytest
 from calibration import calibrate, plausible, predicted, prior, rate
 from calibration.laboratory import Test as Triaxial
-from calibration.laboratory import as_it_stands, curve, greatest, left_out, observed, pressure
+from calibration.laboratory import as_it_stands, curve, greatest, observed, pressure
 from study import StudyError, Table
 from study.command import Failure
 
@@ -91,12 +91,12 @@ def test_rows_that_no_drained_test_gives_are_refused_by_file_and_row(tmp_path, r
 
 @pytest.mark.parametrize(("rows", "head", "said"), [
     (DENSE, Q_HEAD, ""), ([(0, 0, -5), *DENSE[1:]], Q_HEAD, ""),
-    ([*DENSE[:5], (0.9, 0, 20), (0.95, 0, 150), *DENSE[5:]], Q_HEAD, ""),  # unloaded and loaded again
+    ([*DENSE[:5], (0.9, 0, 20), (0.95, 0, 150), *DENSE[5:]], Q_HEAD, "2 of 13 rows are left out"),
     ([(0, 0, 0), (2, -0.5, 320), (4, -2, 420), (6, -3.5, 330), (10, -5, 300)], Q_HEAD, ""),  # few rows around a peak
     (changed(5, q=1000), Q_HEAD, "deviatoric_stress of row 5, at an axial strain of 1.005 %, lies far"),
     (changed(6, q=1000, rows=changed(5, q=990)), Q_HEAD, "deviatoric_stress of row 5"), (changed(11, q=900), Q_HEAD, "deviatoric_stress of row 11"),
     (changed(8, v=-16, rows=changed(9, v=-3.5)), Q_HEAD, "more than a drained test has"), (changed(9, v=9), Q_HEAD, "the volumetric strain of row 9"),
-    ([(a, 0, q) for a, _, q in DENSE], Q_HEAD, "the volumetric strain is 0 in all rows"),
+    ([(a, 0, q) for a, _, q in DENSE], Q_HEAD, "the volumetric strain changes by 0 % in all"),
     ([(a, -v, q) for a, v, q in DENSE], Q_HEAD, "the volume expands first"),
     ([(a / 100, v, q) for a, v, q in DENSE], Q_HEAD.replace("axial_strain [%]", "axial_strain"), "axial_strain has no unit"),
     ([(*row, 200) for row in DENSE], Q_HEAD[:-1] + "\tpore_pressure [kPa]\n", "pore_pressure is not read, and the confining pressure has to be the effective"),
@@ -166,11 +166,49 @@ def test_a_prior_holds_what_the_runs_take(tmp_path, old, new, said):
     assert said in str(error.value) and "\n" not in str(error.value)
 
 
-def test_rows_of_unloading_are_left_out_and_said(tmp_path):
-    unloaded = [*ROWS[:3], (1.5, -0.1, 50, 100 + 50 / 3), (1.8, -0.1, 150, 150), *ROWS[4:]]
-    assert observed(triaxial(tmp_path / "u.tsv", unloaded), 20, 0)["stress_ratio [1]"] == pytest.approx([2, 3, 4])
-    assert left_out(triaxial(tmp_path / "u.tsv", unloaded)).startswith("u_100kPa: 2 of 6 rows are left out")
-    assert not left_out(triaxial(tmp_path / "u.tsv", [(0, 0, 0, 100), (0, 0, 1, 100 + 1 / 3), *ROWS[1:3], ROWS[4]]))
+def test_rows_of_unloading_are_left_out_and_doubted(tmp_path):
+    unloaded = [*DENSE[:6], (1.9, -0.55, 150), (1.95, -0.57, 250), *DENSE[6:]]
+    found = triaxial(tmp_path / "u.tsv", unloaded, Q_HEAD)
+    assert observed(found, 20, 0)["stress_ratio [1]"] == pytest.approx([1 + q / 100 for _, _, q in DENSE[1:]])
+    assert [line.partition(": ")[2] for line in plausible.doubts(found)] == [
+        "2 of 13 rows are left out, since the axial strain does not rise there, as in unloading: check the order of the rows if the test was not unloaded"]
+    assert plausible.doubts(triaxial(tmp_path / "u.tsv", [(0, 0, 0), *DENSE], Q_HEAD)) == []
+
+
+OTHER = [(a, 0.9 * v, 2 * q) for a, v, q in DENSE]
+
+
+@pytest.mark.parametrize(("rows", "said"), [
+    (DENSE[:8] + OTHER, "row 9: the axial strain falls back from 5.129 to 0 %, as where a second test begins: give each test a table of its own, with its rows"),
+    (DENSE[:10] + [(a + 1, v, q) for a, v, q in OTHER[5:]], "row 11: here the axial strain first falls back, from 12.78 to 3.046 %, and 4 of 16 rows lie below a strain before them: sort the rows"),
+    (sorted(DENSE, key=lambda row: row[2]), "with its rows in the order of the test, or correct the row"),
+    (sorted(DENSE, key=lambda row: -row[1]), "with its rows in the order of the test, or correct the row"),
+    (DENSE[::-1], "row 1 has the greatest axial strain, 16.25 %: sort the rows in the order of the test")])
+def test_two_tests_in_one_table_and_rows_out_of_order_are_refused(tmp_path, rows, said):
+    with pytest.raises(StudyError) as error:
+        triaxial(tmp_path / "t.tsv", rows, Q_HEAD)
+    assert str(error.value).startswith(f"{tmp_path / 't.tsv'}: row ") and said in str(error.value)
+
+
+def test_rows_of_two_tests_sorted_by_strain_are_doubted(tmp_path):
+    said = plausible.doubts(triaxial(tmp_path / "t.tsv", sorted(DENSE + [(a + 0.01, v, q) for a, v, q in OTHER]), Q_HEAD))
+    assert any("deviatoric_stress jumps up and down at 14 of 20 rows, as where rows of two tests are mixed" in line for line in said)
+
+
+@pytest.mark.parametrize(("rows", "head", "said"), [
+    ([(a, v / 100, q) for a, v, q in DENSE], Q_HEAD, "the volumetric strain changes by 0.063 % in all, while the axial strain reaches 16.3 %: give a drained"),
+    ([(a, 0.001, q) for a, _, q in DENSE], Q_HEAD, "or head the column [1] if it is a fraction headed [%]"),
+    ([(a, 0.2, q) for a, _, q in DENSE], Q_HEAD, "the volumetric strain changes by 0 % in all"),
+    ([(a, 0.02, q) for a, _, q in DENSE[:5]], Q_HEAD, "the volumetric strain changes by 0 % in all, while the axial strain reaches 1.01 %"),
+    ([(a / 100, v / 100, q) for a, v, q in DENSE[:1] + DENSE[4:]], Q_HEAD, "the axial strain ends at 0.15 %, where tests to failure reach some per cent"),
+    ([(a / 100, v / 100, q) for a, v, q in DENSE], Q_HEAD, "and the axial strain, which ends at 0.15 %, as a fraction headed [%] does"),
+    ([(a, v / 100, q, 50) for a, v, q in DENSE], Q_HEAD[:-1] + "\tu [kPa]\n", "at a constant volume: give drained ones, or correct the unit of the volumetric")])
+def test_strains_a_hundred_times_too_small_are_doubted(tmp_path, rows, head, said):
+    try:
+        found = plausible.doubts(triaxial(tmp_path / "t.tsv", rows, head))
+    except StudyError as error:
+        found = [str(error)]
+    assert said in found[0]
 
 
 def test_a_posterior_predicts_with_its_weights(tmp_path):

@@ -11,6 +11,7 @@ import xml.etree.ElementTree
 import pytest
 from study import Drawn, Measure, NotMade, Series, Statement, Study, StudyError, Table, compare, figures, main, panel, read_statements
 from study.files import put
+from study.units import factor
 from study.words import plain, spell
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -35,6 +36,10 @@ def test_a_column_that_is_missing_or_of_another_kind_names_file_and_nearest(tabl
         table("stress", "m")
     with pytest.raises(StudyError, match=r"'kpa' is not a known unit; did you mean 'kPa'\?"):
         table("stress", "kpa")
+    # A unit of another quantity would be refused in turn.
+    with pytest.raises(StudyError, match=r"'kPa/m' is not a known unit; did you mean 'kN/m'\?"):
+        factor("kPa/m", "N/m")
+    assert factor("N/mm", "N/m") == 1e3
 
 
 def test_a_missing_value_is_never_a_number(table):
