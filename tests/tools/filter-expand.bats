@@ -248,6 +248,18 @@ PYTHON
   run-dem --check bag.h5 loads/press.toml > /dev/null
   mv loads/yarn.toml .
   run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
+  # The file's numbers for the analytical model do not contradict the curve.
+  contradicts() {
+    { cat yarn.toml; echo "$2"; } > other.toml
+    refuses 65 run-dem "$1" bag.h5 loads/press.toml --set geotextile.0.curve=other.toml -o out.h5
+  }
+  contradicts 'yarn_strain: ends at 17.04 %, where failure_strain is 10 %: correct one of them' 'failure_strain = "10 %"'
+  contradicts 'yarn_tension: ends at 47.5 N, which is the strength of a yarn 5000 mm wide' 'strength = "9.5 N/m"'
+  printf 'failure_strain = 0.16\nstrength = "9.5 kN/m"\nstiffness = "53 kN/m"\n' >> yarn.toml
+  run-dem --check bag.h5 loads/press.toml --set geotextile.0.curve=yarn.toml > /dev/null
+  refuses 65 run-dem 'geotextile.0.yarn_strain: ends at 17, more than twice the length; per cent are written "17 %"' bag.h5 press.toml \
+    --set 'geotextile.0.yarn_strain=[2,6,17]' -o out.h5
+  run-dem --check bag.h5 press.toml --set 'geotextile.0.yarn_strain=["2 %","6 %","17 %"]' > /dev/null
 }
 
 # surface FILE SHAPE: writes an egg, or a ring, of triangles, as STL or VTP.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "core/data.h"
 #include "core/error.h"
@@ -16,10 +17,17 @@ namespace soilweave::dem {
 namespace {
 
 constexpr Parameter strains{
-    "yarn_strain", "1", 0, 10, true, "strains of the curve's points, ascending, from the origin on"};
+    "yarn_strain", "1",  0,
+    100,           true, "strains of the curve's points, ascending, from the origin on, the last one up to 1"};
 constexpr Parameter tensions{"yarn_tension", "N", 0, 1e12, true, "tensions of a yarn at these strains"};
 constexpr Parameter slope{"unloading_slope", "N", 0, 1e15, true, "tension per unit of strain when unloading"};
 constexpr Parameter multiple{"multiple", "1", 0, 1e3, true, "factor on the tensions"};
+constexpr Parameter failure{"failure_strain", "1", 0, 10, true, "strain at which it breaks"};
+constexpr Parameter stiffness{"stiffness", "N/m", 0, 1e10, true, "tensile stiffness"};
+constexpr Parameter strength{"strength", "N/m", 0, 1e10, true, "tensile strength"};
+
+// Relative difference of the curve's last strain from failure_strain that rounding leaves. Widths of yarns, m.
+constexpr double apart = 0.1, narrowest = 5e-5, widest = 1;
 
 void check(const WireCurve& curve, Settings& table) {
   if (curve.strain.empty() || curve.strain.size() != curve.tension.size())
@@ -30,6 +38,10 @@ void check(const WireCurve& curve, Settings& table) {
       return table.mistake("yarn_strain", fmt::format("falls from {} to {}: a curve goes from point to point with "
                                                       "growing strain",
                                                       curve.strain[k - 1], curve.strain[k]));
+  if (curve.strain.back() > 1)
+    return table.mistake("yarn_strain", fmt::format("ends at {}, more than twice the length; per cent are written "
+                                                    "\"{} %\"",
+                                                    curve.strain.back(), curve.strain.back()));
   for (std::size_t k = 0; k < curve.strain.size(); ++k)
     if (curve.tension[k] > curve.unloading * curve.strain[k] * (1 + 1e-12))
       return table.mistake("unloading_slope",
@@ -48,17 +60,35 @@ WireCurve read_points(Settings& table) {
   return curve;
 }
 
+/// Reads the file's numbers for the analytical model. The curve does not need them, but it must not contradict them.
+void compare(const WireCurve& curve, Settings& document) {
+  if (document.has(stiffness.name)) document.number(stiffness);
+  const bool known = !curve.strain.empty() && !curve.tension.empty() && curve.strain.back() <= 1;
+  if (document.has(failure.name)) {
+    const double breaks = document.number(failure);
+    if (known && std::abs(curve.strain.back() / breaks - 1) > apart)
+      document.mistake(strains.name,
+                       fmt::format("ends at {:.4g} %, where failure_strain is {:.4g} %: correct one of them, or leave "
+                                   "failure_strain out",
+                                   100 * curve.strain.back(), 100 * breaks));
+  }
+  if (document.has(strength.name)) {
+    const double width = known ? curve.tension.back() / document.number(strength) : narrowest;
+    if (!(width >= narrowest && width <= widest))
+      document.mistake(tensions.name,
+                       fmt::format("ends at {:.4g} N, which is the strength of a yarn {:.4g} mm wide: correct it or "
+                                   "strength, or their units",
+                                   curve.tension.back(), 1e3 * width));
+  }
+}
+
 WireCurve from_file(const std::filesystem::path& path, std::vector<io::Source>& sources) {
   const io::TextFile file = io::read_text(path, "geotextile");
   sources.push_back(file.source);
   Settings document = Settings::parse(file.text, path.string());
   WireCurve curve = read_points(document);
   curve.name = document.text({"name", "name of the geotextile"}, path.stem().string());
-  // The file also has numbers for the analytical model, which are only checked here.
-  for (const char* key : {"stiffness", "strength"})
-    if (document.has(key)) document.text(key);
-  static constexpr Parameter failure{"failure_strain", "1", 0, 10, true, "strain at which it breaks"};
-  if (document.has("failure_strain")) document.number(failure);
+  compare(curve, document);
   document.finish();
   return curve;
 }

@@ -44,9 +44,10 @@ inline constexpr Parameter tensile_stiffness{
     "stiffness", "N/m", 0, 1e10, true, "tensile stiffness J", "without stiffness the geotextile holds nothing"};
 inline constexpr Parameter tensile_strength{
     "strength", "N/m", 0, 1e10, true, "tensile strength", "without strength the geotextile holds nothing"};
+// Even glass and carbon fibres break at more than the lower bound.
 inline constexpr Parameter failure_strain_range{"failure_strain",
                                                 "1",
-                                                0,
+                                                0.01,
                                                 2,
                                                 true,
                                                 "strain at failure",
