@@ -19,9 +19,6 @@ _RATE = re.compile(r"^rate\s*=.*$", re.MULTILINE)
 def middle(prior):
     """Returns the middle of a prior: each parameter's value by its column head. On a log scale it is the geometric mean."""
     ranges = read_prior(prior)
-    for p in ranges:
-        if not all(isinstance(p.get(key), int | float) for key in ("low", "high")):
-            raise Failure(65, f"calibrate: {prior}: {p['name']}: write low and high as numbers, in {p.get('unit', '1')}")
     return {f"{p['name']} [{p.get('unit', '1')}]": (p["low"] * p["high"])**0.5 if p.get("scale") == "log" else (p["low"] + p["high"]) / 2
             for p in ranges}
 

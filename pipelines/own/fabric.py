@@ -22,6 +22,10 @@ DIRECTIONS = ("machine", "cross")
 # Ranges of geotextiles (N/m). Nets and light nonwovens still exceed the lower ends (lib/gws/solution/geotextile.cpp).
 RANGES = {"stiffness": (2e3, 1e9), "strength": (500, 1e7), "tension_at_2": (10, 1e7), "tension_at_5": (25, 1e7)}
 
+# Failure strains: the least one that is taken, as by gws-solve, and the one below which hardly a polymer breaks. Stiffness (N/m) that
+# hardly a geotextile has. Least secant of a point over the secant to failure (lib/gws/solution/data_sheet.cpp).
+LEAST_STRAIN, STIFF_STRAIN, STIFF, LEAST_SHARE = 0.01, 0.02, 2e7, 0.02
+
 
 @dataclasses.dataclass
 class Fabric:
@@ -64,7 +68,7 @@ def _lesser(path, machine, cross):
 
 
 def _points(path, given, direction):
-    """Returns the values of a table of a geotextile in one direction."""
+    """Returns the values of a table of a geotextile, of one direction or of both together, and doubts. Raises StudyError for wrong ones."""
     values = table_of(path, "geotextile.", {key: value for key, value in given.items() if key not in ASIDE}, KEYS, KEYS)
     sides = {side: table_of(path, f"geotextile.{side}.", values.pop(side), POINTS, POINTS) for side in DIRECTIONS if side in values}
     if direction and direction not in sides:
@@ -72,34 +76,59 @@ def _points(path, given, direction):
     if sides and values:
         raise StudyError(f"{path}: geotextile.{next(iter(values))} stands beside the tables of its directions: move it into them")
     if direction:
-        return sides[direction]
-    return _lesser(path, *(sides[s] for s in DIRECTIONS)) if len(sides) == 2 else next(iter(sides.values()), values)
+        sides = {direction: sides[direction]}
+    both = _lesser(path, *(sides[s] for s in DIRECTIONS)) if len(sides) == 2 else next(iter(sides.values()), values)
+    judged = {f"geotextile.{side}.": points for side, points in sides.items()} or {"geotextile.": values}
+    return both, [line for where, points in judged.items() for line in _judge(path, where, points)]
 
 
-def _judge(path, values):
-    """Raises StudyError for points of a sheet that are missing or contradict each other."""
+def _judge(path, where, values):
+    """Returns doubts about points of a sheet. Raises StudyError where they are missing, contradict each other, or are no geotextile's."""
     for key in ("strength", "failure_strain"):
         if key not in values:
-            raise StudyError(f"{path}: geotextile.{key} is missing; pipelines/own/README.md tells all keys")
+            raise StudyError(f"{path}: {where}{key} is missing; pipelines/own/README.md tells all keys")
     for key, (least, greatest) in RANGES.items():
         if not least <= values.get(key, least) <= greatest:
-            raise StudyError(f"{path}: geotextile.{key} = {values[key] / 1e3:g} kN/m: geotextiles have {least / 1e3:g} to {greatest / 1e3:g} kN/m; check its "
+            raise StudyError(f"{path}: {where}{key} = {values[key] / 1e3:g} kN/m: geotextiles have {least / 1e3:g} to {greatest / 1e3:g} kN/m; check its "
                              "unit")
     if values["failure_strain"] >= 1:
-        raise StudyError(f"{path}: geotextile.failure_strain = {values['failure_strain']:g}: write a fraction, as 0.15 for 15 %")
+        raise StudyError(f"{path}: {where}failure_strain = {values['failure_strain']:g}: write a fraction, as 0.15 for 15 %")
+    if values["failure_strain"] <= LEAST_STRAIN:
+        raise StudyError(f"{path}: {where}failure_strain = {100 * values['failure_strain']:.4g} %: geotextiles break above {100 * LEAST_STRAIN:g} %; "
+                         'write 12 % as 0.12 or as "12 %"')
     at = [(STRAINS[key], values[key], key) for key in STRAINS if key in values] + [(values["failure_strain"], values["strength"], "strength")]
     for (strain, tension, key), (next_strain, next_tension, next_key) in zip(at, at[1:], strict=False):
         if next_strain <= strain:
-            raise StudyError(f"{path}: geotextile.failure_strain = {values['failure_strain']:g}, but {key} is given: correct it, or leave {key} out")
+            raise StudyError(f"{path}: {where}failure_strain = {values['failure_strain']:g}, but {key} is given: correct it, or leave {key} out")
         if next_tension <= tension:
-            raise StudyError(f"{path}: geotextile.{next_key} = {next_tension / 1e3:.4g} kN/m is not above {key} = {tension / 1e3:.4g} kN/m: "
+            raise StudyError(f"{path}: {where}{next_key} = {next_tension / 1e3:.4g} kN/m is not above {key} = {tension / 1e3:.4g} kN/m: "
                              "correct one of them, or its unit")
-    if "stiffness" in values and len(at) > 1:
-        raise StudyError(f"{path}: geotextile.stiffness stands beside {at[0][2]}, which tells a stiffness too: leave one of them out")
     secant = values["strength"] / values["failure_strain"]
+    if not secant >= RANGES["stiffness"][0]:
+        raise StudyError(f"{path}: {where}strength over failure_strain is {secant / 1e3:.4g} kN/m, where geotextiles have a stiffness of "
+                         f"{RANGES['stiffness'][0] / 1e3:g} kN/m at least: check both units")
+    for strain, tension, key in at[:-1]:
+        if tension / strain < LEAST_SHARE * secant:
+            raise StudyError(f"{path}: {where}{key} = {tension / 1e3:.4g} kN/m beside strength = {values['strength'] / 1e3:.4g} kN/m at "
+                             f"{100 * values['failure_strain']:.4g} %: check both units")
+    if "stiffness" in values and len(at) > 1:
+        raise StudyError(f"{path}: {where}stiffness stands beside {at[0][2]}, which tells a stiffness too: leave one of them out")
     if not 0.2 < values.get("stiffness", secant) / secant < 5:
-        raise StudyError(f"{path}: geotextile.stiffness is {values['stiffness'] / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
+        raise StudyError(f"{path}: {where}stiffness is {values['stiffness'] / 1e3:.4g} kN/m, strength over failure_strain {secant / 1e3:.4g} kN/m: "
                          "they contradict each other; correct one of the three")
+    return _unusual(path, where, values)
+
+
+def _unusual(path, where, values):
+    """Returns doubts about the points of a sheet that hardly a geotextile has."""
+    strain = values["failure_strain"]
+    secants = [values.get("stiffness", 0), values["strength"] / strain, *(values[key] / STRAINS[key] for key in STRAINS if key in values)]
+    said = [f"{where}failure_strain = {100 * strain:.4g} %, where polymers break at more than {100 * STIFF_STRAIN:g} %: write 12 % as 0.12 or as "
+            '"12 %"'] if strain < STIFF_STRAIN else []
+    if max(secants) > STIFF:
+        said.append(f"the greatest stiffness of {where.rstrip('.')}, {max(secants) / 1e3:.4g} kN/m, is more than {STIFF / 1e3:g} kN/m, which hardly a "
+                    "geotextile has: check failure_strain, and the units of its tensions")
+    return [f"{path}: {line}" for line in said]
 
 
 def _open(path, name):
@@ -150,11 +179,10 @@ def read(path, given, catalogue):
         if direction not in ("", *DIRECTIONS):
             raise StudyError(f"{path}: geotextile: '{direction}' is no direction{suggestion(direction, DIRECTIONS)}; write @machine or @cross")
         given, layers = _named(path, word, catalogue)
-    values = _points(path, given, direction)
-    _judge(path, values)
+    values, doubts = _points(path, given, direction)
     values = {key: value if key == "failure_strain" else layers * value for key, value in values.items()}
     sides = [side for side in DIRECTIONS if side in given]
-    doubts = [] if direction or len(sides) != 1 else [
-        f"{path}: the geotextile has values of its {sides[0]} direction alone, which are taken for the other one too; give both, or write "
-        f'"FILE.toml@{sides[0]}" where one direction counts']
+    if not direction and len(sides) == 1:
+        doubts.append(f"{path}: the geotextile has values of its {sides[0]} direction alone, which are taken for the other one too; give both, or write "
+                      f'"FILE.toml@{sides[0]}" where one direction counts')
     return Fabric(values.pop("stiffness", values["strength"] / values["failure_strain"]), values, doubts)

@@ -30,7 +30,9 @@ BAG = {"width": "m", "height": "m"}
 EXTENT, SURCHARGE = (0.01, 100), (1e3, 1e7)
 # Heights over width like that of the bags of grains that were run (lib/gws/solution/doubts.cpp).
 SHAPE = (0.1, 0.4)
-FACTORS = ("creep", "installation", "durability", "load", "soil")
+# Factors and the greatest ones that are taken; tan phi is divided by 1.25 in most codes.
+FACTORS = {"creep": 10, "installation": 10, "durability": 10, "load": 10, "soil": 2}
+REDUCING, PARTIAL = ("creep", "installation", "durability"), ("load", "soil")
 # Share of the strength at which bags of discrete elements fail (thesis section 5.4), since their nodes are coarse: the default of gws-solve.
 SHARE = 0.5
 TEST = {"table": str, "confining_pressure": "Pa", "strains": str, "predict": bool}
@@ -71,7 +73,7 @@ class Inputs:
     @property
     def reduction(self):
         """The product of the reduction factors of the geotextile's strength."""
-        return math.prod(self.values["factors"].get(name, 1) for name in FACTORS[:3])
+        return math.prod(self.values["factors"].get(name, 1) for name in REDUCING)
 
     @property
     def strength_fraction(self):
@@ -86,8 +88,8 @@ class Inputs:
 def _judge(path, values):
     """Raises StudyError for values of own.toml that are out of range."""
     for key, value in values["factors"].items():
-        if value < 1:
-            raise StudyError(f"{path}: factors.{key} = {value:g}: a factor is 1 or more")
+        if not 1 <= value <= FACTORS[key]:
+            raise StudyError(f"{path}: factors.{key} = {value:g}: this factor is from 1 to {FACTORS[key]}; write 1.35, not 135")
     if not 0 < values.get("strength_fraction", 1) <= 1:
         raise StudyError(f"{path}: strength_fraction = {values['strength_fraction']:g}: write a share of the strength, above 0 and at most 1")
     if not 0 < values["settlement"] < 0.3:
@@ -247,8 +249,8 @@ def write(own, out):
         "FAILURE": failure_options(rows, out / "failure.tsv"), "SURCHARGE": v["surcharge"], "SETTLEMENT": v["settlement"],
         "SHAPE": f"--width {v['bag']['width']:g} --height {v['bag']['height']:g}",
         "REDUCED": " ".join([f"--strength-fraction {own.strength_fraction!r}", *(
-            f"--rf-{name} {factors[name]!r}" for name in FACTORS[:3] if name in factors)]),
-        "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in FACTORS[3:] if name in factors),
+            f"--rf-{name} {factors[name]!r}" for name in REDUCING if name in factors)]),
+        "PARTIAL": " ".join(f"--factor-{name} {factors[name]:g}" for name in PARTIAL if name in factors),
         "STIFFNESS": own.fabric.stiffness, "BAGS": " ".join(str(k) for k in range(1, len(STIFFNESSES) + 1)), "SAME": SAME,
         "OTHERS": " ".join(map(str, OTHERS)), "RISING": " ".join(rising)}
     _put_new(out / "inputs.mk", "# What own.toml says, for make.\n" + "".join(f"OWN_{key} := {value}\n" for key, value in lines.items()))

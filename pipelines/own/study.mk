@@ -68,13 +68,24 @@ $(error OWN_VARIED=$(OWN_VARIED): give one or more of the numbers $(OWN_BAGS), a
 endif
 endif
 
-# Settings on which packings, calibration and bags depend. The surcharge is not among them, so another one makes none of them anew.
-$(OWNO)/settings: always $(OWNO)/inputs.mk
+# Settings on which packings, calibration and bags depend; (0) comes before. The surcharge is not among them, so another one makes none of them anew.
+$(OWNO)/settings: always $(OWNO)/judged
 	@$(call remember,$(PROFILE) $(OWN_VOID_RATIO) $(OWN_GRAINS) $(OWN_RADIUS))
 $(OWN_CAL)/settings: always $(OWNO)/inputs.mk
 	@$(call remember,$(subst ',,$(OWN_TESTS)) $(OWN_UNTIL) $(OWN_STATIONS) $(OWN_ERROR) $(OWN_SAMPLES) $(OWN_ROUNDS) $(OWN_SIZE) $(OWN_RATE))
 $(OWNO)/loading: always $(OWNO)/inputs.mk
 	@$(call remember,$(subst $$,,$(subst ',,$(OWN_BAG) $(OWN_LOAD))) $(OWN_SCALE) $(OWN_STRAIN))
+
+# (0) The tools judge what (a) and (e) give them, before anything is made: the prior, and on Toyoura sand the geotextile, the bag and the factors.
+# Status 1 is an answer, that no geotextile is enough, as it may be for the reader's own soil too.
+own_judge = > /dev/null 2> $@.said || { status=$$?; [ $$status = 1 ] || \
+  { sed -E '/: doubt: /d; s|^gws-solve [a-z]+: |own: $(SOIL)/own.toml: |; s|^pf-weight draw: |own: |; s/--(factor|rf)-/factors./g; \
+    s|$(OWN_PRIOR)|$(SOIL)/prior.toml|; s|$(OWNO)/geotextile.toml(:[0-9]+)?|geotextile|' $@.said >&2; exit $$status; }; }
+own_toyoura = $(own_design) --soil toyoura-gws --surcharge $(OWN_SURCHARGE)
+$(OWNO)/judged: $(OWNO)/inputs.mk $(OWNO)/geotextile.toml $(OWN_PRIOR) $(BIN)/gws-solve $(BIN)/pf-weight
+	@trap 'rm -f $@.said' EXIT; $(BIN)/pf-weight draw $(OWN_PRIOR) --samples 1 --tsv --quiet $(own_judge); \
+	  $(own_respond) --soil toyoura-gws $(own_judge); $(own_toyoura) $(own_judge); $(own_toyoura) $(own_chart) $(own_judge)
+	@touch $@
 
 # (b) % is the seed of a representative volume; each bag of (c) is cut from one of them.
 $(OWNO)/packing_%.h5: $(OWNO)/settings $(OWNO)/grading.tsv $(BIN)/pack-generate
@@ -158,27 +169,30 @@ $(OWNO)/constants.tsv: $(OWNO)/soil.toml $$(foreach k,$$(OWN_OTHERS),$(OWNO)/soi
 
 # (e) The model's response for the bag of own.toml, with the share of strength from inputs.py, and for a bag like the simulated ones. The
 # simulated over the modelled load of such a bag is a factor on the model's answers (transfer.py).
-own_case = --soil $(OWNO)/soil.toml --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
+own_case = --geotextile $(OWNO)/geotextile.toml $(OWN_SHAPE) $(OWN_REDUCED)
+own_respond = $(BIN)/gws-solve respond $(own_case) --tsv --points 40
 own_said = 2> $(@:.tsv=.said) $(call whole,$@) || { status=$$?; cat $(@:.tsv=.said) >&2; exit $$status; }
 $(OWNO)/bands.tsv: $(OWNO)/soil.toml $(OWNO)/geotextile.toml $(BIN)/gws-solve
-	@$(BIN)/gws-solve respond $(own_case) --samples $(OWN_DRAWS) --points 40 --tsv $(own_said)
+	@$(own_respond) --soil $< --samples $(OWN_DRAWS) $(own_said)
 $(OWNO)/of_grains.tsv: $(OWNO)/soil.toml $(BIN)/gws-solve
 	@$(BIN)/gws-solve respond --soil $< --geotextile $(OWNO)/geotextile_$(OWN_SAME).toml --points 400 --tsv $(own_said)
 OWN_ASKED = $(OWN_RUNS:.h5=.tsv) $(OWN_OTHERS:%=$(OWNO)/other_%_$(OWN_SAME).tsv)
 # The surcharges of the design: in the middle, and at the low end of the band.
 $(OWNO)/loads: $$(OWN_ASKED) $(OWNO)/bands.tsv $(OWNO)/of_grains.tsv $(OWN)/transfer.py
 	@$(OWN_PY)/transfer.py $(OWNO) $(OWN_SURCHARGE) $(OWN_SETTLEMENT) $(call whole,$@)
-own_design = $(BIN)/gws-solve design $(own_case) $(OWN_PARTIAL) --settlement $(OWN_SETTLEMENT) --tsv --surcharge
-# Where no geotextile is enough, the file is empty, and the page says so. The status is then 1 or 65.
+own_design = $(BIN)/gws-solve design $(own_case) $(OWN_PARTIAL) --settlement $(OWN_SETTLEMENT) --tsv
+own_chart = --chart --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }')
+own_designs = read -r middle high < $< && $(own_design) --soil $(OWNO)/soil.toml --surcharge
+# Where no geotextile is enough, the file is empty, and the page says so. The status is then 1, or 65 for a soil that has no states under a stiff
+# geotextile. A message that names an option of own.toml is an error in it.
 own_designed = 2> $(@:.tsv=.said) $(call whole,$@) || \
-  { status=$$?; cat $(@:.tsv=.said) >&2; [ $$status = 65 -o $$status = 1 ] && : > $@ || exit $$status; }
+  { status=$$?; cat $(@:.tsv=.said) >&2; ! grep -Eq -e ' --(factor|rf)-' $(@:.tsv=.said) && [ $$status = 65 -o $$status = 1 ] && : > $@ || exit $$status; }
 $(OWNO)/design.tsv: $(OWNO)/loads $(BIN)/gws-solve
-	@read -r middle high < $< && $(own_design) $$middle $(own_designed)
+	@$(own_designs) $$middle $(own_designed)
 $(OWNO)/design_high.tsv: $(OWNO)/loads $(BIN)/gws-solve
-	@read -r middle high < $< && $(own_design) $$high $(own_designed)
+	@$(own_designs) $$high $(own_designed)
 $(OWNO)/chart.tsv: $(OWNO)/loads $(BIN)/gws-solve
-	@read -r middle high < $< && $(own_design) $$middle --chart --from $$(awk 'BEGIN { print $(OWN_STIFFNESS) / 5 }') \
-	  --to $$(awk 'BEGIN { print 5 * $(OWN_STIFFNESS) }') $(call whole,$@)
+	@$(own_designs) $$middle $(own_chart) $(call whole,$@)
 
 # (f)
 OWN_LEFT = $(OWN_ASKED) $(OWNO)/constants.tsv $(OWNO)/design.tsv $(OWNO)/design_high.tsv $(OWNO)/chart.tsv $(OWNO)/check_1.tsv $(OWNO)/check_2.tsv

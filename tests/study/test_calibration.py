@@ -154,11 +154,18 @@ def test_the_filter_reads_tables_in_per_cent_alone_and_others_are_written_for_it
     ('"friction_angle"', '"sliding_damping"', "no run depends on a parameter named 'sliding_damping'; known: young_modulus,"),
     ('"friction_angle"', '"rolling_limit"', "rolling_limit is there twice"), ("[[parameter]]\nname = \"poisson_ratio\"\nlow = 0.1\nhigh = 0.3", "",
                                                                              "poisson_ratio is missing"),
+    ("low = 1e9", "low = 1e12", "young_modulus: high = 1e+11 is not above low = 1e+12: correct one of them"),
+    ("low = 1e9\n", "", "young_modulus: low is missing: write a number in Pa"), ("low = 1e9", "low = 1", "low = 1: write a number from 100000 to 1e+13 in Pa"),
+    ("high = 40", "high = nan", "friction_angle: high = nan: write a number from 0 to 89 in deg"),
+    ("high = 40", 'high = "40 kPa"', "friction_angle: high: 'kPa' is a unit of stress"), ("low = 20", "low = [20]", "low = [20]: write a number in deg"),
+    ("low = 0\nhigh = 0.5", 'scale = "log"\nlow = 0\nhigh = 0.5', "low = 0 has no place on a log scale"),
     ('"Pa"', '"GPa"', "young_modulus is in 'GPa'; give it in 'Pa'"), ("[[parameter]]", "[parameter", "prior.toml: ")])
 def test_a_prior_holds_what_the_runs_take(tmp_path, old, new, said):
     path = tmp_path / "prior.toml"
     path.write_text(PRIOR)
     assert len(prior.read(path)) == 5
+    path.write_text(PRIOR.replace("high = 1e11", 'high = "100 GPa"'))
+    assert prior.read(path)[0]["high"] == 1e11
     assert old in PRIOR
     path.write_text(PRIOR.replace(old, new, 1))
     with pytest.raises(StudyError) as error:
