@@ -66,6 +66,9 @@ include $(OWNO)/inputs.mk
 ifneq ($(filter-out $(OWN_BAGS),$(OWN_VARIED) $(if $(strip $(OWN_VARIED)),,none)),)
 $(error OWN_VARIED=$(OWN_VARIED): give one or more of the numbers $(OWN_BAGS), as OWN_VARIED="1 3")
 endif
+ifneq ($(shell awk 'BEGIN { print ("$(OWN_STRAIN)" + 0 > 0.01 && "$(OWN_STRAIN)" + 0 < 0.5) }'),1)
+$(error OWN_STRAIN=$(OWN_STRAIN): give a share of the height between 0.01 and 0.5, as 0.12 for 12 %)
+endif
 endif
 
 # Settings on which packings, calibration and bags depend; (0) comes before. The surcharge is not among them, so another one makes none of them anew.

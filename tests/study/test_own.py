@@ -290,6 +290,12 @@ def test_make_refuses_a_second_folder_of_one_name_and_names_that_it_cannot_take(
         assert not called and "make cannot use a folder with blanks, quotes or signs" in said and said.count("\n") == 1
 
 
+def test_make_refuses_a_strain_of_bags_in_per_cent(soil, tmp_path, tools):
+    for strain in ("12", "12 %", "x"):
+        called, said = make(soil.parent, tmp_path / "out", tools, f"OWN_STRAIN={strain}", tmp_path / "out/own/soil/packing_1.h5")
+        assert not called and f"OWN_STRAIN={strain}: give a share of the height between 0.01 and 0.5, as 0.12 for 12 %" in said
+
+
 def test_a_data_sheet_without_stiffness_gives_a_secant_and_one_test_a_failure_line(soil):
     soil.write_text(soil.read_text().replace('"PP"', '{strength = "30 kN/m", failure_strain = 0.15}', 1))
     assert inputs.read(soil, CATALOGUE).fabric.stiffness == pytest.approx(200e3)

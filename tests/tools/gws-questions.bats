@@ -23,6 +23,7 @@ failure_strain = "11 %"
 TOML
   printf 'name = "PET"\ntension_at_2 = "35.7 kN/m"\ntension_at_5 = "73.9 kN/m"\nstrength = "160 kN/m"\nfailure_strain = "12 %%"\n' > pet.toml
   printf 'name = "fraction"\nfailure_strain = "0.12 %%"\nstiffness = "232 kN/m"\nstrength = "30 kN/m"\n' > fraction.toml
+  printf 'name = "stiff"\nfailure_strain = 0.12\nstiffness = "232 MN/m"\nstrength = "30 kN/m"\n' > stiff.toml
   printf 'name = "falls"\ntension_at_2 = "30 kN/m"\ntension_at_5 = "25 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "12 %%"\n' > falls.toml
   printf 'name = "early"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\nfailure_strain = "4 %%"\n' > early.toml
   printf 'name = "bare"\ntension_at_5 = "35 kN/m"\nstrength = "80 kN/m"\n' > bare.toml
@@ -92,6 +93,7 @@ questions() {
 64;millimetres are written "400 mm";respond --geotextile PP --width 400
 64;per cent are written "12 %";respond --geotextile PP --failure-strain 12
 64;per cent are written "12 %";respond --geotextile PP --failure-strain "0.12 %"
+65;stiff.toml: stiffness is 2.32e+05 kN/m, strength over failure_strain 250 kN/m: they contradict each other;respond --geotextile stiff.toml
 65;fraction.toml:2: failure_strain: '0.12 %' is out of range: must be between 0.01 and 2 (a strain of 1;respond --geotextile fraction.toml
 64;contradict each other: 400 kN/m at 5 % are 20 kN/m;respond --stiffness "400 kN/m" --strength "80 kN/m" --failure-strain "5 %"
 64;must be from 1 to 100 (a factor below 1 would take away safety);respond --geotextile PP --rf-creep 0.5

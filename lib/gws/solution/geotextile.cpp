@@ -20,6 +20,9 @@ namespace {
 // Lower bounds, N/m: even nets and light nonwovens exceed 2 kN/m of stiffness and 0.5 kN/m of strength.
 constexpr double least_stiffness = 2e3, least_strength = 500;
 
+// Greatest ratio of a stiffness to the secant to failure, or of the secant to it, as in pipelines/own/fabric.py.
+constexpr double greatest_ratio = 5;
+
 double between(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto after = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
   if (after == x.size()) return y.back();
@@ -60,6 +63,16 @@ Geotextile read_table(Settings& document, const std::string& where, const std::s
   return found;
 }
 
+/// Throws DataError if stiffness, strength and strain at failure contradict each other.
+void check_stiffness(const Geotextile& found, const std::string& where) {
+  const double secant = found.strength / found.failure_strain;
+  if (std::max(found.stiffness / secant, secant / found.stiffness) < greatest_ratio) return;
+  throw DataError(
+      fmt::format("{}: stiffness is {:.4g} kN/m, strength over failure_strain {:.4g} kN/m: they contradict each other; "
+                  "correct one of the three",
+                  where, found.stiffness / 1e3, secant / 1e3));
+}
+
 Geotextile of_catalogue(const std::string& path, const std::string& product, const std::string& direction) {
   Settings document = Settings::parse(io::read_text(path, "catalogue").text, path);
   std::vector<Settings> products = document.tables("product");
@@ -75,8 +88,10 @@ Geotextile of_catalogue(const std::string& path, const std::string& product, con
   for (std::size_t k = 0; k < products.size(); ++k)
     if (known[k] != product) products[k].leave();
   Settings& wanted = products[static_cast<std::size_t>(place - known.begin())];
-  const Geotextile found = read_table(wanted, fmt::format("{}: {}", path, product), direction);
+  const std::string where = fmt::format("{}: {}", path, product);
+  const Geotextile found = read_table(wanted, where, direction);
   document.finish();
+  check_stiffness(found, where);
   return found;
 }
 
@@ -110,6 +125,7 @@ Geotextile read_geotextile(const std::string& text, const std::string& where, co
   check_no_catalogue(document, where);
   Geotextile found = read_table(document, where, direction);
   document.finish();
+  check_stiffness(found, where);
   return found;
 }
 
