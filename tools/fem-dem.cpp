@@ -78,6 +78,8 @@ struct FemDem {
   void validate() const {
     if (check + take.has_value() + !table.empty() > 1)
       throw UsageError("--check, --take and --table exclude each other");
+    if ((take || !table.empty()) && !(packings.empty() && mesh.empty() && overrides.empty()))
+      throw UsageError("--take and --table read one file of fem-dem: leave further inputs, --mesh and --set out");
     if (table.empty() && !(columns.empty() && state == "all" && place.empty()))
       throw UsageError("--columns, --state and --near belong to --table: give it, too");
     std::vector<std::string> wrong;
@@ -109,7 +111,6 @@ struct FemDem {
     }
     fem::Scenario plan = fem::read_scenario(text.text, scenario.string(), overrides, std::move(given));
     plan.model.threads = invocation.threads;
-    if (plan.model.law) states.clear();
     const fem::Ranks ranks;
     Doubts doubts = ranks.first() ? Doubts("fem-dem") : Doubts();
     doubts.add_all(plan.doubts);

@@ -131,6 +131,12 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   refuses 65 fem-dem "is over the stable one" elastic.toml --set time.step=0.1 -o out.h5
   refuses 65 fem-dem "no packing is given" grains.toml -o out.h5
   refuses 65 fem-dem "2 packings are given for 4 points" grains.toml disks.h5 disks.h5 -o out.h5
+  refuses 65 fem-dem "2 packings are given, and the soil is a continuum, which holds none: leave them out, or give soil.material = \"grains\"" \
+    elastic.toml disks.h5 disks.h5 -o out.h5
+  refuses 65 fem-dem "1 packing is given, and the soil is a continuum" --check elastic.toml disks.h5 --set 'soil.material="mohr-coulomb"' \
+    --set soil.friction_angle=30
+  refuses 64 fem-dem "--take and --table read one file of fem-dem: leave further inputs, --mesh and --set out" --table series run.h5 disks.h5
+  refuses 64 fem-dem "--take and --table read one file of fem-dem" --take 1 run.h5 --set time.duration=1 -o out.h5
   refuses 65 fem-dem "did you mean 'stiffness'" elastic.toml --set geosynthetic.stifness=1 -o out.h5
   refuses 65 fem-dem 'traction.0.on: boundary "bottom-corners" has points alone' elastic.toml --set 'traction.0.on="bottom-corners"' -o out.h5
   refuses 65 fem-dem 'geosynthetic.along: boundary "bottom-corners" has points alone' elastic.toml --set 'geosynthetic.along="bottom-corners"' -o out.h5

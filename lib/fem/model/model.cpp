@@ -22,6 +22,12 @@ constexpr double tolerated = 1.0;
 
 Model::Model(ModelSetup setup, const Ranks* ranks) : setup_(std::move(setup)), ranks_(ranks) {
   std::vector<Probe> probes;
+  if (setup_.law && !setup_.packings.empty())
+    throw DataError(
+        fmt::format("{} packing{} given, and the soil is a continuum, which holds none: leave {} out, or give "
+                    "soil.material = \"grains\"",
+                    setup_.packings.size(), setup_.packings.size() == 1 ? " is" : "s are",
+                    setup_.packings.size() == 1 ? "it" : "them"));
   if (!setup_.law) {
     if (setup_.packings.empty())
       throw DataError("the soil consists of grains, but no packing is given: name one for all points, or one for each");

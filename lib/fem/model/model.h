@@ -37,7 +37,7 @@ struct ModelSetup {
   /// Law of the points; none: they hold grains.
   std::optional<ContinuumLaw> law;
   Grains grains;
-  /// One for all points, or one per point.
+  /// One for all points, or one per point; with a law none.
   std::vector<io::Snapshot> packings;
   std::optional<BarsSetup> bars;  // interface and chain are made from `along`
   /// Boundaries along which the chain lies.
