@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/tables/material_doubts.h"
 #include "analysis/tables/tables.h"
 #include "core/cli/tool.h"
 #include "core/error.h"
@@ -114,8 +113,6 @@ struct FemDem {
     const fem::Ranks ranks;
     Doubts doubts = ranks.first() ? Doubts("fem-dem") : Doubts();
     doubts.add_all(plan.doubts);
-    for (const io::Snapshot& packing : states)
-      doubts.add_all(analysis::stiffness_doubts(packing, plan.model.grains.model));
     if (check) return io::write_bytes("-", fem::forecast(plan, states, doubts));
     Progress progress("fem-dem", invocation.quiet || !ranks.first());
     bool begun = false;

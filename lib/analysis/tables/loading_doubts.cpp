@@ -160,25 +160,32 @@ std::vector<Doubt> bare_stress_doubts(int dimension, const dem::Scenario& scenar
 
 }  // namespace
 
-std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& begun, const dem::Scenario& scenario) {
+std::optional<StressChange> stress_change(const io::Snapshot& start, const io::Snapshot& begun) {
   const int dimension = start.grains.dimension;
-  const bool periodic = is_periodic(start);
   const AmongGrains kept = among_grains(start), now = among_grains(begun);
-  if (kept.contacts == 0 || (periodic && equilibrates(scenario.stages.front(), dimension))) return {};
+  if (kept.contacts == 0) return std::nullopt;
   const double before = mean(kept.stress, dimension), after = mean(now.stress, dimension);
   const Mat3 change = now.stress - kept.stress;
   const double largest = change.diagonal().head(dimension).cwiseAbs().maxCoeff();
-  if (!(largest > largest_jump * std::max(std::abs(before), std::abs(after)))) return {};
-  const bool moved = std::abs(now.overlap - kept.overlap) > largest_shift * kept.overlap;
+  if (!(largest > largest_jump * std::max(std::abs(before), std::abs(after)))) return std::nullopt;
+  return StressChange{before, after, std::abs(now.overlap - kept.overlap) > largest_shift * kept.overlap};
+}
+
+std::vector<Doubt> start_doubts(const io::Snapshot& start, const io::Snapshot& begun, const dem::Scenario& scenario) {
+  const int dimension = start.grains.dimension;
+  const bool periodic = is_periodic(start);
+  if (periodic && equilibrates(scenario.stages.front(), dimension)) return {};
+  const std::optional<StressChange> change = stress_change(start, begun);
+  if (!change) return {};
   const std::string cause =
-      moved ? "the grains do not lie where their contacts were: take a --perturb of 1e-4 or less"
-            : fmt::format(
-                  "the scenario has another law, stiffness or friction than the packing was made with: give "
-                  "that one{}",
-                  periodic ? ", or begin with a stage of path \"isotropic\"" : "");
+      change->moved ? "the grains do not lie where their contacts were: take a --perturb of 1e-4 or less"
+                    : fmt::format(
+                          "the scenario has another law, stiffness or friction than the packing was made with: give "
+                          "that one{}",
+                          periodic ? ", or begin with a stage of path \"isotropic\"" : "");
   return {{"jump", fmt::format("the run begins at a mean stress of {:.4g} {} among the grains, and the packing's file "
                                "has {:.4g}: {}",
-                               after / 1e3, dimension == 3 ? "kPa" : "kN/m", before / 1e3, cause)}};
+                               change->after / 1e3, dimension == 3 ? "kPa" : "kN/m", change->before / 1e3, cause)}};
 }
 
 std::vector<Doubt> jump_doubts(const io::Snapshot& begun, const dem::Scenario& scenario) {

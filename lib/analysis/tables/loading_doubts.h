@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/doubts.h"
@@ -9,6 +10,16 @@
 #include "files/files.h"
 
 namespace soilweave::analysis {
+
+/// Mean stresses among the grains before and after a contact law replaced the stored forces, Pa (2D: N/m).
+struct StressChange {
+  double before = 0, after = 0;
+  /// Whether the grains moved, so that the law is not the cause.
+  bool moved = false;
+};
+/// Returns the stress among the grains of two states if any axis differs by more than a tenth of the larger mean
+/// stress. Empty for a packing without contacts. start: the packing as read. begun: with forces by a scenario's law.
+std::optional<StressChange> stress_change(const io::Snapshot& start, const io::Snapshot& begun);
 
 /// Returns "jump" if the stress among the grains differs by more than a tenth between `start` and `begun`. start: the
 /// packing as read. begun: the state before the first step, with forces by the scenario's law. Empty for a packing

@@ -15,6 +15,7 @@
 #include "core/text/text.h"
 #include "dem/run/checkpoint.h"
 #include "dem/run/forecast.h"
+#include "fem/run/packing_doubts.h"
 #include "fem/run/record.h"
 #include "fem/run/timing.h"
 
@@ -29,6 +30,13 @@ ModelSetup with_packings(const Scenario& scenario, const std::vector<io::Snapsho
   ModelSetup setup = scenario.model;
   setup.packings = packings;
   return setup;
+}
+
+// Adds everything that is doubted before the first step.
+void doubt_start(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Model& model,
+                 std::int64_t steps, Doubts& doubts) {
+  doubts.add_all(packing_doubts(packings, scenario.model, model));
+  doubts.add_all(timing_doubts(scenario, model, steps));
 }
 
 struct GrainWork {
@@ -79,7 +87,7 @@ class Runner {
         model_(with_packings(scenario, packings), &ranks),
         timetable_(scenario, model_.time_step()) {
     file_.scenario = scenario.resolved;
-    doubts.add_all(timing_doubts(scenario, model_, timetable_.steps()));
+    doubt_start(scenario, packings, model_, timetable_.steps(), doubts);
     std::optional<io::Checkpoint> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
     go_on(std::move(last));
     start_steps_ = grain_work(model_).steps;
@@ -281,7 +289,7 @@ std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& 
   const double dt = model.time_step();
   const Timetable timetable(scenario, dt);
   const std::int64_t steps = timetable.steps();
-  doubts.add_all(timing_doubts(scenario, model, steps));
+  doubt_start(scenario, packings, model, steps, doubts);
   const Mesh& mesh = model.soil().mesh();
   std::string text = fmt::format(
       "{} nodes, {} elements of the shape {}, {} points, {}\ntime step {:.4g} s, stability limit {:.4g} s; {} steps, "

@@ -20,13 +20,14 @@ struct Outcome {
 
 /// Runs the whole duration, with a row of the series per output. A safekeeping folder lets the run go on later, to the
 /// same bytes, on any number of threads and processes. All processes call it; only the first has folder and outcome.
-/// doubts: receives doubts about the duration before the first step. report: also called once before the first step.
-/// Throws PhysicsError, TargetNotReached if no quasi-static state is reached, Stopped after a signal.
+/// doubts: receives doubts about packings and duration before the first step. report: also called once
+/// before the first step. Throws PhysicsError, TargetNotReached if no quasi-static state is reached, Stopped after a
+/// signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks, Doubts& doubts);
 
-/// Returns extent, time steps, memory, file size and time, forecast from a few steps. doubts: receives doubts about the
-/// duration.
+/// Returns extent, time steps, memory, file size and time, forecast from a few steps. doubts: receives what a run
+/// doubts before its first step.
 std::string forecast(const Scenario& scenario, const std::vector<io::Snapshot>& packings, Doubts& doubts);
 
 }  // namespace soilweave::fem
