@@ -27,6 +27,8 @@ TOML
     --density 2700 -o disks.h5
   pack-generate --quiet --dimension 2 --grains 10 --aspect 1 --pressure 2e4 --tolerance 5e-2 --material material.toml \
     --density 2700 -o few.h5
+  sed '/^friction_angle/s/=.*/= 16/' material.toml > bring.toml
+  printf '[[stage]]\npath = "isotropic"\npressure = "20 kPa"\n' >> bring.toml
   fem-dem --quiet grains.toml disks.h5 --set time.duration=0.02 --set time.output_interval=0.01 -o run.h5
 }
 
@@ -92,9 +94,7 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   [[ $stderr == *"$words"* ]] || show "wanted it of the run, too"
   [[ $(to-vtk --history stiff.h5) == *"doubt: jump: the points begin"* ]] || show "not in the file"
   # The remedy works.
-  sed '/^friction_angle/s/=.*/= 16/; s/^young.*/young_modulus = "75 GPa"/' material.toml > bring.toml
-  printf '[[stage]]\npath = "isotropic"\npressure = "20 kPa"\n' >> bring.toml
-  run-dem --quiet disks.h5 bring.toml -o brought.h5
+  run-dem --quiet disks.h5 bring.toml --set contact.young_modulus=7.5e10 -o brought.h5
   exits 0 fem-dem --check grains.toml brought.h5 --set contact.young_modulus=7.5e10
   [[ $stderr != *doubt* ]] || show "the remedy does not do"
   exits 0 fem-dem --check grains.toml disks.h5 disks.h5 brought.h5 disks.h5
@@ -104,6 +104,42 @@ SHORT=(--set time.duration=0.02 --set time.output_interval=0.01)
   [[ $stderr == *"fem-dem: doubt: adhesion acts across gaps of up to 2 mm, "* ]] || show
   exits 0 fem-dem --check grains.toml few.h5
   [[ $stderr == *"fem-dem: doubt: the cell is "*" diameters of the largest grain "*" wide along "* ]] || show
+}
+
+# starts WORDS INPUTS AND SETS: demands that --check doubts with the words how the soil starts; without words, that it does not.
+starts() {
+  local words=$1
+  shift
+  exits 0 fem-dem --check "$@"
+  [[ -n $words && $stderr == *"fem-dem: doubt: $words"* || -z $words && $stderr != *"at the start balances"* ]] || show "wanted: $words"
+}
+
+@test "loads that the initial stress does not balance are doubted, and a missing kPa asked for" {
+  local top='the traction on "top" is ' soil="kPa along y, and the soil's stress at the start balances "
+  starts "" elastic.toml
+  starts "" elastic.toml --set 'traction.0.y="-18.5 kPa"'
+  starts "$top-0.02 ${soil}-20 kPa there: the soil springs; if -20 kPa is meant, write \"-20 kPa\"" elastic.toml --set traction.0.y=-20
+  starts "$top-20 ${soil}-0.02 kPa there: the soil springs; if an initial stress of 20 kPa is meant, write \"20 kPa\"" \
+    elastic.toml --set 'soil.initial_stress=[10,20,10]'
+  starts "$top-25 ${soil}-20 kPa there: the soil springs; make the two equal, unless a sudden load is meant" \
+    elastic.toml --set 'traction.0.y="-25 kPa"'
+  starts "${top}20 ${soil}-20 kPa" elastic.toml --set 'traction.0.y="20 kPa"'
+  starts "${top}5 kPa along x, and the soil's stress at the start balances 0 kPa there" elastic.toml --set 'traction.0.x="5 kPa"'
+  starts "the seat pressure on \"bottom\" is 0.02 ${soil}20 kPa there: the soil springs; if 20 kPa is meant, write \"20 kPa\"" \
+    elastic.toml --set geosynthetic.seat_pressure=20
+  # Supports hold the boundary, or there is no stress at all.
+  starts "" elastic.toml --set 'traction.0.on="left"' --set 'traction.0.x="90 kPa"' --set traction.0.y=0
+  starts "" elastic.toml --set 'soil.initial_stress=[0,0,0]'
+  # Packings have an initial stress, too.
+  starts "" grains.toml disks.h5
+  starts "$top-0.02 ${soil}-" grains.toml disks.h5 --set traction.0.y=-20
+  starts "$top-200 ${soil}-" grains.toml disks.h5 --set 'traction.0.y="-200 kPa"'
+  [[ $stderr == *"; make the two equal, as by run-dem on the packings, unless a sudden load is meant" ]] || show
+  run-dem --quiet disks.h5 bring.toml --set stage.0.pressure=2e5 -o brought.h5
+  starts "" grains.toml brought.h5 --set 'traction.0.y="-200 kPa"' --set 'geosynthetic.seat_pressure="200 kPa"'
+  # The run says it, and its file.
+  exits 0 fem-dem --quiet elastic.toml --set traction.0.y=-20 "${SHORT[@]}" -o sprung.h5
+  [[ $stderr == "fem-dem: doubt: $top-0.02 "* && $(to-vtk --history sprung.h5) == *"doubt: load_unbalanced: $top-0.02 "* ]] || show
 }
 
 @test "a mesh in mm is told by its extent and by a run that is too short for it" {
@@ -215,7 +251,8 @@ mesh() {
   [[ $stderr == *"step "* && $stderr == *"out.h5.part/stopped.h5 shows it"* ]] || show "no state to look at"
   to-vtk --quiet out.h5.part/stopped.h5 -o broken
   [[ -e broken/soil_000001.vtu || -e broken/soil_000000.vtu ]]
-  mentions 70 fem-dem "element 0, point 0 at" --quiet grains.toml disks.h5 --set 'traction.0.y="-500 MPa"' -o crushed.h5
+  exits 70 fem-dem --quiet grains.toml disks.h5 --set 'traction.0.y="-500 MPa"' -o crushed.h5
+  [[ $(without_doubts) == "fem-dem: "*"element 0, point 0 at"* ]] || show "no element or no point"
   exits 70 fem-dem --quiet grains.toml few.h5 --set 'record.points=[]' --set 'traction.0.y="-5 MPa"' -o narrow.h5
   [[ $(without_doubts) == "fem-dem: "*": element "*", point "*"the largest grain is"*"half of it or more"*"narrow.h5.part/stopped.h5 shows it"* ]] || show "no element or no state"
 }

@@ -129,21 +129,34 @@ std::optional<double> tensile_strength(const ModelSetup& setup) {
   return 0;
 }
 
+using Edge = std::array<Index, 2>;
+
+// Returns the tractions of edges, Pa. They add up, also from boundaries that overlap.
+std::map<Edge, Vec2> tractions_of_edges(const SoilSetup& soil) {
+  std::map<Edge, Vec2> of_edge;
+  for (const Traction& t : soil.tractions)
+    for (const Edge& edge : soil.mesh.boundary_with_edges(t.boundary).ends)
+      of_edge.try_emplace(edge, Vec2::Zero()).first->second += t.value;
+  return of_edge;
+}
+
+// Returns the outward normal of an edge, as long as the edge. The soil lies to the left of its boundary.
+Vec2 outward_of(const Edge& edge, const Mesh& mesh) {
+  const Vec2 along = mesh.nodes[edge[1]] - mesh.nodes[edge[0]];
+  return {along[1], -along[0]};
+}
+
 void doubt_pulled(const ModelSetup& setup, std::vector<Doubt>& doubts) {
   const std::optional<double> strength = tensile_strength(setup);
   if (!strength) return;
   const SoilSetup& soil = setup.soil;
-  // Tractions on one edge add up, also from boundaries that overlap.
-  std::map<std::array<Index, 2>, Vec2> of_edge;
-  for (const Traction& t : soil.tractions)
-    for (const auto& edge : soil.mesh.boundary_with_edges(t.boundary).ends)
-      of_edge.try_emplace(edge, Vec2::Zero()).first->second += t.value;
+  const std::map<Edge, Vec2> of_edge = tractions_of_edges(soil);
   for (const Traction& t : soil.tractions) {
     double pull = 0, length = 0;
-    for (const auto& edge : soil.mesh.boundary_with_edges(t.boundary).ends) {
-      const Vec2 along = soil.mesh.nodes[edge[1]] - soil.mesh.nodes[edge[0]];
-      pull += of_edge.at(edge).dot(Vec2(along[1], -along[0]));  // the soil lies to the left of its boundary
-      length += along.norm();
+    for (const Edge& edge : soil.mesh.boundary_with_edges(t.boundary).ends) {
+      const Vec2 outward = outward_of(edge, soil.mesh);
+      pull += of_edge.at(edge).dot(outward);
+      length += outward.norm();
     }
     // On a closed boundary, the mean pull of a constant traction is zero but for rounding.
     if (!(pull / length > *strength + 1e-9 * t.value.norm())) continue;
@@ -153,6 +166,52 @@ void doubt_pulled(const ModelSetup& setup, std::vector<Doubt>& doubts) {
                                        t.boundary, pull / length / 1e3, *strength / 1e3)});
     return;
   }
+}
+
+// Largest share of a load by which the initial stress may miss it, and the ratio of the two beyond which a missing unit
+// is likelier: a stress in kPa read as Pa is a thousandth.
+constexpr double largest_miss = 0.1, unit_ratio = 50;
+
+// A load of the scenario on a boundary.
+struct Load {
+  std::string name, boundary;
+  Vec2 given = Vec2::Zero();  // Pa
+};
+
+// The worst edge of a boundary along one axis: its traction and the one that balances the stress of the soil, Pa.
+struct Miss {
+  double given = 0, balanced = 0;
+  double outward = 0;  // component of the normal
+};
+
+// Returns the worst edge, if the initial stress misses the tractions of a boundary's free edges along an axis.
+std::optional<Miss> miss_of(const Boundary& boundary, std::size_t along, const Mesh& mesh,
+                            const std::vector<HeldNode>& held, const std::map<Edge, Vec2>& of_edge,
+                            const std::vector<Mat2>& stress) {
+  const auto axis = static_cast<Eigen::Index>(along);
+  Miss worst;
+  double missed = 0, greatest = 0;
+  for (const Edge& edge : boundary.ends) {
+    if (held[edge[0]][along] && held[edge[1]][along]) continue;
+    const Vec2 outward = outward_of(edge, mesh), normal = outward.normalized();
+    const Vec2 given = of_edge.at(edge), balanced = 0.5 * (stress[edge[0]] + stress[edge[1]]) * normal;
+    missed += std::abs(given[axis] - balanced[axis]) * outward.norm();
+    greatest += std::max(given.norm(), balanced.norm()) * outward.norm();
+    if (std::abs(given[axis] - balanced[axis]) > std::abs(worst.given - worst.balanced))
+      worst = {given[axis], balanced[axis], normal[axis]};
+  }
+  if (!(missed > largest_miss * greatest)) return std::nullopt;
+  return worst;
+}
+
+std::string remedy_of(double given, const Miss& miss, bool of_law) {
+  if (given != 0 && std::abs(miss.balanced) > unit_ratio * std::abs(miss.given))
+    return fmt::format("if {0:.4g} kPa is meant, write \"{0:.4g} kPa\"", given);
+  if (of_law && miss.balanced != 0 && std::abs(miss.given) > unit_ratio * std::abs(miss.balanced))
+    return fmt::format("if an initial stress of {0:.4g} kPa is meant, write \"{0:.4g} kPa\"",
+                       std::copysign(miss.balanced, -miss.balanced * miss.outward));
+  return fmt::format("make the two equal{}, unless a sudden load is meant",
+                     of_law ? "" : ", as by run-dem on the packings");
 }
 
 bool stands_still(const Support& s) {
@@ -182,6 +241,34 @@ std::vector<Doubt> loading_doubts(const ModelSetup& setup) {
                       "nothing loads the soil: every stress stays 0; give it a [[traction]], a [[support]] "
                       "that moves, or soil.initial_stress"});
   return doubts;
+}
+
+std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model) {
+  const SoilSetup& soil = setup.soil;
+  std::vector<Mat2> stresses;
+  for (const auto& point : model.points()) stresses.push_back(point->stress());
+  if (std::all_of(stresses.begin(), stresses.end(), [](const Mat2& s) { return s.isZero(0); })) return {};
+  std::map<Edge, Vec2> of_edge = tractions_of_edges(soil);
+  std::vector<Load> loads;
+  for (const Traction& t : soil.tractions) loads.push_back({"the traction", t.boundary, t.value});
+  for (const std::string& name : setup.seat_pressure > 0 ? setup.along : std::vector<std::string>()) {
+    for (const Edge& edge : soil.mesh.boundary_with_edges(name).ends)
+      of_edge.try_emplace(edge, Vec2::Zero()).first->second[1] +=
+          setup.seat_pressure * std::abs(outward_of(edge, soil.mesh).normalized()[1]);
+    loads.push_back({"the seat pressure", name, Vec2(0, setup.seat_pressure)});
+  }
+  const std::vector<HeldNode> held = held_nodes(soil.mesh, soil.supports);
+  const std::vector<Mat2> stress = model.soil().at_nodes(stresses);
+  for (const Load& load : loads)
+    for (const std::size_t axis : {0, 1})
+      if (const std::optional<Miss> miss =
+              miss_of(soil.mesh.boundary(load.boundary), axis, soil.mesh, held, of_edge, stress))
+        return {{"load_unbalanced",
+                 fmt::format("{} on \"{}\" is {:.4g} kPa along {}, and the soil's stress at the start balances {:.4g} "
+                             "kPa there: the soil springs; {}",
+                             load.name, load.boundary, miss->given / 1e3, "xy"[axis], miss -> balanced / 1e3,
+                             remedy_of(load.given[static_cast<Eigen::Index>(axis)], *miss, setup.law.has_value()))}};
+  return {};
 }
 
 }  // namespace soilweave::fem

@@ -17,4 +17,8 @@ void read_boundary_conditions(Settings& document, SoilSetup& soil);
 /// that no support holds against their tractions, and a soil that nothing loads.
 std::vector<Doubt> loading_doubts(const ModelSetup& setup);
 
+/// Returns "load_unbalanced" if the initial stress of the points misses a traction or the seat pressure by more than a
+/// tenth where the soil is free. Empty for soil without initial stress. model: before its first step.
+std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model);
+
 }  // namespace soilweave::fem

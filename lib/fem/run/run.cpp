@@ -15,6 +15,7 @@
 #include "core/text/text.h"
 #include "dem/run/checkpoint.h"
 #include "dem/run/forecast.h"
+#include "fem/run/boundary_conditions.h"
 #include "fem/run/packing_doubts.h"
 #include "fem/run/record.h"
 #include "fem/run/timing.h"
@@ -35,7 +36,11 @@ ModelSetup with_packings(const Scenario& scenario, const std::vector<io::Snapsho
 // Adds everything that is doubted before the first step.
 void doubt_start(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const Model& model,
                  std::int64_t steps, Doubts& doubts) {
-  doubts.add_all(packing_doubts(packings, scenario.model, model));
+  const std::vector<Doubt> of_packings = packing_doubts(packings, scenario.model, model);
+  doubts.add_all(of_packings);
+  // Another stress than that of the files would miss the loads, too.
+  if (std::none_of(of_packings.begin(), of_packings.end(), [](const Doubt& d) { return d.key == "jump"; }))
+    doubts.add_all(balance_doubts(scenario.model, model));
   doubts.add_all(timing_doubts(scenario, model, steps));
 }
 
