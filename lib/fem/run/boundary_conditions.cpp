@@ -204,7 +204,7 @@ std::optional<Miss> miss_of(const Boundary& boundary, std::size_t along, const M
   return worst;
 }
 
-std::string remedy_of(double given, const Miss& miss, bool of_law) {
+std::string balance_remedy(double given, const Miss& miss, bool of_law) {
   if (given != 0 && std::abs(miss.balanced) > unit_ratio * std::abs(miss.given))
     return fmt::format("if {0:.4g} kPa is meant, write \"{0:.4g} kPa\"", given);
   if (of_law && miss.balanced != 0 && std::abs(miss.given) > unit_ratio * std::abs(miss.balanced))
@@ -214,15 +214,21 @@ std::string remedy_of(double given, const Miss& miss, bool of_law) {
                      of_law ? "" : ", as by run-dem on the packings");
 }
 
-bool stands_still(const Support& s) {
-  return s.x.value_or(0) == 0 && s.y.value_or(0) == 0 && (!s.gradient || s.gradient->isZero(0));
-}
-
 }  // namespace
 
 void read_boundary_conditions(Settings& document, SoilSetup& soil) {
   for (Settings table : document.tables("support")) read_support(table, soil);
   for (Settings table : document.tables("traction")) read_traction(table, soil);
+}
+
+bool is_driven(const ModelSetup& setup) {
+  const auto moves = [](const Support& s) {
+    return s.x.value_or(0) != 0 || s.y.value_or(0) != 0 || (s.gradient && !s.gradient->isZero(0));
+  };
+  const auto pulls = [](const ChainEnd& end) { return end.x.value_or(0) != 0 || end.y.value_or(0) != 0; };
+  const std::vector<Support>& supports = setup.soil.supports;
+  return std::any_of(supports.begin(), supports.end(), moves) ||
+         (setup.bars && (pulls(setup.bars->start) || pulls(setup.bars->end)));
 }
 
 std::vector<Doubt> loading_doubts(const ModelSetup& setup) {
@@ -234,8 +240,7 @@ std::vector<Doubt> loading_doubts(const ModelSetup& setup) {
   if (setup.bars) return doubts;  // the chain or its guides may hold and load the soil
   doubt_free(soil, held, doubts);
   const auto zero = [](const Traction& t) { return t.value.isZero(0); };
-  if (setup.law && setup.law->initial_stress.isZero(0) &&
-      std::all_of(soil.supports.begin(), soil.supports.end(), stands_still) &&
+  if (setup.law && setup.law->initial_stress.isZero(0) && !is_driven(setup) &&
       std::all_of(soil.tractions.begin(), soil.tractions.end(), zero))
     doubts.push_back({"soil_unloaded",
                       "nothing loads the soil: every stress stays 0; give it a [[traction]], a [[support]] "
@@ -263,11 +268,12 @@ std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model) {
     for (const std::size_t axis : {0, 1})
       if (const std::optional<Miss> miss =
               miss_of(soil.mesh.boundary(load.boundary), axis, soil.mesh, held, of_edge, stress))
-        return {{"load_unbalanced",
-                 fmt::format("{} on \"{}\" is {:.4g} kPa along {}, and the soil's stress at the start balances {:.4g} "
-                             "kPa there: the soil springs; {}",
-                             load.name, load.boundary, miss->given / 1e3, "xy"[axis], miss -> balanced / 1e3,
-                             remedy_of(load.given[static_cast<Eigen::Index>(axis)], *miss, setup.law.has_value()))}};
+        return {
+            {"load_unbalanced",
+             fmt::format("{} on \"{}\" is {:.4g} kPa along {}, and the soil's stress at the start balances {:.4g} "
+                         "kPa there: the soil springs; {}",
+                         load.name, load.boundary, miss->given / 1e3, "xy"[axis], miss -> balanced / 1e3,
+                         balance_remedy(load.given[static_cast<Eigen::Index>(axis)], *miss, setup.law.has_value()))}};
   return {};
 }
 

@@ -13,6 +13,9 @@ namespace soilweave::fem {
 /// Reads [[support]] and [[traction]]. The soil must have its mesh. Tables with a mistake are left out.
 void read_boundary_conditions(Settings& document, SoilSetup& soil);
 
+/// Returns whether a support moves the soil, or an end of the chain is pulled.
+bool is_driven(const ModelSetup& setup);
+
 /// Returns doubts about tractions that supports carry whole, tractions that pull a soil without tension, pieces of soil
 /// that no support holds against their tractions, and a soil that nothing loads.
 std::vector<Doubt> loading_doubts(const ModelSetup& setup);

@@ -18,6 +18,7 @@
 #include "fem/run/boundary_conditions.h"
 #include "fem/run/packing_doubts.h"
 #include "fem/run/record.h"
+#include "fem/run/rest_doubts.h"
 #include "fem/run/timing.h"
 
 namespace soilweave::fem {
@@ -88,11 +89,13 @@ class Runner {
         ranks_(ranks),
         report_(report),
         history_(history),
+        doubts_(doubts),
         keeper_(safekeeping, 1 << 20),
         model_(with_packings(scenario, packings), &ranks),
         timetable_(scenario, model_.time_step()) {
     file_.scenario = scenario.resolved;
     doubt_start(scenario, packings, model_, timetable_.steps(), doubts);
+    start_ = out_of_balance(scenario.model, model_);
     std::optional<io::Checkpoint> last = keeper_.keeps() ? keeper_.part().take_last() : std::nullopt;
     go_on(std::move(last));
     start_steps_ = grain_work(model_).steps;
@@ -112,6 +115,7 @@ class Runner {
       keep();
     }
     model_.collect();
+    if (ranks_.first()) doubts_.add_all(rest_doubts(scenario_, model_, start_, doubts_.all()));
     const GrainWork work = grain_work(model_);
     file_.work = {work.steps, work.contact_steps};
     return {std::move(file_), cost()};
@@ -270,9 +274,11 @@ class Runner {
   const Ranks& ranks_;
   const ProgressReport& report_;
   const io::History& history_;
+  Doubts& doubts_;
   dem::Keeper keeper_;
   Model model_;
   Timetable timetable_;
+  OutOfBalance start_;  // before the first step, also in a run that goes on
   std::int64_t done_ = 0, since_output_ = 0, rested_ = 0, start_steps_ = 0;
   bool resting_ = false, going_on_ = false;
   io::MultiscaleFile file_;
