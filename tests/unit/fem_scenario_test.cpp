@@ -144,14 +144,20 @@ TEST(Scenario, DoubtsTractionsThatPullSoilWithoutTension) {
   EXPECT_EQ(found[0].key, "traction_pulls");
 }
 
-std::vector<std::string> timing(const std::vector<std::string>& overrides) {
-  Doubts doubts;
-  const std::string text = forecast(scenario(footing + load, overrides), {}, doubts);
-  EXPECT_NE(text.find(" points, "), std::string::npos) << text;
-  std::vector<std::string> keys;
+Keys keys_in(const Doubts& doubts) {
+  Keys keys;
   for (const Doubt& doubt : doubts.all()) keys.push_back(doubt.key);
   return keys;
 }
+
+Keys before(const std::string& text, const std::vector<std::string>& overrides) {
+  Doubts doubts;
+  const std::string forecasted = forecast(scenario(text, overrides), {}, doubts);
+  EXPECT_NE(forecasted.find(" points, "), std::string::npos) << forecasted;
+  return keys_in(doubts);
+}
+
+Keys timing(const std::vector<std::string>& overrides) { return before(footing + load, overrides); }
 
 TEST(Scenario, DoubtsADurationInWhichNoLoadGetsThroughTheSoil) {
   // E = 10 MPa, nu = 0.25 and 2000 kg/m3: compression waves have 77.5 m/s.
@@ -164,6 +170,48 @@ TEST(Scenario, DoubtsADurationInWhichNoLoadGetsThroughTheSoil) {
   Doubts doubts;
   EXPECT_NE(forecast(scenario(footing + load, {"mesh.width=1000"}), {}, doubts).find(" points, 1000 m by 1 m\n"),
             std::string::npos);
+}
+
+TEST(Scenario, DoubtsLoadsThatTheInitialStressDoesNotBalance) {
+  const Keys missed = {"load_unbalanced"};
+  const auto with_stress = [](const std::string& stress, const std::string& text) {
+    return before(footing + text, {"soil.initial_stress=" + stress});
+  };
+  EXPECT_EQ(with_stress("[500, 1000, 500]", load), Keys{});
+  EXPECT_EQ(with_stress("[500, 1085, 500]", load), Keys{});
+  EXPECT_EQ(with_stress("[500, 1150, 500]", load), missed);
+  EXPECT_EQ(with_stress("[0, 0, 500]", load), Keys{}) << "no stress in the plane";
+  EXPECT_EQ(with_stress("[500, 2000, 500]", load + load), Keys{}) << "tractions on one boundary add up";
+  EXPECT_EQ(with_stress("[500, 1000, 500]", load + load), missed);
+  EXPECT_EQ(with_stress("[500, 0, 500]", "[[traction]]\non = \"left\"\nx = 500\n"), Keys{});
+  EXPECT_EQ(with_stress("[500, 0, 500]", "[[traction]]\non = \"right\"\nx = 500\n"), missed) << "the other sign";
+  EXPECT_EQ(with_stress("[500, 0, 500]", "[[traction]]\non = \"bottom\"\ny = 500\n"), Keys{}) << "held";
+}
+
+TEST(Scenario, DoubtsSoilThatIsNotAtRestAtTheEndInEveryPhase) {
+  const auto after = [](const std::string& text, const std::vector<std::string>& overrides) {
+    const Ranks ranks;
+    Doubts doubts;
+    const Scenario plan = scenario(text, with({"soil.damping=0.2"}, overrides));
+    doubts.add_all(plan.doubts);
+    run(plan, {}, nullptr, {}, {}, ranks, doubts);
+    return keys_in(doubts);
+  };
+  // The period of the block is about 0.05 s.
+  for (const char* time : {"0.2", "0.21", "0.22", "0.23", "0.24", "0.25"})
+    EXPECT_EQ(after(footing + load, {"time.duration=" + std::string(time)}), Keys{"unrest"}) << time;
+  EXPECT_EQ(after(footing + load, {"soil.damping=150"}), Keys{});
+  EXPECT_EQ(after(footing + load, {"soil.damping=1e5"}), Keys{"unrest"}) << "creeps towards its rest";
+  EXPECT_EQ(after(footing + load, {"quasi_static.kinetic_energy=1e-6"}), Keys{});
+  EXPECT_EQ(after(footing + load, {"quasi_static.kinetic_energy=1"}), Keys{"unrest"}) << "too much counts as rest";
+  EXPECT_EQ(after(footing + "[[support]]\non = \"top\"\ny = -0.001\n", {}), Keys{}) << "driven";
+  EXPECT_EQ(after(load, {}), Keys{"soil_free"}) << "nothing holds it";
+}
+
+TEST(Scenario, RefusesPackingsForAContinuum) {
+  Doubts doubts;
+  expect_error<DataError>([&] { forecast(scenario(footing + load), {io::Snapshot{}}, doubts); },
+                          "1 packing is given, and the soil is a continuum, which holds none");
 }
 
 TEST(Scenario, RefusesToRecordTheGrainsOfAContinuum) {
