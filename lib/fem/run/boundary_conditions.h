@@ -21,7 +21,8 @@ bool is_driven(const ModelSetup& setup);
 std::vector<Doubt> loading_doubts(const ModelSetup& setup);
 
 /// Returns "load_unbalanced" if the initial stress of the points misses a traction or the seat pressure by more than a
-/// tenth where the soil is free. Empty for soil without initial stress. model: before its first step.
+/// tenth where the soil is free. Empty for soil without initial stress. Shear stress is judged under shear tractions.
+/// model: before its first step.
 std::vector<Doubt> balance_doubts(const ModelSetup& setup, const Model& model);
 
 }  // namespace soilweave::fem

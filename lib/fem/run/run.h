@@ -20,10 +20,9 @@ struct Outcome {
 
 /// Runs the whole duration, with a row of the series per output. A safekeeping folder lets the run go on later, to the
 /// same bytes, on any number of threads and processes. All processes call it; only the first has folder and outcome.
-/// doubts: receives doubts about packings, loads and duration before the first step,
-/// and about rest at the end. report: also called once
-/// before the first step. Throws PhysicsError, TargetNotReached if no quasi-static state is reached, Stopped after a
-/// signal.
+/// doubts: receives doubts about packings, loads and duration before the first step, and about rest at the end. report:
+/// also called once before the first step. Throws PhysicsError, TargetNotReached if no quasi-static state is reached,
+/// Stopped after a signal.
 Outcome run(const Scenario& scenario, const std::vector<io::Snapshot>& packings, const ProgressReport& report,
             const dem::Safekeeping& safekeeping, const io::History& history, const Ranks& ranks, Doubts& doubts);
 
