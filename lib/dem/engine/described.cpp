@@ -57,6 +57,17 @@ const io::Snapshot& described(const io::Snapshot& state, const Model& model) {
   return state;
 }
 
+void demand_in_plane(const io::Snapshot& state, const Vec3& gravity) {
+  if (state.grains.dimension != 2) return;
+  const std::string why = "along z, and the packing is of disks in the plane of x and y";
+  if (gravity.z() != 0) throw DataError(fmt::format("numerics.gravity acts {}: give it along y", why));
+  for (std::size_t k = 0; k < state.planes.point.size(); ++k)
+    for (const auto& [name, vector] :
+         {std::pair("normal", &state.planes.normal), std::pair("velocity", &state.planes.velocity)})
+      if ((*vector)[k].z() != 0)
+        throw DataError(fmt::format("plane {}: its {} has a part {}: leave that part out", k, name, why));
+}
+
 std::optional<std::pair<std::size_t, int>> plane_between_images(const io::Snapshot& state) {
   const io::GrainsRecord& g = state.grains;
   const double widest = 2 * *std::max_element(g.radius.begin(), g.radius.end());

@@ -16,6 +16,9 @@ namespace soilweave::dem {
 /// A fabric may lie across a face if the positions of its nodes are not wrapped.
 const io::Snapshot& described(const io::Snapshot& state, const Model& model);
 
+/// Throws DataError if gravity (m/s2) or a plane's normal or velocity has a part along z and the packing is of disks.
+void demand_in_plane(const io::Snapshot& state, const Vec3& gravity);
+
 /// Returns a plane and an axis that it stands across, along which grains touch their own images through the faces of
 /// the cell: such a plane bears what these contacts leave to it. Empty where grains leave as much free room along each
 /// such axis as the largest is wide.

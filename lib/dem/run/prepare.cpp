@@ -195,18 +195,6 @@ void demand_facing(const Scenario& scenario) {
                       stage.name));
 }
 
-void demand_in_plane(const io::Snapshot& state, const Scenario& scenario) {
-  if (state.grains.dimension != 2) return;
-  const std::string why = "along z, and the packing is of disks in the plane of x and y";
-  if (scenario.numerics.gravity.z() != 0)
-    throw DataError(fmt::format("numerics.gravity acts {}: give it along y", why));
-  for (std::size_t k = 0; k < state.planes.point.size(); ++k)
-    for (const auto& [name, vector] :
-         {std::pair("normal", &state.planes.normal), std::pair("velocity", &state.planes.velocity)})
-      if ((*vector)[k].z() != 0)
-        throw DataError(fmt::format("plane {}: its {} has a part {}: leave that part out", k, name, why));
-}
-
 // Throws DataError for a stage that gives planes a friction angle if there are none, or if grains share their material.
 void demand_own_material(const io::Snapshot& state, const Stage& stage) {
   if (!stage.plate_friction) return;
@@ -224,7 +212,7 @@ void demand_own_material(const io::Snapshot& state, const Stage& stage) {
 }
 
 void demand_fit(const io::Snapshot& state, const Scenario& scenario) {
-  demand_in_plane(state, scenario);
+  demand_in_plane(state, scenario.numerics.gravity);
   const std::vector<RigPart> parts = parts_of(scenario);
   for (const Stage& stage : scenario.stages) {
     demand_own_material(state, stage);
@@ -253,12 +241,6 @@ std::vector<std::int32_t> nodes_within(const io::Snapshot& state, const Vec3& lo
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
-}
-
-void set_density(io::Snapshot& state, double density) {
-  const std::vector<bool> node = io::nodes(state);
-  for (std::size_t i = 0; i < state.grains.size(); ++i)
-    if (!node[i]) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
 }
 
 io::Snapshot prepare(const io::Snapshot& packing, const Scenario& scenario) {

@@ -11,15 +11,12 @@
 
 namespace soilweave::dem {
 
-/// Sets the masses of all grains except nodes of geotextiles from a density, kg/m3.
-void set_density(io::Snapshot& state, double density);
-
 /// Returns the packing with the scenario's masses and planes.
 /// Planes that are to touch the grains are moved there. Throws DataError if packing and scenario do not fit:
 /// - the packing names materials or geotextiles that the scenario lacks;
 /// - a stage loads an aperiodic axis, or a strain to record is no station;
 /// - a yarn passes through a periodic face, a plane starts inside the grains, or a clamp holds nothing;
-/// - gravity has nothing to press on;
+/// - gravity has nothing to press on, or a plane stands between grains and their images;
 /// - a homogeneous start has no parts that face each other, or a critical drag has no aperiodic axis;
 /// - masses are scaled although there is gravity;
 /// - a plane, gravity or a stage leaves the plane of disks;

@@ -57,6 +57,12 @@ double grain_volume(int dimension, double radius) {
   return dimension == 3 ? 4.0 / 3.0 * std::numbers::pi * radius * radius * radius : std::numbers::pi * radius * radius;
 }
 
+void set_density(io::Snapshot& state, double density) {
+  const std::vector<bool> node = io::nodes(state);
+  for (std::size_t i = 0; i < state.grains.size(); ++i)
+    if (!node[i]) state.grains.mass[i] = density * grain_volume(state.grains.dimension, state.grains.radius[i]);
+}
+
 double Bodies::solid_volume() const {
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i) sum += grain_volume(dimension, radius(i));

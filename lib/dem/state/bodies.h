@@ -33,6 +33,8 @@ struct alignas(64) Load {
 
 /// Returns the volume of a sphere (m3) or the area of a disk (m2).
 double grain_volume(int dimension, double radius);
+/// Sets the masses of all grains except nodes of geotextiles from a density, kg/m3.
+void set_density(io::Snapshot& state, double density);
 
 /// Returns the byte offset of grain `index` from the first grain.
 inline std::uint32_t grain_distance(std::size_t index) { return static_cast<std::uint32_t>(index * sizeof(Grain)); }

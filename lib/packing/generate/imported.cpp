@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "dem/run/prepare.h"
+#include "dem/state/bodies.h"
 #include "packing/generate/spatial_order.h"
 
 namespace soilweave::packing {
