@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "analysis/measure/fabric.h"
@@ -302,14 +303,15 @@ std::vector<Doubt> mesh_doubts(const io::Snapshot& state) {
   double node = INFINITY;
   for (std::size_t i = 0; i < part.size(); ++i)
     if (part[i] == Part::node) node = std::min(node, state.grains.radius[i]);
-  const double longest = *std::max_element(state.yarns.rest_length.begin(), state.yarns.rest_length.end());
+  const std::vector<double>& yarns = state.yarns.rest_length;
+  const double apart = std::reduce(yarns.begin(), yarns.end()) / static_cast<double>(yarns.size());
   // Diameter of the sphere that passes between four nodes at the corners of a square.
-  const double opening = std::sqrt(2.0) * longest - 2 * node;
+  const double opening = std::sqrt(2.0) * apart - 2 * node;
   std::size_t soil = 0, narrow = 0;
   for (std::size_t i = 0; i < part.size(); ++i)
     if (part[i] == Part::soil) ++soil, narrow += 2 * state.grains.radius[i] < opening;
   if (narrow == 0) return {};
-  return {{"mesh", fmt::format("openings between the nodes of the geotextile are up to {:.3g} mm across, and {} of {} "
+  return {{"mesh", fmt::format("openings between the nodes of the geotextile are some {:.3g} mm across, and {} of {} "
                                "grains are narrower: they may slip out as they grow; a finer mesh holds them "
                                "(geotextile_mesh.cells or spacing)",
                                1e3 * opening, narrow, soil)}};

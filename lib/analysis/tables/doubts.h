@@ -21,7 +21,7 @@ std::vector<Doubt> compaction_doubts(const io::Snapshot& state);
 /// Returns "outside" if a minority of the grains has left the bag. Returns "preload" if the soil in the bag has 2 Nc/N
 /// below 2. Empty without yarns or soil.
 std::vector<Doubt> bag_doubts(const io::Snapshot& state);
-/// Returns "mesh" if grains are narrower than the widest openings between nodes of the geotextile around them. Empty
+/// Returns "mesh" if grains are narrower than the mean opening between nodes of the geotextile around them. Empty
 /// without yarns.
 std::vector<Doubt> mesh_doubts(const io::Snapshot& state);
 
