@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "calibration/assimilation.h"
@@ -17,6 +18,11 @@ constexpr double nothing_learnt = 0.99;
 constexpr std::size_t listed_runs = 20, listed_steps = 12;
 
 double degenerate_below(const Assimilation& a) { return static_cast<double>(a.ensemble.prior.size()) + 1; }
+
+// Squared deviation of the nearest run, in variances per observation, that no error model explains: five deviations.
+constexpr double far_misfit = 25;
+// Root mean square of the deviations over that of the observations, above which a run does not have their size.
+constexpr double far_share = 0.5;
 
 std::string unit_of(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
 
@@ -88,6 +94,31 @@ std::string parameters_text(const Assimilation& a) {
   return text;
 }
 
+/// Returns the least root mean square of any run's deviations from observable c, over that of the observations. A
+/// column of zeros has no size to compare with, and gives 0.
+double nearest_share(const Assimilation& a, Eigen::Index c) {
+  const Vector observed = a.observed.values.col(c);
+  if (!(observed.norm() > 0)) return 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Matrix& run : a.runs.values)
+    if (run.size() > 0) nearest = std::min(nearest, (run.col(c) - observed).norm() / observed.norm());
+  return nearest;
+}
+
+/// Returns the ways in which all runs are far from the observations. A variance that was searched for an effective size
+/// says nothing about the fit; the share of the observed values does.
+std::vector<std::string> distances(const Assimilation& a) {
+  std::vector<std::string> all;
+  const double misfit = a.misfit.rowwise().sum().minCoeff() / static_cast<double>(a.observed.values.size());
+  if (a.filtered.variance_factor == 1 && misfit > far_misfit)
+    all.push_back(fmt::format("the nearest run has a squared deviation of {:.4g} variances per observation", misfit));
+  for (std::size_t k = 0; k < a.observed.observables.size(); ++k)
+    if (const double share = nearest_share(a, static_cast<Eigen::Index>(k)); share > far_share)
+      all.push_back(fmt::format("every run is off by {:.0f} % or more of the observed {}", 100 * share,
+                                a.observed.observables[k].name));
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const Assimilation& a) {
@@ -99,6 +130,11 @@ std::vector<std::string> warnings(const Assimilation& a) {
     list.push_back(
         fmt::format("ids in --runs that no member of the ensemble has: {}, the first {}; their rows are left out",
                     a.runs.unknown.size(), a.runs.unknown.front()));
+  if (const std::vector<std::string> far = distances(a); !far.empty() && !all_zero(a))
+    list.push_back(
+        fmt::format("no run comes near the observations: {}; check the units in the heads of both tables, and the "
+                    "observables; else widen the prior",
+                    fmt::join(far, ", and ")));
   const auto last = static_cast<Eigen::Index>(a.observed.stations()) - 1;
   const double size = a.filtered.effective_size[last];
   if (size < degenerate_below(a)) {

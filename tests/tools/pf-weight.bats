@@ -253,6 +253,30 @@ PY
   [[ $stderr == *"at t 1 every likelihood is zero: the nearest run has a squared deviation of "*" variances"* ]] || show
 }
 
+@test "assimilate: observations that no run comes near, as in another unit, are told, also where the error is searched" {
+  printf '[[parameter]]\nname = "b"\nlow = 1\nhigh = 2\n' > slope.toml
+  pf-weight draw slope.toml -n 20 -o slope.h5
+  pf-weight draw slope.toml -n 20 --tsv | awk -F '\t' 'NR == 1 { print "id\tx [%]\tq [kPa]" }
+    NR > 1 { for (x = 0; x <= 5; ++x) print $1 "\t" x "\t" $2 * x }' > straight.tsv
+  local head try=(slope.h5 q.tsv --runs straight.tsv --covariance largest --tsv)
+  local far="no run comes near the observations: every run is off by"
+  for head in kPa Pa; do
+    printf 'x [%%]\tq [%s]\n1\t1.5\n2\t3\n3\t4.5\n4\t6\n' "$head" > q.tsv
+    exits 0 pf-weight assimilate "${try[@]}" --least-size 0.3
+    [[ $head == kPa || $stderr == *"$far "*" % or more of the observed q; check the units in the heads of both tables"* ]] || show "$head"
+    [[ $head != kPa || -z $stderr ]] || show "$head"
+  done
+  sed -i 's/Pa/MPa/' q.tsv
+  exits 0 pf-weight assimilate "${try[@]}" --error 0.3
+  [[ $stderr == *"$far 100 % or more of the observed q; check the units"* ]] || show
+  # A deviation of ten standard deviations of the given error, though the runs have the size of the observations.
+  printf 'x [%%]\tq [kPa]\n1\t2.5\n2\t5\n3\t7.5\n4\t10\n' > q.tsv
+  exits 0 pf-weight assimilate "${try[@]}" --error 0.02
+  [[ $stderr == *"no run comes near the observations: the nearest run has a squared deviation of "*" variances per observation; check the units"* ]] || show
+  exits 0 pf-weight assimilate "${try[@]}" --least-size 0.3
+  [[ $stderr != *"comes near"* ]] || show
+}
+
 @test "assimilate: the error that keeps a share of the sets effective" {
   pf-weight draw prior.toml -n 100 -o ensemble.h5
   exits 0 pf-weight assimilate ensemble.h5 observed.tsv --runs runs.tsv --least-size 0.3 --tsv
