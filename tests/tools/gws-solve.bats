@@ -186,7 +186,47 @@ PY
   holds 'p_c > 1e6 && p_c < 2e6' p_c="$(value <(printf '%s\n' "$output") p_c 1)"
   printf 'confining_pressure [kPa]\tobliquity_at_failure [1]\n100\t1.4\n200\t4.2\n' > beyond.tsv
   exits 65 gws-solve identify "$DEM"/soilbag_uniaxial_{PE,PP}.tsv --failure beyond.tsv
-  [[ $stderr == *"beyond.tsv: row 2: q/p = 4.2 under 200 kPa; in compression q/p lies between 0 and 3, and the pressure above 0" ]] || show
+  [[ $stderr == *"beyond.tsv: row 2: q/p = 4.2 under 200 kPa; in compression q/p lies between 0 and 2.47: check that obliquity_at_failure is q/p, "* ]] || show
+}
+
+@test "points of compression in another unit are refused or a doubt" {
+  local head factor status words
+  gws-solve respond --geotextile PP --tsv > PP.tsv
+  while IFS=';' read -r head factor status words; do
+    { printf 'mean_stress [%s]\tstrain_volumetric%s\n' "${head%,*}" "${head#*,}"
+      printf '25 .446\n50 .655\n90 .87\n' | awk -v f="$factor" -v OFS='\t' '{ print $1, f * $2 }'; } > c.tsv
+    exits "$status" gws-solve identify PP.tsv --set failure_line.n=0.0723 --compression c.tsv
+    [[ -n $words || $stderr != *c.tsv* && $stderr != *C_t* && $stderr != *--compression* ]] || show "$head"
+    [[ $stderr == *"$words"* ]] || show "$head"
+  done <<'CASES'
+kPa, [%];1;0;
+kPa, [1];0.01;0;
+kPa,;1;65;c.tsv: row 1: strain_volumetric = 0.446; must be between -0.3 and 0.3: per cent are written strain_volumetric [%] in the header
+kPa,;0.01;0;doubt: c.tsv: strain_volumetric has no unit and is taken for a fraction; write [%] or [1] in the header
+kPa, [%];0.01;0;doubt: C_t = 0.01372 is 0.01 times that of soil toyoura-gws (changed): check the units of strain_volumetric and mean_stress in the heads
+Pa, [%];1;65;c.tsv: row 1: mean_stress = 0.025 kPa; must be from 500 Pa to 100 MPa: check the unit in the header
+MPa, [%];1;0;doubt: 3 of 3 points of --compression, from 2.5e+04 to 9e+04 kPa, lie beyond the mean stress of the series
+CASES
+}
+
+@test "strengths under impossible pressures, or that are not q/p, are refused or a doubt" {
+  local unit first second status words
+  gws-solve respond --geotextile PP --tsv > PP.tsv
+  while IFS=';' read -r unit first second status words; do
+    printf 'confining_pressure [%s]\tobliquity_at_failure [1]\n%s\n%s\n' "$unit" "${first/ /$'\t'}" "${second/ /$'\t'}" > f.tsv
+    exits "$status" gws-solve identify PP.tsv --failure f.tsv
+    [[ -n $words || $stderr != *f.tsv* && $stderr != *p_c* ]] || show "$first"
+    [[ $stderr == *"$words"* ]] || show "$first"
+  done <<'CASES'
+kPa;50 1.68;400 1.46;0;
+MPa;50 1.68;400 1.46;65;f.tsv: row 2: confining_pressure = 4e+05 kPa; must be from 500 Pa to 100 MPa: check the unit in the header
+MPa;20 1.68;90 1.46;0;doubt: f.tsv: all confining pressures lie beyond 10 kPa to 10 MPa, the first is 2e+04 kPa: check the unit
+Pa;50 1.68;400 1.46;65;f.tsv: row 1: confining_pressure = 0.05 kPa; must be from 500 Pa to 100 MPa
+kPa;50 4.1;400 3.6;65;f.tsv: row 1: q/p = 4.1 under 50 kPa; in compression q/p lies between 0 and 2.47
+kPa;50 2.5;400 2.4;65;f.tsv: row 1: q/p = 2.5 under 50 kPa; in compression q/p lies between 0 and 2.47
+kPa;50 .63;400 .60;0;doubt: f.tsv: row 1: q/p = 0.63 is a friction angle of 16.6 deg, where granular soils have 22 to 55
+kPa;50 .63;400 .60;0;kPa is far beyond the tests, 63.29 to 500 kPa: check obliquity_at_failure
+CASES
 }
 
 @test "what is identified the next command takes, and what is not is a doubt" {

@@ -162,6 +162,43 @@ std::vector<Doubt> hardly_determined(const std::vector<Line>& lines) {
                        stiffness ? "check that the geotextiles are in the order of the series, or " : "")}};
 }
 
+/// Returns the doubt "compression-range" if most points of compression lie beyond a range of the mean stress.
+std::vector<Doubt> beyond_series(const Points& compression, const Span& range) {
+  const auto beyond = std::ranges::count_if(compression.x, [&](double p) { return p < range.low || p > range.high; });
+  if (!range.known() || 2 * static_cast<std::size_t>(beyond) <= compression.x.size()) return {};
+  const auto [low, high] = std::ranges::minmax(compression.x);
+  return {{"compression-range",
+           fmt::format("{} of {} points of --compression, from {:.4g} to {:.4g} kPa, lie beyond the mean stress of the "
+                       "series, {:.4g} to {:.4g} kPa: check the units in the heads of both, or give points from there",
+                       beyond, compression.x.size(), low / 1e3, high / 1e3, range.low / 1e3, range.high / 1e3)}};
+}
+
+/// Returns the doubt "out-of-proportion" about constants of a size that a slip of units gives, not a soil.
+std::vector<Doubt> out_of_proportion(const Identification& found) {
+  constexpr double greatest_factor = 10, farthest_pressure = 1e3;
+  std::vector<std::string> all;
+  for (const Line& line : found.lines) {
+    if (line.name == "compression_line") {
+      const double factor = line.fit.estimates[0] / line.given[0];
+      if (factor > greatest_factor || factor < 1 / greatest_factor)
+        all.push_back(
+            fmt::format("C_t = {:.4g} is {:.3g} times that of soil {}: check the units of strain_volumetric "
+                        "and mean_stress in the heads",
+                        line.fit.estimates[0], factor, found.soil.name));
+    } else if (line.name == "failure_line") {
+      const double p_c = line.fit.estimates[1];
+      const auto [low, high] = std::ranges::minmax(line.x);
+      if (p_c > farthest_pressure * high || p_c < low / farthest_pressure)
+        all.push_back(
+            fmt::format("p_c = {:.4g} kPa is far beyond the tests, {:.4g} to {:.4g} kPa: check "
+                        "obliquity_at_failure, and give strengths over a wider range of pressures",
+                        p_c / 1e3, low / 1e3, high / 1e3));
+    }
+  }
+  if (all.empty()) return {};
+  return {{"out-of-proportion", fmt::format("{}", fmt::join(all, "; "))}};
+}
+
 }  // namespace
 
 std::string_view explained(Method method) {
@@ -179,6 +216,9 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
   found.soil.exact.clear();
   const std::vector<BagSeries> series = near_failure_rows(given, soil.soil);
   if (!series.empty()) found.soil.identified = range_of(series);
+  found.of_points = beyond_series(compression, found.soil.identified.mean_stress);
+  for (const Points* points : {&compression, &failure})
+    found.of_points.insert(found.of_points.end(), points->doubts.begin(), points->doubts.end());
   Collected all{found.lines, found.left_out};
   if (!compression.x.empty()) all.add([&] { return compression_line(series, soil.soil, compression); });
   if (!failure.x.empty()) all.add([&] { return failure_line(series, soil.soil, failure); });
@@ -221,9 +261,9 @@ Identification identify(const std::vector<BagSeries>& given, const SoilFile& soi
 
 std::vector<Doubt> doubts(const Identification& found, const std::vector<std::string>& assignments) {
   std::vector<Doubt> all = not_identified(found, assignments), exact = unscattered(found.soil),
-                     weak = hardly_determined(found.lines);
-  all.insert(all.end(), exact.begin(), exact.end());
-  all.insert(all.end(), weak.begin(), weak.end());
+                     weak = hardly_determined(found.lines), large = out_of_proportion(found);
+  for (const std::vector<Doubt>& more : {exact, weak, large, found.of_points})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/doubts.h"
 #include "gws/identification/bag_series.h"
 #include "gws/identification/fit.h"
 
@@ -31,9 +32,10 @@ struct Line {
   Fit fit;
 };
 
-/// Points of plain tables, SI: (p, eps_v) or, at failure, (p, q/p).
+/// Points of plain tables, SI: (p, eps_v) or, at failure, (p, q/p). The doubts are about the tables themselves.
 struct Points {
   std::vector<double> x, y;
+  std::vector<Doubt> doubts = {};
 };
 
 /// Change from row i to row i + 1. Strains are fractions.

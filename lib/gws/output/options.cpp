@@ -255,13 +255,4 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
   return bags;
 }
 
-Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
-                   const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources) {
-  if (path.empty()) return {};
-  const io::TextFile text = io::read_text(path, "points");
-  sources.push_back(text.source);
-  const io::Series table = io::from_tsv(text.text, path.string());
-  return {io::in_unit(table, x, x_unit, path.string()), io::in_unit(table, y, y_unit, path.string())};
-}
-
 }  // namespace soilweave::gws

@@ -118,8 +118,4 @@ std::vector<BagSeries> read_bags(const std::vector<std::filesystem::path>& paths
                                  const std::vector<std::string>& geotextiles, bool natural,
                                  std::vector<io::Source>& sources);
 
-/// Reads columns x and y of a TSV into SI.
-Points read_points(const std::filesystem::path& path, const std::string& x, const std::string& x_unit,
-                   const std::string& y, const std::string& y_unit, std::vector<io::Source>& sources);
-
 }  // namespace soilweave::gws

@@ -4,28 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "gws/identification/points.h"
 #include "gws/output/options.h"
 
 namespace soilweave::gws {
-namespace {
-
-// Reads triaxial peaks as points (p, q/p). The thesis has the confining pressure in the place of p; else
-// p = 3 sigma_r / (3 - q/p), since q = sigma_a - sigma_r.
-Points failure_points(const std::filesystem::path& path, Method method, std::vector<io::Source>& sources) {
-  Points peaks = read_points(path, "confining_pressure", "Pa", "obliquity_at_failure", "1", sources);
-  for (std::size_t i = 0; i < peaks.x.size(); ++i) {
-    if (!(peaks.x[i] > 0 && peaks.y[i] > 0 && peaks.y[i] < 3))
-      throw DataError(
-          fmt::format("{}: row {}: q/p = {:.4g} under {:.4g} kPa; in compression q/p lies between 0 and 3, and the "
-                      "pressure above 0",
-                      path.string(), i + 1, peaks.y[i], peaks.x[i] / 1e3));
-    if (method == Method::path) peaks.x[i] *= 3 / (3 - peaks.y[i]);
-  }
-  return peaks;
-}
-
-}  // namespace
 
 void SeriesOptions::declare(tool::Table& t) {
   t.inputs(inputs, "SERIES", "runs of bags; TSV or fields: strain_axial, _volumetric, mean_ and deviatoric_stress");
@@ -52,8 +34,8 @@ std::vector<BagSeries> SeriesOptions::bags(std::vector<io::Source>& sources) con
 
 Identification SeriesOptions::identified(const std::vector<BagSeries>& bags, const SoilFile& given,
                                          std::vector<io::Source>& sources) const {
-  const Points line = read_points(compression, "mean_stress", "Pa", "strain_volumetric", "1", sources);
-  const Points peaks = failure_points(failure, method(), sources);
+  const Points line = compression_points(compression, sources);
+  const Points peaks = failure_points(failure, method() == Method::thesis, sources);
   return identify(bags, given, line, peaks, difference == "central" ? Difference::central : Difference::backward,
                   method());
 }
